@@ -1,0 +1,18 @@
+# Settings of our own code, as a target that everything of ours links.
+add_library(pongsim_settings INTERFACE)
+target_compile_options(pongsim_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 sees an overlap in `"text" + string` that is not there (GCC bug 105651).
+  target_compile_options(pongsim_settings INTERFACE -Wno-restrict)
+endif()
+if(PONGSIM_WARNINGS_AS_ERRORS)
+  target_compile_options(pongsim_settings INTERFACE -Werror)
+endif()
+
+# The same bits whatever the processor can do: no fused multiply-add that one build contracts and another does not.
+target_compile_options(pongsim_settings INTERFACE -ffp-contract=off)
+
+if(PONGSIM_SANITIZE)
+  add_compile_options(-fsanitize=${PONGSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${PONGSIM_SANITIZE})
+endif()

@@ -1,0 +1,50 @@
+# pongsim_layer(NAME SOURCES ... [USES third-party targets ...])
+# A folder under src/, as object files that go into the library and into the tests of the layer.
+function(pongsim_layer name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
+  add_library(pongsim_${name} OBJECT ${arg_SOURCES})
+  target_include_directories(pongsim_${name} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(pongsim_${name} PUBLIC Eigen3::Eigen PRIVATE pongsim_settings ${arg_USES})
+  set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS pongsim_${name})
+  set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS_USE ${arg_USES})
+endfunction()
+
+# pongsim_plugin(NAME SOURCES ... [USES third-party targets ...])
+# A system's library; knows the installed API only.
+function(pongsim_plugin name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
+  set(target pongsim-${name}-system)
+  add_library(${target} MODULE ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE pongsim pongsim_settings ${arg_USES})
+  set_target_properties(${target} PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PONGSIM_PLUGIN_SUBDIRECTORY}
+    INSTALL_RPATH "$ORIGIN/../..")
+  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${PONGSIM_PLUGIN_SUBDIRECTORY})
+  set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGINS ${target})
+endfunction()
+
+# pongsim_test(NAME SOURCES ... [LINKS ...] [LABELS ...])
+# A GoogleTest program, each of its tests a test of ctest. Links the layers, hidden parts and all, unless LINKS
+# names the library itself (`pongsim`) for a test that sees only the installed API.
+function(pongsim_test name)
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINKS;USES" ${ARGN})
+  if(NOT arg_LINKS)
+    set(arg_LINKS pongsim_layers)
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test)
+  target_link_libraries(${name} PRIVATE ${arg_LINKS} pongsim_test_support pongsim_settings GTest::gtest_main
+                                        ${arg_USES})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${arg_TIMEOUT})
+endfunction()
+
+# pongsim_plugin_test(NAME SOURCES ... [USES third-party targets ...])
+# Tests of a system: see the installed API only, and find the systems of this build.
+function(pongsim_plugin_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
+  pongsim_test(plugin-${name}-test SOURCES ${arg_SOURCES} LINKS pongsim USES ${arg_USES})
+  add_dependencies(plugin-${name}-test pongsim-${name}-system)
+endfunction()

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace pongsim::test {
+
+/// Long enough for anything that works, on a machine that is busy with other tests.
+inline constexpr std::chrono::seconds kDeadline{60};
+
+/// A program that a test started. Its output is read in the background. Ends with this object.
+class Process {
+ public:
+  struct Options {
+    /// Added to this process's own environment.
+    std::map<std::string, std::string> environment;
+    /// Working folder, this process's own where empty.
+    std::filesystem::path folder;
+  };
+
+  /// Starts `arguments[0]`, looked up in PATH where it has no slash. Its standard input is empty.
+  /// @throws std::runtime_error where it can't be started. A missing program exits with 127.
+  explicit Process(const std::vector<std::string>& arguments, const Options& options = Options());
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  pid_t pid() const { return pid_; }
+
+  /// Sends it a signal, if it has not ended.
+  void kill(int signal) const;
+
+  /// Waits until it has ended and all that it wrote has been read.
+  /// @return Its exit code, 128 + number where a signal ended it; nothing after `timeout`.
+  std::optional<int> wait(std::chrono::nanoseconds timeout = kDeadline);
+
+  /// Waits until its standard output or its standard error holds something that `pattern` (a regular expression,
+  /// ECMAScript) matches. Returns early if it ends without.
+  bool waitForOutput(const std::string& pattern, std::chrono::nanoseconds timeout = kDeadline);
+  bool waitForError(const std::string& pattern, std::chrono::nanoseconds timeout = kDeadline);
+
+  /// What it has written so far.
+  std::string output() const;
+  std::string error() const;
+
+ private:
+  struct Stream {
+    int descriptor = -1;
+    std::string text;
+  };
+
+  void read();
+  bool takeFrom(Stream& stream);
+  bool waitFor(const Stream& stream, const std::string& pattern, std::chrono::nanoseconds timeout);
+
+  pid_t pid_ = -1;
+  int stop_[2] = {-1, -1};
+  std::optional<int> exitCode_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Stream output_;
+  Stream error_;
+  bool readAll_ = false;
+  std::thread reader_;
+};
+
+}  // namespace pongsim::test
