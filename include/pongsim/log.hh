@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "pongsim/export.hh"
+
+namespace pongsim {
+
+/// How much is said, as Fortress numbers it for `-v`.
+enum class LogLevel { kNone = 0, kError = 1, kWarning = 2, kInfo = 3, kDebug = 4 };
+
+/// Sets how much the process says on stderr; `kWarning` at the start.
+PONGSIM_API void setLogLevel(LogLevel level);
+PONGSIM_API LogLevel logLevel();
+
+/// Speaks on stderr for one part of the program, whose name stands in each line.
+class PONGSIM_API Logger {
+ public:
+  explicit Logger(std::string speaker);
+
+  void error(std::string_view message) const;
+  void warning(std::string_view message) const;
+  void info(std::string_view message) const;
+  void debug(std::string_view message) const;
+
+ private:
+  std::string speaker_;
+};
+
+}  // namespace pongsim

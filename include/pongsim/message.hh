@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pongsim/export.hh"
+
+namespace google::protobuf {
+class Message;
+}
+
+namespace pongsim {
+
+using Message = google::protobuf::Message;
+
+/// Ends a message where its class is not known.
+struct PONGSIM_API MessageDeleter {
+  void operator()(Message* message) const;
+};
+using MessagePointer = std::unique_ptr<Message, MessageDeleter>;
+
+/// What is wrong with a message's text and where: line and column count from 1, 0 where it has no place.
+struct MessageError {
+  int line = 0;
+  int column = 0;
+  std::string message;
+  /// One line of help ("did you mean 'linear'?"), or empty.
+  std::string hint;
+};
+
+/// @return The full name of the message type that `name` stands for, or nothing where there is no such type.
+/// `ignition.msgs.X`, `.ignition.msgs.X`, `ign_msgs.X`, `gz.msgs.X` and `X` all name `ignition.msgs.X`.
+PONGSIM_API std::optional<std::string> messageTypeName(std::string_view name);
+
+/// @return The full name of the type that is spelt most like `name`, or an empty text if none comes near.
+PONGSIM_API std::string nearestMessageType(std::string_view name);
+
+/// @return The full names of all types, sorted.
+PONGSIM_API std::vector<std::string> messageTypes();
+
+/// @return An empty message of the type that `name` stands for, or null where there is no such type.
+PONGSIM_API MessagePointer newMessage(std::string_view name);
+
+/// Replaces `message` by what `text` says in protobuf's text format: `linear: {x: 0.5}, angular: {z: 0.05}`.
+/// @return What is wrong with the text, or nothing. On an error `message` holds what was read before it.
+PONGSIM_API std::optional<MessageError> parseMessage(std::string_view text, Message& message);
+
+/// @return The message in protobuf's text format, a line each field.
+PONGSIM_API std::string messageText(const Message& message);
+
+/// @return The message as one line of JSON by protobuf's mapping (camelCase names, 64-bit integers as strings,
+/// fields of default value left out).
+PONGSIM_API std::string messageJson(const Message& message);
+
+}  // namespace pongsim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "pongsim/export.hh"
+
+namespace pongsim {
+
+/// A stream of random numbers that depends on the run's seed and on its own name and on nothing else, so that
+/// adding a system does not change what another one draws. Generator: PCG32 (O'Neill, "PCG: A Family of Simple
+/// Fast Space-Efficient Statistically Good Algorithms for Random Number Generation", 2014); the same numbers on
+/// every machine.
+class PONGSIM_API Random {
+ public:
+  Random(std::uint64_t seed, std::string_view streamName);
+
+  /// @return A number of [0, 1) with 53 random bits.
+  double uniform();
+
+  /// @return A number of the normal distribution, by Marsaglia's polar method.
+  double normal(double mean, double standardDeviation);
+
+ private:
+  std::uint32_t next();
+
+  std::uint64_t state_ = 0;
+  std::uint64_t increment_ = 0;
+  double spare_ = 0;
+  bool hasSpare_ = false;
+};
+
+}  // namespace pongsim

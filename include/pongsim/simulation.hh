@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pongsim/diagnostic.hh"
+#include "pongsim/export.hh"
+#include "pongsim/handles.hh"
+#include "pongsim/node.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim {
+
+struct SimulationOptions {
+  /// Where all random numbers of the run come from.
+  std::uint64_t seed = 0;
+  /// Load the systems that the world's plugins ask for; without them there are bodies, joints and gravity only.
+  bool loadSystems = true;
+  /// Where the systems' topics go; null keeps them within this simulation. Must outlive it.
+  Transport* transport = nullptr;
+};
+
+/// One world, from its file, with its bodies and systems. Belongs to one thread at a time.
+class PONGSIM_API Simulation {
+ public:
+  /// Loads a world file. What is wrong with it is added to `diagnostics`.
+  /// @return Null if there was an error.
+  static std::unique_ptr<Simulation> fromFile(const std::filesystem::path& file, const SimulationOptions& options,
+                                              Diagnostics& diagnostics);
+  /// As `fromFile`, from text; `name` stands in the messages.
+  static std::unique_ptr<Simulation> fromText(std::string_view text, std::string_view name,
+                                              const SimulationOptions& options, Diagnostics& diagnostics);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Makes `count` steps: hands over the messages that have come, calls the systems, moves the bodies.
+  void step(std::uint64_t count = 1);
+
+  /// Does what a step does but moves nothing: hands over the messages and calls the systems with `dt` zero.
+  void stepPaused();
+
+  /// @return Simulated time since the start.
+  Time time() const;
+  std::uint64_t iterations() const;
+  /// @return Length of a step, `<max_step_size>` of the world.
+  Time stepSize() const;
+  /// @return Simulated seconds a second that the world asks for; 0 means as many as possible.
+  double realTimeFactor() const;
+
+  World world();
+
+  /// @return A number made of all bits of the state (time, poses, velocities, joints): equal for two runs of the
+  /// same world with the same seed and inputs, different in practice for any two that differ.
+  std::uint64_t stateHash() const;
+
+  /// The transport of the systems' topics: the one of the options or the simulation's own.
+  Transport& transport();
+
+ private:
+  struct Parts;
+  explicit Simulation(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pongsim

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "pongsim/element.hh"
+#include "pongsim/export.hh"
+#include "pongsim/handles.hh"
+#include "pongsim/log.hh"
+#include "pongsim/node.hh"
+#include "pongsim/random.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim {
+
+/// Where a run stands when a system is called.
+struct StepInfo {
+  /// Simulated time at the end of this step.
+  Time time{0};
+  /// Length of the step; zero while paused.
+  Time dt{0};
+  /// Steps made, this one included.
+  std::uint64_t iteration = 0;
+  bool paused = false;
+};
+
+/// What a system is given when it starts. All references live as long as the system.
+struct SystemContext {
+  /// The `<plugin>` element, with its parameters below it.
+  const Element& sdf;
+  World& world;
+  /// The model that the plugin stands in; nothing where it stands in the world.
+  std::optional<Model> model;
+  Node& node;
+  const Logger& log;
+  Random& random;
+};
+
+/// A part of the simulation that a world's `<plugin>` element asks for. All functions are called on the
+/// simulation's thread: the systems in the order of the file, each phase through all of them before the next.
+class PONGSIM_API System {
+ public:
+  virtual ~System();
+
+  /// Reads the parameters and finds the joints, topics and so on. Called once, with all models there.
+  /// @throws Error for a parameter that can't be used; the system is then left out, and the error reported.
+  virtual void configure(const SystemContext& context) = 0;
+
+  /// Before the physics: the place for commands. Messages have been handed over just before.
+  virtual void preUpdate(const StepInfo&) {}
+  /// Before the physics and after every system's `preUpdate`.
+  virtual void update(const StepInfo&) {}
+  /// After the physics: the place to read the state and to publish.
+  virtual void postUpdate(const StepInfo&) {}
+  /// The world was set back to its start.
+  virtual void reset() {}
+};
+
+/// Version of what a system library and pongsim agree on. A library with another one is not loaded.
+inline constexpr std::uint32_t kAbiVersion = 1;
+
+/// One system of a library.
+struct SystemEntry {
+  /// Class names that worlds use, the preferred one first.
+  std::span<const char* const> names;
+  System* (*create)();
+};
+
+/// What a system library exports, under the name `pongsim_systems`. The version stands first, for good.
+struct SystemTable {
+  std::uint32_t abiVersion;
+  std::span<const SystemEntry> entries;
+};
+
+}  // namespace pongsim
+
+/// Exports the system `Class` from its library, under the class names that follow. Once a library.
+#define PONGSIM_EXPORT_SYSTEM(Class, ...)                                                                 \
+  extern "C" PONGSIM_API const ::pongsim::SystemTable pongsim_systems;                                    \
+  namespace {                                                                                             \
+  constexpr const char* kPongsimSystemNames[] = {__VA_ARGS__};                                            \
+  constexpr ::pongsim::SystemEntry kPongsimSystemEntries[] = {                                            \
+      {kPongsimSystemNames, []() -> ::pongsim::System* { return std::make_unique<Class>().release(); }}}; \
+  }                                                                                                       \
+  const ::pongsim::SystemTable pongsim_systems { ::pongsim::kAbiVersion, kPongsimSystemEntries }

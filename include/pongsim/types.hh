@@ -1,0 +1,70 @@
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace pongsim {
+
+/// Simulated time since the start of the run, or a span of it.
+using Time = std::chrono::nanoseconds;
+
+/// @return `time` in seconds.
+constexpr double toSeconds(Time time) { return std::chrono::duration<double>(time).count(); }
+
+/// @return `seconds` [s] rounded to the nearest nanosecond. The argument must be finite and below 2^63 ns.
+constexpr Time fromSeconds(double seconds) {
+  const double nanoseconds = seconds * 1e9;
+  return Time(static_cast<Time::rep>(nanoseconds + (nanoseconds < 0 ? -0.5 : 0.5)));
+}
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+using Quaternion = Eigen::Quaterniond;
+
+/// A rigid transform. A variable that holds one names both frames: `X_AB` is the pose of frame B measured in
+/// frame A, so that `p_A = X_AB * p_B` and `X_AC = X_AB * X_BC`. Position in metres, rotation a unit quaternion.
+struct Pose {
+  Vector3 position = Vector3::Zero();
+  Quaternion rotation = Quaternion::Identity();
+
+  Pose operator*(const Pose& other) const {
+    return {position + rotation * other.position, (rotation * other.rotation).normalized()};
+  }
+  Vector3 operator*(const Vector3& point) const { return position + rotation * point; }
+  Pose inverse() const {
+    const Quaternion inverted = rotation.conjugate();
+    return {-(inverted * position), inverted};
+  }
+};
+
+/// Rotation from fixed-axis roll, pitch, yaw [rad] as SDF and URDF write it: R = Rz(yaw) Ry(pitch) Rx(roll).
+inline Quaternion fromRollPitchYaw(double roll, double pitch, double yaw) {
+  return Eigen::AngleAxisd(yaw, Vector3::UnitZ()) * Eigen::AngleAxisd(pitch, Vector3::UnitY()) *
+         Eigen::AngleAxisd(roll, Vector3::UnitX());
+}
+
+/// @return Angle [rad] in (-pi, pi] about z after which the x axis of `rotation` points, seen from above.
+inline double yawOf(const Quaternion& rotation) {
+  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
+  return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+}
+
+/// An entity's number, of one kind only (a joint's does not pass for a link's). Never reused within a run;
+/// 0 names nothing.
+template <class Kind>
+struct Id {
+  std::uint64_t value = 0;
+  auto operator<=>(const Id&) const = default;
+  explicit operator bool() const { return value != 0; }
+};
+using WorldId = Id<struct WorldKind>;
+using ModelId = Id<struct ModelKind>;
+using LinkId = Id<struct LinkKind>;
+using JointId = Id<struct JointKind>;
+
+}  // namespace pongsim

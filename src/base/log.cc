@@ -1,0 +1,57 @@
+#include "pongsim/log.hh"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+namespace pongsim {
+
+namespace {
+
+/// The process has one stderr, so it has one of these.
+spdlog::logger& standardError() {
+  static spdlog::logger logger = [] {
+    spdlog::logger made("pongsim", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+    made.set_pattern("%^%l%$: %v");
+    made.set_level(spdlog::level::warn);
+    return made;
+  }();
+  return logger;
+}
+
+void say(spdlog::level::level_enum level, const std::string& speaker, std::string_view message) {
+  if (standardError().should_log(level)) standardError().log(level, "{}: {}", speaker, message);
+}
+
+}  // namespace
+
+void setLogLevel(LogLevel level) {
+  constexpr spdlog::level::level_enum kLevels[] = {spdlog::level::off, spdlog::level::err, spdlog::level::warn,
+                                                   spdlog::level::info, spdlog::level::debug};
+  standardError().set_level(kLevels[static_cast<int>(level)]);
+}
+
+LogLevel logLevel() {
+  switch (standardError().level()) {
+    case spdlog::level::off:
+      return LogLevel::kNone;
+    case spdlog::level::err:
+      return LogLevel::kError;
+    case spdlog::level::warn:
+      return LogLevel::kWarning;
+    case spdlog::level::info:
+      return LogLevel::kInfo;
+    default:
+      return LogLevel::kDebug;
+  }
+}
+
+Logger::Logger(std::string speaker) : speaker_(std::move(speaker)) {}
+
+void Logger::error(std::string_view message) const { say(spdlog::level::err, speaker_, message); }
+void Logger::warning(std::string_view message) const { say(spdlog::level::warn, speaker_, message); }
+void Logger::info(std::string_view message) const { say(spdlog::level::info, speaker_, message); }
+void Logger::debug(std::string_view message) const { say(spdlog::level::debug, speaker_, message); }
+
+}  // namespace pongsim

@@ -1,0 +1,50 @@
+#include "pongsim/random.hh"
+
+#include <cmath>
+
+#include "base/hash.hh"
+
+namespace pongsim {
+
+Random::Random(std::uint64_t seed, std::string_view streamName) {
+  // PCG's streams differ in their increment, which must be odd.
+  base::Hash hash;
+  hash.add(streamName);
+  increment_ = (hash.value() << 1U) | 1U;
+  next();
+  state_ += seed;
+  next();
+}
+
+std::uint32_t Random::next() {
+  const std::uint64_t old = state_;
+  state_ = old * 6364136223846793005ULL + increment_;
+  const auto shifted = static_cast<std::uint32_t>(((old >> 18U) ^ old) >> 27U);
+  const auto rotation = static_cast<std::uint32_t>(old >> 59U);
+  return (shifted >> rotation) | (shifted << ((32U - rotation) & 31U));
+}
+
+double Random::uniform() {
+  const std::uint64_t high = next() >> 5U;
+  const std::uint64_t low = next() >> 6U;
+  return static_cast<double>((high << 26U) | low) * 0x1p-53;
+}
+
+double Random::normal(double mean, double standardDeviation) {
+  if (hasSpare_) {
+    hasSpare_ = false;
+    return mean + standardDeviation * spare_;
+  }
+  double x = 0, y = 0, square = 0;
+  do {
+    x = 2 * uniform() - 1;
+    y = 2 * uniform() - 1;
+    square = x * x + y * y;
+  } while (square >= 1 || square == 0);
+  const double factor = std::sqrt(-2 * std::log(square) / square);
+  spare_ = y * factor;
+  hasSpare_ = true;
+  return mean + standardDeviation * x * factor;
+}
+
+}  // namespace pongsim

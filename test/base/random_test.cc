@@ -1,0 +1,47 @@
+#include "pongsim/random.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pongsim {
+namespace {
+
+TEST(Random, RepeatsForTheSameSeedAndName) {
+  Random first(7, "imu"), second(7, "imu");
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(first.uniform(), second.uniform());
+}
+
+TEST(Random, DiffersForAnotherSeedOrName) {
+  EXPECT_NE(Random(7, "imu").uniform(), Random(8, "imu").uniform());
+  EXPECT_NE(Random(7, "imu").uniform(), Random(7, "lidar").uniform());
+}
+
+TEST(Random, SpreadsUniformlyOverTheUnitInterval) {
+  Random random(1, "test");
+  constexpr int kCount = 100'000;
+  double sum = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const double value = random.uniform();
+    ASSERT_GE(value, 0);
+    ASSERT_LT(value, 1);
+    sum += value;
+  }
+  EXPECT_NEAR(sum / kCount, 0.5, 0.005);
+}
+
+TEST(Random, HasTheMeanAndDeviationAskedFor) {
+  Random random(1, "test");
+  constexpr int kCount = 100'000;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const double value = random.normal(3, 2);
+    sum += value;
+    squares += (value - 3) * (value - 3);
+  }
+  EXPECT_NEAR(sum / kCount, 3, 0.03);
+  EXPECT_NEAR(std::sqrt(squares / kCount), 2, 0.03);
+}
+
+}  // namespace
+}  // namespace pongsim
