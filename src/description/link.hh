@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/geometry.hh"
+#include "pongsim/diagnostic.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::description {
+
+/// `<inertial>`: mass and how it is spread.
+struct Inertial {
+  /// [kg]
+  double mass = 1;
+  /// Pose of the frame of `moments` in the link frame; its origin is the centre of mass.
+  Pose X_LinkCom;
+  /// Inertia tensor about the centre of mass [kg m^2].
+  Matrix3 moments = Matrix3::Identity();
+};
+
+/// `<surface>`: how a collision's skin behaves.
+struct Surface {
+  /// Friction coefficient along the first and the second direction (`<friction><ode><mu>`, `<mu2>`).
+  double mu = 1;
+  double mu2 = 1;
+  /// First friction direction in the collision frame (`<fdir1>`); zero: the engine chooses.
+  Vector3 fdir1 = Vector3::Zero();
+  /// `<bounce><restitution_coefficient>`, 0 to 1.
+  double restitution = 0;
+};
+
+struct Collision {
+  std::string name;
+  SourcePosition position;
+  Pose X_LinkCollision;
+  Geometry geometry;
+  Surface surface;
+};
+
+struct Visual {
+  std::string name;
+  SourcePosition position;
+  Pose X_LinkVisual;
+  Geometry geometry;
+};
+
+/// What a `<link>` says.
+struct Link {
+  std::string name;
+  SourcePosition position;
+  Pose X_ModelLink;
+  Inertial inertial;
+  std::vector<Collision> collisions;
+  std::vector<Visual> visuals;
+  /// `<gravity>`
+  bool gravity = true;
+  /// `<kinematic>`
+  bool kinematic = false;
+  /// `<self_collide>`: collides with other links of its model; unset, as the model says.
+  std::optional<bool> selfCollide;
+  /// `<velocity_decay>`, fraction of the velocity lost a second.
+  double linearDamping = 0;
+  double angularDamping = 0;
+};
+
+}  // namespace pongsim::description

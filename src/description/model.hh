@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/joint.hh"
+#include "description/link.hh"
+#include "description/plugin.hh"
+#include "pongsim/diagnostic.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::description {
+
+/// A `<frame>`: a name for a pose.
+struct Frame {
+  std::string name;
+  SourcePosition position;
+  Pose X_ModelFrame;
+  /// Link that the frame moves with, as the model names it.
+  std::string attachedLink;
+};
+
+/// What a `<model>` says, frames resolved.
+struct Model {
+  std::string name;
+  SourcePosition position;
+  /// Pose in the frame of what holds it: the world or the model it is nested in.
+  Pose X_ParentModel;
+  bool isStatic = false;
+  bool selfCollide = false;
+  /// Name of the link that the model frame is attached to, as this model sees it ("link" or "inner::link").
+  std::string canonicalLink;
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::vector<Frame> frames;
+  std::vector<Model> models;
+  std::vector<Plugin> plugins;
+};
+
+}  // namespace pongsim::description

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "pongsim/element.hh"
+
+namespace pongsim::description {
+
+/// A `<plugin>`: which library and class, and its parameters.
+struct Plugin {
+  std::string filename;
+  std::string className;
+  /// The whole `<plugin>` element, with its position.
+  Element sdf;
+};
+
+}  // namespace pongsim::description

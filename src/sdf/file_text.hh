@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "pongsim/diagnostic.hh"
+
+namespace pongsim::sdf {
+
+/// Larger files are refused.
+inline constexpr std::size_t kLargestFile = std::size_t{256} << 20U;
+
+/// Reads a whole file.
+/// @param name What diagnostics call it.
+/// @return Nothing, and an error added, if it can't be read, is empty or is too large.
+std::optional<std::string> readFileText(const std::filesystem::path& file, std::shared_ptr<const std::string> name,
+                                        Diagnostics& diagnostics);
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,79 @@
+#include "sdf/geometry_reader.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "sdf/schema.hh"
+#include "sdf/values.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+description::Box readBox(const Element& shape, Context& context) {
+  description::Box box;
+  const Vector3 size = readVector(shape, "size", box.size, context);
+  if (size.minCoeff() > 0) {
+    box.size = size;
+  } else {
+    const Element& element = *shape.child("size");
+    context.diagnostics.error(element.position,
+                              "<size> is '" + element.text + "', which is not three finite numbers above zero");
+  }
+  return box;
+}
+
+description::Plane readPlane(const Element& shape, const std::string& owner, Context& context) {
+  description::Plane plane;
+  const Vector3 normal = readVector(shape, "normal", plane.normal, context);
+  const double norm = normal.stableNorm();
+  if (norm > 0 && std::isfinite(norm)) {
+    plane.normal = (normal / norm).normalized();
+  } else {
+    context.diagnostics.error(shape.child("normal")->position,
+                              "the plane of " + owner + " has a normal of length zero");
+  }
+  if (const Element* size = shape.child("size"); size != nullptr && !size->text.empty()) {
+    const auto values = readNumbers(*size, 2, "two finite numbers", context);
+    if (values) plane.size = {(*values)[0], (*values)[1]};
+  }
+  return plane;
+}
+
+description::Geometry readShape(const Element& shape, const std::string& owner, Context& context) {
+  if (shape.name == "empty") return description::Empty{};
+  if (shape.name == "box") return readBox(shape, context);
+  if (shape.name == "sphere") return description::Sphere{readPositive(shape, "radius", 1, context)};
+  if (shape.name == "cylinder") {
+    return description::Cylinder{readPositive(shape, "radius", 1, context), readPositive(shape, "length", 1, context)};
+  }
+  if (shape.name == "plane") return readPlane(shape, owner, context);
+  return description::OtherGeometry{shape.name};
+}
+
+/// @return Whether the format knows it as a shape.
+bool isShape(std::string_view name) {
+  static const Schema::ElementType* const kGeometry = Schema::instance().shared("geometry");
+  return kGeometry != nullptr && Schema::find(kGeometry->children, name) != nullptr;
+}
+
+}  // namespace
+
+description::Geometry readGeometry(const Element& element, const std::string& owner, Context& context) {
+  const Element* geometry = element.child("geometry");
+  const auto isShapeElement = [](const Element& child) { return isShape(child.name); };
+  const auto shape =
+      geometry != nullptr ? std::ranges::find_if(geometry->children, isShapeElement) : element.children.end();
+  if (geometry == nullptr || shape == geometry->children.end()) {
+    const std::string effect = element.name == "collision" ? ": it will not collide" : ": it will not be seen";
+    context.diagnostics.warning(
+        geometry != nullptr ? geometry->position : element.position,
+        owner + " has no " + (geometry != nullptr ? "shape in its <geometry>" : "<geometry>") + effect,
+        "a shape is box, sphere, cylinder, plane, ...");
+    return description::Empty{};
+  }
+  return readShape(*shape, owner, context);
+}
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "description/link.hh"
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+
+namespace pongsim::sdf {
+
+/// Reads the `<inertial>` of a link: 1 kg and a unit inertia tensor where there is none.
+/// @param owner "link 'l' of model 'm'"
+/// @param isStatic The link never moves, so that any mass will do.
+description::Inertial readInertial(const Element& link, const std::string& owner, bool isStatic, Context& context);
+
+}  // namespace pongsim::sdf

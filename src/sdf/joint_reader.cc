@@ -1,0 +1,216 @@
+#include "sdf/joint_reader.hh"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/nearest_word.hh"
+#include "sdf/names.hh"
+#include "sdf/unsimulated.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+using description::JointAxis;
+using description::JointType;
+
+constexpr std::array kTypes{JointType::kRevolute,  JointType::kContinuous, JointType::kPrismatic,
+                            JointType::kBall,      JointType::kFixed,      JointType::kUniversal,
+                            JointType::kRevolute2, JointType::kScrew,      JointType::kGearbox};
+
+std::size_t axisCount(JointType type) {
+  switch (type) {
+    case JointType::kBall:
+    case JointType::kFixed:
+      return 0;
+    case JointType::kUniversal:
+    case JointType::kRevolute2:
+    case JointType::kGearbox:
+      return 2;
+    default:
+      return 1;
+  }
+}
+
+bool isSimulated(JointType type) { return axisCount(type) < 2 && type != JointType::kScrew; }
+
+std::string labelOf(const description::Joint& joint) {
+  return joint.name.empty() ? "a joint" : "joint '" + joint.name + "'";
+}
+
+std::optional<JointType> readType(const Element& element, const std::string& label, Context& context) {
+  const Element::Attribute* attribute = element.attribute("type");
+  if (attribute == nullptr) {
+    context.diagnostics.error(element.position, label + " has no type", "write type=\"revolute\", for example");
+    return std::nullopt;
+  }
+  std::vector<std::string_view> known;
+  for (const JointType type : kTypes) {
+    known.push_back(description::name(type));
+    if (known.back() != attribute->value) continue;
+    if (!isSimulated(type)) {
+      context.diagnostics.error(attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
+                                label + " can be revolute, continuous, prismatic, ball or fixed");
+    }
+    return type;
+  }
+  context.diagnostics.error(attribute->position, label + " has the unknown type '" + attribute->value + "'",
+                            base::didYouMean(attribute->value, known));
+  return std::nullopt;
+}
+
+/// Negative: not limited.
+double readMaximum(const Element& limit, std::string_view child, Context& context) {
+  const double value = readLimit(limit, child, -1, context);
+  return value < 0 ? std::numeric_limits<double>::infinity() : value;
+}
+
+void readLimits(const Element& element, const std::string& label, JointType type, JointAxis& axis, Context& context) {
+  if (type != JointType::kContinuous) {
+    axis.lower = readLimit(element, "lower", axis.lower, context);
+    axis.upper = readLimit(element, "upper", axis.upper, context);
+  }
+  axis.effort = readMaximum(element, "effort", context);
+  axis.velocity = readMaximum(element, "velocity", context);
+  if (axis.lower > axis.upper) {
+    context.diagnostics.error(element.position, "the lower limit of " + label + " is above its upper limit");
+  }
+}
+
+JointAxis readAxis(const Element& element, const std::string& label, JointType type, Context& context) {
+  JointAxis axis;
+  axis.xyz = readVector(element, "xyz", axis.xyz, context);
+  const double length = axis.xyz.stableNorm();
+  if (length > 0 && std::isfinite(length)) {
+    axis.xyz = (axis.xyz / length).normalized();
+  } else {
+    context.diagnostics.error(element.child("xyz")->position, "an axis of " + label + " has no direction");
+    axis.xyz = Vector3::UnitZ();
+  }
+  if (const Element* limit = element.child("limit")) readLimits(*limit, label, type, axis, context);
+  if (const Element* dynamics = element.child("dynamics")) {
+    axis.damping = readNumber(*dynamics, "damping", axis.damping, context);
+    axis.friction = readNumber(*dynamics, "friction", axis.friction, context);
+    axis.springReference = readNumber(*dynamics, "spring_reference", axis.springReference, context);
+    axis.springStiffness = readNumber(*dynamics, "spring_stiffness", axis.springStiffness, context);
+  }
+  return axis;
+}
+
+/// @return The frame that the axis is given in; empty: the joint's own.
+JointDraft::FrameName readAxisFrame(const Element& axis, Context& context) {
+  if (const Element* xyz = axis.child("xyz")) {
+    if (const Element::Attribute* frame = xyz->attribute("expressed_in")) return {frame->value, frame->position};
+  }
+  // Up to SDF 1.6 a flag, which SDF 1.4 did not have, for it was always so.
+  const bool isInModel =
+      context.version <= 6 && readFlag(axis, "use_parent_model_frame", context.version <= 4, context);
+  return {isInModel ? "__model__" : "", axis.position};
+}
+
+void readAxes(const Element& element, JointDraft& draft, Context& context) {
+  constexpr std::array<std::string_view, 2> kNames{"axis", "axis2"};
+  const std::string label = labelOf(draft.joint);
+  for (std::size_t i = 0; i < axisCount(draft.joint.type); ++i) {
+    const Element* axis = element.child(kNames[i]);
+    if (axis == nullptr) {
+      const std::string name(kNames[i]);
+      context.diagnostics.warning(element.position, label + " has no <" + name + ">: its axis is z");
+      draft.joint.axes.emplace_back();
+      draft.axisFrames.emplace_back();
+      continue;
+    }
+    draft.joint.axes.push_back(readAxis(*axis, label, draft.joint.type, context));
+    draft.axisFrames.push_back(readAxisFrame(*axis, context));
+  }
+}
+
+JointDraft::FrameName readLinkName(const Element& joint, std::string_view child, const std::string& label,
+                                   Context& context) {
+  const Element* element = joint.child(child);
+  if (element != nullptr && !element->text.empty()) return {element->text, element->position};
+  context.diagnostics.error(element != nullptr ? element->position : joint.position,
+                            label + " has no <" + std::string(child) + ">");
+  return {"", joint.position};
+}
+
+}  // namespace
+
+JointDraft readJoint(const Element& element, const std::string& owner, Context& context) {
+  JointDraft draft;
+  description::Joint& joint = draft.joint;
+  joint.name = readName(element, owner, context);
+  joint.position = element.position;
+  const std::string label = labelOf(joint);
+  draft.pose = readPose(element, context);
+  if (const std::optional<JointType> type = readType(element, label, context)) {
+    joint.type = *type;
+    readAxes(element, draft, context);
+  }
+  draft.parent = readLinkName(element, "parent", label, context);
+  draft.child = readLinkName(element, "child", label, context);
+  if (draft.child.name == "world") {
+    context.diagnostics.error(draft.child.position, label + " has the world as its child",
+                              "the world can be the parent of a joint only");
+    draft.child.name.clear();
+  } else if (!draft.child.name.empty() && draft.child.name == draft.parent.name) {
+    context.diagnostics.error(draft.child.position, label + " has '" + draft.child.name + "' as parent and child");
+    draft.parent.name.clear();
+  }
+  warnOfSensors(element, context);
+  return draft;
+}
+
+description::Joint finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry, Context& context) {
+  description::Joint joint = std::move(draft.joint);
+  const std::string label = labelOf(joint);
+  const Pose& X_ScopeJoint = scope.pose(entry);
+  const auto poseOf = [&](const std::string& link) {
+    const std::optional<Scope::Found> found = scope.find(link);
+    return found ? found->X_ScopeFrame : Pose();
+  };
+
+  joint.child = scope.link(entry);
+  joint.X_ChildJoint = poseOf(joint.child).inverse() * X_ScopeJoint;
+  if (joint.child == "world") {
+    context.diagnostics.error(draft.child.position,
+                              label + " has the world as its child, by way of frame '" + draft.child.name + "'");
+  } else if (joint.child.empty() && scope.find(draft.child.name)) {
+    context.diagnostics.error(draft.child.position,
+                              label + " names child '" + draft.child.name + "', which has no link");
+  }
+
+  if (draft.parent.name == "world") {
+    joint.parent = "world";
+    joint.X_ParentJoint = X_ScopeJoint;
+  } else if (!draft.parent.name.empty()) {
+    const std::optional<Scope::Found> parent =
+        scope.findOrComplain(draft.parent.name, label + " names parent link", draft.parent.position, context);
+    if (parent && parent->link.empty()) {
+      context.diagnostics.error(draft.parent.position,
+                                label + " names parent '" + draft.parent.name + "', which has no link");
+    }
+    joint.parent = parent ? parent->link : "";
+    joint.X_ParentJoint = poseOf(joint.parent).inverse() * X_ScopeJoint;
+    if (!joint.parent.empty() && joint.parent == joint.child) {
+      context.diagnostics.error(draft.child.position, "parent '" + draft.parent.name + "' and child '" +
+                                                          draft.child.name + "' of " + label + " are the same link '" +
+                                                          joint.child + "'");
+    }
+  }
+
+  for (std::size_t i = 0; i < joint.axes.size(); ++i) {
+    const JointDraft::FrameName& given = draft.axisFrames[i];
+    if (given.name.empty()) continue;
+    const std::optional<Scope::Found> frame =
+        scope.findOrComplain(given.name, "an axis of " + label + " is expressed in", given.position, context);
+    if (!frame) continue;
+    joint.axes[i].xyz = X_ScopeJoint.rotation.conjugate() * (frame->X_ScopeFrame.rotation * joint.axes[i].xyz);
+  }
+  return joint;
+}
+
+}  // namespace pongsim::sdf

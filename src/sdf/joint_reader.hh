@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/joint.hh"
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+#include "sdf/scope.hh"
+#include "sdf/values.hh"
+
+namespace pongsim::sdf {
+
+/// A joint and what of it waits for the frames of its model or world.
+struct JointDraft {
+  description::Joint joint;
+  PoseText pose;
+  /// A frame as the file names it, and where.
+  struct FrameName {
+    std::string name;
+    SourcePosition position;
+  };
+  FrameName parent;
+  FrameName child;
+  /// For each axis the frame that its vector is given in; empty: the joint's.
+  std::vector<FrameName> axisFrames;
+};
+
+/// @param owner "model 'robot'" or "world 'w'"
+JointDraft readJoint(const Element& element, const std::string& owner, Context& context);
+
+/// Completes the joint's links, poses and axes. Where the parent is the world and the scope is a model's,
+/// `X_ParentJoint` is the pose in the model frame, for the model's place in the world is not known yet.
+/// @param entry The joint's number in the scope, which is resolved.
+description::Joint finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry, Context& context);
+
+}  // namespace pongsim::sdf

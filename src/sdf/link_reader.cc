@@ -1,0 +1,117 @@
+#include "sdf/link_reader.hh"
+
+#include <utility>
+#include <variant>
+
+#include "sdf/geometry_reader.hh"
+#include "sdf/inertial_reader.hh"
+#include "sdf/names.hh"
+#include "sdf/unsimulated.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+std::string labelOf(const Element& element, const std::string& name, const std::string& owner) {
+  return (name.empty() ? "a " + element.name : element.name + " '" + name + "'") + " of " + owner;
+}
+
+description::Surface readSurface(const Element& collision, Context& context) {
+  description::Surface surface;
+  const Element* element = collision.child("surface");
+  if (element == nullptr) return surface;
+  const Element* friction = element->child("friction");
+  if (const Element* ode = friction != nullptr ? friction->child("ode") : nullptr) {
+    surface.mu = readNotNegative(*ode, "mu", surface.mu, context);
+    surface.mu2 = readNotNegative(*ode, "mu2", surface.mu2, context);
+    surface.fdir1 = readVector(*ode, "fdir1", surface.fdir1, context);
+  }
+  if (const Element* bounce = element->child("bounce")) {
+    surface.restitution = readNotNegative(*bounce, "restitution_coefficient", surface.restitution, context);
+  }
+  return surface;
+}
+
+description::Collision readCollision(const Element& element, const std::string& owner, Context& context) {
+  description::Collision collision;
+  collision.name = readName(element, owner, context);
+  collision.position = element.position;
+  collision.geometry = readGeometry(element, labelOf(element, collision.name, owner), context);
+  collision.surface = readSurface(element, context);
+  if (const auto* other = std::get_if<description::OtherGeometry>(&collision.geometry)) {
+    const bool isVowel = std::string_view("aeiou").find(other->kind.front()) != std::string_view::npos;
+    context.diagnostics.warning(element.position, "collision '" + collision.name + "' has " + (isVowel ? "an " : "a ") +
+                                                      other->kind +
+                                                      ", which is not simulated yet: it will not collide");
+  }
+  return collision;
+}
+
+description::Visual readVisual(const Element& element, const std::string& owner, Context& context) {
+  description::Visual visual;
+  visual.name = readName(element, owner, context);
+  visual.position = element.position;
+  visual.geometry = readGeometry(element, labelOf(element, visual.name, owner), context);
+  return visual;
+}
+
+}  // namespace
+
+LinkDraft readLink(const Element& element, const std::string& owner, bool isStatic, Context& context) {
+  LinkDraft draft;
+  description::Link& link = draft.link;
+  link.name = readName(element, owner, context);
+  link.position = element.position;
+  draft.pose = readPose(element, context);
+  link.inertial = readInertial(element, labelOf(element, link.name, owner), isStatic, context);
+  link.gravity = readFlag(element, "gravity", link.gravity, context);
+  link.kinematic = readFlag(element, "kinematic", link.kinematic, context);
+  if (const Element* selfCollide = element.child("self_collide");
+      selfCollide != nullptr && !selfCollide->text.empty()) {
+    link.selfCollide = readFlag(element, "self_collide", false, context);
+  }
+  if (const Element* decay = element.child("velocity_decay")) {
+    link.linearDamping = readNotNegative(*decay, "linear", link.linearDamping, context);
+    link.angularDamping = readNotNegative(*decay, "angular", link.angularDamping, context);
+  }
+
+  const std::string label = labelOf(element, link.name, owner);
+  SiblingNames names(label);
+  for (const Element& child : element.children) {
+    if (child.name != "collision" && child.name != "visual") continue;
+    const bool isVisual = child.name == "visual";
+    const PoseText pose = readPose(child, context);
+    std::size_t index = 0;
+    if (isVisual) {
+      index = link.visuals.size();
+      link.visuals.push_back(readVisual(child, label, context));
+      link.visuals.back().X_LinkVisual = pose.value;
+      names.claim(link.visuals.back().name, child.name, child, context);
+    } else {
+      index = link.collisions.size();
+      link.collisions.push_back(readCollision(child, label, context));
+      link.collisions.back().X_LinkCollision = pose.value;
+      names.claim(link.collisions.back().name, child.name, child, context);
+    }
+    if (!pose.relativeTo.empty()) draft.parts.push_back({isVisual, index, pose});
+  }
+  warnOfSensors(element, context);
+  return draft;
+}
+
+description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t entry, Context& context) {
+  description::Link link = std::move(draft.link);
+  link.X_ModelLink = scope.pose(entry);
+  for (const LinkDraft::Part& part : draft.parts) {
+    const std::string& name = part.isVisual ? link.visuals[part.index].name : link.collisions[part.index].name;
+    const std::string label = (part.isVisual ? "visual '" : "collision '") + name + "'";
+    const std::optional<Scope::Found> frame = scope.findOrComplain(
+        part.pose.relativeTo, "the pose of " + label + " is relative to", part.pose.position, context);
+    if (!frame) continue;
+    const Pose X_LinkPart = link.X_ModelLink.inverse() * frame->X_ScopeFrame * part.pose.value;
+    (part.isVisual ? link.visuals[part.index].X_LinkVisual : link.collisions[part.index].X_LinkCollision) = X_LinkPart;
+  }
+  return link;
+}
+
+}  // namespace pongsim::sdf

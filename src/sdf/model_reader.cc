@@ -1,0 +1,61 @@
+#include "sdf/model_reader.hh"
+
+#include <optional>
+#include <utility>
+
+#include "sdf/names.hh"
+#include "sdf/parts_reader.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+void readCanonicalLink(const Element& element, Scope& scope, Context& context) {
+  const Element::Attribute* attribute = element.attribute("canonical_link");
+  if (attribute == nullptr || attribute->value.empty()) return;
+  const std::optional<Scope::Found> found =
+      scope.findOrComplain(attribute->value, scope.label() + " has the canonical link", attribute->position, context);
+  if (!found) return;
+  if (found->kind == FrameKind::kLink) {
+    scope.setCanonicalLink(attribute->value);
+  } else {
+    context.diagnostics.error(attribute->position,
+                              "the canonical link of " + scope.label() + ", '" + attribute->value + "', is not a link");
+  }
+}
+
+bool hasChild(const Element& element, std::string_view name) { return element.child(name) != nullptr; }
+
+}  // namespace
+
+ModelDraft readModel(const Element& element, const std::string& owner, bool isInStatic, Context& context) {
+  ModelDraft draft;
+  description::Model& model = draft.model;
+  model.name = readName(element, owner, context);
+  model.position = element.position;
+  model.isStatic = readFlag(element, "static", false, context);
+  model.selfCollide = readFlag(element, "self_collide", false, context);
+  draft.pose = readPose(element, context);
+  draft.placementFrame = element.attributeOr("placement_frame", "");
+
+  const std::string label = model.name.empty() ? "a model" : "model '" + model.name + "'";
+  draft.scope = std::make_unique<Scope>("__model__", label);
+  PartsReader parts(*draft.scope, model.isStatic || isInStatic, context);
+  parts.read(element);
+  if (!model.isStatic && !hasChild(element, "link") && !hasChild(element, "model") && !hasChild(element, "include")) {
+    context.diagnostics.error(element.position, label + " has no link",
+                              "a model that is not static needs a <link>, which gives it a body");
+  }
+
+  readCanonicalLink(element, *draft.scope, context);
+  draft.scope->resolve(context);
+  model.canonicalLink = draft.scope->link(0);
+  model.links = parts.takeLinks();
+  model.joints = parts.takeJoints();
+  model.frames = parts.takeFrames();
+  model.models = parts.takeModels();
+  model.plugins = parts.takePlugins();
+  return draft;
+}
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,46 @@
+#include "sdf/names.hh"
+
+namespace pongsim::sdf {
+
+std::string readName(const Element& element, std::string_view owner, Context& context) {
+  const std::string ending = owner.empty() ? "" : " in " + std::string(owner);
+  const Element::Attribute* attribute = element.attribute("name");
+  if (attribute == nullptr || attribute->value.empty()) {
+    context.diagnostics.error(element.position, "<" + element.name + ">" + ending + " has no name",
+                              "write <" + element.name + " name=\"...\">");
+    return {};
+  }
+  const std::string& name = attribute->value;
+  const bool isReserved = name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
+  if (isReserved && element.name != "world") {
+    context.diagnostics.error(attribute->position, element.name + " can't be named '" + name + "'" + ending,
+                              "'world' and names like __model__ have a meaning of their own");
+    return {};
+  }
+  // Older files hold included models flattened into "model::link".
+  if (context.version >= 8 && name.find("::") != std::string::npos) {
+    context.diagnostics.error(attribute->position, element.name + " can't be named '" + name + "'" + ending,
+                              "'::' stands between the name of a model and that of its part");
+    return {};
+  }
+  return name;
+}
+
+void SiblingNames::claim(const std::string& name, std::string_view group, const Element& element, Context& context) {
+  if (name.empty()) return;
+  const auto [holder, isNew] =
+      holders_.try_emplace({std::string(group), name}, Holder{element.name, element.position.line});
+  if (isNew) return;
+  const bool isSameKind = holder->second.kind == element.name;
+  const std::string message = element.name + " '" + name + "' has the same name as " +
+                              (isSameKind ? "another " + element.name : "a " + holder->second.kind) + " of " + owner_;
+  const std::string hint = "the first one is in line " + std::to_string(holder->second.line);
+  // Up to SDF 1.6 different kinds could share a name.
+  if (!isSameKind && context.version <= 6) {
+    context.diagnostics.warning(element.position, message, hint);
+  } else {
+    context.diagnostics.error(element.position, message, hint);
+  }
+}
+
+}  // namespace pongsim::sdf

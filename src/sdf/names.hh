@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+
+namespace pongsim::sdf {
+
+/// Reads the attribute `name`.
+/// @param owner Whose part it is, for the message: "model 'robot'"; may be empty.
+/// @return An empty text, and an error added, where there is none or it is a name that the format keeps for itself.
+std::string readName(const Element& element, std::string_view owner, Context& context);
+
+/// The names given so far to the parts of one world, model or link.
+class SiblingNames {
+ public:
+  /// @param owner "model 'robot'"
+  explicit SiblingNames(std::string owner) : owner_(std::move(owner)) {}
+
+  /// Adds a name, and an error where it is taken already. An empty name is not looked at.
+  /// @param group Kinds of one group share their names; kinds of different groups do not.
+  void claim(const std::string& name, std::string_view group, const Element& element, Context& context);
+
+ private:
+  struct Holder {
+    std::string kind;
+    int line;
+  };
+  std::string owner_;
+  std::map<std::pair<std::string, std::string>, Holder, std::less<>> holders_;
+};
+
+}  // namespace pongsim::sdf

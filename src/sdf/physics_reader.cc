@@ -1,0 +1,59 @@
+#include "sdf/physics_reader.hh"
+
+#include "sdf/values.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+// Seconds, so that a step is at least a nanosecond and time does not run out.
+constexpr double kShortestStep = 1e-9;
+constexpr double kLongestStep = 1e6;
+
+bool isDefault(const Element& profile) {
+  const Element::Attribute* attribute = profile.attribute("default");
+  return attribute != nullptr && parseFlag(attribute->value).value_or(false);
+}
+
+description::PhysicsProfile readProfile(const Element& element, Context& context) {
+  description::PhysicsProfile profile;
+  profile.name = element.attributeOr("name", "");
+  const double step = readPositive(element, "max_step_size", toSeconds(profile.maxStepSize), context);
+  if (step >= kShortestStep && step <= kLongestStep) {
+    profile.maxStepSize = fromSeconds(step);
+  } else {
+    context.diagnostics.error(element.child("max_step_size")->position,
+                              "a step of " + std::string(childText(element, "max_step_size")) +
+                                  " s is not between a nanosecond and a million seconds");
+  }
+  profile.realTimeFactor = readNotNegative(element, "real_time_factor", profile.realTimeFactor, context);
+  return profile;
+}
+
+}  // namespace
+
+description::PhysicsProfile readPhysics(const Element& world, Context& context) {
+  description::PhysicsProfile chosen;
+  bool isChosen = false;
+  bool isChosenByMark = false;
+  for (const Element& child : world.children) {
+    if (child.name != "physics") continue;
+    const description::PhysicsProfile profile = readProfile(child, context);
+    const bool isMarked = isDefault(child);
+    if (!isChosen || (isMarked && !isChosenByMark)) chosen = profile;
+    isChosen = true;
+    isChosenByMark = isChosenByMark || isMarked;
+  }
+  return chosen;
+}
+
+Vector3 readGravity(const Element& world, Context& context) {
+  const Vector3 standard = description::World().gravity;
+  const Element* physics = world.child("physics");
+  if (context.version <= 5 && physics != nullptr && world.child("gravity") == nullptr) {
+    return readVector(*physics, "gravity", standard, context);
+  }
+  return readVector(world, "gravity", standard, context);
+}
+
+}  // namespace pongsim::sdf

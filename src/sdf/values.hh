@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pongsim/element.hh"
+#include "pongsim/types.hh"
+#include "sdf/context.hh"
+
+namespace pongsim::sdf {
+
+/// A pose as the file gives it, not resolved yet.
+struct PoseText {
+  Pose value;
+  /// Name of the frame that it is measured in; empty: the default of the element.
+  std::string relativeTo;
+  SourcePosition position;
+};
+
+// Each reads the first child of that name. Where there is none, or it is empty, and where it is wrong, which is an
+// error added, the result is `fallback`.
+
+/// A finite number.
+double readNumber(const Element& parent, std::string_view child, double fallback, Context& context);
+
+/// A finite number above zero: a size, a mass.
+double readPositive(const Element& parent, std::string_view child, double fallback, Context& context);
+
+/// A finite number, not negative.
+double readNotNegative(const Element& parent, std::string_view child, double fallback, Context& context);
+
+/// A number, perhaps infinite. Magnitudes from 1e16 on mean infinity, as in the format's own defaults.
+double readLimit(const Element& parent, std::string_view child, double fallback, Context& context);
+
+bool readFlag(const Element& parent, std::string_view child, bool fallback, Context& context);
+
+/// Three finite numbers.
+Vector3 readVector(const Element& parent, std::string_view child, const Vector3& fallback, Context& context);
+
+/// `<pose>`: translation and rotation, the identity where there is none.
+PoseText readPose(const Element& parent, Context& context);
+
+/// Reads that many finite numbers.
+/// @param expected What they are, for the error: "a pose: six finite numbers".
+/// @return Nothing, and an error added, where they are not.
+std::optional<std::vector<double>> readNumbers(const Element& element, std::size_t count, std::string_view expected,
+                                               Context& context);
+
+/// "true", "1", "false", "0"; nothing for any other text.
+std::optional<bool> parseFlag(std::string_view text);
+
+/// @return The child's text, empty where there is none.
+std::string_view childText(const Element& parent, std::string_view child);
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,90 @@
+#include <filesystem>
+#include <limits>
+
+#include "load_support.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim::sdf::test {
+namespace {
+
+class FortressWorlds : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto folder = pongsim::test::fortressWorlds();
+    if (!folder) GTEST_SKIP() << "Fortress's worlds are not there";
+    folder_ = *folder;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(FortressWorlds, AllLoadOrSayWhyNot) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
+    if (entry.path().extension() != ".sdf") continue;
+    ++count;
+    Diagnostics diagnostics;
+    const Root root = loadFile(entry.path(), diagnostics);
+    EXPECT_TRUE(diagnostics.hasErrors() || root.worlds.size() == 1) << entry.path();
+    for (const Diagnostic& diagnostic : diagnostics.all()) {
+      EXPECT_GT(diagnostic.position.line, 0) << format(diagnostic);
+      EXPECT_GT(diagnostic.position.column, 0) << format(diagnostic);
+      // what is left to support, and nothing else
+      const bool isExpected = diagnostic.severity == Severity::kWarning ||
+                              diagnostic.message == "<include> is not supported yet" ||
+                              diagnostic.message == "joint type 'revolute2' is not simulated yet" ||
+                              diagnostic.message == "there is no <world> in this file";
+      EXPECT_TRUE(isExpected) << format(diagnostic);
+    }
+  }
+  EXPECT_GT(count, 0U);
+}
+
+TEST_F(FortressWorlds, OfTheFirstTutorialsLoadWithoutAWord) {
+  for (const char* name : {"tutorials/moving_robot.sdf", "tutorials/building_robot.sdf"}) {
+    Diagnostics diagnostics;
+    loadFile(folder_ / name, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  }
+}
+
+TEST_F(FortressWorlds, MovingRobotHasItsPartsInPlace) {
+  Diagnostics diagnostics;
+  const Root root = loadFile(folder_ / "tutorials/moving_robot.sdf", diagnostics);
+  const description::World& world = root.worlds.at(0);
+  EXPECT_EQ(world.name, "Moving_robot");
+  EXPECT_EQ(world.physics.name, "1ms");
+  EXPECT_EQ(world.plugins.size(), 7U);
+  ASSERT_EQ(world.models.size(), 2U);
+  EXPECT_TRUE(world.models[0].isStatic);
+
+  const description::Model& robot = world.models[1];
+  EXPECT_EQ(robot.canonicalLink, "chassis");
+  ASSERT_EQ(robot.links.size(), 4U);
+  const Quaternion wheel = fromRollPitchYaw(-1.5707, 0, 0);
+  expectPose(robot.links[0].X_ModelLink, {0.5, 0, 0.4});
+  expectPose(robot.links[1].X_ModelLink, {0, 0.6, 0.4}, wheel);
+  expectPose(robot.links[2].X_ModelLink, {0, -0.6, 0.4}, wheel);
+  expectPose(robot.links[3].X_ModelLink, {1.3, 0, 0.2});
+  EXPECT_EQ(robot.links[0].inertial.mass, 1.14395);
+  EXPECT_EQ(robot.links[1].inertial.moments(2, 2), 0.125);
+  EXPECT_EQ(robot.frames.at(0).attachedLink, "chassis");
+
+  ASSERT_EQ(robot.joints.size(), 3U);
+  const description::Joint& left = robot.joints[0];
+  EXPECT_EQ(left.type, description::JointType::kRevolute);
+  EXPECT_EQ(left.parent, "chassis");
+  EXPECT_EQ(left.child, "left_wheel");
+  expectPose(left.X_ChildJoint, {0, 0, 0});
+  expectPose(left.X_ParentJoint, {-0.5, 0.6, 0}, wheel);
+  EXPECT_LT((left.axes.at(0).xyz - wheel.conjugate() * Vector3::UnitY()).norm(), 1e-12);
+  EXPECT_EQ(left.axes.at(0).upper, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(left.position.line, 214);
+  EXPECT_EQ(left.position.column, 13);
+  EXPECT_EQ(robot.joints[2].type, description::JointType::kBall);
+  expectPose(robot.joints[2].X_ParentJoint, {0.8, 0, -0.2});
+  EXPECT_EQ(robot.plugins.at(0).sdf.child("wheel_radius")->text, "0.4");
+}
+
+}  // namespace
+}  // namespace pongsim::sdf::test

@@ -1,0 +1,71 @@
+#include "load_support.hh"
+
+namespace pongsim::sdf::test {
+namespace {
+
+TEST(Link, ReadsItsFlagsAndDecay) {
+  const Loaded loaded = loadLink(
+      "<gravity>false</gravity><kinematic>1</kinematic><self_collide>true</self_collide>"
+      "<velocity_decay><linear>0.1</linear><angular>0.2</angular></velocity_decay>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const description::Link& link = loaded.model().links.at(0);
+  EXPECT_FALSE(link.gravity);
+  EXPECT_TRUE(link.kinematic);
+  EXPECT_EQ(link.selfCollide, true);
+  EXPECT_EQ(link.linearDamping, 0.1);
+  EXPECT_EQ(link.angularDamping, 0.2);
+  EXPECT_EQ(link.position.line, 3);
+}
+
+TEST(Link, HasTheDefaultsOfTheFormat) {
+  const Loaded loaded = loadLink("");
+  const description::Link& link = loaded.model().links.at(0);
+  EXPECT_TRUE(link.gravity);
+  EXPECT_FALSE(link.kinematic);
+  EXPECT_EQ(link.selfCollide, std::nullopt);
+  EXPECT_EQ(link.linearDamping, 0);
+}
+
+TEST(Link, ReadsSurfaces) {
+  const Loaded loaded = loadLink(
+      "<collision name='c'><geometry><box/></geometry><surface><friction><ode><mu>0.5</mu><mu2>0.25</mu2>"
+      "<fdir1>1 0 0</fdir1></ode></friction><bounce><restitution_coefficient>0.75</restitution_coefficient></bounce>"
+      "</surface></collision>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const description::Surface& surface = loaded.model().links.at(0).collisions.at(0).surface;
+  EXPECT_EQ(surface.mu, 0.5);
+  EXPECT_EQ(surface.mu2, 0.25);
+  EXPECT_EQ(surface.fdir1, Vector3(1, 0, 0));
+  EXPECT_EQ(surface.restitution, 0.75);
+}
+
+TEST(Link, MeasuresItsPartsInItselfOrInAnotherFrame) {
+  const Loaded loaded = loadModel(
+      "<frame name='f'><pose>10 0 0 0 0 0</pose></frame><link name='l'><pose>1 0 0 0 0 0</pose>"
+      "<collision name='a'><pose>0 0 1 0 0 0</pose><geometry><box/></geometry></collision>"
+      "<collision name='b'><pose relative_to='f'>0 0 1 0 0 0</pose><geometry><box/></geometry></collision>"
+      "<visual name='v'><pose relative_to='__model__'>0 0 1 0 0 0</pose><geometry><box/></geometry></visual></link>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const description::Link& link = loaded.model().links.at(0);
+  expectPose(link.collisions.at(0).X_LinkCollision, {0, 0, 1});
+  expectPose(link.collisions.at(1).X_LinkCollision, {9, 0, 1});
+  expectPose(link.visuals.at(0).X_LinkVisual, {-1, 0, 1});
+}
+
+TEST(Link, NamesTheFrameThatAPartLacks) {
+  EXPECT_EQ(loadLink("<visual name='v'><pose relative_to='nosuch'/><geometry><box/></geometry></visual>").messages,
+            Messages{"t.sdf:4:24: error: the pose of visual 'v' is relative to 'nosuch', which is not in model 'm'"});
+}
+
+TEST(Link, HasPartsOfDifferentNames) {
+  const std::string box = "<geometry><box/></geometry>";
+  EXPECT_EQ(
+      loadLink("<visual name='a'>" + box + "</visual><collision name='a'>" + box + "</collision>\n" +
+               "<collision name='a'>" + box + "</collision>")
+          .messages,
+      Messages{"t.sdf:5:1: error: collision 'a' has the same name as another collision of link 'l' of model 'm' | "
+               "the first one is in line 4"});
+}
+
+}  // namespace
+}  // namespace pongsim::sdf::test

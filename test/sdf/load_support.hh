@@ -1,0 +1,58 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sdf/loader.hh"
+
+namespace pongsim::sdf::test {
+
+/// A text that was loaded under the name "t.sdf", and what was said about it.
+struct Loaded {
+  Root root;
+  /// As `format` writes them, with the hint on the same line behind " | ".
+  std::vector<std::string> messages;
+
+  const description::World& world() const { return root.worlds.at(0); }
+  const description::Model& model() const { return world().models.at(0); }
+};
+
+inline Loaded load(std::string_view text) {
+  Loaded loaded;
+  Diagnostics diagnostics;
+  loaded.root = loadText(text, "t.sdf", diagnostics);
+  for (Diagnostic diagnostic : diagnostics.all()) {
+    const std::string hint = std::exchange(diagnostic.hint, "");
+    loaded.messages.push_back(format(diagnostic) + (hint.empty() ? "" : " | " + hint));
+  }
+  return loaded;
+}
+
+/// Loads what stands in a world, its first character in line 2, column 1.
+inline Loaded loadWorld(std::string_view content, std::string_view version = "1.9") {
+  return load("<sdf version='" + std::string(version) + "'><world name='w'>\n" + std::string(content) +
+              "\n</world></sdf>");
+}
+
+/// Loads what stands in a model 'm', its first character in line 3, column 1.
+inline Loaded loadModel(std::string_view content, std::string_view version = "1.9") {
+  return loadWorld("<model name='m'>\n" + std::string(content) + "\n</model>", version);
+}
+
+/// Loads what stands in a link 'l' of a model 'm', its first character in line 4, column 1.
+inline Loaded loadLink(std::string_view content) {
+  return loadModel("<link name='l'>\n" + std::string(content) + "\n</link>");
+}
+
+using Messages = std::vector<std::string>;
+
+inline void expectPose(const Pose& pose, const Vector3& position, const Quaternion& rotation = Quaternion::Identity()) {
+  EXPECT_LT((pose.position - position).norm(), 1e-12) << pose.position.transpose();
+  EXPECT_LT(pose.rotation.angularDistance(rotation), 1e-7) << pose.rotation.coeffs().transpose();
+}
+
+}  // namespace pongsim::sdf::test

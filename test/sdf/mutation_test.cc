@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "load_support.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim::sdf::test {
+namespace {
+
+/// Not a file of anybody, but with a bit of everything.
+constexpr std::string_view kSample = R"(<?xml version="1.0"?>
+<!-- a -- comment --><sdf version="1.8"><world name="w"><physics name="p" default="1">
+<max_step_size>0.001</max_step_size></physics><gravity>0 0 -9.8</gravity><light name="sun" type="directional">
+<pose relative_to="f">0 0 10 0 0 0</pose></light>
+<frame name="f" attached_to="m::i"><pose degrees="true">1 2 3 10 20 30</pose></frame>
+<model name="m" canonical_link="a" placement_frame="g"><pose rotation_format="quat_xyzw">0 0 0 0 0 0 1</pose>
+<frame name="g" attached_to="i::x"/><link name="a"><inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz>
+<ixy>0.1</ixy></inertia></inertial><collision name="c"><pose relative_to="g"/><geometry><box><size>1 2 3</size></box>
+</geometry><surface><friction><ode><mu>1</mu></ode></friction></surface></collision><visual name="v"><geometry><plane>
+<normal>0 0 1</normal><size>1 1</size></plane></geometry></visual><sensor name="s" type="imu"/></link>
+<model name="i"><link name="x"><pose>1 0 0 0 0 0</pose></link></model><joint name="j" type="revolute">
+<pose relative_to="g"/><parent>a</parent><child>i::x</child><axis><xyz expressed_in="__model__">0 1 0</xyz>
+<limit><lower>-1e16</lower>
+<upper>1.79769e+308</upper></limit></axis></joint><plugin filename="f.so" name="n"><![CDATA[<x>]]> a &amp; b</plugin>
+</model></world></sdf>)";
+
+/// Changes, swaps, cuts and repeats parts of `text`.
+std::string mutated(std::string text, std::mt19937& random) {
+  constexpr std::string_view kInteresting = "<>/\"'=&!-?[]: \n\t0123456789.eE+-nainf_ab\xC3\xFF";
+  const auto below = [&](std::size_t limit) { return random() % std::max<std::size_t>(limit, 1); };
+  for (std::size_t count = 1 + below(4); count > 0 && !text.empty(); --count) {
+    const std::size_t at = below(text.size());
+    const std::size_t length = below(40);
+    switch (below(6)) {
+      case 0:
+        text[at] = kInteresting[below(kInteresting.size())];
+        break;
+      case 1:
+        text[at] = static_cast<char>(random() & 0xFFU);
+        break;
+      case 2:
+        text.erase(at, length);
+        break;
+      case 3:
+        text.insert(at, text.substr(below(text.size()), length));
+        break;
+      case 4:
+        text.replace(at, length, text.substr(below(text.size()), length));
+        break;
+      default:
+        if (below(4) == 0) text.resize(at);
+        break;
+    }
+  }
+  return text;
+}
+
+/// Loads mutations of `text`; each must load or be refused with an error that has a place.
+void loadMutations(const std::string& text, int count, std::mt19937& random) {
+  for (int i = 0; i < count; ++i) {
+    const std::string mutation = mutated(text, random);
+    Diagnostics diagnostics;
+    const Root root = loadText(mutation, "m.sdf", diagnostics);
+    ASSERT_TRUE(diagnostics.hasErrors() || !root.worlds.empty()) << mutation;
+    for (const Diagnostic& diagnostic : diagnostics.all()) ASSERT_FALSE(format(diagnostic).empty());
+  }
+}
+
+TEST(Mutation, OfASampleIsLoadedOrRefused) {
+  std::mt19937 random(1);
+  const Loaded sound = load(kSample);
+  EXPECT_EQ(sound.messages, Messages{"t.sdf:10:67: warning: sensor type 'imu' is not simulated yet"});
+  loadMutations(std::string(kSample), 3000, random);
+}
+
+TEST(Mutation, OfFortressWorldsIsLoadedOrRefused) {
+  const auto folder = pongsim::test::fortressWorlds();
+  if (!folder) GTEST_SKIP() << "Fortress's worlds are not there";
+  std::mt19937 random(2);
+  for (const char* name :
+       {"tutorials/moving_robot.sdf", "tutorials/sensor_tutorial.sdf", "examples/triggered_publisher.sdf"}) {
+    std::ifstream stream(*folder / name, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    ASSERT_FALSE(text.empty()) << name;
+    loadMutations(text, 200, random);
+  }
+}
+
+}  // namespace
+}  // namespace pongsim::sdf::test

@@ -1,0 +1,28 @@
+#include "load_support.hh"
+
+namespace pongsim::sdf::test {
+namespace {
+
+TEST(Unsimulated, SensorsAreNamedOnceAType) {
+  EXPECT_EQ(loadLink("<sensor name='a' type='imu'/>\n<sensor name='b' type='imu'/>\n<sensor name='c' type='lidar'/>")
+                .messages,
+            (Messages{"t.sdf:4:1: warning: sensor type 'imu' is not simulated yet",
+                      "t.sdf:6:1: warning: sensor type 'lidar' is not simulated yet"}));
+}
+
+TEST(Unsimulated, KindsAreNamedOnce) {
+  EXPECT_EQ(loadWorld("<actor name='a'/><actor name='b'/>").messages,
+            Messages{"t.sdf:2:1: warning: <actor> is not simulated yet: it is left out"});
+}
+
+TEST(Unsimulated, IncludesAreErrorsWithoutConsequences) {
+  EXPECT_EQ(
+      loadWorld("<include><uri>model://sun</uri></include>\n<joint name='j' type='fixed'><parent>world</parent>"
+                "<child>sun</child></joint>\n<model name='m'><include/></model>")
+          .messages,
+      (Messages{"t.sdf:2:1: error: <include> is not supported yet | put the model 'model://sun' itself in its place",
+                "t.sdf:4:17: error: <include> is not supported yet | put the model itself in its place"}));
+}
+
+}  // namespace
+}  // namespace pongsim::sdf::test
