@@ -1,0 +1,86 @@
+#include "physics/body.hh"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "physics/convert.hh"
+#include "physics/mass.hh"
+
+namespace pongsim::physics {
+
+namespace {
+
+// beyond these, numbers have lost all meaning for a robot: metres, and metres or radians a second
+constexpr double kLargestPosition = 1e9;
+constexpr double kLargestVelocity = 1e9;
+
+PrincipalMass massOf(const world::Entities& entities, const world::LinkRecord& link) {
+  if (!isMoving(link)) return {};
+  try {
+    return principalMass(link.description->inertial);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("link '" + entities.models()[link.model].scopedName + "::" + link.description->name +
+                                "' can't move: " + error.what());
+  }
+}
+
+btRigidBody::btRigidBodyConstructionInfo constructionInfo(const PrincipalMass& mass, btCollisionShape* shape) {
+  btRigidBody::btRigidBodyConstructionInfo info(mass.mass, nullptr, shape, toBullet(mass.moments));
+  info.m_linearDamping = 0;
+  info.m_angularDamping = 0;
+  return info;
+}
+
+}  // namespace
+
+Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gravity)
+    : Body(entities.links()[link], link, massOf(entities, entities.links()[link]), gravity) {}
+
+Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity)
+    : link_(link),
+      moves_(isMoving(record)),
+      X_LinkBody_(mass.X_LinkBody),
+      X_BodyLink_(X_LinkBody_.inverse()),
+      shape_(*record.description, X_BodyLink_),
+      rigid_(constructionInfo(mass, shape_.root())) {
+  const description::Link& description = *record.description;
+  rigid_.setWorldTransform(toBullet(record.X_WorldLinkStart * X_LinkBody_));
+  rigid_.setInterpolationWorldTransform(rigid_.getWorldTransform());
+  rigid_.updateInertiaTensor();
+  rigid_.setUserIndex(static_cast<int>(link));
+  int flags = rigid_.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK;
+  if (!record.isStatic && description.kinematic) {
+    flags = (flags & ~btCollisionObject::CF_STATIC_OBJECT) | btCollisionObject::CF_KINEMATIC_OBJECT;
+  }
+  rigid_.setCollisionFlags(flags);
+  if (!moves_) return;
+
+  // nothing sleeps: a robot at rest must answer the first push as it would the last
+  rigid_.setActivationState(DISABLE_DEACTIVATION);
+  rigid_.setDamping(description.linearDamping, description.angularDamping);
+  rigid_.setFlags(BT_DISABLE_WORLD_GRAVITY | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
+  if (description.gravity) rigid_.setGravity(toBullet(gravity));
+}
+
+void Body::addWrench(const Vector3& force, const Vector3& torque) {
+  if (!moves_) return;
+  const btVector3 comToLink = rigid_.getWorldTransform().getBasis() * toBullet(X_BodyLink_.position);
+  rigid_.applyForce(toBullet(force), comToLink);
+  rigid_.applyTorque(toBullet(torque));
+}
+
+bool Body::read(world::LinkState& state) const {
+  state.X_WorldLink = fromBullet(rigid_.getWorldTransform()) * X_BodyLink_;
+  state.w_WorldLink = fromBullet(rigid_.getAngularVelocity());
+
+  // velocity of the link's origin, which turns about the centre of mass
+  const Vector3 comToLink = state.X_WorldLink.position - fromBullet(rigid_.getWorldTransform().getOrigin());
+  state.v_WorldLink = fromBullet(rigid_.getLinearVelocity()) + state.w_WorldLink.cross(comToLink);
+
+  // false, too, where a value is not a number
+  return state.X_WorldLink.position.squaredNorm() < kLargestPosition * kLargestPosition &&
+         state.X_WorldLink.rotation.squaredNorm() < 2 &&
+         state.v_WorldLink.squaredNorm() + state.w_WorldLink.squaredNorm() < kLargestVelocity * kLargestVelocity;
+}
+
+}  // namespace pongsim::physics

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include "physics/mass.hh"
+#include "physics/shape.hh"
+#include "pongsim/types.hh"
+#include "world/entities.hh"
+#include "world/state.hh"
+
+namespace pongsim::physics {
+
+/// @return Whether forces move the link: neither static nor kinematic.
+inline bool isMoving(const world::LinkRecord& link) { return !link.isStatic && !link.description->kinematic; }
+
+/// A link as a rigid body. Bullet's body frame lies at the centre of mass, along the principal axes of inertia.
+class Body {
+ public:
+  /// @param gravity World frame [m/s^2].
+  /// @throws std::invalid_argument if a moving link's mass or inertia can't be.
+  Body(const world::Entities& entities, world::Slot link, const Vector3& gravity);
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  btRigidBody& rigid() { return rigid_; }
+  const btRigidBody& rigid() const { return rigid_; }
+  world::Slot link() const { return link_; }
+  bool moves() const { return moves_; }
+  bool collides() const { return !shape_.empty(); }
+  /// Pose of the body frame in the link frame.
+  const Pose& X_LinkBody() const { return X_LinkBody_; }
+
+  /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
+  void addWrench(const Vector3& force, const Vector3& torque);
+
+  /// Writes where the link is and how fast.
+  /// @return Whether all of it is finite and within reason.
+  bool read(world::LinkState& state) const;
+
+ private:
+  Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity);
+
+  world::Slot link_;
+  bool moves_;
+  Pose X_LinkBody_;
+  Pose X_BodyLink_;
+  LinkShape shape_;
+  btRigidBody rigid_;
+};
+
+}  // namespace pongsim::physics

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "world/entities.hh"
+
+namespace pongsim::physics {
+
+/// Which links may touch: not two that stand still, not two that a joint connects, and two of one model only if model
+/// and links ask for it (`<self_collide>`). Finds a link's slot in its collision object's user index.
+class ContactFilter final : public btOverlapFilterCallback {
+ public:
+  explicit ContactFilter(const world::Entities& entities);
+
+  bool mayTouch(world::Slot a, world::Slot b) const;
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
+
+ private:
+  const world::Entities& entities_;
+  /// Pairs of slots that a joint connects, smaller slot first, sorted.
+  std::vector<std::pair<world::Slot, world::Slot>> jointed_;
+};
+
+}  // namespace pongsim::physics

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <LinearMath/btTransform.h>
+
+#include "pongsim/types.hh"
+
+namespace pongsim::physics {
+
+inline btVector3 toBullet(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+inline btQuaternion toBullet(const Quaternion& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+inline btTransform toBullet(const Pose& X) { return btTransform(toBullet(X.rotation), toBullet(X.position)); }
+
+inline Vector3 fromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+inline Quaternion fromBullet(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+inline Pose fromBullet(const btTransform& X) { return {fromBullet(X.getOrigin()), fromBullet(X.getRotation())}; }
+
+}  // namespace pongsim::physics

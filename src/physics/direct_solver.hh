@@ -1,0 +1,46 @@
+#pragma once
+
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/MLCPSolvers/btDantzigLCP.h>
+
+namespace pongsim::physics {
+
+/// Solves all rows of a group of bodies at once by Dantzig's direct method for mixed linear complementarity problems;
+/// where that finds no sound solution, by iterations. Does what Bullet's `btMLCPSolver` does, without allocating in
+/// each step.
+///
+/// Reference: D. Baraff, Fast contact force computation for nonpenetrating rigid bodies, SIGGRAPH 1994.
+class DirectSolver final : public btSequentialImpulseConstraintSolver {
+ public:
+  btConstraintSolverType getSolverType() const override { return BT_MLCP_SOLVER; }
+
+ protected:
+  btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int bodyCount,
+                                             btPersistentManifold** manifolds, int manifoldCount,
+                                             btTypedConstraint** joints, int jointCount,
+                                             const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
+
+ private:
+  void collectRows();
+  void buildMatrix(double softness);
+  bool solve(int rows);
+  bool solveVelocities();
+  bool solvePositions();
+  double coupling(const btSolverConstraint& a, const btSolverConstraint& b) const;
+
+  btAlignedObjectArray<btSolverConstraint*> rows_;
+  /// Rows of joints and of contacts' normal directions: all but friction.
+  int unfrictionalRows_ = 0;
+  btAlignedObjectArray<btScalar> A_;
+  // what the method is given and destroys
+  btAlignedObjectArray<btScalar> ACopy_;
+  btAlignedObjectArray<btScalar> b_;
+  btAlignedObjectArray<btScalar> x_;
+  btAlignedObjectArray<btScalar> w_;
+  btAlignedObjectArray<btScalar> lowest_;
+  btAlignedObjectArray<btScalar> highest_;
+  btAlignedObjectArray<int> normalOf_;
+  btDantzigScratchMemory scratch_;
+};
+
+}  // namespace pongsim::physics

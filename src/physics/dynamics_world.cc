@@ -1,0 +1,83 @@
+#include "physics/dynamics_world.hh"
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+
+#include "physics/group_solver.hh"
+
+namespace pongsim::physics {
+
+namespace {
+
+// a body that does more than that in one step rolls [rad], [m]
+constexpr double kSmallTurn = 1e-4;
+constexpr double kSmallShift = 1e-5;
+
+std::unique_ptr<btConstraintSolver> makeSolver(const Settings& settings) {
+  switch (settings.solver) {
+    case Solver::kDirect:
+      break;
+    case Solver::kSequentialImpulse:
+      return std::make_unique<btSequentialImpulseConstraintSolver>();
+    case Solver::kNncg:
+      return std::make_unique<btNNCGConstraintSolver>();
+  }
+  return std::make_unique<GroupSolver>(settings.mostDirectRows);
+}
+
+}  // namespace
+
+DynamicsWorld::DynamicsWorld(const Settings& settings)
+    : dispatcher_(&configuration_),
+      solver_(makeSolver(settings)),
+      world_(std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, solver_.get(), &configuration_)) {
+  // a body on a plane finds all its corners in one step instead of one a step
+  configuration_.setPlaneConvexMultipointIterations(4, 4);
+
+  world_->setGravity(btVector3(0, 0, 0));
+  world_->setForceUpdateAllAabbs(false);
+
+  btContactSolverInfo& info = world_->getSolverInfo();
+  info.m_numIterations = settings.iterations;
+  info.m_leastSquaresResidualThreshold = settings.residual;
+  info.m_globalCfm = settings.softness;
+  info.m_erp = settings.jointErrorReduction;
+  info.m_erp2 = settings.contactErrorReduction;
+  // friction resists in both directions of the surface, also where nothing slides yet
+  info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  // depth is taken back without giving speed, however small it is
+  info.m_splitImpulse = 1;
+  info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;
+  info.m_restitutionVelocityThreshold = 0.1;
+  // each group of bodies that touch is solved alone: its result does not depend on who else is in the world
+  info.m_minimumSolverBatchSize = 1;
+}
+
+void DynamicsWorld::step(double dt) {
+  forgetRolledContacts(dt);
+  world_->stepSimulation(dt, 0);
+}
+
+// A rolling wheel's old points of contact lie behind it and would push it forward. The step finds those on a plane
+// anew; a body that does not roll keeps its own, which give it a broader base.
+void DynamicsWorld::forgetRolledContacts(double dt) {
+  const auto isPlane = [](const btCollisionObject* object) {
+    return object->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
+  };
+  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+    btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(i);
+    if (manifold->getNumContacts() == 0) continue;
+    const btCollisionObject* other = isPlane(manifold->getBody0())   ? manifold->getBody1()
+                                     : isPlane(manifold->getBody1()) ? manifold->getBody0()
+                                                                     : nullptr;
+    if (other == nullptr) continue;
+    const btRigidBody& body = *btRigidBody::upcast(other);
+    const btVector3& normal = manifold->getContactPoint(0).m_normalWorldOnB;
+    const double turn = body.getAngularVelocity().length() * dt;
+    const double shift = body.getLinearVelocity().cross(normal).length() * dt;
+    if (turn > kSmallTurn && shift > kSmallShift) manifold->clearManifold();
+  }
+}
+
+}  // namespace pongsim::physics

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "physics/settings.hh"
+#include "pongsim/types.hh"
+#include "world/entities.hh"
+#include "world/state.hh"
+
+namespace pongsim::physics {
+
+/// Bodies, joints and contacts, and one step of them. Reads the description through `entities`, which must outlive
+/// it; no Bullet type shows.
+class Engine {
+ public:
+  /// @throws std::invalid_argument if a moving link's mass or inertia is not positive.
+  explicit Engine(const world::Entities& entities, const Settings& settings = Settings());
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// Drives the joint's axis at that velocity [rad/s or m/s] until another command; 0 brakes. Not limited but by
+  /// the joint's effort and, as in Fortress, its velocity limit. The value must be finite.
+  /// @throws std::invalid_argument if the joint is not revolute, continuous or prismatic.
+  void setJointVelocityTarget(world::Slot joint, double velocity);
+
+  /// Adds a force along the joint's axis for the next step [N m or N], up to the joint's effort. The value must
+  /// be finite.
+  /// @throws std::invalid_argument if the joint is not revolute, continuous or prismatic.
+  void addJointForce(world::Slot joint, double force);
+
+  /// Adds a force at the link frame's origin and a torque for the next step, world frame [N, N m].
+  void addLinkWrench(world::Slot link, const Vector3& force, const Vector3& torque);
+
+  /// Makes one step of length `dt` and writes what has moved into `state`. Allocates nothing once contacts have
+  /// settled.
+  /// @throws std::runtime_error naming a link whose motion has become infinite or not a number.
+  void step(Time dt, world::State& state);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pongsim::physics

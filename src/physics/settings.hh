@@ -1,0 +1,31 @@
+#pragma once
+
+namespace pongsim::physics {
+
+/// How Bullet solves joints and contacts together.
+enum class Solver {
+  /// Dantzig's direct method for small groups of bodies, iterations for large ones.
+  kDirect,
+  /// Projected Gauss-Seidel.
+  kSequentialImpulse,
+  /// The same, sped up by non-smooth conjugate gradients.
+  kNncg,
+};
+
+/// How the step is computed. The defaults are what the measurements in `docs/physics.md` speak for.
+struct Settings {
+  Solver solver = Solver::kDirect;
+  /// At most, where there are iterations.
+  int iterations = 50;
+  /// Iterations end earlier once no row's impulse changes by more than the square root of that; 0 never.
+  double residual = 0;
+  /// Groups of bodies with more rows of joints and contacts than that are not solved directly.
+  int mostDirectRows = 100;
+  /// Softness of all rows [1/(N m s) and the like]: lets the direct method solve a box on four corners, too.
+  double softness = 1e-8;
+  /// Parts of an error that a step takes back, in joints and in contacts.
+  double jointErrorReduction = 0.2;
+  double contactErrorReduction = 0.2;
+};
+
+}  // namespace pongsim::physics

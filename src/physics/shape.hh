@@ -1,0 +1,31 @@
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
+#include <memory>
+#include <vector>
+
+#include "description/link.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::physics {
+
+/// What a link collides with: all its collisions as one Bullet shape. Each part's user pointer is the
+/// `description::Surface` of its collision.
+class LinkShape {
+ public:
+  /// Shapes of kinds that are not built yet are left out.
+  /// @param X_BodyLink Pose of the link frame in the frame of the body that bears the shape.
+  LinkShape(const description::Link& link, const Pose& X_BodyLink);
+
+  bool empty() const { return parts_.empty(); }
+  /// @return The whole; an empty shape where there is nothing to collide with.
+  btCollisionShape* root() const { return root_; }
+
+ private:
+  std::vector<std::unique_ptr<btCollisionShape>> parts_;
+  std::unique_ptr<btCollisionShape> holder_;
+  btCollisionShape* root_ = nullptr;
+};
+
+}  // namespace pongsim::physics

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "description/world.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::world {
+
+/// Place of a link, joint or model in the arrays of `Entities` and `State`.
+using Slot = std::size_t;
+/// In place of a slot: nothing, or the world itself.
+inline constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
+
+struct LinkRecord {
+  LinkId id;
+  const description::Link* description = nullptr;
+  Slot model = kNoSlot;
+  /// Its model, or one that holds it, is static.
+  bool isStatic = false;
+  /// Pose of the link frame in the world frame at the start.
+  Pose X_WorldLinkStart;
+};
+
+struct JointRecord {
+  JointId id;
+  const description::Joint* description = nullptr;
+  /// `kNoSlot` for a joint of the world itself.
+  Slot model = kNoSlot;
+  /// `kNoSlot` stands for the world.
+  Slot parentLink = kNoSlot;
+  Slot childLink = kNoSlot;
+};
+
+struct ModelRecord {
+  ModelId id;
+  const description::Model* description = nullptr;
+  /// `kNoSlot` for a model at the top level.
+  Slot parent = kNoSlot;
+  /// "outer::inner"
+  std::string scopedName;
+  bool isStatic = false;
+  /// `kNoSlot` for a model without any link: it stands still in the world.
+  Slot canonicalLink = kNoSlot;
+  /// Pose of the model frame in the frame of its canonical link (in the world's, if it has none); never changes.
+  Pose X_CanonicalModel;
+  std::vector<Slot> links;
+  std::vector<Slot> joints;
+  std::vector<Slot> models;
+};
+
+/// Who is there: the models, links and joints of a world with their ids, names and places in the arrays. Made from
+/// a description, which must outlive it.
+///
+/// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it
+/// has visuals and collisions), the models in it and its joints; last the world's own joints. Links, joints and
+/// models take their slots in the same order.
+class Entities {
+ public:
+  /// @throws std::invalid_argument if a joint or a model names a link that isn't there.
+  explicit Entities(const description::World& world);
+
+  const description::World& description() const { return *description_; }
+  WorldId worldId() const { return worldId_; }
+
+  const std::vector<ModelRecord>& models() const { return models_; }
+  const std::vector<LinkRecord>& links() const { return links_; }
+  const std::vector<JointRecord>& joints() const { return joints_; }
+  /// Slots of the models at the top level, in the order of the file.
+  const std::vector<Slot>& topLevelModels() const { return topLevelModels_; }
+
+  /// @return The slot, or `kNoSlot` if there is no such entity (any more).
+  Slot slot(ModelId id) const;
+  Slot slot(LinkId id) const;
+  Slot slot(JointId id) const;
+
+  /// @param scopedName "outer::inner"
+  Slot findModel(std::string_view scopedName) const;
+  /// @param name Link as the model sees it: "link" or "inner::link"; where `model` is `kNoSlot`, as the world does.
+  Slot findLink(Slot model, std::string_view name) const;
+  /// @param name Joint as the model sees it, likewise.
+  Slot findJoint(Slot model, std::string_view name) const;
+  /// @param name Link as the world sees it: "model::link".
+  Slot findLink(std::string_view name) const;
+
+  /// @return An id that nothing has had in this run.
+  std::uint64_t nextId() { return ++lastId_; }
+
+ private:
+  Slot addModel(const description::Model& description, Slot parent, const Pose& X_WorldParent);
+  void addLinks(Slot model, const Pose& X_WorldModel);
+  void addJoint(const description::Joint& description, Slot model);
+
+  const description::World* description_;
+  std::uint64_t lastId_ = 0;
+  WorldId worldId_;
+  std::vector<ModelRecord> models_;
+  std::vector<LinkRecord> links_;
+  std::vector<JointRecord> joints_;
+  std::vector<Slot> topLevelModels_;
+  std::unordered_map<std::uint64_t, Slot> slotOfId_;
+  std::unordered_map<std::string, Slot> modelOfName_;
+};
+
+}  // namespace pongsim::world

@@ -1,0 +1,48 @@
+#include "world/state.hh"
+
+#include "base/hash.hh"
+
+namespace pongsim::world {
+
+namespace {
+
+void add(base::Hash& hash, const Vector3& vector) {
+  for (const double value : {vector.x(), vector.y(), vector.z()}) hash.add(value);
+}
+
+void add(base::Hash& hash, const Quaternion& rotation) {
+  for (const double value : {rotation.w(), rotation.x(), rotation.y(), rotation.z()}) hash.add(value);
+}
+
+}  // namespace
+
+State::State(const Entities& entities) : links(entities.links().size()), joints(entities.joints().size()) {
+  for (Slot link = 0; link < links.size(); ++link) links[link].X_WorldLink = entities.links()[link].X_WorldLinkStart;
+}
+
+Pose modelPose(const Entities& entities, const State& state, Slot model) {
+  const ModelRecord& record = entities.models()[model];
+  if (record.canonicalLink == kNoSlot) return record.X_CanonicalModel;
+  return state.links[record.canonicalLink].X_WorldLink * record.X_CanonicalModel;
+}
+
+std::uint64_t stateHash(const State& state) {
+  base::Hash hash;
+  hash.add(static_cast<std::uint64_t>(state.time.count()));
+  hash.add(state.iterations);
+  hash.add(static_cast<std::uint64_t>(state.links.size()));
+  for (const LinkState& link : state.links) {
+    add(hash, link.X_WorldLink.position);
+    add(hash, link.X_WorldLink.rotation);
+    add(hash, link.v_WorldLink);
+    add(hash, link.w_WorldLink);
+  }
+  hash.add(static_cast<std::uint64_t>(state.joints.size()));
+  for (const JointState& joint : state.joints) {
+    hash.add(joint.position);
+    hash.add(joint.velocity);
+  }
+  return hash.value();
+}
+
+}  // namespace pongsim::world

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pongsim/types.hh"
+#include "world/entities.hh"
+
+namespace pongsim::world {
+
+struct LinkState {
+  Pose X_WorldLink;
+  /// Velocity of the link frame's origin, world frame [m/s].
+  Vector3 v_WorldLink = Vector3::Zero();
+  /// Angular velocity, world frame [rad/s].
+  Vector3 w_WorldLink = Vector3::Zero();
+};
+
+/// Of a revolute, continuous or prismatic joint's axis; zero for the others.
+struct JointState {
+  /// Angle since the start, not wrapped [rad], or travel [m].
+  double position = 0;
+  /// [rad/s] or [m/s]
+  double velocity = 0;
+};
+
+/// How everything stands now. The arrays go with those of `Entities`.
+struct State {
+  /// The state at the start.
+  explicit State(const Entities& entities);
+
+  Time time{0};
+  std::uint64_t iterations = 0;
+  std::vector<LinkState> links;
+  std::vector<JointState> joints;
+};
+
+/// @return Pose of the model frame in the world frame: the model moves with its canonical link.
+Pose modelPose(const Entities& entities, const State& state, Slot model);
+
+/// @return A number made of all bits of the state, by FNV-1a (64 bits) over 64-bit words, each taken from its lowest
+/// byte up: time [ns], iterations, number of links, then of each link position (x, y, z), rotation (w, x, y, z),
+/// linear and angular velocity, then the number of joints and of each position and velocity; floating-point values as
+/// the bits of their IEEE 754 doubles.
+std::uint64_t stateHash(const State& state);
+
+}  // namespace pongsim::world

@@ -1,0 +1,146 @@
+#include "physics/engine.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "physics/rig.hh"
+
+namespace pongsim::physics {
+namespace {
+
+using description::JointType;
+using test::addCollision;
+using test::makeJoint;
+using test::makeLink;
+using test::makeModel;
+using test::Rig;
+
+description::Link makeBox(double z, double mass = 1) {
+  const Vector3 size(0.4, 0.6, 0.2);
+  description::Link link = makeLink("link", {0, 0, z}, mass, test::boxMoments(mass, size));
+  addCollision(link, description::Box{size});
+  return link;
+}
+
+// a heap: boxes that fall on each other
+description::World fallingBoxes() {
+  description::World world;
+  world.models = {test::makeGround()};
+  for (int i = 0; i < 6; ++i) {
+    description::Model box = makeModel("box" + std::to_string(i), {makeBox(0.2)});
+    box.X_ParentModel = {{0.05 * i, 0, 0.4 * i}, fromRollPitchYaw(0.3 * i, 0.1, 0.2 * i)};
+    world.models.push_back(box);
+  }
+  return world;
+}
+
+TEST(Engine, KeepsABoxAtRestWhereItIs) {
+  description::World world;
+  world.models = {test::makeGround(), makeModel("box", {makeBox(0.1)})};
+  Rig rig(std::move(world));
+  rig.step(10000);
+  const world::LinkState& box = rig.link("box::link");
+  EXPECT_LT((box.X_WorldLink.position - Vector3(0, 0, 0.1)).norm(), 1e-5);
+  EXPECT_NEAR(box.X_WorldLink.rotation.w(), 1, 1e-9);
+  EXPECT_LT(box.v_WorldLink.norm(), 1e-6);
+}
+
+TEST(Engine, RollsAWheelAsFarAsItTurns) {
+  description::Link wheel = makeLink("wheel", {0, 0, 0.3}, 2, {0.05, 0.05, 0.09});
+  wheel.X_ModelLink.rotation = fromRollPitchYaw(-M_PI / 2, 0, 0);
+  addCollision(wheel, description::Cylinder{0.3, 0.2});
+  description::World world;
+  world.models = {test::makeGround(), makeModel("model", {wheel})};
+  Rig rig(std::move(world));
+  // its turning axis, z of the link, lies along y of the world: positive is forward
+  for (int i = 0; i < 500; ++i) {
+    rig.engine.addLinkWrench(1, {0, 0, 0}, {0, 0.5, 0});
+    rig.step(1);
+  }
+  rig.step(100);
+  const double velocity = rig.link("model::wheel").v_WorldLink.x();
+  // torque over (I + m r^2), times r
+  EXPECT_NEAR(velocity, 0.5 * 0.5 / (0.09 + 2 * 0.09) * 0.3, 1e-4);
+  const double start = rig.link("model::wheel").X_WorldLink.position.x();
+  const double turning = rig.link("model::wheel").w_WorldLink.y();
+  rig.step(4000);
+  EXPECT_NEAR(rig.link("model::wheel").X_WorldLink.position.x() - start, 4 * turning * 0.3, 1e-3);
+  EXPECT_NEAR(rig.link("model::wheel").X_WorldLink.position.y(), 0, 1e-3);
+}
+
+TEST(Engine, GivesTheSameBitsAgain) {
+  Rig first(fallingBoxes());
+  Rig second(fallingBoxes());
+  for (int i = 0; i < 30; ++i) {
+    first.step(100);
+    second.step(100);
+    ASSERT_EQ(world::stateHash(first.state), world::stateHash(second.state)) << "after " << (i + 1) * 100;
+  }
+}
+
+TEST(Engine, SolvesARobotAsIfItWereAlone) {
+  // two far apart, the second of them beside a third; the first must not notice
+  description::World one;
+  one.models = {test::makeGround(), makeModel("box", {makeBox(0.3)})};
+  description::World three = one;
+  for (double x : {10.0, 10.2}) {
+    three.models.push_back(makeModel("box" + std::to_string(x), {makeBox(0.5)}));
+    three.models.back().X_ParentModel.position.x() = x;
+  }
+  Rig alone(std::move(one));
+  Rig amongOthers(std::move(three));
+  alone.step(1000);
+  amongOthers.step(1000);
+  EXPECT_EQ(alone.link("box::link").X_WorldLink.position, amongOthers.link("box::link").X_WorldLink.position);
+}
+
+TEST(Engine, CarriesAHeavyBodyOnALightOne) {
+  description::World world;
+  world.models = {test::makeGround(), makeModel("light", {makeBox(0.1, 0.1)}), makeModel("heavy", {makeBox(0.3, 100)})};
+  Rig rig(std::move(world));
+  rig.step(3000);
+  EXPECT_NEAR(rig.link("heavy::link").X_WorldLink.position.z(), 0.3, 2e-3);
+  EXPECT_NEAR(rig.link("light::link").X_WorldLink.position.z(), 0.1, 2e-3);
+}
+
+TEST(Engine, NamesTheLinkWhoseMotionIsNotFiniteAnyMore) {
+  description::World world;
+  world.models = {makeModel("first", {makeBox(1)}), makeModel("second", {makeBox(5)})};
+  Rig rig(std::move(world));
+  rig.engine.addLinkWrench(1, {std::numeric_limits<double>::max(), 0, 0}, {0, 0, 0});
+  try {
+    rig.step(2);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("second::link"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Engine, LeavesStaticModelsAndTheirJointsAlone) {
+  description::World world;
+  description::Model gate = makeModel("gate", {makeBox(1), makeBox(2)});
+  gate.links[1].name = "door";
+  gate.isStatic = true;
+  gate.joints.push_back(makeJoint("hinge", JointType::kRevolute, "link", "door", Pose(), Pose()));
+  world.models = {gate};
+  Rig rig(std::move(world));
+  rig.engine.setJointVelocityTarget(0, 1);
+  rig.step(10);
+  EXPECT_EQ(rig.link("gate::door").X_WorldLink.position.z(), 2);
+  EXPECT_EQ(rig.joint(0).position, 0);
+}
+
+TEST(Engine, MakesStepsOfAnyLength) {
+  description::World world;
+  world.gravity = {0, 0, -10};
+  world.models = {makeModel("box", {makeBox(1)})};
+  Rig rig(std::move(world));
+  rig.engine.step(std::chrono::milliseconds(50), rig.state);
+  EXPECT_NEAR(rig.link("box::link").v_WorldLink.z(), -0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace pongsim::physics

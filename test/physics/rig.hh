@@ -1,0 +1,92 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "description/world.hh"
+#include "physics/engine.hh"
+#include "world/entities.hh"
+#include "world/state.hh"
+
+namespace pongsim::test {
+
+inline description::Link makeLink(std::string name, const Vector3& position, double mass, const Vector3& moments) {
+  description::Link link;
+  link.name = std::move(name);
+  link.X_ModelLink.position = position;
+  link.inertial.mass = mass;
+  link.inertial.moments = moments.asDiagonal();
+  return link;
+}
+
+inline void addCollision(description::Link& link, description::Geometry geometry, double mu = 1) {
+  description::Collision collision;
+  collision.name = "collision";
+  collision.geometry = std::move(geometry);
+  collision.surface.mu = mu;
+  link.collisions.push_back(std::move(collision));
+}
+
+inline description::Model makeModel(std::string name, std::vector<description::Link> links) {
+  description::Model model;
+  model.name = std::move(name);
+  model.canonicalLink = links.front().name;
+  model.links = std::move(links);
+  return model;
+}
+
+inline Pose at(double x, double y, double z) { return {{x, y, z}, Quaternion::Identity()}; }
+
+/// A half space below a plane through the origin.
+inline description::Model makeGround(double mu = 1, const Vector3& normal = Vector3::UnitZ()) {
+  description::Link link;
+  link.name = "link";
+  addCollision(link, description::Plane{normal.normalized(), {1, 1}}, mu);
+  description::Model model = makeModel("ground", {link});
+  model.isStatic = true;
+  return model;
+}
+
+/// Moments of inertia of a solid box of that mass [kg] and size [m].
+inline Vector3 boxMoments(double mass, const Vector3& size) {
+  const Vector3 squares = size.cwiseProduct(size);
+  return mass / 12 * (Vector3::Constant(squares.sum()) - squares);
+}
+
+/// A joint whose frame lies there in the frames of parent and child; `axis` is left out where the type has none.
+inline description::Joint makeJoint(std::string name, description::JointType type, std::string parent,
+                                    std::string child, const Pose& X_ParentJoint, const Pose& X_ChildJoint,
+                                    const Vector3& axis = Vector3::UnitZ()) {
+  description::Joint joint;
+  joint.name = std::move(name);
+  joint.type = type;
+  joint.parent = std::move(parent);
+  joint.child = std::move(child);
+  joint.X_ParentJoint = X_ParentJoint;
+  joint.X_ChildJoint = X_ChildJoint;
+  if (type != description::JointType::kBall && type != description::JointType::kFixed) {
+    joint.axes.emplace_back().xyz = axis;
+  }
+  return joint;
+}
+
+/// A world with what it needs to be stepped.
+struct Rig {
+  explicit Rig(description::World world, const physics::Settings& settings = physics::Settings())
+      : description(std::move(world)), entities(description), state(entities), engine(entities, settings) {}
+
+  void step(int count = 1) {
+    for (int i = 0; i < count; ++i) engine.step(kStep, state);
+  }
+  const world::LinkState& link(std::string_view name) const { return state.links[entities.findLink(name)]; }
+  const world::JointState& joint(world::Slot slot) const { return state.joints[slot]; }
+
+  static constexpr Time kStep = std::chrono::milliseconds(1);
+  const description::World description;
+  world::Entities entities;
+  world::State state;
+  physics::Engine engine;
+};
+
+}  // namespace pongsim::test

@@ -1,0 +1,64 @@
+#include "physics/shape.hh"
+
+#include <gtest/gtest.h>
+
+#include "physics/rig.hh"
+
+namespace pongsim::physics {
+namespace {
+
+using test::addCollision;
+using test::makeLink;
+using test::makeModel;
+using test::Rig;
+
+// height of the link's origin when it has come to rest on the ground
+double restingHeight(const description::Link& link) {
+  description::World world;
+  world.models = {test::makeGround(), makeModel("body", {link})};
+  Rig rig(std::move(world));
+  rig.step(2000);
+  EXPECT_LT(rig.link("body::link").v_WorldLink.norm(), 1e-3);
+  return rig.link("body::link").X_WorldLink.position.z();
+}
+
+TEST(LinkShape, RestsAtItsOwnHalfHeight) {
+  description::Link box = makeLink("link", {0, 0, 0.16}, 1, {0.01, 0.01, 0.01});
+  addCollision(box, description::Box{{0.2, 0.2, 0.3}});
+  EXPECT_NEAR(restingHeight(box), 0.15, 1e-5);
+
+  description::Link sphere = makeLink("link", {0, 0, 0.26}, 1, {0.01, 0.01, 0.01});
+  addCollision(sphere, description::Sphere{0.25});
+  EXPECT_NEAR(restingHeight(sphere), 0.25, 1e-5);
+
+  description::Link cylinder = makeLink("link", {0, 0, 0.11}, 1, {0.01, 0.01, 0.01});
+  addCollision(cylinder, description::Cylinder{0.3, 0.2});
+  EXPECT_NEAR(restingHeight(cylinder), 0.1, 1e-5);
+
+  description::Link lying = makeLink("link", {0, 0, 0.31}, 1, {0.01, 0.01, 0.01});
+  addCollision(lying, description::Cylinder{0.3, 0.2});
+  lying.collisions[0].X_LinkCollision.rotation = fromRollPitchYaw(M_PI / 2, 0, 0);
+  EXPECT_NEAR(restingHeight(lying), 0.3, 1e-5);
+}
+
+TEST(LinkShape, PutsEachCollisionWhereTheLinkHasIt) {
+  // two feet below a link whose centre of mass lies off its origin
+  description::Link link = makeLink("link", {0, 0, 0.51}, 1, {0.02, 0.03, 0.04});
+  link.inertial.X_LinkCom = {{0.1, 0, -0.2}, fromRollPitchYaw(0.2, 0.1, 0.3)};
+  for (double y : {-0.4, 0.4}) {
+    addCollision(link, description::Box{{0.8, 0.1, 0.2}});
+    link.collisions.back().X_LinkCollision.position = {0, y, -0.4};
+  }
+  EXPECT_NEAR(restingHeight(link), 0.5, 1e-5);
+}
+
+TEST(LinkShape, LeavesOutWhatItCannotBuild) {
+  description::Link link = makeLink("link", {0, 0, 0}, 1, {1, 1, 1});
+  addCollision(link, description::OtherGeometry{"mesh"});
+  addCollision(link, description::Empty{});
+  EXPECT_TRUE(LinkShape(link, Pose()).empty());
+  EXPECT_NE(LinkShape(link, Pose()).root(), nullptr);
+}
+
+}  // namespace
+}  // namespace pongsim::physics
