@@ -1,0 +1,46 @@
+#include "msgs/status_messages.hh"
+
+#include <ignition/msgs/clock.pb.h>
+#include <ignition/msgs/world_stats.pb.h>
+
+#include <cmath>
+
+namespace pongsim::msgs {
+
+namespace {
+
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+
+void setTime(std::chrono::nanoseconds time, ignition::msgs::Time& message) {
+  message.set_sec(time.count() / kNanosecondsPerSecond);
+  message.set_nsec(static_cast<std::int32_t>(time.count() % kNanosecondsPerSecond));
+}
+
+}  // namespace
+
+struct StatusMessages::Parts {
+  ignition::msgs::Clock clock;
+  ignition::msgs::WorldStatistics statistics;
+};
+
+StatusMessages::StatusMessages() : parts_(std::make_unique<Parts>()) {}
+
+StatusMessages::~StatusMessages() = default;
+
+const Message& StatusMessages::clock(const Status& status) {
+  setTime(status.simulated, *parts_->clock.mutable_sim());
+  setTime(status.real, *parts_->clock.mutable_real());
+  setTime(status.system, *parts_->clock.mutable_system());
+  return parts_->clock;
+}
+
+const Message& StatusMessages::statistics(const Status& status) {
+  setTime(status.simulated, *parts_->statistics.mutable_sim_time());
+  setTime(status.real, *parts_->statistics.mutable_real_time());
+  parts_->statistics.set_iterations(status.iterations);
+  parts_->statistics.set_paused(status.paused);
+  parts_->statistics.set_real_time_factor(std::round(status.realTimeFactor * 1e4) / 1e4);
+  return parts_->statistics;
+}
+
+}  // namespace pongsim::msgs

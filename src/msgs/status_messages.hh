@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+#include "pongsim/message.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::msgs {
+
+/// Where a run stands, as `ignition.msgs.Clock` and `ignition.msgs.WorldStatistics` tell it.
+struct Status {
+  Time simulated{0};
+  /// Wall time spent running, pauses apart.
+  std::chrono::nanoseconds real{0};
+  /// Wall-clock time since 1970.
+  std::chrono::nanoseconds system{0};
+  std::uint64_t iterations = 0;
+  double realTimeFactor = 0;
+  bool paused = false;
+};
+
+/// The two messages, used again and again.
+class StatusMessages {
+ public:
+  StatusMessages();
+  ~StatusMessages();
+
+  /// @return `ignition.msgs.Clock`; lives until the next call.
+  const Message& clock(const Status& status);
+  /// @return `ignition.msgs.WorldStatistics`, the factor rounded to four decimals; lives until the next call.
+  const Message& statistics(const Status& status);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pongsim::msgs

@@ -1,0 +1,43 @@
+#include "msgs/status_messages.hh"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "pongsim/message.hh"
+
+namespace pongsim::msgs {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Status kStatus{.simulated = 2s + 5ms,
+                         .real = 3s,
+                         .system = 100s + 1ns,
+                         .iterations = 2005,
+                         .realTimeFactor = 0.66666,
+                         .paused = true};
+
+TEST(StatusMessages, GiveTheThreeTimesInTheClock) {
+  StatusMessages messages;
+  EXPECT_EQ(messageJson(messages.clock(kStatus)),
+            R"({"system":{"sec":"100","nsec":1},"real":{"sec":"3"},"sim":{"sec":"2","nsec":5000000}})");
+}
+
+TEST(StatusMessages, GiveTheRunsStateInTheStatistics) {
+  StatusMessages messages;
+  const std::string text = messageText(messages.statistics(kStatus));
+  EXPECT_NE(text.find("iterations: 2005\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("paused: true\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("real_time_factor: 0.6667\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("sim_time {\n  sec: 2\n  nsec: 5000000\n}\n"), std::string::npos) << text;
+}
+
+TEST(StatusMessages, AreMadeAnewEachTime) {
+  StatusMessages messages;
+  messages.statistics(kStatus);
+  EXPECT_EQ(messageText(messages.statistics({.iterations = 1})).find("paused"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pongsim::msgs

@@ -1,0 +1,52 @@
+#include <google/protobuf/message.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "pongsim/message.hh"
+
+namespace pongsim {
+namespace {
+
+TEST(MessageTypes, HaveAllTheNamesThatFortressAndItsSuccessorsUse) {
+  for (const char* name : {"ignition.msgs.Twist", ".ignition.msgs.Twist", "ign_msgs.Twist", "gz.msgs.Twist", "Twist"}) {
+    EXPECT_EQ(messageTypeName(name), "ignition.msgs.Twist") << name;
+    const MessagePointer message = newMessage(name);
+    ASSERT_NE(message, nullptr) << name;
+    EXPECT_EQ(message->GetTypeName(), "ignition.msgs.Twist");
+  }
+}
+
+TEST(MessageTypes, AreNotWhatIsNoMessage) {
+  for (const char* name : {"", ".", "Nothing", "ignition.msgs.", "ignition.msgs.Nothing", "google.protobuf.Any",
+                           "ignition.msgs.Entity.Type", "ignition.msgs.Twist.linear", "twist", "Twist ", "a b\n"}) {
+    EXPECT_EQ(messageTypeName(name), std::nullopt) << name;
+    EXPECT_EQ(newMessage(name), nullptr) << name;
+  }
+  EXPECT_EQ(messageTypeName(std::string(1'000'000, 'x')), std::nullopt);
+}
+
+TEST(MessageTypes, LeaveOutTheEntriesOfMaps) {
+  EXPECT_EQ(messageTypeName("ignition.msgs.SerializedEntityMap.ComponentsEntry"), std::nullopt);
+  EXPECT_EQ(messageTypeName("ignition.msgs.CameraInfo.Distortion"), "ignition.msgs.CameraInfo.Distortion");
+}
+
+TEST(MessageTypes, AreListedSortedAndEachCanBeMade) {
+  const std::vector<std::string> types = messageTypes();
+  EXPECT_GT(types.size(), 150U);
+  EXPECT_TRUE(std::is_sorted(types.begin(), types.end()));
+  EXPECT_TRUE(std::binary_search(types.begin(), types.end(), "ignition.msgs.Odometry"));
+  for (const std::string& type : types) EXPECT_NE(newMessage(type), nullptr) << type;
+}
+
+TEST(MessageTypes, AreFoundByANearSpelling) {
+  EXPECT_EQ(nearestMessageType("ignition.msgs.Twisst"), "ignition.msgs.Twist");
+  EXPECT_EQ(nearestMessageType("gz.msgs.odometry"), "ignition.msgs.Odometry");
+  EXPECT_EQ(nearestMessageType("Vector3D"), "ignition.msgs.Vector3d");
+  EXPECT_EQ(nearestMessageType("qqqqqqqqqqqq"), "");
+}
+
+}  // namespace
+}  // namespace pongsim
