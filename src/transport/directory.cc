@@ -1,0 +1,172 @@
+#include "transport/directory.hh"
+
+#include <algorithm>
+
+#include "pongsim/log.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+ParticipantId participantOf(const EndpointId& endpoint) {
+  ParticipantId id{};
+  std::copy_n(endpoint.begin(), id.size(), id.begin());
+  return id;
+}
+
+/// The first endpoint's id that a participant can have.
+EndpointId firstOf(const ParticipantId& participant) {
+  EndpointId id{};
+  std::ranges::copy(participant, id.begin());
+  return id;
+}
+
+}  // namespace
+
+void Directory::changed() {
+  ++version_;
+  changed_.notify_all();
+}
+
+void Directory::addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports) {
+  const std::lock_guard lock(mutex_);
+  Participant& participant = participants_[id];
+  participant.pid = pid;
+  participant.ports = std::move(ports);
+  changed();
+}
+
+void Directory::removeParticipant(const ParticipantId& id) {
+  const std::lock_guard lock(mutex_);
+  participants_.erase(id);
+  auto endpoint = endpoints_.lower_bound(firstOf(id));
+  while (endpoint != endpoints_.end() && participantOf(endpoint->first) == id) endpoint = endpoints_.erase(endpoint);
+  changed();
+}
+
+void Directory::addEndpoint(const EndpointId& id, const Endpoint& endpoint) {
+  const std::lock_guard lock(mutex_);
+  endpoints_[id] = endpoint;
+  const auto [begin, end] = own_.equal_range(endpoint.topic);
+  for (auto own = begin; own != end; ++own) warnOfType(own->second, id, endpoint);
+  changed();
+}
+
+void Directory::removeEndpoint(const EndpointId& id) {
+  const std::lock_guard lock(mutex_);
+  endpoints_.erase(id);
+  changed();
+}
+
+void Directory::setCensus(const ParticipantId& id, std::uint32_t endpoints) {
+  const std::lock_guard lock(mutex_);
+  participants_[id].census = endpoints;
+  changed();
+}
+
+void Directory::addOwn(const Endpoint& endpoint) {
+  const std::lock_guard lock(mutex_);
+  own_.emplace(endpoint.topic, endpoint);
+  for (const auto& [id, other] : endpoints_) {
+    if (other.topic == endpoint.topic) warnOfType(endpoint, id, other);
+  }
+}
+
+void Directory::removeOwn(const Endpoint& endpoint) {
+  const std::lock_guard lock(mutex_);
+  const auto [begin, end] = own_.equal_range(endpoint.topic);
+  const auto found = std::find_if(begin, end, [&](const auto& own) {
+    return own.second.type == endpoint.type && own.second.role == endpoint.role;
+  });
+  if (found != end) own_.erase(found);
+}
+
+void Directory::warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) {
+  if (!isListed(otherId, other) || other.type == own.type || other.role == own.role) return;
+  if (std::string& warned = warned_[own.topic]; warned == other.type) return;
+  warned_[own.topic] = other.type;
+  const std::string process = std::to_string(pidOfLocked(participantOf(otherId)));
+  static const Logger log("transport");
+  log.warning(other.role == Role::kPublisher
+                  ? "topic '" + own.topic + "': process " + process + " publishes " + other.type +
+                        ", which this process, subscribed to " + own.type + ", does not get"
+                  : "topic '" + own.topic + "': process " + process + " subscribes to " + other.type +
+                        ", and does not get what this process publishes, " + own.type);
+}
+
+int Directory::pidOfLocked(const ParticipantId& id) const {
+  const auto found = participants_.find(id);
+  return found == participants_.end() ? 0 : found->second.pid;
+}
+
+int Directory::pidOf(const ParticipantId& id) const {
+  const std::lock_guard lock(mutex_);
+  return pidOfLocked(id);
+}
+
+std::vector<TopicInfo> Directory::topics() const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, TopicInfo> byName;
+  for (const auto& [id, endpoint] : endpoints_) {
+    if (!isListed(id, endpoint)) continue;
+    TopicInfo& info = byName[endpoint.topic];
+    auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
+    side.push_back({endpoint.type, pidOfLocked(participantOf(id))});
+  }
+  std::vector<TopicInfo> all;
+  for (auto& [name, info] : byName) {
+    info.name = name;
+    all.push_back(std::move(info));
+  }
+  return all;
+}
+
+TopicInfo Directory::topic(std::string_view name) const {
+  for (TopicInfo& info : topics()) {
+    if (info.name == name) return std::move(info);
+  }
+  return {std::string(name), {}, {}};
+}
+
+bool Directory::isListed(const EndpointId& id, const Endpoint& endpoint) const {
+  return endpoint.visible && pidOfLocked(participantOf(id)) != 0;
+}
+
+bool Directory::isComplete(std::span<const std::uint32_t> ports) const {
+  const auto isKnown = [this](std::uint32_t port) {
+    return std::ranges::any_of(participants_, [port](const auto& participant) {
+      return std::ranges::find(participant.second.ports, port) != participant.second.ports.end();
+    });
+  };
+  if (!std::ranges::all_of(ports, isKnown)) return false;
+
+  std::map<ParticipantId, std::uint32_t> told;
+  for (const auto& [id, endpoint] : endpoints_) ++told[participantOf(id)];
+  return std::ranges::all_of(participants_, [&](const auto& participant) {
+    // one that is no pongsim takes no census, and its topics are not listed
+    const auto& [id, about] = participant;
+    return about.pid == 0 || (about.census && told[id] >= *about.census);
+  });
+}
+
+bool Directory::waitForAll(std::span<const std::uint32_t> ports, TimePoint deadline) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [&] { return isComplete(ports); });
+}
+
+bool Directory::waitForTopic(std::string_view name, Role role, TimePoint deadline) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [&] {
+    return std::ranges::any_of(endpoints_, [&](const auto& endpoint) {
+      const auto& [id, about] = endpoint;
+      return about.role == role && about.topic == name && isListed(id, about);
+    });
+  });
+}
+
+std::uint64_t Directory::version() const {
+  const std::lock_guard lock(mutex_);
+  return version_;
+}
+
+}  // namespace pongsim::transport

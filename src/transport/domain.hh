@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pongsim::transport {
+
+/// @return `wanted`, else what the environment variable PONGSIM_DOMAIN says, else 0.
+/// @throws std::invalid_argument for anything but an integer from 0 to 232.
+int chosenDomain(std::optional<int> wanted);
+
+/// The ports by which the processes of a domain find each other, as the RTPS specification (9.6.1.1) numbers them:
+/// one for each participant, two apart.
+struct DiscoveryPorts {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+DiscoveryPorts discoveryPorts(int domain);
+
+/// @return Those of the ports that a process of this machine has open on 127.0.0.1 now; nothing where the system does
+/// not tell.
+std::optional<std::vector<std::uint32_t>> openDiscoveryPorts(int domain);
+
+}  // namespace pongsim::transport

@@ -1,0 +1,167 @@
+#include "transport/endpoint.hh"
+
+#include <fastdds/rtps/RTPSDomain.h>
+#include <fastdds/rtps/attributes/ReaderAttributes.h>
+#include <fastdds/rtps/attributes/WriterAttributes.h>
+#include <fastdds/rtps/reader/RTPSReader.h>
+#include <fastdds/rtps/writer/RTPSWriter.h>
+#include <fastrtps/attributes/TopicAttributes.h>
+#include <fastdds/dds/publisher/qos/WriterQos.hpp>
+#include <fastdds/dds/subscriber/qos/ReaderQos.hpp>
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include "transport/payload.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+using eprosima::fastrtps::TopicAttributes;
+
+// What waits in a writer for a slow reader: so many messages, or so many bytes once there are two of them.
+constexpr std::size_t kKeptMessages = 1000;
+constexpr std::size_t kKeptBytes = 32 << 20;
+
+// Repairs a lost packet at once, the way being short: loopback loses one only where a receiver's buffer is full.
+const eprosima::fastrtps::Duration_t kHeartbeatPeriod{0, 5'000'000};
+const eprosima::fastrtps::Duration_t kAtOnce{0, 0};
+
+// A reader asks so often for what it missed until its writer has answered for the first time.
+const eprosima::fastrtps::Duration_t kAskingPeriod{0, 5'000'000};
+
+rtps::HistoryAttributes historyAttributes() {
+  // small at first, growing to the size of the messages that come
+  return {rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE, 256, 4, 0};
+}
+
+TopicAttributes topicAttributes(const Contract& contract) {
+  TopicAttributes attributes(contract.topic.c_str(), contract.type.c_str(), rtps::NO_KEY);
+  attributes.auto_fill_type_object = false;
+  attributes.auto_fill_type_information = false;
+  return attributes;
+}
+
+template <class Qos>
+Qos qosFor(const Contract& contract) {
+  Qos qos;
+  qos.m_reliability.kind = dds::RELIABLE_RELIABILITY_QOS;
+  qos.m_durability.kind = contract.keepsLast ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
+  if (!contract.partition.empty()) qos.m_partition.push_back(contract.partition.c_str());
+  return qos;
+}
+
+rtps::DurabilityKind_t durability(const Contract& contract) {
+  return contract.keepsLast ? rtps::TRANSIENT_LOCAL : rtps::VOLATILE;
+}
+
+}  // namespace
+
+ParticipantId participantId(const rtps::GuidPrefix_t& prefix) {
+  ParticipantId id{};
+  std::copy_n(std::begin(prefix.value), id.size(), id.begin());
+  return id;
+}
+
+Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std::function<void()> readersChanged)
+    : own_(participantId(participant.getGuid().guidPrefix)),
+      keepsLast_(contract.keepsLast),
+      readersChanged_(std::move(readersChanged)),
+      history_(historyAttributes()) {
+  rtps::WriterAttributes attributes;
+  attributes.endpoint.topicKind = rtps::NO_KEY;
+  attributes.endpoint.reliabilityKind = rtps::RELIABLE;
+  attributes.endpoint.durabilityKind = durability(contract);
+  attributes.mode = rtps::ASYNCHRONOUS_WRITER;
+  attributes.times.initialHeartbeatDelay = kAtOnce;
+  attributes.times.heartbeatPeriod = kHeartbeatPeriod;
+  attributes.times.nackResponseDelay = kAtOnce;
+  attributes.times.nackSupressionDuration = kAtOnce;
+  writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, &history_, this);
+  if (writer_ == nullptr) throw std::runtime_error("DDS makes no writer for topic '" + contract.topic + "'");
+  if (!participant.registerWriter(writer_, topicAttributes(contract), qosFor<dds::WriterQos>(contract))) {
+    rtps::RTPSDomain::removeRTPSWriter(writer_);
+    throw std::runtime_error("DDS does not announce the writer for topic '" + contract.topic + "'");
+  }
+}
+
+Writer::~Writer() { rtps::RTPSDomain::removeRTPSWriter(writer_); }
+
+void Writer::write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill) {
+  const std::size_t size = payloadSize(messageSize);
+  const std::lock_guard lock(writer_->getMutex());
+  makeRoomFor(size);
+  rtps::CacheChange_t* change = writer_->new_change([size] { return static_cast<std::uint32_t>(size); }, rtps::ALIVE);
+  if (change == nullptr) return;
+  change->serializedPayload.encapsulation = CDR_LE;
+  change->serializedPayload.length = static_cast<std::uint32_t>(size);
+  const std::span<std::byte> payload(reinterpret_cast<std::byte*>(change->serializedPayload.data), size);
+  fill(framePayload(payload, messageSize));
+  keptBytes_ += size;
+  history_.add_change(change);
+}
+
+void Writer::makeRoomFor(std::size_t bytes) {
+  const std::size_t limit = keepsLast_ ? 1 : kKeptMessages;
+  rtps::CacheChange_t* oldest = nullptr;
+  while (history_.getHistorySize() >= limit || (keptBytes_ + bytes > kKeptBytes && history_.getHistorySize() > 1)) {
+    if (!history_.get_min_change(&oldest)) return;
+    keptBytes_ -= oldest->serializedPayload.length;
+    history_.remove_min_change();
+  }
+}
+
+bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
+  const auto bounded = std::min<std::chrono::nanoseconds>(timeout, std::chrono::hours(24 * 365));
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(bounded);
+  const std::chrono::nanoseconds rest = bounded - seconds;
+  return writer_->wait_for_all_acked(eprosima::fastrtps::Duration_t(static_cast<std::int32_t>(seconds.count()),
+                                                                    static_cast<std::uint32_t>(rest.count())));
+}
+
+void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
+  if (participantId(info.remoteEndpointGuid.guidPrefix) == own_) return;
+  readers_ += info.status == rtps::MATCHED_MATCHING ? 1 : -1;
+  if (readersChanged_) readersChanged_();
+}
+
+void Writer::onWriterChangeReceivedByAll(rtps::RTPSWriter*, rtps::CacheChange_t* change) {
+  if (keepsLast_) return;
+  keptBytes_ -= change->serializedPayload.length;
+  history_.remove_change_g(change);
+}
+
+Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received)
+    : own_(participantId(participant.getGuid().guidPrefix)),
+      received_(std::move(received)),
+      history_(historyAttributes()) {
+  rtps::ReaderAttributes attributes;
+  attributes.endpoint.topicKind = rtps::NO_KEY;
+  attributes.endpoint.reliabilityKind = rtps::RELIABLE;
+  attributes.endpoint.durabilityKind = durability(contract);
+  attributes.times.initialAcknackDelay = kAskingPeriod;
+  attributes.times.heartbeatResponseDelay = kAtOnce;
+  reader_ = rtps::RTPSDomain::createRTPSReader(&participant, attributes, &history_, this);
+  if (reader_ == nullptr) throw std::runtime_error("DDS makes no reader for topic '" + contract.topic + "'");
+  if (!participant.registerReader(reader_, topicAttributes(contract), qosFor<dds::ReaderQos>(contract))) {
+    rtps::RTPSDomain::removeRTPSReader(reader_);
+    throw std::runtime_error("DDS does not announce the reader for topic '" + contract.topic + "'");
+  }
+}
+
+Reader::~Reader() { rtps::RTPSDomain::removeRTPSReader(reader_); }
+
+void Reader::onNewCacheChangeAdded(rtps::RTPSReader* reader, const rtps::CacheChange_t* change) {
+  const ParticipantId sender = participantId(change->writerGUID.guidPrefix);
+  if (change->kind == rtps::ALIVE && sender != own_) {
+    received_(sender,
+              {reinterpret_cast<const std::byte*>(change->serializedPayload.data), change->serializedPayload.length});
+  }
+  reader->getHistory()->remove_change(const_cast<rtps::CacheChange_t*>(change));
+}
+
+}  // namespace pongsim::transport

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <fastdds/rtps/history/ReaderHistory.h>
+#include <fastdds/rtps/history/WriterHistory.h>
+#include <fastdds/rtps/participant/RTPSParticipant.h>
+#include <fastdds/rtps/reader/ReaderListener.h>
+#include <fastdds/rtps/writer/WriterListener.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "transport/inbox.hh"
+
+namespace pongsim::transport {
+
+namespace rtps = eprosima::fastrtps::rtps;
+
+/// What an endpoint tells and asks of its counterparts.
+struct Contract {
+  std::string topic;
+  std::string type;
+  /// DDS partition, none where empty.
+  std::string partition;
+  /// Whether a reader that comes later gets the last message, and no other is kept.
+  bool keepsLast = false;
+};
+
+ParticipantId participantId(const rtps::GuidPrefix_t& prefix);
+
+/// A topic's way out to other processes. Reliable for those who keep up; a slow one loses the oldest messages, and
+/// holds up nobody.
+class Writer : private rtps::WriterListener {
+ public:
+  /// @param readersChanged Called from a DDS thread when a reader elsewhere comes or goes.
+  /// @throws std::runtime_error where DDS refuses.
+  Writer(rtps::RTPSParticipant& participant, const Contract& contract, std::function<void()> readersChanged);
+  ~Writer() override;
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  bool hasReaders() const { return readers_.load(std::memory_order_relaxed) > 0; }
+
+  /// Sends a message of so many bytes, which `fill` writes to the place it is given.
+  void write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill);
+
+  /// Waits until all readers have acknowledged everything.
+  bool waitForAcknowledgement(std::chrono::nanoseconds timeout);
+
+ private:
+  void onWriterMatched(rtps::RTPSWriter* writer, rtps::MatchingInfo& info) override;
+  void onWriterChangeReceivedByAll(rtps::RTPSWriter* writer, rtps::CacheChange_t* change) override;
+  void makeRoomFor(std::size_t bytes);
+
+  using rtps::WriterListener::onWriterMatched;
+
+  ParticipantId own_;
+  bool keepsLast_;
+  std::function<void()> readersChanged_;
+  rtps::WriterHistory history_;
+  /// In the history, guarded by the writer's mutex.
+  std::size_t keptBytes_ = 0;
+  std::atomic<int> readers_ = 0;
+  rtps::RTPSWriter* writer_ = nullptr;
+};
+
+/// A topic's way in from other processes.
+class Reader : private rtps::ReaderListener {
+ public:
+  /// Called from a DDS thread with each sample that another participant has sent.
+  using Received = std::function<void(const ParticipantId& sender, std::span<const std::byte> payload)>;
+
+  /// @throws std::runtime_error where DDS refuses.
+  Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received);
+  ~Reader() override;
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+ private:
+  void onNewCacheChangeAdded(rtps::RTPSReader* reader, const rtps::CacheChange_t* change) override;
+
+  ParticipantId own_;
+  Received received_;
+  rtps::ReaderHistory history_;
+  rtps::RTPSReader* reader_ = nullptr;
+};
+
+}  // namespace pongsim::transport

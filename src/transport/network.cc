@@ -1,0 +1,234 @@
+#include "transport/network.hh"
+
+#include <fastdds/rtps/RTPSDomain.h>
+#include <fastdds/rtps/attributes/RTPSParticipantAttributes.h>
+#include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
+#include <fastdds/rtps/participant/RTPSParticipant.h>
+#include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
+#include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <unistd.h>
+#include <fastdds/dds/log/Log.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "base/parse_number.hh"
+#include "transport/domain.hh"
+#include "transport/gated_udp.hh"
+#include "transport/payload.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
+using eprosima::fastrtps::Duration_t;
+
+constexpr const char* kLoopback = "127.0.0.1";
+constexpr std::string_view kNamePrefix = "pongsim/";
+
+// No topic's name, for it has no leading slash.
+constexpr const char* kCensusTopic = "pongsim/census";
+constexpr const char* kCensusType = "pongsim.Census";
+
+// The kernel gives what net.core.rmem_max and wmem_max allow: an image needs room for all of its packets at once.
+constexpr std::uint32_t kSocketBuffer = 4 << 20;
+
+// How soon a process that died without a word is forgotten.
+const Duration_t kLease{6, 0};
+const Duration_t kAnnouncementPeriod{2, 0};
+
+// A participant that is being made says nothing for some milliseconds, one on a busy machine for longer.
+constexpr std::chrono::milliseconds kSilence{500};
+constexpr std::chrono::milliseconds kLookAgain{10};
+
+/// Settings that Fast DDS has once for the whole process.
+void setUpLibrary() {
+  static const bool once = [] {
+    // what it has to say of its own goes to stdout, which is for our output
+    eprosima::fastdds::dds::Log::ClearConsumers();
+    // endpoints that call into each other across participants do so without care for one that is being destroyed
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+    return true;
+  }();
+  static_cast<void>(once);
+}
+
+rtps::Locator_t loopbackLocator() {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  rtps::IPLocator::setIPv4(locator, kLoopback);
+  return locator;
+}
+
+std::shared_ptr<GatedUdp> loopbackUdp(int domain) {
+  const auto udp = std::make_shared<UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = {kLoopback};
+  udp->sendBufferSize = kSocketBuffer;
+  udp->receiveBufferSize = kSocketBuffer;
+  udp->maxInitialPeersRange = discoveryPorts(domain).count;
+  return std::make_shared<GatedUdp>(udp);
+}
+
+rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::shared_ptr<GatedUdp>& udp) {
+  rtps::RTPSParticipantAttributes attributes;
+  attributes.setName((std::string(kNamePrefix) + std::to_string(getpid())).c_str());
+  attributes.useBuiltinTransports = false;
+  attributes.userTransports.push_back(udp);
+  attributes.sendSocketBufferSize = kSocketBuffer;
+  attributes.listenSocketBufferSize = kSocketBuffer;
+  attributes.defaultUnicastLocatorList.push_back(loopbackLocator());
+
+  // to listen at one port alone keeps the library from joining its multicast group
+  attributes.builtin.metatrafficUnicastLocatorList.push_back(loopbackLocator());
+  attributes.builtin.initialPeersList.push_back(loopbackLocator());
+  attributes.builtin.mutation_tries = discoveryPorts(domain).count;
+  attributes.builtin.use_WriterLivelinessProtocol = false;
+  attributes.builtin.discovery_config.leaseDuration = kLease;
+  attributes.builtin.discovery_config.leaseDuration_announcementperiod = kAnnouncementPeriod;
+  return attributes;
+}
+
+EndpointId endpointId(const rtps::GUID_t& guid) {
+  EndpointId id{};
+  std::copy_n(std::begin(guid.guidPrefix.value), 12, id.begin());
+  std::copy_n(std::begin(guid.entityId.value), 4, id.begin() + 12);
+  return id;
+}
+
+/// @return The process of a participant of ours, 0 for another program's.
+int processOf(std::string_view participantName) {
+  if (!participantName.starts_with(kNamePrefix)) return 0;
+  return static_cast<int>(base::parseInteger(participantName.substr(kNamePrefix.size())).value_or(0));
+}
+
+}  // namespace
+
+Network::Network(std::optional<int> domain) : domain_(chosenDomain(domain)) {
+  if (const char* partition = std::getenv("IGN_PARTITION")) partition_ = partition;
+  setUpLibrary();
+  const auto domainId = static_cast<std::uint32_t>(domain_);
+  const std::shared_ptr<GatedUdp> udp = loopbackUdp(domain_);
+  participant_ = rtps::RTPSDomain::createParticipant(domainId, false, participantAttributes(domain_, udp), this);
+  if (participant_ == nullptr) {
+    throw std::runtime_error("cannot open DDS domain " + std::to_string(domain_) + " on 127.0.0.1");
+  }
+  own_ = participantId(participant_->getGuid().guidPrefix);
+  ownPort_ = participant_->getRTPSParticipantAttributes().builtin.metatrafficUnicastLocatorList.begin()->port;
+  participant_->enable();
+  udp->open();
+  participant_->announceRTPSParticipantState();
+  censusWriter_ = std::make_unique<Writer>(*participant_, Contract{kCensusTopic, kCensusType, "", true}, nullptr);
+  changeCensus(0);
+}
+
+Network::~Network() {
+  participant_->set_listener(nullptr);
+  censusReader_.reset();
+  censusWriter_.reset();
+  rtps::RTPSDomain::removeRTPSParticipant(participant_);
+}
+
+std::unique_ptr<Writer> Network::makeWriter(const std::string& topic, const std::string& type,
+                                            std::function<void()> readersChanged) {
+  auto writer = std::make_unique<Writer>(*participant_, contract(topic, type), std::move(readersChanged));
+  changeCensus(1);
+  return writer;
+}
+
+std::unique_ptr<Reader> Network::makeReader(const std::string& topic, const std::string& type,
+                                            Reader::Received received) {
+  auto reader = std::make_unique<Reader>(*participant_, contract(topic, type), std::move(received));
+  changeCensus(1);
+  return reader;
+}
+
+void Network::end(std::unique_ptr<Writer> writer) {
+  changeCensus(-1);
+  writer.reset();
+}
+
+void Network::end(std::unique_ptr<Reader> reader) {
+  changeCensus(-1);
+  reader.reset();
+}
+
+void Network::changeCensus(int endpoints) {
+  const std::lock_guard lock(censusMutex_);
+  endpoints_ += static_cast<std::uint32_t>(endpoints);
+  const auto bytes = std::as_bytes(std::span(&endpoints_, 1));
+  censusWriter_->write(bytes.size(), [&](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
+}
+
+void Network::discover(std::chrono::nanoseconds timeout) {
+  if (!censusReader_) {
+    const auto received = [this](const ParticipantId& sender, std::span<const std::byte> payload) {
+      const auto message = messageInPayload(payload);
+      std::uint32_t endpoints = 0;
+      if (!message || message->size() != sizeof(endpoints)) return;
+      std::memcpy(&endpoints, message->data(), sizeof(endpoints));
+      directory_.setCensus(sender, endpoints);
+    };
+    censusReader_ = std::make_unique<Reader>(*participant_, Contract{kCensusTopic, kCensusType, "", true}, received);
+  }
+
+  const TimePoint deadline = deadlineAfter(timeout);
+  std::uint64_t version = directory_.version();
+  TimePoint silentUntil = deadlineAfter(kSilence);
+  for (TimePoint now = std::chrono::steady_clock::now(); now < std::min(deadline, silentUntil);
+       now = std::chrono::steady_clock::now()) {
+    // where the system does not tell who is there, the silence alone must do
+    std::vector<std::uint32_t> ports = openDiscoveryPorts(domain_).value_or(std::vector<std::uint32_t>{0});
+    std::erase(ports, ownPort_);
+    if (directory_.waitForAll(ports, std::min(deadline, now + kLookAgain))) return;
+    if (const std::uint64_t newVersion = directory_.version(); newVersion != version) {
+      version = newVersion;
+      silentUntil = deadlineAfter(kSilence);
+    }
+  }
+}
+
+void Network::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDiscoveryInfo&& info) {
+  using Info = rtps::ParticipantDiscoveryInfo;
+  const ParticipantId id = participantId(info.info.m_guid.guidPrefix);
+  if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
+    directory_.removeParticipant(id);
+    return;
+  }
+  std::vector<std::uint32_t> ports;
+  for (const rtps::Locator_t& locator : info.info.metatraffic_locators.unicast) ports.push_back(locator.port);
+  directory_.addParticipant(id, processOf(info.info.m_participantName.c_str()), std::move(ports));
+}
+
+template <class ProxyData>
+void Network::endpointChanged(const ProxyData& data, Role role, bool removed) {
+  if (participantId(data.guid().guidPrefix) == own_) return;
+  const EndpointId id = endpointId(data.guid());
+  if (removed) {
+    directory_.removeEndpoint(id);
+    return;
+  }
+  const std::string topic = data.topicName().c_str();
+  if (topic == kCensusTopic) return;
+  const std::vector<std::string> partitions = data.m_qos.m_partition.getNames();
+  const bool samePartition = partition_.empty() ? partitions.empty() : std::ranges::count(partitions, partition_) > 0;
+  directory_.addEndpoint(id, {topic, data.typeName().c_str(), role, samePartition && topic.starts_with('/')});
+}
+
+void Network::onReaderDiscovery(rtps::RTPSParticipant*, rtps::ReaderDiscoveryInfo&& info) {
+  endpointChanged(info.info, Role::kSubscriber, info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
+}
+
+void Network::onWriterDiscovery(rtps::RTPSParticipant*, rtps::WriterDiscoveryInfo&& info) {
+  endpointChanged(info.info, Role::kPublisher, info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
+}
+
+}  // namespace pongsim::transport

@@ -1,0 +1,45 @@
+#include "transport/domain.hh"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace pongsim::transport {
+
+TEST(Domain, IsTheOneWantedElseTheEnvironmentsElseZero) {
+  unsetenv("PONGSIM_DOMAIN");
+  EXPECT_EQ(chosenDomain({}), 0);
+  setenv("PONGSIM_DOMAIN", "", 1);
+  EXPECT_EQ(chosenDomain({}), 0);
+  setenv("PONGSIM_DOMAIN", "232", 1);
+  EXPECT_EQ(chosenDomain({}), 232);
+  EXPECT_EQ(chosenDomain(7), 7);
+}
+
+TEST(Domain, SaysWhatIsWrongWithIt) {
+  EXPECT_THROW(chosenDomain(-1), std::invalid_argument);
+  EXPECT_THROW(chosenDomain(233), std::invalid_argument);
+  for (const char* bad : {"233", "-1", "x", "1.5", "99999999999999999999"}) {
+    setenv("PONGSIM_DOMAIN", bad, 1);
+    try {
+      chosenDomain({});
+      FAIL() << bad;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(bad), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Domain, HasPortsOfItsOwn) {
+  for (int domain = 0; domain < 232; ++domain) {
+    const DiscoveryPorts ports = discoveryPorts(domain);
+    // the data's ports lie one above
+    EXPECT_LT(ports.first + 2 * (ports.count - 1) + 1, discoveryPorts(domain + 1).first) << domain;
+    EXPECT_GE(ports.count, 60) << domain;
+  }
+  EXPECT_LE(discoveryPorts(232).first + 2 * discoveryPorts(232).count, 65535);
+}
+
+}  // namespace pongsim::transport

@@ -1,0 +1,305 @@
+#include "pongsim/node.hh"
+
+#include <gtest/gtest.h>
+#include <ignition/msgs/int32.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/process.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim {
+
+namespace {
+
+using ignition::msgs::StringMsg;
+using test::kDeadline;
+using test::Process;
+
+StringMsg text(const std::string& content) {
+  StringMsg message;
+  message.set_data(content);
+  return message;
+}
+
+class NodeTest : public testing::Test {
+ protected:
+  static std::unique_ptr<Process> peer(std::vector<std::string> arguments,
+                                       const Process::Options& options = Process::Options()) {
+    arguments.insert(arguments.begin(), TRANSPORT_PEER);
+    return std::make_unique<Process>(arguments, options);
+  }
+
+  static std::unique_ptr<Process> listener(const std::string& topic = "/chatter") {
+    auto process = peer({"listen", topic});
+    EXPECT_TRUE(process->waitForOutput("ready")) << process->error();
+    return process;
+  }
+
+  bool dispatchUntil(const std::function<bool()>& done) {
+    const auto deadline = std::chrono::steady_clock::now() + kDeadline;
+    while (!done() && std::chrono::steady_clock::now() < deadline) {
+      transport_.dispatchFor(std::chrono::milliseconds(20));
+    }
+    return done();
+  }
+
+  /// Publishes until a process that may still have to find the publisher has heard it; counts in `sent`.
+  bool publishUntilHeard(Publisher& publisher, Process& process, int& sent) {
+    const auto deadline = std::chrono::steady_clock::now() + kDeadline;
+    while (std::chrono::steady_clock::now() < deadline) {
+      publisher.publish(text("again"));
+      ++sent;
+      if (process.waitForOutput("got again", std::chrono::milliseconds(20))) return true;
+    }
+    return false;
+  }
+
+  const int domain_ = test::testDomain();
+  Transport transport_;
+  Node node_ = transport_.node();
+};
+
+/// Local addresses and ports of this process's UDP sockets, as /proc/net prints them.
+std::set<std::string> ownSockets(const char* table) {
+  std::set<std::string> inodes;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code ignored;
+    const std::string target = std::filesystem::read_symlink(entry, ignored).string();
+    if (target.starts_with("socket:[")) inodes.insert(target.substr(8, target.size() - 9));
+  }
+  std::set<std::string> addresses;
+  std::ifstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    char address[64];
+    char inode[64];
+    if (std::sscanf(line.c_str(), " %*u: %63s %*s %*s %*s %*s %*s %*s %*s %63s", address, inode) != 2) continue;
+    if (inodes.contains(inode)) addresses.insert(address);
+  }
+  return addresses;
+}
+
+std::set<std::string> sharedMemory() {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator("/dev/shm")) names.insert(entry.path().filename());
+  return names;
+}
+
+}  // namespace
+
+TEST_F(NodeTest, DeliversToAnotherProcess) {
+  const auto other = listener();
+  Publisher publisher = node_.advertise<StringMsg>("chatter");
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  EXPECT_TRUE(publisher.hasSubscribers());
+  publisher.publish(text("hello"));
+  EXPECT_TRUE(publisher.waitForDelivery(kDeadline));
+  EXPECT_TRUE(other->waitForOutput("got hello"));
+}
+
+TEST_F(NodeTest, HearsAllThatAnotherProcessSaysInOrder) {
+  std::vector<std::string> heard;
+  const Subscription subscription =
+      node_.subscribe<StringMsg>("/chatter", [&](const StringMsg& message) { heard.push_back(message.data()); });
+  const auto other = peer({"say", "/chatter", "500", "0"});
+  EXPECT_TRUE(dispatchUntil([&] { return heard.size() >= 500; }));
+  EXPECT_EQ(other->wait(), 0);
+  ASSERT_EQ(heard.size(), 500);
+  for (std::size_t i = 0; i < heard.size(); ++i) EXPECT_EQ(heard[i], std::to_string(i));
+}
+
+TEST_F(NodeTest, HearsItselfOnceWhenOthersListenToo) {
+  int heard = 0;
+  const Subscription subscription = node_.subscribe<StringMsg>("/chatter", [&](const StringMsg&) { ++heard; });
+  const auto other = listener();
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  int sent = 0;
+  ASSERT_TRUE(publishUntilHeard(publisher, *other, sent));
+  for (int i = 0; i < 100; ++i, ++sent) publisher.publish(text(std::to_string(i)));
+  // acknowledged by this process's own reader, too, so that nothing more can come
+  EXPECT_TRUE(other->waitForOutput("got 99\n"));
+  EXPECT_TRUE(publisher.waitForDelivery(kDeadline));
+  transport_.dispatch();
+  EXPECT_EQ(heard, sent);
+}
+
+TEST_F(NodeTest, TalksToAnotherTransportOfTheProcess) {
+  Transport second;
+  std::string heard;
+  const Subscription subscription =
+      second.node().subscribe<StringMsg>("/chatter", [&](const StringMsg& message) { heard = message.data(); });
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  publisher.publish(text("hello"));
+  while (heard.empty() && second.dispatchFor(kDeadline) > 0) continue;
+  EXPECT_EQ(heard, "hello");
+}
+
+TEST_F(NodeTest, CarriesLargeMessages) {
+  const auto other = listener();
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  for (std::size_t size : {65'000, 65'536, 1'000'003, 6'000'001}) {
+    publisher.publish(text(std::string(size, 'x')));
+    EXPECT_TRUE(other->waitForOutput("got " + std::to_string(size) + " bytes")) << size;
+  }
+}
+
+TEST_F(NodeTest, IsNotHeldUpByAStoppedSubscriber) {
+  const auto other = listener();
+  const auto healthy = listener();
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  int sent = 0;
+  ASSERT_TRUE(publishUntilHeard(publisher, *other, sent));
+  ASSERT_TRUE(publishUntilHeard(publisher, *healthy, sent));
+  ASSERT_TRUE(publisher.waitForDelivery(kDeadline));
+  other->kill(SIGSTOP);
+  // more than is kept for it
+  for (int i = 0; i < 3000; ++i) publisher.publish(text(std::to_string(i)));
+  EXPECT_FALSE(publisher.waitForDelivery(std::chrono::milliseconds(10)));
+  EXPECT_TRUE(healthy->waitForOutput("got 2999"));
+  other->kill(SIGCONT);
+  EXPECT_TRUE(other->waitForOutput("got 2999"));
+}
+
+TEST_F(NodeTest, GoesOnAfterAKilledSubscriber) {
+  auto other = listener();
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  other->kill(SIGKILL);
+  other->wait();
+  for (int i = 0; i < 3000; ++i) publisher.publish(text(std::to_string(i)));
+  const auto next = listener();
+  int sent = 0;
+  EXPECT_TRUE(publishUntilHeard(publisher, *next, sent));
+}
+
+TEST_F(NodeTest, FindsEveryTopicOfEveryProcess) {
+  constexpr int kProcesses = 4;
+  constexpr int kTopics = 200;
+  std::vector<std::unique_ptr<Process>> others;
+  for (int i = 0; i < kProcesses; ++i) others.push_back(peer({"offer", std::to_string(kTopics)}));
+  for (const auto& other : others) ASSERT_TRUE(other->waitForOutput("ready"));
+
+  Transport newcomer;
+  const std::vector<TopicInfo> topics = newcomer.discover(kDeadline);
+  EXPECT_EQ(topics.size(), kProcesses * kTopics);
+  EXPECT_TRUE(std::ranges::is_sorted(topics, {}, &TopicInfo::name));
+  for (const TopicInfo& topic : topics) {
+    ASSERT_EQ(topic.publishers.size(), 1) << topic.name;
+    EXPECT_EQ(topic.publishers[0].type, "ignition.msgs.StringMsg");
+    EXPECT_EQ(topic.name.substr(1, topic.name.rfind('/') - 1), std::to_string(topic.publishers[0].pid));
+  }
+
+  const auto finder = peer({"discover"});
+  EXPECT_EQ(finder->wait(), 0);
+  EXPECT_EQ(finder->output(), "found 800\n");
+}
+
+TEST_F(NodeTest, DoesNotListWhatHasEnded) {
+  auto other = peer({"offer", "3"});
+  ASSERT_TRUE(other->waitForOutput("ready"));
+  EXPECT_EQ(transport_.discover(kDeadline).size(), 3);
+  other->kill(SIGTERM);
+  EXPECT_EQ(other->wait(), 0) << other->error();
+  Transport newcomer;
+  EXPECT_TRUE(newcomer.discover(kDeadline).empty());
+}
+
+TEST_F(NodeTest, WaitsForATopicThatIsNotThereYet) {
+  EXPECT_TRUE(transport_.waitForTopic("/chatter", true, std::chrono::nanoseconds(0)).publishers.empty());
+  const auto other = peer({"say", "/chatter", "1", "0"});
+  const TopicInfo topic = transport_.waitForTopic("chatter", true, kDeadline);
+  EXPECT_EQ(topic.name, "/chatter");
+  ASSERT_EQ(topic.publishers.size(), 1);
+  EXPECT_EQ(topic.publishers[0].pid, other->pid());
+}
+
+TEST_F(NodeTest, ServesTenProcesses) {
+  std::vector<std::unique_ptr<Process>> others;
+  for (int i = 0; i < 10; ++i) others.push_back(peer({"listen", "/chatter"}));
+  for (const auto& other : others) ASSERT_TRUE(other->waitForOutput("ready"));
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  // those that listen are known by now to `discover`; they come to know of the publisher each in its own time
+  EXPECT_EQ(transport_.discover(kDeadline).at(0).subscribers.size(), 10);
+  int sent = 0;
+  for (const auto& other : others) EXPECT_TRUE(publishUntilHeard(publisher, *other, sent));
+}
+
+TEST_F(NodeTest, WarnsWhenAnotherProcessSpeaksAnotherType) {
+  testing::internal::CaptureStderr();
+  Publisher publisher = node_.advertise<ignition::msgs::Int32>("/chatter");
+  const auto other = listener();
+  transport_.waitForTopic("/chatter", false, kDeadline);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_FALSE(publisher.hasSubscribers());
+  for (const std::string& part : {std::string("/chatter"), std::string("ignition.msgs.Int32"),
+                                  std::string("ignition.msgs.StringMsg"), std::to_string(other->pid())}) {
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  }
+}
+
+TEST_F(NodeTest, KeepsPartitionsApart) {
+  Process::Options elsewhere;
+  elsewhere.environment["IGN_PARTITION"] = "elsewhere";
+  const auto other = peer({"offer", "3"}, elsewhere);
+  ASSERT_TRUE(other->waitForOutput("ready"));
+  EXPECT_TRUE(transport_.discover(kDeadline).empty());
+  const auto finder = peer({"discover"}, elsewhere);
+  EXPECT_EQ(finder->wait(), 0);
+  EXPECT_EQ(finder->output(), "found 3\n");
+}
+
+TEST_F(NodeTest, OpensSocketsOnLoopbackOnly) {
+  const Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  const Subscription subscription = node_.subscribe<StringMsg>("/other", [](const StringMsg&) {});
+  const std::set<std::string> sockets = ownSockets("/proc/self/net/udp");
+  EXPECT_GE(sockets.size(), 2);
+  for (const std::string& socket : sockets) EXPECT_TRUE(socket.starts_with("0100007F:")) << socket;
+  EXPECT_TRUE(ownSockets("/proc/self/net/udp6").empty());
+  EXPECT_TRUE(ownSockets("/proc/self/net/tcp").empty());
+}
+
+TEST_F(NodeTest, LeavesNothingInSharedMemory) {
+  const std::set<std::string> before = sharedMemory();
+  const auto other = listener();
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  for (const std::string& name : sharedMemory()) {
+    EXPECT_TRUE(before.contains(name) || name.find("fast") == std::string::npos) << name;
+  }
+}
+
+TEST_F(NodeTest, WorksWhereThereIsNothingButLoopback) {
+  if (Process({"unshare", "-rn", "true"}).wait() != 0) GTEST_SKIP() << "no network namespace can be made here";
+  Process alone({"unshare", "-rn", "sh", "-c",
+                 "ip link set lo up && (" TRANSPORT_PEER " listen /chatter & listener=$!; " TRANSPORT_PEER
+                 " say /chatter 5 0; result=$?; kill $listener; wait $listener; exit $result)"});
+  EXPECT_EQ(alone.wait(), 0) << alone.error();
+  EXPECT_NE(alone.output().find("got 4"), std::string::npos);
+}
+
+TEST_F(NodeTest, RefusesADomainThatIsNone) {
+  EXPECT_THROW(Transport({.network = true, .domain = 233}), std::invalid_argument);
+}
+
+TEST_F(NodeTest, HearsNothingOfAnotherDomain) {
+  // beyond those that tests are given
+  Process::Options elsewhere;
+  elsewhere.environment["PONGSIM_DOMAIN"] = std::to_string(domain_ + 100);
+  const auto other = peer({"offer", "3"}, elsewhere);
+  ASSERT_TRUE(other->waitForOutput("ready"));
+  EXPECT_TRUE(transport_.discover(kDeadline).empty());
+}
+
+}  // namespace pongsim
