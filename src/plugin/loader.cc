@@ -1,0 +1,128 @@
+#include "plugin/loader.hh"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include "base/nearest_word.hh"
+#include "plugin/fortress_systems.hh"
+#include "plugin/system_name.hh"
+
+namespace pongsim::plugin {
+
+namespace {
+
+/// @return The file's name of the library of a system of ours.
+std::string ownFileName(const std::string& name) { return "libpongsim-" + name + "-system.so"; }
+
+void appendFolders(const char* variable, std::vector<std::filesystem::path>& folders) {
+  const char* value = std::getenv(variable);
+  if (value == nullptr) return;
+  std::string_view rest = value;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    if (end > 0) folders.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+}
+
+/// @return The entry of that class; the first where no class is named; null where there is none.
+const SystemEntry* findEntry(const Library& library, const std::string& className) {
+  for (const SystemEntry& entry : library.systems()) {
+    if (className.empty() || std::ranges::find(entry.names, std::string_view(className)) != entry.names.end()) {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> defaultSearchPath() {
+  std::vector<std::filesystem::path> folders;
+  appendFolders("PONGSIM_PLUGIN_PATH", folders);
+  appendFolders("IGN_GAZEBO_SYSTEM_PLUGIN_PATH", folders);
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&defaultSearchPath), &info) != 0 && info.dli_fname != nullptr) {
+    std::error_code ignored;
+    const std::filesystem::path self = std::filesystem::canonical(info.dli_fname, ignored);
+    if (!self.empty()) folders.push_back(self.parent_path() / PONGSIM_PLUGIN_SUBDIRECTORY);
+  }
+  return folders;
+}
+
+Loader::Loader(std::vector<std::filesystem::path> searchPath) : searchPath_(std::move(searchPath)) {}
+
+std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Diagnostics& diagnostics) {
+  const std::string name = systemName(plugin.filename);
+  const Library* found = library(name, plugin, diagnostics);
+  if (found == nullptr) return nullptr;
+  const SystemEntry* entry = findEntry(*found, plugin.className);
+  if (entry != nullptr) return std::unique_ptr<System>(entry->create());
+
+  std::vector<std::string_view> known;
+  for (const SystemEntry& candidate : found->systems()) {
+    known.insert(known.end(), candidate.names.begin(), candidate.names.end());
+  }
+  std::string hint = base::didYouMean(plugin.className, known);
+  if (hint.empty() && !known.empty()) hint = "it has " + std::string(known.front());
+  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' has no class '" + plugin.className + "'",
+                    hint);
+  return nullptr;
+}
+
+const Library* Loader::library(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics) {
+  const auto known = libraries_.find(name);
+  if (known != libraries_.end()) return known->second.get();
+  for (const std::filesystem::path& folder : searchPath_) {
+    for (const std::string& fileName : {ownFileName(name), "lib" + name + ".so", name + ".so", plugin.filename}) {
+      const std::filesystem::path file = folder / fileName;
+      std::error_code ignored;
+      if (!std::filesystem::is_regular_file(file, ignored)) continue;
+      auto opened = Library::open(file);
+      if (auto* library = std::get_if<std::unique_ptr<Library>>(&opened)) {
+        return libraries_.emplace(name, std::move(*library)).first->second.get();
+      }
+      diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' can't be loaded from " + file.string() +
+                                                 ": " + std::get<std::string>(opened));
+      return nullptr;
+    }
+  }
+  reportNotFound(name, plugin, diagnostics);
+  return nullptr;
+}
+
+void Loader::reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics) {
+  if (std::ranges::find(fortressSystems(), std::string_view(name)) != fortressSystems().end()) {
+    if (std::ranges::find(missed_, name) != missed_.end()) return;
+    missed_.push_back(name);
+    diagnostics.warning(plugin.sdf.position, "the system '" + name + "' of Gazebo is not there yet: it is left out");
+    return;
+  }
+  const std::vector<std::string> available = availableSystems();
+  std::vector<std::string_view> words(available.begin(), available.end());
+  words.insert(words.end(), fortressSystems().begin(), fortressSystems().end());
+  std::string hint = base::didYouMean(name, words);
+  if (hint.empty()) {
+    hint = "looked in";
+    for (const std::filesystem::path& folder : searchPath_) hint += " " + folder.string();
+    hint += "; PONGSIM_PLUGIN_PATH adds folders";
+  }
+  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' was not found", hint);
+}
+
+std::vector<std::string> Loader::availableSystems() const {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& folder : searchPath_) {
+    std::error_code ignored;
+    for (const auto& file : std::filesystem::directory_iterator(folder, ignored)) {
+      if (file.path().extension() == ".so") names.push_back(systemName(file.path().filename().string()));
+    }
+  }
+  return names;
+}
+
+}  // namespace pongsim::plugin

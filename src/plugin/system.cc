@@ -1,0 +1,7 @@
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+System::~System() = default;
+
+}  // namespace pongsim

@@ -1,0 +1,43 @@
+#include "plugin/system_name.hh"
+
+#include <cctype>
+
+namespace pongsim::plugin {
+
+namespace {
+
+void removePrefix(std::string_view& name, std::string_view prefix) {
+  if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+}
+
+void removeSuffix(std::string_view& name, std::string_view suffix) {
+  if (name.ends_with(suffix)) name.remove_suffix(suffix.size());
+}
+
+/// Removes `family`, a version's digits after it, and the hyphen after those.
+/// @return Whether `name` was of that family.
+bool removeFamily(std::string_view& name, std::string_view family) {
+  if (!name.starts_with(family)) return false;
+  std::string_view rest = name.substr(family.size());
+  while (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest.front())) != 0) rest.remove_prefix(1);
+  if (!rest.starts_with('-')) return false;
+  name = rest.substr(1);
+  return true;
+}
+
+}  // namespace
+
+std::string systemName(std::string_view filename) {
+  std::string_view name = filename;
+  removePrefix(name, "lib");
+  removeSuffix(name, ".so");
+  for (std::string_view family : {"ignition-gazebo", "gz-sim", "pongsim"}) {
+    if (removeFamily(name, family)) {
+      removeSuffix(name, "-system");
+      break;
+    }
+  }
+  return std::string(name);
+}
+
+}  // namespace pongsim::plugin

@@ -1,0 +1,46 @@
+#include "plugin/library.hh"
+
+#include <gtest/gtest.h>
+
+#include "support/temp_folder.hh"
+
+namespace pongsim::plugin {
+namespace {
+
+std::filesystem::path testLibrary(const std::string& name) {
+  return std::filesystem::path(PONGSIM_TEST_PLUGINS) / ("libpongsim-" + name + "-system.so");
+}
+
+/// @return Why the library can't be used.
+std::string reason(const std::filesystem::path& file) {
+  auto opened = Library::open(file);
+  const std::string* text = std::get_if<std::string>(&opened);
+  return text != nullptr ? *text : "no reason";
+}
+
+TEST(Library, OffersItsSystems) {
+  auto opened = Library::open(testLibrary("counting"));
+  ASSERT_TRUE(std::holds_alternative<std::unique_ptr<Library>>(opened));
+  const Library& library = *std::get<std::unique_ptr<Library>>(opened);
+  ASSERT_EQ(library.systems().size(), 1U);
+  EXPECT_STREQ(library.systems()[0].names[0], "test::Counting");
+  const std::unique_ptr<System> system(library.systems()[0].create());
+  EXPECT_NE(system, nullptr);
+}
+
+TEST(Library, RefusesAnotherVersionOfTheInterface) {
+  EXPECT_EQ(reason(testLibrary("ancient")),
+            "it was built for version 0 of pongsim's plugin interface, this is version 1: build it anew");
+}
+
+TEST(Library, RefusesALibraryWithoutSystems) {
+  EXPECT_EQ(reason(testLibrary("empty")), "it does not export any pongsim system");
+}
+
+TEST(Library, RefusesAFileThatIsNoLibrary) {
+  const test::TempFolder folder;
+  EXPECT_NE(reason(folder.write("libx.so", "not a library")).find("libx.so"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pongsim::plugin

@@ -1,0 +1,95 @@
+#include "plugin/loader.hh"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "support/temp_folder.hh"
+
+namespace pongsim::plugin {
+namespace {
+
+description::Plugin plugin(std::string filename, std::string className = "") {
+  description::Plugin made;
+  made.filename = std::move(filename);
+  made.className = std::move(className);
+  made.sdf.position = {std::make_shared<const std::string>("world.sdf"), 12, 5};
+  return made;
+}
+
+class LoaderTest : public testing::Test {
+ protected:
+  std::string onlyLine() const {
+    EXPECT_EQ(diagnostics_.all().size(), 1U);
+    return diagnostics_.all().empty() ? "" : format(diagnostics_.all().front());
+  }
+
+  Loader loader_{{PONGSIM_TEST_PLUGINS}};
+  Diagnostics diagnostics_;
+};
+
+TEST_F(LoaderTest, FindsASystemByAnyOfItsNames) {
+  for (const char* filename : {"ignition-gazebo-counting-system", "libpongsim-counting-system.so"}) {
+    for (const char* className : {"test::Counting", "test::Counter", ""}) {
+      EXPECT_NE(loader_.load(plugin(filename, className), diagnostics_), nullptr) << filename << " " << className;
+    }
+  }
+  EXPECT_TRUE(diagnostics_.all().empty());
+}
+
+TEST_F(LoaderTest, NamesTheNearestClass) {
+  EXPECT_EQ(loader_.load(plugin("pongsim-counting-system", "test::Countin"), diagnostics_), nullptr);
+  EXPECT_EQ(onlyLine(),
+            "world.sdf:12:5: error: plugin 'pongsim-counting-system' has no class 'test::Countin'\n"
+            "  hint: did you mean 'test::Counting'?");
+}
+
+TEST_F(LoaderTest, NamesTheNearestSystem) {
+  EXPECT_EQ(loader_.load(plugin("ignition-gazebo-dif-drive-system"), diagnostics_), nullptr);
+  EXPECT_EQ(onlyLine(),
+            "world.sdf:12:5: error: plugin 'ignition-gazebo-dif-drive-system' was not found\n"
+            "  hint: did you mean 'diff-drive'?");
+}
+
+TEST_F(LoaderTest, TellsWhereItLookedForWhatIsLikeNothing) {
+  EXPECT_EQ(loader_.load(plugin("libMyVeryOwnPlugin.so"), diagnostics_), nullptr);
+  EXPECT_EQ(onlyLine(), std::string("world.sdf:12:5: error: plugin 'libMyVeryOwnPlugin.so' was not found\n"
+                                    "  hint: looked in ") +
+                            PONGSIM_TEST_PLUGINS + "; PONGSIM_PLUGIN_PATH adds folders");
+}
+
+TEST_F(LoaderTest, WarnsOnceOfASystemOfFortressThatIsNotThere) {
+  EXPECT_EQ(loader_.load(plugin("ignition-gazebo-buoyancy-system"), diagnostics_), nullptr);
+  EXPECT_EQ(loader_.load(plugin("gz-sim-buoyancy-system"), diagnostics_), nullptr);
+  EXPECT_FALSE(diagnostics_.hasErrors());
+  EXPECT_EQ(onlyLine(), "world.sdf:12:5: warning: the system 'buoyancy' of Gazebo is not there yet: it is left out");
+}
+
+TEST_F(LoaderTest, SaysWhyALibraryCannotBeUsed) {
+  EXPECT_EQ(loader_.load(plugin("pongsim-ancient-system"), diagnostics_), nullptr);
+  EXPECT_NE(onlyLine().find("world.sdf:12:5: error: plugin 'pongsim-ancient-system' can't be loaded from "),
+            std::string::npos);
+}
+
+TEST(LoaderSearchPath, TakesTheFirstFolderThatHasTheLibrary) {
+  const test::TempFolder folder;
+  folder.write("libpongsim-counting-system.so", "not a library");
+  Diagnostics diagnostics;
+  Loader good({PONGSIM_TEST_PLUGINS, folder.path()});
+  EXPECT_NE(good.load(plugin("pongsim-counting-system"), diagnostics), nullptr);
+  Loader bad({folder.path(), PONGSIM_TEST_PLUGINS});
+  EXPECT_EQ(bad.load(plugin("pongsim-counting-system"), diagnostics), nullptr);
+}
+
+TEST(LoaderSearchPath, BeginsWithTheFoldersOfTheEnvironment) {
+  setenv("PONGSIM_PLUGIN_PATH", "/first:/second", 1);
+  setenv("IGN_GAZEBO_SYSTEM_PLUGIN_PATH", ":/third:", 1);
+  const std::vector<std::filesystem::path> folders = defaultSearchPath();
+  ASSERT_GE(folders.size(), 3U);
+  EXPECT_EQ(folders[0], "/first");
+  EXPECT_EQ(folders[1], "/second");
+  EXPECT_EQ(folders[2], "/third");
+}
+
+}  // namespace
+}  // namespace pongsim::plugin
