@@ -1,0 +1,115 @@
+#include "pongsim/simulation.hh"
+
+#include <optional>
+#include <utility>
+
+#include "description/world.hh"
+#include "physics/engine.hh"
+#include "sdf/loader.hh"
+#include "sim/access.hh"
+#include "sim/system_set.hh"
+#include "world/entities.hh"
+#include "world/state.hh"
+
+namespace pongsim {
+
+struct Simulation::Parts {
+  Parts(description::World world, const SimulationOptions& options)
+      : description(std::move(world)),
+        entities(description),
+        state(entities),
+        engine(entities),
+        access{entities, state, engine} {
+    if (options.transport == nullptr) ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
+    transport = options.transport != nullptr ? options.transport : &*ownTransport;
+  }
+
+  /// @return The simulation of the file's first world; null, with the reason in `diagnostics`, if it can't run.
+  static std::unique_ptr<Simulation> make(sdf::Root root, const SimulationOptions& options, Diagnostics& diagnostics);
+
+  StepInfo nextStep(Time dt) const {
+    const bool paused = dt == Time::zero();
+    return {state.time + dt, dt, state.iterations + (paused ? 0 : 1), paused};
+  }
+
+  const description::World description;
+  world::Entities entities;
+  world::State state;
+  physics::Engine engine;
+  sim::Access access;
+  std::optional<Transport> ownTransport;
+  Transport* transport = nullptr;
+  std::optional<sim::SystemSet> systems;
+};
+
+std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const SimulationOptions& options,
+                                                    Diagnostics& diagnostics) {
+  if (diagnostics.hasErrors()) return nullptr;
+  for (std::size_t i = 1; i < root.worlds.size(); ++i) {
+    diagnostics.warning(root.worlds[i].position, "world '" + root.worlds[i].name + "' is left out: pongsim runs the " +
+                                                     "first world of a file, '" + root.worlds[0].name + "'");
+  }
+  auto parts = std::make_unique<Parts>(std::move(root.worlds.front()), options);
+  if (options.loadSystems) {
+    parts->systems.emplace(parts->access, *parts->transport, options.seed);
+    parts->systems->load(parts->description, diagnostics);
+    if (diagnostics.hasErrors()) return nullptr;
+  }
+  return std::unique_ptr<Simulation>(new Simulation(std::move(parts)));
+}
+
+std::unique_ptr<Simulation> Simulation::fromFile(const std::filesystem::path& file, const SimulationOptions& options,
+                                                 Diagnostics& diagnostics) {
+  return Parts::make(sdf::loadFile(file, diagnostics), options, diagnostics);
+}
+
+std::unique_ptr<Simulation> Simulation::fromText(std::string_view text, std::string_view name,
+                                                 const SimulationOptions& options, Diagnostics& diagnostics) {
+  return Parts::make(sdf::loadText(text, name, diagnostics), options, diagnostics);
+}
+
+Simulation::Simulation(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Simulation::~Simulation() = default;
+
+void Simulation::step(std::uint64_t count) {
+  Parts& parts = *parts_;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    parts.transport->dispatch();
+    const StepInfo info = parts.nextStep(parts.description.physics.maxStepSize);
+    if (parts.systems) {
+      parts.systems->preUpdate(info);
+      parts.systems->update(info);
+    }
+    if (!parts.systems || parts.systems->wantsPhysics()) parts.engine.step(info.dt, parts.state);
+    parts.state.time = info.time;
+    parts.state.iterations = info.iteration;
+    if (parts.systems) parts.systems->postUpdate(info);
+  }
+}
+
+void Simulation::stepPaused() {
+  Parts& parts = *parts_;
+  parts.transport->dispatch();
+  if (!parts.systems) return;
+  const StepInfo info = parts.nextStep(Time::zero());
+  parts.systems->preUpdate(info);
+  parts.systems->update(info);
+  parts.systems->postUpdate(info);
+}
+
+Time Simulation::time() const { return parts_->state.time; }
+
+std::uint64_t Simulation::iterations() const { return parts_->state.iterations; }
+
+Time Simulation::stepSize() const { return parts_->description.physics.maxStepSize; }
+
+double Simulation::realTimeFactor() const { return parts_->description.physics.realTimeFactor; }
+
+World Simulation::world() { return World(parts_->access); }
+
+std::uint64_t Simulation::stateHash() const { return world::stateHash(parts_->state); }
+
+Transport& Simulation::transport() { return *parts_->transport; }
+
+}  // namespace pongsim

@@ -1,0 +1,101 @@
+#include "pongsim/handles.hh"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "pongsim/simulation.hh"
+
+namespace pongsim {
+namespace {
+
+constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>
+  <model name="base"><static>true</static><link name="ground"/></model>
+  <model name="arm" canonical_link="upper"><pose>1 2 3 0 0 0</pose>
+    <link name="upper"><pose>0 0 1 0 0 0</pose><inertial><mass>2</mass></inertial></link>
+    <link name="lower"><pose>0 0 2 0 0 0</pose><inertial><mass>2</mass></inertial></link>
+    <joint name="elbow" type="revolute"><parent>upper</parent><child>lower</child><axis><xyz>0 0 1</xyz></axis></joint>
+    <joint name="knot" type="ball"><parent>upper</parent><child>lower</child></joint>
+  </model></world></sdf>)";
+
+class HandlesTest : public testing::Test {
+ protected:
+  HandlesTest() {
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromText(kWorld, "world.sdf", {}, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  }
+  World world() { return simulation_->world(); }
+  Model arm() { return world().model("arm").value(); }
+
+  std::unique_ptr<Simulation> simulation_;
+};
+
+TEST_F(HandlesTest, LeadFromTheWorldToItsParts) {
+  EXPECT_EQ(world().name(), "w");
+  EXPECT_EQ(world().gravity(), Vector3::Zero());
+  ASSERT_EQ(world().models().size(), 2U);
+  EXPECT_EQ(world().models()[1].name(), "arm");
+  EXPECT_EQ(arm().scopedName(), "arm");
+  EXPECT_TRUE(world().model("base")->isStatic());
+  EXPECT_FALSE(arm().isStatic());
+  EXPECT_EQ(arm().links().size(), 2U);
+  EXPECT_EQ(arm().joints().size(), 2U);
+  EXPECT_EQ(arm().canonicalLink().name(), "upper");
+  EXPECT_EQ(arm().joint("elbow")->name(), "elbow");
+}
+
+TEST_F(HandlesTest, FindNothingUnderAWrongName) {
+  EXPECT_FALSE(world().model("leg").has_value());
+  EXPECT_FALSE(arm().link("middle").has_value());
+  EXPECT_FALSE(arm().joint("knee").has_value());
+}
+
+TEST_F(HandlesTest, GiveEveryEntityANumberOfItsOwn) {
+  EXPECT_NE(arm().id().value, world().model("base")->id().value);
+  EXPECT_NE(arm().link("upper")->id(), arm().link("lower")->id());
+  EXPECT_NE(arm().joint("elbow")->id().value, arm().link("lower")->id().value);
+}
+
+TEST_F(HandlesTest, GivePosesInTheWorldFrame) {
+  EXPECT_EQ(arm().pose().position, Vector3(1, 2, 3));
+  EXPECT_EQ(arm().link("lower")->pose().position, Vector3(1, 2, 5));
+  EXPECT_EQ(arm().link("lower")->linearVelocity(), Vector3::Zero());
+}
+
+TEST_F(HandlesTest, ApplyAWrenchDuringOneStep) {
+  Link upper = arm().canonicalLink();
+  const double mass = 4;  // both links
+  upper.addWrench({0, 0, 8}, Vector3::Zero());
+  simulation_->step(10);
+  EXPECT_NEAR(upper.linearVelocity().z(), 8 / mass * 0.001, 1e-6);
+}
+
+TEST_F(HandlesTest, CountOnlyAxesThatHaveAPosition) {
+  EXPECT_EQ(arm().joint("elbow")->axisCount(), 1);
+  EXPECT_EQ(arm().joint("knot")->axisCount(), 0);
+  EXPECT_EQ(arm().joint("knot")->position(), 0);
+}
+
+TEST_F(HandlesTest, RefuseCommandsThatMakeNoSense) {
+  const std::uint64_t before = [&] {
+    simulation_->step(5);
+    return simulation_->stateHash();
+  }();
+  testing::internal::CaptureStderr();
+  arm().joint("knot")->setVelocityTarget(1);
+  arm().joint("elbow")->setVelocityTarget(std::numeric_limits<double>::quiet_NaN());
+  arm().joint("elbow")->addForce(std::numeric_limits<double>::infinity());
+  arm().joint("elbow")->addForce(1, 3);
+  arm().canonicalLink().addWrench({0, 0, std::numeric_limits<double>::quiet_NaN()}, Vector3::Zero());
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("joint 'knot' has no axis 0 to command"), std::string::npos) << said;
+  EXPECT_NE(said.find("joint 'elbow' was given a command that is not a finite number"), std::string::npos) << said;
+  EXPECT_NE(said.find("joint 'elbow' has no axis 3 to command"), std::string::npos) << said;
+  EXPECT_NE(said.find("link 'upper' was given a wrench that is not finite"), std::string::npos) << said;
+  EXPECT_EQ(simulation_->stateHash(), before);
+}
+
+}  // namespace
+}  // namespace pongsim

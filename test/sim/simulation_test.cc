@@ -1,0 +1,96 @@
+#include "pongsim/simulation.hh"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "support/fortress_worlds.hh"
+
+namespace pongsim {
+namespace {
+
+std::string pongWorld() { return (test::projectFolder() / "worlds/pong_world.sdf").string(); }
+
+std::unique_ptr<Simulation> load(const std::string& file, const SimulationOptions& options = {}) {
+  Diagnostics diagnostics;
+  std::unique_ptr<Simulation> simulation = Simulation::fromFile(file, options, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  return simulation;
+}
+
+TEST(Simulation, RunsAThousandStepsWithoutSystems) {
+  const auto simulation = load(pongWorld(), {.loadSystems = false});
+  ASSERT_NE(simulation, nullptr);
+  simulation->step(1000);
+  EXPECT_EQ(simulation->time(), std::chrono::seconds(1));
+  EXPECT_EQ(simulation->iterations(), 1000U);
+  const Pose chassis = simulation->world().model("pong_bot")->link("chassis")->pose();
+  EXPECT_NEAR(chassis.position.x(), 0.5, 0.01);
+  EXPECT_NEAR(chassis.position.z(), 0.4, 0.005);
+}
+
+TEST(Simulation, EndsWithTheSameBitsEachTime) {
+  const auto first = load(pongWorld()), second = load(pongWorld());
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(first->stateHash(), second->stateHash());
+  first->step(1000);
+  EXPECT_NE(first->stateHash(), second->stateHash());
+  for (int i = 0; i < 1000; ++i) second->step();
+  EXPECT_EQ(first->stateHash(), second->stateHash());
+}
+
+TEST(Simulation, DrivesByKeysWithinOneProcess) {
+  const auto simulation = load(pongWorld());
+  ASSERT_NE(simulation, nullptr);
+  Publisher keys = simulation->transport().node().advertise("/keyboard/keypress", "ignition.msgs.Int32");
+  const MessagePointer up = newMessage("ignition.msgs.Int32");
+  ASSERT_FALSE(parseMessage("data: 16777235", *up).has_value());
+  keys.publish(*up);
+  simulation->step(2000);
+  const Model robot = simulation->world().model("pong_bot").value();
+  EXPECT_NEAR(robot.pose().position.x(), 1, 0.05);
+  EXPECT_NEAR(robot.joint("left_wheel_joint")->velocity(), 0.5 / 0.4, 1e-3);
+}
+
+TEST(Simulation, ChangesNothingWhilePaused) {
+  const auto simulation = load(pongWorld());
+  ASSERT_NE(simulation, nullptr);
+  simulation->step(10);
+  const std::uint64_t before = simulation->stateHash();
+  for (int i = 0; i < 10; ++i) simulation->stepPaused();
+  EXPECT_EQ(simulation->stateHash(), before);
+}
+
+TEST(Simulation, GivesTheFilesMistakes) {
+  Diagnostics diagnostics;
+  EXPECT_EQ(Simulation::fromFile("no/such/world.sdf", {}, diagnostics), nullptr);
+  EXPECT_TRUE(diagnostics.hasErrors());
+}
+
+TEST(Simulation, WarnsOfFurtherWorlds) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(R"(<sdf version="1.9"><world name="one"/><world name="two"/></sdf>)",
+                                               "two.sdf", {}, diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  EXPECT_EQ(simulation->world().name(), "one");
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].message, "world 'two' is left out: pongsim runs the first world of a file, 'one'");
+}
+
+TEST(Simulation, TakesItsStepFromTheWorld) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      R"(<sdf version="1.9"><world name="w"><physics name="p" type="ode"><max_step_size>0.004</max_step_size>
+         <real_time_factor>2</real_time_factor></physics></world></sdf>)",
+      "w.sdf", {}, diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  EXPECT_EQ(simulation->stepSize(), std::chrono::milliseconds(4));
+  EXPECT_EQ(simulation->realTimeFactor(), 2);
+  simulation->step(3);
+  EXPECT_EQ(simulation->time(), std::chrono::milliseconds(12));
+}
+
+}  // namespace
+}  // namespace pongsim
