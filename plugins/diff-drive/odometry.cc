@@ -1,0 +1,55 @@
+#include "odometry.hh"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pongsim {
+
+namespace {
+
+// Below this turn [rad] a step is taken as straight.
+constexpr double kStraight = 1e-6;
+
+}  // namespace
+
+void Odometry::update(double leftAngle, double rightAngle, double dt) {
+  if (!started_) {
+    lastLeft_ = leftAngle;
+    lastRight_ = rightAngle;
+    started_ = true;
+  }
+  const double left = (leftAngle - lastLeft_) * radius_;
+  const double right = (rightAngle - lastRight_) * radius_;
+  lastLeft_ = leftAngle;
+  lastRight_ = rightAngle;
+
+  const double forward = (right + left) / 2;
+  const double turn = (right - left) / separation_;
+  if (std::abs(turn) < kStraight) {
+    x_ += forward * std::cos(heading_ + turn / 2);
+    y_ += forward * std::sin(heading_ + turn / 2);
+    heading_ += turn;
+  } else {
+    const double radius = forward / turn;
+    const double before = heading_;
+    heading_ += turn;
+    x_ += radius * (std::sin(heading_) - std::sin(before));
+    y_ -= radius * (std::cos(heading_) - std::cos(before));
+  }
+  linear_.add(forward / dt);
+  angular_.add(turn / dt);
+}
+
+void Odometry::RollingMean::add(double value) {
+  values_[next_] = value;
+  next_ = (next_ + 1) % values_.size();
+  count_ = std::min(count_ + 1, values_.size());
+}
+
+double Odometry::RollingMean::mean() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < count_; ++i) sum += values_[i];
+  return count_ > 0 ? sum / static_cast<double>(count_) : 0;
+}
+
+}  // namespace pongsim

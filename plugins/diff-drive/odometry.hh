@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace pongsim {
+
+/// Where a robot of two driven wheels believes to be from the angles of its wheels, starting at the origin.
+/// Integration along arcs of circles and velocities as rolling means of ten samples, as ignition-math's
+/// DiffDriveOdometry.
+class Odometry {
+ public:
+  /// @param wheelSeparation Distance of the wheels [m].
+  /// @param wheelRadius [m]
+  Odometry(double wheelSeparation, double wheelRadius) : separation_(wheelSeparation), radius_(wheelRadius) {}
+
+  /// @param leftAngle, rightAngle Angles of the wheels [rad], not wrapped.
+  /// @param dt Time since the last call [s], more than zero.
+  void update(double leftAngle, double rightAngle, double dt);
+
+  void reset() { *this = Odometry(separation_, radius_); }
+
+  /// Position [m] and heading [rad] since the start.
+  double x() const { return x_; }
+  double y() const { return y_; }
+  double heading() const { return heading_; }
+  /// Forward velocity [m/s].
+  double linearVelocity() const { return linear_.mean(); }
+  /// Velocity of turning, anticlockwise [rad/s].
+  double angularVelocity() const { return angular_.mean(); }
+
+ private:
+  /// Mean of the last ten values.
+  class RollingMean {
+   public:
+    void add(double value);
+    double mean() const;
+
+   private:
+    std::array<double, 10> values_{};
+    std::size_t next_ = 0;
+    std::size_t count_ = 0;
+  };
+
+  double separation_;
+  double radius_;
+  double x_ = 0;
+  double y_ = 0;
+  double heading_ = 0;
+  double lastLeft_ = 0;
+  double lastRight_ = 0;
+  bool started_ = false;
+  RollingMean linear_;
+  RollingMean angular_;
+};
+
+}  // namespace pongsim
