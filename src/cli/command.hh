@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace pongsim::cli {
+
+/// What is to be done once the command line has been read.
+/// @return The exit code.
+using Work = std::function<int()>;
+
+/// Each adds its subcommand to `program`, which sets `work` where the user names it. Both must stay until the work
+/// is done.
+void addRunCommand(CLI::App& program, Work& work);
+void addTopicCommand(CLI::App& program, Work& work);
+
+}  // namespace pongsim::cli

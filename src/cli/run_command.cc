@@ -1,0 +1,139 @@
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/command.hh"
+#include "cli/console.hh"
+#include "cli/number_option.hh"
+#include "cli/stop_signal.hh"
+#include "cli/world_file.hh"
+#include "pongsim/log.hh"
+#include "pongsim/simulation.hh"
+#include "sim/runner.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+struct Options {
+  std::string world;
+  sim::RunOptions run;
+  bool runAtOnce = false;
+  std::uint64_t seed = 0;
+  LogLevel verbosity = LogLevel::kWarning;
+  bool hash = false;
+};
+
+/// @return `value` as people write it: "1", "0.5".
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// Says what was found wrong with the world, as far as the user wants to know.
+/// @return The number of errors.
+std::size_t report(const Diagnostics& diagnostics) {
+  std::size_t errors = 0;
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    const bool isError = diagnostic.severity == Severity::kError;
+    if (isError) ++errors;
+    if (isError || logLevel() >= LogLevel::kWarning) std::fprintf(stderr, "%s\n", format(diagnostic).c_str());
+  }
+  return errors;
+}
+
+std::string describe(Simulation& simulation, const sim::RunOptions& options) {
+  World world = simulation.world();
+  const std::size_t models = world.models().size();
+  std::string text = "world '" + std::string(world.name()) + "': " + std::to_string(models) +
+                     (models == 1 ? " model" : " models") + ", step " +
+                     shortNumber(toSeconds(simulation.stepSize()) * 1e3) + " ms, ";
+  if (options.updateRate) {
+    text += *options.updateRate > 0 ? shortNumber(*options.updateRate) + " steps a second" : "as fast as possible";
+  } else if (simulation.realTimeFactor() > 0) {
+    text += "real-time factor " + shortNumber(simulation.realTimeFactor());
+  } else {
+    text += "as fast as possible";
+  }
+  return text + (options.paused ? ", paused" : "");
+}
+
+int runWorld(const Options& options) {
+  setLogLevel(options.verbosity);
+  StopSignal signal;
+  Transport transport;
+  Diagnostics diagnostics;
+  const std::unique_ptr<Simulation> simulation =
+      Simulation::fromFile(findWorldFile(options.world), {.seed = options.seed, .transport = &transport}, diagnostics);
+  const std::size_t errors = report(diagnostics);
+  if (simulation == nullptr) {
+    say(std::to_string(errors) + (errors == 1 ? " error" : " errors"));
+    return kFailed;
+  }
+
+  if (options.verbosity != LogLevel::kNone) say(describe(*simulation, options.run));
+  sim::Runner runner(*simulation, options.run);
+  signal.onStop([&runner] { runner.stop(); });
+  runner.run();
+  signal.onStop({});
+
+  if (!options.hash) return kDone;
+  char line[48];
+  std::snprintf(line, sizeof line, "state hash: %016llx\n", static_cast<unsigned long long>(simulation->stateHash()));
+  return print(line) ? kDone : kFailed;
+}
+
+void checkAndSchedule(const Options& options, Work& work) {
+  if (options.world.empty()) throw UsageError("no world file given", "pongsim run WORLD");
+  if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
+  work = [&options] { return runWorld(options); };
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& program, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("run", "Simulate a world until SIGINT or SIGTERM");
+  command->set_help_flag("-h,--help", "Print this and end");
+  command
+      ->add_option("WORLD", options->world,
+                   "World file: a path, or a name in the folders of IGN_GAZEBO_RESOURCE_PATH,\n"
+                   "GZ_SIM_RESOURCE_PATH or in pongsim's own")
+      ->type_name("")
+      ->required();
+  const auto addFlag = [command](const char* name, bool& target, const char* description) {
+    command->add_flag(name, target, description)->disable_flag_override();
+  };
+  addFlag("-r", options->runAtOnce, "Run from the start, as happens anyway without --paused");
+  addFlag("--paused", options->run.paused, "Begin paused");
+  const auto add = [command](const char* names, const char* value, const char* description, auto read) {
+    command->add_option_function<std::string>(names, read, description)->type_name(value);
+  };
+  add("--iterations", "N", "End after N steps; 0: never", [options](const std::string& text) {
+    const std::uint64_t count = wholeNumber("--iterations", text);
+    options->run.iterations = count == 0 ? std::nullopt : std::optional(count);
+  });
+  add("-z", "HZ", "Steps a second of wall time, not what the world says; 0: as many as possible",
+      [options](const std::string& text) {
+        options->run.updateRate = numberFromZero("-z", text, "a number of steps a second");
+      });
+  add("--seed", "N", "Where all random numbers come from, 0 to 2^64-1 (0)",
+      [options](const std::string& text) { options->seed = wholeNumber("--seed", text); });
+  add("-v,--verbose", "LEVEL", "How much is said: 0 nothing, 1 errors, 2 warnings, 3 information, 4 all (2)",
+      [options](const std::string& text) {
+        options->verbosity = static_cast<LogLevel>(wholeNumber("-v", text, 0, 4));
+      });
+  addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
+  command->footer(
+      "Examples:\n"
+      "  pongsim run worlds/pong_world.sdf\n"
+      "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
+      "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
+  command->callback([options, &work] { checkAndSchedule(*options, work); });
+}
+
+}  // namespace pongsim::cli

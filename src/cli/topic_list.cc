@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "cli/console.hh"
+#include "cli/topic_command.hh"
+#include "cli/topic_name.hh"
+#include "pongsim/node.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+std::string table(const char* title, const std::vector<TopicInfo::Endpoint>& endpoints) {
+  std::string text = std::string(title) + " [Process, Message Type]:\n";
+  for (const TopicInfo::Endpoint& endpoint : endpoints) {
+    text += "  " + (endpoint.pid > 0 ? std::to_string(endpoint.pid) : "?") + ", " + endpoint.type + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+int listTopics() {
+  Transport transport;
+  std::string text;
+  for (const TopicInfo& topic : transport.discover(kDiscoveryTime)) {
+    if (!topic.publishers.empty()) text += topic.name + "\n";
+  }
+  if (text.empty()) say("no topics: nobody publishes");
+  return print(text) ? kDone : kFailed;
+}
+
+int showTopic(const std::string& name) {
+  Transport transport;
+  const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
+  const auto topic =
+      std::find_if(topics.begin(), topics.end(), [&name](const TopicInfo& each) { return each.name == name; });
+  if (topic == topics.end()) return fail("no publishers on " + name, nearestTopic(name, topics));
+
+  std::string text =
+      topic->publishers.empty() ? "No publishers on topic [" + name + "]\n" : table("Publishers", topic->publishers);
+  if (!topic->subscribers.empty()) text += table("Subscribers", topic->subscribers);
+  return print(text) ? kDone : kFailed;
+}
+
+}  // namespace pongsim::cli

@@ -1,0 +1,124 @@
+#include "cli/cli.hh"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "support/test_domain.hh"
+
+namespace pongsim::cli {
+namespace {
+
+struct Outcome {
+  int exitCode;
+  std::string output;
+  std::string error;
+};
+
+/// Runs the program on a command line that does not get as far as simulating or talking to others.
+Outcome runWith(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "pongsim");
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exitCode = run(static_cast<int>(pointers.size()), pointers.data());
+  return {exitCode, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+struct Case {
+  std::vector<std::string> arguments;
+  /// Without "pongsim: error: ", the hint behind " | ".
+  const char* error;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Case& each) {
+  for (const std::string& argument : each.arguments) stream << argument << " ";
+  return stream;
+}
+
+class WrongCommandLine : public testing::TestWithParam<Case> {};
+
+TEST_P(WrongCommandLine, IsRefusedWithExitCode2) {
+  const std::string wanted = GetParam().error;
+  const std::size_t bar = wanted.find(" | ");
+  const std::string text = "pongsim: error: " + wanted.substr(0, bar) +
+                           (bar == std::string::npos ? std::string() : "\n  hint: " + wanted.substr(bar + 3)) + "\n";
+  const Outcome outcome = runWith(GetParam().arguments);
+  EXPECT_EQ(outcome.error, text);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.exitCode, 2);
+}
+
+const Case kWrong[] = {
+    {{}, "no command given | pongsim --help lists the commands"},
+    {{"rnu", "x.sdf"}, "unknown command 'rnu' | did you mean 'run'?"},
+    {{"help", "topci"}, "unknown command 'topci' | did you mean 'topic'?"},
+    {{"simulate"}, "unknown command 'simulate' | pongsim --help lists the commands"},
+    {{"--versoin"}, "unknown option '--versoin' | did you mean '--version'?"},
+    {{"run", "--pausd", "x.sdf"}, "unknown option '--pausd' | did you mean '--paused'?"},
+    {{"run", "--pausd"}, "unknown option '--pausd' | did you mean '--paused'?"},
+    {{"run", "--iteration=5", "x.sdf"}, "unknown option '--iteration' | did you mean '--iterations'?"},
+    {{"run", "-q", "x.sdf"}, "unknown option '-q' | pongsim run --help lists the options"},
+    {{"run"}, "WORLD is required | pongsim run --help tells more"},
+    {{"run", ""}, "no world file given | pongsim run WORLD"},
+    {{"run", "a.sdf", "b.sdf"}, "unexpected argument 'b.sdf'"},
+    {{"run", "--iterations"}, "option '--iterations' needs a value"},
+    {{"run", "--iterations", "-5", "x"}, "option '--iterations' takes a whole number from 0 to 2^64-1, not '-5'"},
+    {{"run", "--seed", "1", "--seed", "2", "x"}, "option '--seed' is given twice"},
+    {{"run", "-z", "nan", "x"}, "option '-z' takes a number of steps a second from 0, not 'nan'"},
+    {{"run", "-z", "-1", "x"}, "option '-z' takes a number of steps a second from 0, not '-1'"},
+    {{"run", "-v", "5", "x"}, "option '-v' takes a whole number from 0 to 4, not '5'"},
+    {{"run", "-v", "x.sdf"}, "option '-v' takes a whole number from 0 to 4, not 'x.sdf'"},
+    {{"run", "--paused=3", "x"}, "option '--paused' takes no value"},
+    {{"run", "-r", "--paused", "x"}, "options '-r' and '--paused' exclude each other"},
+    {{"topic"}, "nothing to do given | one of --list, --info, --echo and --pub; pongsim topic --help tells more"},
+    {{"topic", "-le"},
+     "one thing at a time | one of --list, --info, --echo and --pub; pongsim topic --help tells more"},
+    {{"topic", "-e"}, "'-e' needs a topic | -t TOPIC"},
+    {{"topic", "-et"}, "option '--topic' needs a value"},
+    {{"topic", "-lt", "/x"}, "option '-t' means nothing with '-l' | it goes with -i -e -p"},
+    {{"topic", "-it", "/x", "-n", "3"}, "option '-n' means nothing with '-i' | it goes with -e"},
+    {{"topic", "-it", "a b"}, "'a b' is not a topic's name: it has a space"},
+    {{"topic", "-et", "/x", "-n", "1", "-d", "1"}, "options '-n' and '-d' exclude each other"},
+    {{"topic", "-et", "/x", "-n", "0"}, "option '-n' takes a whole number from 1 to 2^64-1, not '0'"},
+    {{"topic", "-et", "/x", "-d", "inf"}, "option '-d' takes a number of seconds from 0, not 'inf'"},
+    {{"topic", "-et", "/x", "-m", "Odometri"},
+     "unknown message type 'Odometri' | did you mean 'ignition.msgs.Odometry'?"},
+    {{"topic", "-t", "/x", "-p", "data: 1"}, "'-p' needs the message's type | pongsim topic -t TOPIC -m TYPE -p TEXT"},
+    {{"topic", "-t", "/x", "-m", "gz.msgs.Twist", "-p", "lineer: {}"},
+     "message text:1:1: field 'lineer' is not in ignition.msgs.Twist\n  lineer: {}\n  ^ | did you mean 'linear'?"},
+    {{"topic", "-t", "/x", "-m", "Int32", "-p", "-5"},
+     "message text:1:1: a field's name should stand here, not '-'\n  -5\n  ^"},
+};
+INSTANTIATE_TEST_SUITE_P(Cli, WrongCommandLine, testing::ValuesIn(kWrong));
+
+TEST(Cli, PrintsItsVersion) {
+  const Outcome outcome = runWith({"--version"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.output, "pongsim " PONGSIM_VERSION "\n");
+}
+
+TEST(Cli, HelpsWithEachCommandAndShowsExamples) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"help"}, {"run", "--help"}, {"help", "run"}, {"topic", "-h"}}) {
+    const Outcome outcome = runWith(arguments);
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_NE(outcome.output.find("Examples:\n  pongsim "), std::string::npos) << outcome.output;
+  }
+  EXPECT_NE(runWith({"help", "run"}).output.find("--iterations"), std::string::npos);
+}
+
+TEST(Cli, FailsWithTheReasonWhereThereIsNoSuchWorld) {
+  test::testDomain();
+  const Outcome outcome = runWith({"run", "/nowhere/missing.sdf"});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_NE(outcome.error.find("missing.sdf: error: "), std::string::npos) << outcome.error;
+  EXPECT_TRUE(outcome.error.ends_with("pongsim: 1 error\n")) << outcome.error;
+}
+
+}  // namespace
+}  // namespace pongsim::cli

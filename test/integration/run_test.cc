@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <regex>
+#include <string>
+
+#include "integration/program.hh"
+
+namespace pongsim::test {
+namespace {
+
+constexpr const char* kWorld = "pong_world.sdf";
+
+/// @return What `--hash` prints after that many steps.
+std::string hashAfter(const char* iterations) {
+  const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-z", "0", "--iterations", iterations, "--hash"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  EXPECT_TRUE(std::regex_match(outcome.output, std::regex("state hash: [0-9a-f]{16}\n"))) << outcome.output;
+  return outcome.output;
+}
+
+TEST(Run, GivesTheSameStateHashTwice) {
+  const std::string first = hashAfter("500");
+  EXPECT_EQ(hashAfter("500"), first);
+  EXPECT_NE(hashAfter("501"), first);
+}
+
+TEST(Run, EndsWithExitCode0AtSigintAndSigterm) {
+  for (int signal : {SIGINT, SIGTERM}) {
+    const auto process = startWorld(kWorld);
+    process->kill(signal);
+    EXPECT_EQ(process->wait(), 0) << process->error();
+    EXPECT_EQ(process->output(), "");
+  }
+}
+
+TEST(Run, EndsAtASignalWhilePaused) {
+  const auto process = startWorld(kWorld, {"--paused"});
+  process->kill(SIGTERM);
+  EXPECT_EQ(process->wait(), 0);
+}
+
+TEST(Run, SaysInOneLineWhatItRuns) {
+  const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-r", "--iterations", "1"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_TRUE(std::regex_match(outcome.error,
+                               std::regex("pongsim: world 'pong_world': \\d+ models, step 1 ms, real-time factor 1\n")))
+      << outcome.error;
+}
+
+TEST(Run, SaysNothingAtLevel0) {
+  const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-v", "0", "--iterations", "1"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.error + outcome.output, "");
+}
+
+TEST(Run, StandsStillWhilePaused) {
+  const auto process = startWorld(kWorld, {"--paused"});
+  const Outcome echo = runToEnd({"topic", "-et", "/world/pong_world/stats", "-n", "2"});
+  EXPECT_EQ(echo.exitCode, 0) << echo.error;
+  EXPECT_NE(echo.output.find("paused: true"), std::string::npos) << echo.output;
+  EXPECT_EQ(echo.output.find("iterations"), std::string::npos) << echo.output;
+}
+
+TEST(Run, FindsAWorldByItsNameInTheResourcePath) {
+  const Process::Options options{.environment = {{"IGN_GAZEBO_RESOURCE_PATH", ownWorld("")}}, .folder = "/"};
+  Process process({PONGSIM_PROGRAM, "run", kWorld, "--iterations", "1", "-z", "0"}, options);
+  EXPECT_EQ(process.wait(), 0) << process.error();
+}
+
+}  // namespace
+}  // namespace pongsim::test

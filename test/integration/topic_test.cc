@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "integration/program.hh"
+#include "support/fortress_worlds.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim::test {
+namespace {
+
+// Long waits for those who answer soon, so that a busy machine breaks nothing.
+const std::vector<std::string> kPatient = {"--timeout", "60"};
+
+Outcome publish(const std::string& topic, const std::string& type, const std::string& text) {
+  std::vector<std::string> arguments = {"topic", "-t", topic, "-m", type, "-p", text};
+  arguments.insert(arguments.end(), kPatient.begin(), kPatient.end());
+  return runToEnd(arguments);
+}
+
+/// The pong world, running.
+class Topic : public testing::Test {
+ protected:
+  std::unique_ptr<Process> world_ = startWorld("pong_world.sdf");
+};
+
+TEST_F(Topic, DrivesTheRobotByAKeyPress) {
+  const auto odometry = start({"topic", "--echo", "--topic", "/model/pong_bot/odometry"});
+  ASSERT_TRUE(odometry->waitForOutput("child_frame_id"));
+  const Outcome key = publish("/keyboard/keypress", "ignition.msgs.Int32", "data: 16777235");
+  EXPECT_EQ(key.exitCode, 0) << key.error;
+  EXPECT_EQ(key.output + key.error, "");
+  EXPECT_TRUE(odometry->waitForOutput("position \\{\n    x: (0\\.[1-9]|[1-9]\\d*\\.\\d+\n)")) << odometry->output();
+  EXPECT_TRUE(odometry->waitForOutput("linear \\{\n    x: 0\\.(5|49)")) << odometry->output();
+}
+
+TEST_F(Topic, ListsWhatIsPublishedSorted) {
+  const Outcome list = runToEnd({"topic", "-l"});
+  EXPECT_EQ(list.exitCode, 0) << list.error;
+  const std::vector<std::string> topics = lines(list.output);
+  EXPECT_TRUE(std::is_sorted(topics.begin(), topics.end()));
+  for (const char* topic : {"/clock", "/stats", "/model/pong_bot/odometry", "/world/pong_world/clock"}) {
+    EXPECT_TRUE(std::binary_search(topics.begin(), topics.end(), topic)) << topic << "\n" << list.output;
+  }
+  // only subscribed to
+  EXPECT_FALSE(std::binary_search(topics.begin(), topics.end(), "/keyboard/keypress"));
+}
+
+TEST_F(Topic, TellsWhoPublishesAndWhoSubscribes) {
+  const std::string pid = std::to_string(world_->pid());
+  const Outcome clock = runToEnd({"topic", "-it", "/clock"});
+  EXPECT_EQ(clock.exitCode, 0) << clock.error;
+  EXPECT_EQ(clock.output, "Publishers [Process, Message Type]:\n  " + pid + ", ignition.msgs.Clock\n");
+  const Outcome key = runToEnd({"topic", "-i", "-t", "/keyboard/keypress"});
+  EXPECT_TRUE(key.output.starts_with("No publishers on topic [/keyboard/keypress]\nSubscribers ")) << key.output;
+  EXPECT_NE(key.output.find("  " + pid + ", ignition.msgs.Int32\n"), std::string::npos) << key.output;
+}
+
+TEST_F(Topic, EchoesAsManyMessagesAsAskedFor) {
+  const Outcome echo = runToEnd({"topic", "-et", "/world/pong_world/clock", "-n", "3"});
+  EXPECT_EQ(echo.exitCode, 0) << echo.error;
+  const std::vector<std::string> all = lines(echo.output);
+  EXPECT_EQ(std::count(all.begin(), all.end(), "sim {"), 3) << echo.output;
+  EXPECT_EQ(std::count(all.begin(), all.end(), ""), 3) << echo.output;
+}
+
+TEST_F(Topic, EchoesAsJsonALineEach) {
+  const Outcome echo = runToEnd({"topic", "-et", "/clock", "-m", "gz.msgs.Clock", "-n", "2", "--json-output"});
+  EXPECT_EQ(echo.exitCode, 0) << echo.error;
+  const std::vector<std::string> all = lines(echo.output);
+  ASSERT_EQ(all.size(), 2U) << echo.output;
+  for (const std::string& line : all) EXPECT_TRUE(line.starts_with("{\"") && line.ends_with("}")) << line;
+}
+
+TEST_F(Topic, EchoesForAsLongAsAskedFor) {
+  const Outcome echo = runToEnd({"topic", "-et", "/clock", "-d", "2"});
+  EXPECT_EQ(echo.exitCode, 0) << echo.error;
+  EXPECT_NE(echo.output, "");
+}
+
+TEST_F(Topic, EchoEndsAtASignal) {
+  for (int signal : {SIGINT, SIGTERM}) {
+    const auto echo = start({"topic", "-et", "/clock"});
+    ASSERT_TRUE(echo->waitForOutput("sim")) << echo->error();
+    echo->kill(signal);
+    EXPECT_EQ(echo->wait(), 0);
+    EXPECT_EQ(echo->error(), "");
+  }
+}
+
+TEST_F(Topic, FailsWhereItCannotWrite) {
+  testDomain();
+  for (const char* what : {"-l", "-et /clock"}) {
+    Process shell({"sh", "-c", std::string("'") + PONGSIM_PROGRAM + "' topic " + what + " > /dev/full"});
+    EXPECT_EQ(shell.wait(), 1);
+    EXPECT_TRUE(shell.error().starts_with("pongsim: error: cannot write to stdout: ")) << shell.error();
+  }
+}
+
+TEST_F(Topic, EchoEndsQuietlyWhenNobodyReadsItAnyMore) {
+  testDomain();
+  Process shell({"sh", "-c", std::string("'") + PONGSIM_PROGRAM + "' topic -et /clock --json-output | head -n 1"});
+  EXPECT_EQ(shell.wait(), 0);
+  EXPECT_EQ(lines(shell.output()).size(), 1U);
+  EXPECT_EQ(shell.error(), "");
+}
+
+TEST_F(Topic, EchoNamesTheTypeThatThePublisherHas) {
+  const Outcome echo = runToEnd({"topic", "-et", "/clock", "-m", "Twist"});
+  EXPECT_EQ(echo.exitCode, 1);
+  EXPECT_EQ(echo.error, "pongsim: error: the publisher of /clock has ignition.msgs.Clock, not ignition.msgs.Twist\n");
+}
+
+TEST_F(Topic, PublishNamesTheTypeThatTheSubscriberTakes) {
+  const Outcome wrong = runToEnd({"topic", "-t", "/cmd_vel", "-m", "Int32", "-p", "data: 1"});
+  EXPECT_EQ(wrong.exitCode, 1);
+  EXPECT_EQ(wrong.error,
+            "pongsim: error: the subscriber of /cmd_vel takes ignition.msgs.Twist, not ignition.msgs.Int32\n");
+}
+
+TEST_F(Topic, GuessesTheTopicThatWasMeant) {
+  const char* const hint = "\n  hint: did you mean '/keyboard/keypress'?\n";
+  const Outcome wrong = runToEnd({"topic", "-t", "/keyboard/keypres", "-m", "Int32", "-p", "data: 1"});
+  EXPECT_EQ(wrong.exitCode, 1);
+  EXPECT_EQ(wrong.error, std::string("pongsim: error: no subscriber on /keyboard/keypres") + hint);
+  const Outcome info = runToEnd({"topic", "-it", "/keyboard/keypres"});
+  EXPECT_EQ(info.exitCode, 1);
+  EXPECT_EQ(info.error, std::string("pongsim: error: no publishers on /keyboard/keypres") + hint);
+}
+
+TEST(TopicAlone, SaysThatNobodyPublishes) {
+  const Outcome list = runToEnd({"topic", "-l"});
+  EXPECT_EQ(list.exitCode, 0);
+  EXPECT_EQ(list.output, "");
+  EXPECT_EQ(list.error, "pongsim: no topics: nobody publishes\n");
+  EXPECT_EQ(runToEnd({"topic", "-et", "/clock", "-d", "0.1"}).error, "pongsim: error: no publisher on /clock\n");
+  EXPECT_EQ(runToEnd({"topic", "-t", "/x", "-m", "Int32", "-p", "", "--timeout", "0.1"}).error,
+            "pongsim: error: no subscriber on /x\n");
+}
+
+TEST(TopicAlone, EchoWaitsForAPublisherAndSaysSo) {
+  const auto echo = start({"topic", "-et", "/clock", "-n", "1"});
+  ASSERT_TRUE(echo->waitForError("pongsim: waiting for a publisher on /clock"));
+  const auto world = startWorld("pong_world.sdf");
+  EXPECT_EQ(echo->wait(), 0) << echo->error();
+  EXPECT_NE(echo->output().find("sim {"), std::string::npos);
+}
+
+TEST(TopicAlone, DrivesTheTutorialsRobotUnmodified) {
+  const auto worlds = fortressWorlds();
+  if (!worlds) GTEST_SKIP() << "no worlds of Fortress here";
+  const auto world = start({"run", (*worlds / "tutorials/moving_robot.sdf").string()});
+  const auto odometry = start({"topic", "-et", "/model/vehicle_blue/odometry"});
+  const Outcome drive = publish("/cmd_vel", "ignition.msgs.Twist", "linear: {x: 0.5}, angular: {z: 0.05}");
+  EXPECT_EQ(drive.exitCode, 0) << drive.error;
+  EXPECT_TRUE(odometry->waitForOutput("position \\{\n    x: (0\\.[1-9]|[1-9]\\d*\\.\\d+\n)"))
+      << odometry->output() << world->error();
+}
+
+}  // namespace
+}  // namespace pongsim::test
