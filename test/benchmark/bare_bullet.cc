@@ -1,0 +1,137 @@
+#include "benchmark/bare_bullet.hh"
+
+#include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
+#include <BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <stdexcept>
+
+#include "physics/group_solver.hh"
+#include "physics/settings.hh"
+
+namespace pongsim::benchmark {
+
+namespace {
+
+btVector3 vector(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+btTransform transform(const Pose& X) {
+  const Quaternion& q = X.rotation;
+  return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), vector(X.position));
+}
+
+}  // namespace
+
+struct BareBullet::Motor {
+  std::string name;
+  btHingeConstraint* hinge;
+};
+
+BareBullet::BareBullet(const description::World& world) {
+  auto configuration = std::make_unique<btDefaultCollisionConfiguration>();
+  configuration->setPlaneConvexMultipointIterations(4, 4);
+  configuration_ = std::move(configuration);
+  dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
+  broadphase_ = std::make_unique<btDbvtBroadphase>();
+  const physics::Settings settings;
+  solver_ = std::make_unique<physics::GroupSolver>(settings.mostDirectRows);
+  world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), broadphase_.get(), solver_.get(),
+                                                     configuration_.get());
+  world_->setGravity(vector(world.gravity));
+  world_->setForceUpdateAllAabbs(false);
+  btContactSolverInfo& info = world_->getSolverInfo();
+  info.m_numIterations = settings.iterations;
+  info.m_globalCfm = settings.softness;
+  info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;
+  info.m_minimumSolverBatchSize = 1;
+  for (const description::Model& model : world.models) addModel(model);
+}
+
+BareBullet::~BareBullet() {
+  for (const auto& joint : joints_) world_->removeConstraint(joint.get());
+  for (const auto& body : bodies_) world_->removeRigidBody(body.get());
+}
+
+void BareBullet::addModel(const description::Model& model) {
+  bodyOfLink_.clear();
+  for (const description::Link& link : model.links) addLink(link, transform(model.X_ParentModel), model.isStatic);
+  for (const description::Joint& joint : model.joints) addJoint(joint);
+}
+
+void BareBullet::addLink(const description::Link& link, const btTransform& X_WorldModel, bool isStatic) {
+  auto compound = std::make_unique<btCompoundShape>();
+  btCollisionShape* shape = nullptr;
+  for (const description::Collision& collision : link.collisions) {
+    shape = addShape(collision.geometry);
+    compound->addChildShape(transform(collision.X_LinkCollision), shape);
+  }
+  if (link.collisions.size() != 1 || !link.collisions[0].X_LinkCollision.position.isZero(0)) {
+    shape = compound.get();
+    shapes_.push_back(std::move(compound));
+  }
+  const Matrix3& moments = link.inertial.moments;
+  if (!link.inertial.X_LinkCom.position.isZero(0) || !moments.isDiagonal(0)) {
+    throw std::invalid_argument("no offset masses here");
+  }
+  btRigidBody::btRigidBodyConstructionInfo info(isStatic ? 0 : link.inertial.mass, nullptr, shape,
+                                                vector(moments.diagonal()));
+  info.m_startWorldTransform = X_WorldModel * transform(link.X_ModelLink);
+  info.m_friction = 1;
+  btRigidBody* body = bodies_.emplace_back(std::make_unique<btRigidBody>(info)).get();
+  if (!isStatic) body->setActivationState(DISABLE_DEACTIVATION);
+  world_->addRigidBody(body);
+  bodyOfLink_[link.name] = body;
+  firstBody_.emplace(link.name, body);
+}
+
+btCollisionShape* BareBullet::addShape(const description::Geometry& geometry) {
+  std::unique_ptr<btCollisionShape> shape;
+  if (const auto* box = std::get_if<description::Box>(&geometry)) {
+    shape = std::make_unique<btBoxShape>(vector(box->size / 2));
+  } else if (const auto* sphere = std::get_if<description::Sphere>(&geometry)) {
+    shape = std::make_unique<btSphereShape>(sphere->radius);
+  } else if (const auto* cylinder = std::get_if<description::Cylinder>(&geometry)) {
+    shape = std::make_unique<btCylinderShapeZ>(btVector3(cylinder->radius, cylinder->radius, cylinder->length / 2));
+    shape->setMargin(0.001);
+  } else if (const auto* plane = std::get_if<description::Plane>(&geometry)) {
+    shape = std::make_unique<btStaticPlaneShape>(vector(plane->normal), 0);
+    shape->setMargin(0);
+  } else {
+    throw std::invalid_argument("no such shape here");
+  }
+  return shapes_.emplace_back(std::move(shape)).get();
+}
+
+void BareBullet::addJoint(const description::Joint& joint) {
+  btRigidBody& parent = *bodyOfLink_.at(joint.parent);
+  btRigidBody& child = *bodyOfLink_.at(joint.child);
+  const btVector3 inParent = vector(joint.X_ParentJoint.position);
+  const btVector3 inChild = vector(joint.X_ChildJoint.position);
+  if (joint.type == description::JointType::kBall) {
+    joints_.push_back(std::make_unique<btPoint2PointConstraint>(parent, child, inParent, inChild));
+  } else if (joint.type == description::JointType::kRevolute) {
+    const Vector3& axis = joint.axes.front().xyz;
+    // Bullet's hinge counts the other way round: the parent comes second
+    auto hinge = std::make_unique<btHingeConstraint>(child, parent, inChild, inParent,
+                                                     vector(joint.X_ChildJoint.rotation * axis),
+                                                     vector(joint.X_ParentJoint.rotation * axis));
+    motors_.push_back({joint.name, hinge.get()});
+    joints_.push_back(std::move(hinge));
+  } else {
+    throw std::invalid_argument("no such joint here");
+  }
+  world_->addConstraint(joints_.back().get(), true);
+}
+
+void BareBullet::setVelocity(std::string_view joint, double velocity) {
+  for (const Motor& motor : motors_) {
+    if (motor.name == joint) motor.hinge->enableAngularMotor(true, velocity, 1e10);
+  }
+}
+
+btVector3 BareBullet::position(std::string_view link) const {
+  return firstBody_.at(std::string(link))->getWorldTransform().getOrigin();
+}
+
+}  // namespace pongsim::benchmark

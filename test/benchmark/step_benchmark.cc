@@ -1,0 +1,196 @@
+// What a step costs, beside a bare Bullet loop of the same world in the same run.
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "benchmark/bare_bullet.hh"
+#include "physics/engine.hh"
+#include "pongsim/message.hh"
+#include "pongsim/simulation.hh"
+#include "sdf/loader.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim::benchmark {
+namespace {
+
+constexpr double kStep = 0.001;
+constexpr double kLinear = 0.5;
+constexpr double kAngular = 0.4;
+constexpr double kLeft = (kLinear - kAngular * 0.6) / 0.4;
+constexpr double kRight = (kLinear + kAngular * 0.6) / 0.4;
+constexpr int kSettlingSteps = 500;
+
+struct Case {
+  std::string name;
+  std::string text;
+};
+
+std::string textOf(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// the world with further copies of the tutorial's robot, 3 m apart
+std::string withRobots(std::string text, int count) {
+  const std::size_t begin = text.find("<model name='vehicle_blue'");
+  const std::string closing = "</model>";
+  const std::size_t end = text.find(closing, begin) + closing.size();
+  const std::string robot = text.substr(begin, end - begin);
+  std::string copies;
+  for (int i = 1; i < count; ++i) {
+    std::string copy = robot;
+    copy.insert(copy.find("vehicle_blue") + std::string("vehicle_blue").size(), std::to_string(i));
+    const std::size_t pose = copy.find("0 0 0 0 0 0</pose>");
+    copies += copy.replace(pose, 3, "0 " + std::to_string(3 * i));
+  }
+  return text.insert(end, copies);
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> result = {{"pong_world", textOf(test::projectFolder() / "worlds" / "pong_world.sdf")}};
+  if (const auto worlds = test::fortressWorlds()) {
+    const std::string text = textOf(*worlds / "tutorials" / "moving_robot.sdf");
+    result.push_back({"moving_robot", text});
+    result.push_back({"moving_robot_x10", withRobots(text, 10)});
+  }
+  return result;
+}
+
+description::World load(const Case& which) {
+  Diagnostics diagnostics;
+  sdf::Root root = sdf::loadText(which.text, which.name, diagnostics);
+  if (diagnostics.hasErrors()) throw std::runtime_error(format(diagnostics.all().front()));
+  return std::move(root.worlds.front());
+}
+
+// what stands still costs nothing to compare
+void requireMoved(double distance) {
+  if (!(distance > 0.15 && distance < 0.3)) {
+    throw std::runtime_error("a robot went " + std::to_string(distance) + " m and not as commanded");
+  }
+}
+
+void stepBare(::benchmark::State& run, const Case& which) {
+  BareBullet world(load(which));
+  world.setVelocity("left_wheel_joint", kLeft);
+  world.setVelocity("right_wheel_joint", kRight);
+  const btVector3 start = world.position("chassis");
+  for (int i = 0; i < kSettlingSteps; ++i) world.step(kStep);
+  requireMoved((world.position("chassis") - start).length());
+  for (auto _ : run) world.step(kStep);
+}
+
+world::Slot chassisOf(const world::Entities& entities) {
+  for (world::Slot link = 0; link < entities.links().size(); ++link) {
+    if (entities.links()[link].description->name == "chassis") return link;
+  }
+  throw std::runtime_error("no robot here");
+}
+
+void stepEngine(::benchmark::State& run, const Case& which) {
+  const description::World description = load(which);
+  const world::Entities entities(description);
+  world::State state(entities);
+  physics::Engine engine(entities);
+  for (world::Slot joint = 0; joint < entities.joints().size(); ++joint) {
+    const std::string& name = entities.joints()[joint].description->name;
+    if (name == "left_wheel_joint") engine.setJointVelocityTarget(joint, kLeft);
+    if (name == "right_wheel_joint") engine.setJointVelocityTarget(joint, kRight);
+  }
+  const Time dt = fromSeconds(kStep);
+  const world::LinkState& chassis = state.links[chassisOf(entities)];
+  const Vector3 start = chassis.X_WorldLink.position;
+  for (int i = 0; i < kSettlingSteps; ++i) engine.step(dt, state);
+  requireMoved((chassis.X_WorldLink.position - start).norm());
+  for (auto _ : run) engine.step(dt, state);
+}
+
+Link chassisOf(Simulation& simulation) {
+  for (const Model& model : simulation.world().models()) {
+    if (const auto link = model.link("chassis")) return *link;
+  }
+  throw std::runtime_error("no robot here");
+}
+
+void stepSimulation(::benchmark::State& run, const Case& which) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(which.text, which.name, SimulationOptions(), diagnostics);
+  if (!simulation) throw std::runtime_error(format(diagnostics.all().front()));
+  const auto twist = newMessage("ignition.msgs.Twist");
+  parseMessage("linear: {x: " + std::to_string(kLinear) + "}, angular: {z: " + std::to_string(kAngular) + "}", *twist);
+  Publisher publisher = simulation->transport().node().advertise("/cmd_vel", "ignition.msgs.Twist");
+  publisher.publish(*twist);
+  const Link chassis = chassisOf(*simulation);
+  const Vector3 start = chassis.pose().position;
+  simulation->step(kSettlingSteps);
+  requireMoved((chassis.pose().position - start).norm());
+  for (auto _ : run) simulation->step();
+}
+
+/// Prints as usual, and keeps the medians.
+class MedianReporter final : public ::benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.aggregate_name == "median") medians_[run.run_name.function_name] = run.GetAdjustedCPUTime();
+    }
+  }
+
+  void printTable(const std::vector<Case>& all) const {
+    std::printf("\n%-18s %12s %12s %16s %14s %18s\n", "world", "bare [us]", "engine [us]", "simulation [us]",
+                "engine : bare", "simulation : bare");
+    for (const Case& which : all) {
+      const auto bare = medians_.find(which.name + "/bare");
+      const auto engine = medians_.find(which.name + "/engine");
+      const auto simulation = medians_.find(which.name + "/simulation");
+      if (bare == medians_.end() || engine == medians_.end() || simulation == medians_.end()) continue;
+      std::printf("%-18s %12.2f %12.2f %16.2f %14.2f %18.2f\n", which.name.c_str(), bare->second, engine->second,
+                  simulation->second, engine->second / bare->second, simulation->second / bare->second);
+    }
+  }
+
+ private:
+  std::map<std::string, double> medians_;
+};
+
+// nine short runs of each in mixed order, unless the command line says otherwise
+int run(int argc, char** argv) {
+  std::vector<std::string> arguments = {argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.2",
+                                        "--benchmark_enable_random_interleaving=true",
+                                        "--benchmark_report_aggregates_only=true"};
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  int count = static_cast<int>(pointers.size());
+  ::benchmark::Initialize(&count, pointers.data());
+  if (::benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
+
+  const std::vector<Case> all = cases();
+  for (const Case& which : all) {
+    const auto add = [&](const char* what, auto function) {
+      ::benchmark::RegisterBenchmark((which.name + "/" + what).c_str(), function, which)
+          ->Unit(::benchmark::kMicrosecond);
+    };
+    add("bare", stepBare);
+    add("engine", stepEngine);
+    add("simulation", stepSimulation);
+  }
+  MedianReporter reporter;
+  ::benchmark::RunSpecifiedBenchmarks(&reporter);
+  reporter.printTable(all);
+  return 0;
+}
+
+}  // namespace
+}  // namespace pongsim::benchmark
+
+int main(int argc, char** argv) { return pongsim::benchmark::run(argc, argv); }
