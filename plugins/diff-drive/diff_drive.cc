@@ -101,7 +101,7 @@ class DiffDrive : public System {
 
     const std::string name(model.name());
     frame_ = sdf.get<std::string>("frame_id", name + "/odom");
-    childFrame_ = sdf.get<std::string>("child_frame_id", name + "/" + std::string(model.canonicalLink().name()));
+    childFrame_ = sdf.get<std::string>("child_frame_id", name + "/" + std::string(model.canonicalLink()->name()));
     openTopics(sdf, cleanTopic("/model/" + name), context.node);
   }
 

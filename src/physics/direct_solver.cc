@@ -10,6 +10,11 @@ namespace {
 // an impulse beyond that comes from a matrix that could not be inverted [N s]
 constexpr double kLargestImpulse = 1e6;
 
+// Of a contact in its normal direction, by the mass that it moves. A body that stands on more points than three, as a
+// robot on two wheels and two casters, so spreads its weight over them all. Were its points rigid, a difference of
+// nanometres would lift the wheels off the ground, and they would spin.
+constexpr double kContactSoftness = 1e-4;
+
 // the method's infinity is that of IEEE, the rows' the largest number
 double bound(double limit) { return std::abs(limit) >= SIMD_INFINITY ? std::copysign(BT_INFINITY, limit) : limit; }
 
@@ -65,6 +70,8 @@ void DirectSolver::buildMatrix(double softness) {
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j <= i; ++j) A_[i * rows + j] = A_[j * rows + i] = coupling(*rows_[i], *rows_[j]);
     A_[i * rows + i] += softness;
+    const bool isContact = i >= m_tmpSolverNonContactConstraintPool.size() && i < unfrictionalRows_;
+    if (isContact) A_[i * rows + i] *= 1 + kContactSoftness;
   }
 }
 

@@ -64,7 +64,8 @@ TEST(Surface, MultipliesRestitution) {
   Rig rig(std::move(world));
   rig.engine.addLinkWrench(1, {0, 0, -1000}, {0, 0, 0});
   rig.step(2);
-  EXPECT_NEAR(rig.link("ball::link").v_WorldLink.z(), 0.4, 1e-4);
+  // but for the softness of contacts, 1e-4 of the change in speed
+  EXPECT_NEAR(rig.link("ball::link").v_WorldLink.z(), 0.4, 3e-4);
 }
 
 }  // namespace
