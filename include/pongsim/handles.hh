@@ -75,8 +75,8 @@ class PONGSIM_API Model {
   /// @return Pose of the model frame in the world frame.
   Pose pose() const;
   bool isStatic() const;
-  /// @return The link that the model frame moves with.
-  Link canonicalLink() const;
+  /// @return The link that the model frame moves with; nothing for a model without links.
+  std::optional<Link> canonicalLink() const;
   std::vector<Link> links() const;
   std::vector<Joint> joints() const;
   /// @param name Name in this model, or with nested models: "inner::wheel".

@@ -81,8 +81,10 @@ Pose Model::pose() const { return world::modelPose(access_->entities, access_->s
 
 bool Model::isStatic() const { return record(*access_, id_).isStatic; }
 
-Link Model::canonicalLink() const {
-  return {*access_, access_->entities.links()[record(*access_, id_).canonicalLink].id};
+std::optional<Link> Model::canonicalLink() const {
+  const world::Slot slot = record(*access_, id_).canonicalLink;
+  if (slot == world::kNoSlot) return std::nullopt;
+  return Link(*access_, access_->entities.links()[slot].id);
 }
 
 std::vector<Link> Model::links() const {

@@ -42,7 +42,7 @@ TEST_F(HandlesTest, LeadFromTheWorldToItsParts) {
   EXPECT_FALSE(arm().isStatic());
   EXPECT_EQ(arm().links().size(), 2U);
   EXPECT_EQ(arm().joints().size(), 2U);
-  EXPECT_EQ(arm().canonicalLink().name(), "upper");
+  EXPECT_EQ(arm().canonicalLink()->name(), "upper");
   EXPECT_EQ(arm().joint("elbow")->name(), "elbow");
 }
 
@@ -65,7 +65,7 @@ TEST_F(HandlesTest, GivePosesInTheWorldFrame) {
 }
 
 TEST_F(HandlesTest, ApplyAWrenchDuringOneStep) {
-  Link upper = arm().canonicalLink();
+  Link upper = arm().canonicalLink().value();
   const double mass = 4;  // both links
   upper.addWrench({0, 0, 8}, Vector3::Zero());
   simulation_->step(10);
@@ -88,7 +88,7 @@ TEST_F(HandlesTest, RefuseCommandsThatMakeNoSense) {
   arm().joint("elbow")->setVelocityTarget(std::numeric_limits<double>::quiet_NaN());
   arm().joint("elbow")->addForce(std::numeric_limits<double>::infinity());
   arm().joint("elbow")->addForce(1, 3);
-  arm().canonicalLink().addWrench({0, 0, std::numeric_limits<double>::quiet_NaN()}, Vector3::Zero());
+  arm().canonicalLink()->addWrench({0, 0, std::numeric_limits<double>::quiet_NaN()}, Vector3::Zero());
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("joint 'knot' has no axis 0 to command"), std::string::npos) << said;
   EXPECT_NE(said.find("joint 'elbow' was given a command that is not a finite number"), std::string::npos) << said;
