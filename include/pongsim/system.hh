@@ -45,7 +45,7 @@ class PONGSIM_API System {
   virtual ~System();
 
   /// Reads the parameters and finds the joints, topics and so on. Called once, with all models there.
-  /// @throws Error for a parameter that can't be used; the system is then left out, and the error reported.
+  /// @throws Error for a parameter that can't be used; the system is then left out with a warning.
   virtual void configure(const SystemContext& context) = 0;
 
   /// Before the physics: the place for commands. Messages have been handed over just before.

@@ -98,11 +98,9 @@ TEST_F(SceneBroadcasterTest, SpeaksWhilePaused) {
 
 TEST(SceneBroadcasterParameters, RefusesARateOfZero) {
   Diagnostics diagnostics;
-  EXPECT_EQ(Simulation::fromText(world(broadcaster("<dynamic_pose_hertz>0</dynamic_pose_hertz>")), "world.sdf", {},
-                                 diagnostics),
-            nullptr);
+  Simulation::fromText(world(broadcaster("<dynamic_pose_hertz>0</dynamic_pose_hertz>")), "world.sdf", {}, diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].message, "scene-broadcaster: <dynamic_pose_hertz> must be above zero");
+  EXPECT_EQ(diagnostics.all()[0].message, "scene-broadcaster is left out: <dynamic_pose_hertz> must be above zero");
 }
 
 }  // namespace

@@ -35,8 +35,9 @@ std::string nestedText(const std::vector<const FieldDescriptor*>& path, const st
   const FieldDescriptor& last = *path.back();
   const bool isMessage = last.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
   const bool isBare = last.cpp_type() == FieldDescriptor::CPPTYPE_STRING && value.find_first_of("\"'") != 0;
-  const std::string open = isMessage ? "{" : isBare ? "\"" : "";
-  const std::string close = isMessage ? "}" : isBare ? "\"" : "";
+  const bool needsBraces = isMessage && !value.starts_with('{');
+  const std::string open = needsBraces ? "{" : isBare ? "\"" : "";
+  const std::string close = needsBraces ? "}" : isBare ? "\"" : "";
   text += open + value + close + std::string(path.size() - 1, '}');
   return text;
 }

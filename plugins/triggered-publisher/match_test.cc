@@ -57,6 +57,7 @@ TEST(Match, ComparesAFieldThatIsAMessage) {
   const Element element = matchElement("x: 1, y: 2", {{"field", "position", {}}});
   EXPECT_TRUE(matches(element, "ignition.msgs.Pose", "position {x: 1 y: 2} name: 'a'"));
   EXPECT_FALSE(matches(element, "ignition.msgs.Pose", "position {x: 1 y: 2 z: 3}"));
+  EXPECT_TRUE(matches(matchElement("{ x: 1 }", {{"field", "position", {}}}), "ignition.msgs.Pose", "position {x: 1}"));
 }
 
 TEST(Match, ComparesTextWithAndWithoutQuotes) {
@@ -84,6 +85,9 @@ TEST(Match, LooksForValuesInARepeatedField) {
   EXPECT_TRUE(matches(element, "ignition.msgs.Int32_V", "data: [1, 7, 3]"));
   EXPECT_FALSE(matches(element, "ignition.msgs.Int32_V", "data: [1, 3]"));
   EXPECT_FALSE(matches(element, "ignition.msgs.Int32_V", ""));
+  const Element key = matchElement("{ key: 'a' value: 'b' }", {{"field", "header.data", {}}});
+  EXPECT_TRUE(matches(key, "ignition.msgs.Pose", "header {data {key: 'c'} data {key: 'a' value: 'b'}}"));
+  EXPECT_FALSE(matches(key, "ignition.msgs.Pose", "header {data {key: 'a' value: 'c'}}"));
 }
 
 TEST(Match, NamesWhatIsWrongAndWhere) {

@@ -123,10 +123,10 @@ TEST(TriggeredPublisherParameters, SaysWhatIsWrong) {
       {std::string(kInput) + kOutput + "<delay_ms>-1</delay_ms>", "<delay_ms> must not be negative"}};
   for (const auto& [parameters, message] : cases) {
     Diagnostics diagnostics;
-    EXPECT_EQ(Simulation::fromText(world(parameters), "world.sdf", {}, diagnostics), nullptr) << parameters;
+    EXPECT_NE(Simulation::fromText(world(parameters), "world.sdf", {}, diagnostics), nullptr) << parameters;
     ASSERT_EQ(diagnostics.all().size(), 1U) << parameters;
     const std::string text = format(diagnostics.all()[0]);
-    EXPECT_NE(text.find("triggered-publisher: " + message), std::string::npos) << text;
+    EXPECT_NE(text.find("triggered-publisher is left out: " + message), std::string::npos) << text;
     EXPECT_EQ(text.find("world.sdf:"), 0U) << text;
   }
 }

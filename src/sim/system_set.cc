@@ -80,9 +80,9 @@ void SystemSet::add(const description::Plugin& plugin, std::optional<world::Slot
     return;
   } catch (const Error& error) {
     const Diagnostic& found = error.diagnostic();
-    diagnostics.error(found.position, speaker + ": " + found.message, found.hint);
+    diagnostics.warning(found.position, speaker + " is left out: " + found.message, found.hint);
   } catch (const std::exception& error) {
-    diagnostics.error(plugin.sdf.position, speaker + ": " + error.what());
+    diagnostics.warning(plugin.sdf.position, speaker + " is left out: " + error.what());
   }
   slots_.pop_back();
 }

@@ -25,7 +25,8 @@ class SystemSet {
   SystemSet& operator=(const SystemSet&) = delete;
 
   /// Makes and configures the systems that the world asks for: its own plugins in the order of the file, then each
-  /// model's. A world that lists none gets those that Fortress's servers have by default.
+  /// model's. A world that lists none gets those that Fortress's servers have by default. A system that can't use its
+  /// parameters is left out with a warning, as in Fortress, and the rest of the world runs.
   void load(const description::World& world, Diagnostics& diagnostics);
 
   /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.

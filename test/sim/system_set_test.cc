@@ -52,10 +52,20 @@ TEST(SystemSet, IgnoresPluginsWhenAskedTo) {
   EXPECT_TRUE(diagnostics.all().empty());
 }
 
-TEST(SystemSet, ReportsAllPluginsThatCannotBeUsedAtOnce) {
+TEST(SystemSet, LeavesOutASystemThatCannotUseItsParameters) {
+  Diagnostics diagnostics;
+  EXPECT_NEAR(fallenAfterASecond(world(R"(<plugin filename="ignition-gazebo-physics-system" name=""/>
+                                          <plugin filename="ignition-gazebo-diff-drive-system" name=""/>)"),
+                                 {}, diagnostics),
+              4.9, 0.01);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].message, "diff-drive is left out: DiffDrive must stand in a <model>");
+}
+
+TEST(SystemSet, ReportsAllPluginsThatAreNotThereAtOnce) {
   Diagnostics diagnostics;
   EXPECT_EQ(fallenAfterASecond(world(R"(<plugin filename="no-such-thing" name="a"/>
-                                        <plugin filename="ignition-gazebo-diff-drive-system" name=""/>)"),
+                                        <plugin filename="nor-such-a-one" name="b"/>)"),
                                {}, diagnostics),
             -1);
   int errors = 0;
