@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -69,6 +72,26 @@ TEST_F(DocumentationTest, ExamplesOfTheTopicCommandWork) {
   EXPECT_GE(examples, 5);
   run(script);
   EXPECT_NE(output_.find("{\"system\":{"), std::string::npos) << output_;
+}
+
+TEST(Documentation, LinksLeadSomewhere) {
+  namespace fs = std::filesystem;
+  const std::regex link("\\]\\(([^)#:]+)(#[^)]*)?\\)");
+  int links = 0;
+  std::vector<fs::path> files = {test::projectFolder() / "README.md"};
+  for (const char* folder : {"docs", "plugins", "src"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(test::projectFolder() / folder)) {
+      if (entry.path().extension() == ".md") files.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : files) {
+    std::ifstream stream(file);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found, ++links) {
+      EXPECT_TRUE(fs::exists(file.parent_path() / (*found)[1].str())) << file << ": " << (*found)[1];
+    }
+  }
+  EXPECT_GE(links, 8);
 }
 
 }  // namespace
