@@ -8,18 +8,9 @@
 
 #include <algorithm>
 
+#include "msgs/time.hh"
+
 namespace pongsim::msgs {
-
-namespace {
-
-/// @return The time as far as it fits in nanoseconds, from -146 to 146 years.
-Time timeOf(const ignition::msgs::Time& message) {
-  constexpr std::int64_t kLargest = 146LL * 365 * 86400;
-  return std::chrono::seconds(std::clamp<std::int64_t>(message.sec(), -kLargest, kLargest)) +
-         std::chrono::nanoseconds(message.nsec());
-}
-
-}  // namespace
 
 WorldControl worldControl(const Message& message) {
   const auto& asked = static_cast<const ignition::msgs::WorldControl&>(message);
