@@ -106,7 +106,7 @@ CallResult ServiceClient::callOther(const std::string& service, const Message& r
   Line& line = lineTo(service, serviceType(msgs::typeName(request), msgs::typeName(reply)));
   const std::optional<ParticipantId> server = waitForServer(line, deadline);
   if (!server) {
-    const std::string other = otherTypes(service);
+    const std::string other = otherTypes(line);
     if (!other.empty()) return failed(CallOutcome::kOtherTypes, service, other);
     return {CallOutcome::kNoService, "there is no service '" + service + "'"};
   }
@@ -126,6 +126,7 @@ ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std
   if (place) return *place;
   auto line = std::make_unique<Line>();
   line->service = service;
+  line->type = type;
   // the way back first: a request waits at the service until that is known
   line->reader = network_->makeReader(
       replyTopic(service), type,
@@ -139,7 +140,7 @@ ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std
 std::optional<ParticipantId> ServiceClient::waitForServer(const Line& line, TimePoint deadline) {
   for (bool late = false;;) {
     if (const std::optional<ParticipantId> server = line.writer->newestReader()) return server;
-    if (late || !otherTypes(line.service).empty()) return std::nullopt;
+    if (late || !otherTypes(line).empty()) return std::nullopt;
     std::unique_lock lock(mutex_);
     const TimePoint now = std::chrono::steady_clock::now();
     late = now >= deadline;
@@ -147,10 +148,14 @@ std::optional<ParticipantId> ServiceClient::waitForServer(const Line& line, Time
   }
 }
 
-/// @return What the service that is there takes, or nothing where none is.
-std::string ServiceClient::otherTypes(const std::string& service) const {
-  const ServiceInfo info = network_->directory().service(service);
-  if (info.providers.empty()) return {};
+/// @return What the service that is there takes, or nothing where there is none or one of the line's types, which may
+/// be known before there is a way to it.
+std::string ServiceClient::otherTypes(const Line& line) const {
+  const ServiceInfo info = network_->directory().service(line.service);
+  const auto fits = [&line](const ServiceInfo::Provider& provider) {
+    return serviceType(provider.requestType, provider.replyType) == line.type;
+  };
+  if (info.providers.empty() || std::ranges::any_of(info.providers, fits)) return {};
   return takes(info.providers.front().requestType, info.providers.front().replyType);
 }
 

@@ -41,6 +41,7 @@ class ServiceClient {
   /// The way to a service and back, kept for the next call.
   struct Line {
     std::string service;
+    std::string type;
     std::unique_ptr<Writer> writer;
     std::unique_ptr<Reader> reader;
   };
@@ -57,7 +58,7 @@ class ServiceClient {
   CallResult callOther(const std::string& service, const Message& request, Message& reply, TimePoint deadline);
   Line& lineTo(const std::string& service, const std::string& type);
   std::optional<ParticipantId> waitForServer(const Line& line, TimePoint deadline);
-  std::string otherTypes(const std::string& service) const;
+  std::string otherTypes(const Line& line) const;
   void receive(const Line& line, const ParticipantId& sender, std::span<const std::byte> payload);
   void changed();
 

@@ -174,6 +174,15 @@ TEST_F(ServiceElsewhere, AnswersAtOnceAndAgain) {
   }
 }
 
+TEST_F(ServiceElsewhere, AnswersEachNewcomer) {
+  const auto other = server("echo");
+  for (int i = 0; i < 20; ++i) {
+    Transport newcomer;
+    const CallResult result = newcomer.node().call("/s", text("hello"), reply_, kDeadline);
+    ASSERT_TRUE(result) << result.error;
+  }
+}
+
 TEST_F(ServiceElsewhere, IsWaitedFor) {
   auto result = std::async(std::launch::async, [this] { return call(); });
   const auto other = server("echo");
