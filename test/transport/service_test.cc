@@ -207,6 +207,10 @@ TEST_F(ServiceElsewhere, AsksOneOfSeveralWithTheSameName) {
   const auto first = server("echo");
   const auto second = server("echo");
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(call());
+  for (Process* process : {first.get(), second.get()}) {
+    process->kill(SIGTERM);
+    EXPECT_EQ(process->wait(), 0);
+  }
   const std::string asked = first->output() + second->output();
   std::size_t count = 0;
   for (std::size_t at = asked.find("asked"); at != std::string::npos; at = asked.find("asked", at + 1)) ++count;
