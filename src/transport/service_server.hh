@@ -63,11 +63,12 @@ class Offer {
 /// take the mutex only, which is never held while DDS is called.
 class ServiceServer {
  public:
-  /// @param network Null for a transport of this process only.
-  /// @param arrived Called from any thread when there is something to dispatch.
-  /// @param answerOwn Takes the answers to calls from this transport; nothing stands for a service that has gone.
+  /// Takes the answer to a call from this transport; nothing stands for a service that has gone.
   using AnswerOwn =
       std::function<void(std::uint64_t call, const std::optional<ReplyHeader>&, std::span<const std::byte> message)>;
+
+  /// @param network Null for a transport of this process only.
+  /// @param arrived Called from any thread when there is something to dispatch.
   ServiceServer(Network* network, std::function<void()> arrived, AnswerOwn answerOwn);
   ~ServiceServer();
 

@@ -14,6 +14,8 @@ constexpr const char* kControl = "/world/pong_world/control";
 
 Outcome call(const std::string& service, const std::string& request, std::vector<std::string> more = {}) {
   std::vector<std::string> arguments = {"service", "-s", service, "--req", request};
+  // a long wait for those who answer soon, so that a busy machine breaks nothing
+  if (std::ranges::count(more, "--timeout") == 0) more.insert(more.end(), {"--timeout", "60000"});
   arguments.insert(arguments.end(), more.begin(), more.end());
   return runToEnd(arguments);
 }

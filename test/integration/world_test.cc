@@ -63,7 +63,7 @@ TEST(World, IsChosenWhereSeveralRun) {
 
 TEST(World, StatsEndAtASignal) {
   const auto world = startServedWorld("pong_world.sdf");
-  const auto stats = start({"world", "stats"});
+  const auto stats = start({"world", "stats", "--timeout", "60000"});
   ASSERT_TRUE(stats->waitForOutput("running\n.*running\n")) << stats->error();
   stats->kill(SIGINT);
   EXPECT_EQ(stats->wait(), 0) << stats->error();
