@@ -11,6 +11,7 @@
 
 #include "pongsim/export.hh"
 #include "pongsim/message.hh"
+#include "pongsim/service.hh"
 
 namespace pongsim {
 
@@ -89,7 +90,7 @@ PONGSIM_API std::optional<std::string> topicNameError(std::string_view name);
 /// `:=` and `//` are removed.
 PONGSIM_API std::string cleanTopic(std::string_view text);
 
-/// Speaks on topics: advertises and subscribes. A copy speaks through the same transport.
+/// Speaks on topics and to services. A copy speaks through the same transport.
 class PONGSIM_API Node {
  public:
   /// @param topic Relative names get a leading slash.
@@ -103,6 +104,20 @@ class PONGSIM_API Node {
   Subscription subscribe(std::string_view topic, std::string_view type, std::function<void(const Message&)> received,
                          std::size_t queueLength = 1000);
 
+  /// Offers a service: `handler` is called from within `Transport::dispatch` with each request, after the messages
+  /// that came before it. Requests beyond a thousand that wait, or 32 MiB of them, are dropped with a warning.
+  /// @param service Relative names get a leading slash. A name has up to 230 letters.
+  /// @throws std::invalid_argument for a bad name, an unknown type, or a name that this transport offers already.
+  Service serve(std::string_view service, std::string_view requestType, std::string_view replyType,
+                ServiceHandler handler);
+
+  /// Sends a request to a service, of this transport or else of another process, and waits for the answer. A service
+  /// of this transport answers when another thread calls `Transport::dispatch`.
+  /// @param reply Replaced where the outcome is `kDone`. Its type says which the service must have.
+  /// @param timeout For all of it, from finding the service to the answer.
+  /// @throws std::invalid_argument for a bad name; std::logic_error if called from a function that `dispatch` called.
+  CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
+
   template <class M>
   Publisher advertise(std::string_view topic) {
     return advertise(topic, M::descriptor()->full_name());
@@ -114,6 +129,13 @@ class PONGSIM_API Node {
         topic, M::descriptor()->full_name(),
         [received = std::move(received)](const Message& message) { received(static_cast<const M&>(message)); },
         queueLength);
+  }
+  template <class Request, class Reply>
+  Service serve(std::string_view service, std::function<ServiceAnswer(const Request&, Reply&)> handler) {
+    return serve(service, Request::descriptor()->full_name(), Reply::descriptor()->full_name(),
+                 [handler = std::move(handler)](const Message& request, Message& reply) {
+                   return handler(static_cast<const Request&>(request), static_cast<Reply&>(reply));
+                 });
   }
 
  private:
@@ -130,7 +152,7 @@ struct TransportOptions {
   std::optional<int> domain = std::nullopt;
 };
 
-/// The way to the topics. Makes no thread call user code: messages wait until `dispatch`.
+/// The way to the topics and services. Makes no thread call user code: messages wait until `dispatch`.
 class PONGSIM_API Transport {
  public:
   /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain.
@@ -141,9 +163,9 @@ class PONGSIM_API Transport {
 
   Node node() { return Node(*bus_); }
 
-  /// Hands the messages that have arrived to their subscriptions, on the calling thread, and returns; what the
-  /// called functions publish meanwhile waits for the next call. Never blocks.
-  /// @return The number of messages handed over.
+  /// Hands the messages that have arrived to their subscriptions, then the requests to their services, on the calling
+  /// thread, and returns; what the called functions publish meanwhile waits for the next call. Never blocks.
+  /// @return The number of messages and requests handed over.
   std::size_t dispatch();
 
   /// Waits for messages, up to `timeout`, or until `wake` is called; then does what `dispatch` does.
@@ -159,6 +181,13 @@ class PONGSIM_API Transport {
   /// Waits until the topic has a publisher (or a subscriber) in another process, up to `timeout`.
   /// @return What is known of the topic then.
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);
+
+  /// As `discover`, for services.
+  std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);
+
+  /// Waits until another process offers the service, up to `timeout`.
+  /// @return What is known of the service then.
+  ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:
   std::unique_ptr<transport::Bus> bus_;

@@ -15,6 +15,10 @@
 
 namespace pongsim {
 
+namespace sim {
+class Runner;
+}
+
 struct SimulationOptions {
   /// Where all random numbers of the run come from.
   std::uint64_t seed = 0;
@@ -62,7 +66,12 @@ class PONGSIM_API Simulation {
   Transport& transport();
 
  private:
+  friend class sim::Runner;
   struct Parts;
+
+  /// One step of that length after the messages were handed over; none moves where it is zero.
+  void advance(Time dt);
+
   explicit Simulation(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };

@@ -16,5 +16,9 @@ using Work = std::function<int()>;
 /// is done.
 void addRunCommand(CLI::App& program, Work& work);
 void addTopicCommand(CLI::App& program, Work& work);
+void addServiceCommand(CLI::App& program, Work& work);
+void addWorldCommand(CLI::App& program, Work& work);
+void addKeyCommand(CLI::App& program, Work& work);
+void addMsgCommand(CLI::App& program, Work& work);
 
 }  // namespace pongsim::cli

@@ -7,6 +7,9 @@
 
 namespace pongsim::cli {
 
+/// A year, which is as good as for ever, and fits the clock.
+inline constexpr std::uint64_t kLongestMs = 365ULL * 86400 * 1000;
+
 /// Reads the value of an option that takes a whole number.
 /// @throws UsageError where `text` is none or not within the bounds.
 std::uint64_t wholeNumber(std::string_view option, std::string_view text, std::uint64_t lowest = 0,

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "msgs/time.hh"
+
 namespace pongsim::msgs {
 
 namespace {
@@ -41,6 +43,15 @@ const Message& StatusMessages::statistics(const Status& status) {
   parts_->statistics.set_paused(status.paused);
   parts_->statistics.set_real_time_factor(std::round(status.realTimeFactor * 1e4) / 1e4);
   return parts_->statistics;
+}
+
+Status statusOf(const Message& message) {
+  const auto& statistics = static_cast<const ignition::msgs::WorldStatistics&>(message);
+  return {.simulated = timeOf(statistics.sim_time()),
+          .real = timeOf(statistics.real_time()),
+          .iterations = statistics.iterations(),
+          .realTimeFactor = statistics.real_time_factor(),
+          .paused = statistics.paused()};
 }
 
 }  // namespace pongsim::msgs

@@ -37,4 +37,7 @@ class StatusMessages {
   std::unique_ptr<Parts> parts_;
 };
 
+/// @return What an `ignition.msgs.WorldStatistics` tells.
+Status statusOf(const Message& statistics);
+
 }  // namespace pongsim::msgs

@@ -6,11 +6,15 @@
 #include <cerrno>
 #include <chrono>
 #include <ctime>
+#include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "msgs/status_messages.hh"
 #include "sim/real_time_factor.hh"
+#include "sim/run_control.hh"
+#include "sim/run_services.hh"
 #include "sim/status_publisher.hh"
 
 namespace pongsim::sim {
@@ -51,8 +55,13 @@ void sleepUntil(Clock::time_point time) {
 }  // namespace
 
 struct Runner::Parts {
-  Parts(Simulation& s, const RunOptions& o)
-      : simulation(s), options(o), period(stepPeriod(s, o)), status(s.transport(), std::string(s.world().name())) {}
+  Parts(Simulation& s, const RunOptions& o, std::function<void()> stop)
+      : simulation(s),
+        iterations(o.iterations.value_or(std::numeric_limits<std::uint64_t>::max())),
+        period(stepPeriod(s, o)),
+        status(s.transport(), std::string(s.world().name())),
+        control(o.paused),
+        services(s, control, std::move(stop)) {}
 
   void publishStatus(Clock::time_point now) {
     status.publish({.simulated = simulation.time(),
@@ -60,49 +69,62 @@ struct Runner::Parts {
                     .system = std::chrono::system_clock::now().time_since_epoch(),
                     .iterations = simulation.iterations(),
                     .realTimeFactor = factor.value(),
-                    .paused = options.paused},
+                    .paused = control.paused()},
                    now);
   }
 
   Simulation& simulation;
-  const RunOptions options;
+  const std::uint64_t iterations;
   const Clock::duration period;
   StatusPublisher status;
+  RunControl control;
+  RunServices services;
   RealTimeFactor factor;
   std::chrono::nanoseconds real{0};
+  std::uint64_t made = 0;
 };
 
 Runner::Runner(Simulation& simulation, const RunOptions& options)
-    : parts_(std::make_unique<Parts>(simulation, options)) {}
+    : parts_(std::make_unique<Parts>(simulation, options, [this] { stop(); })) {}
 
 Runner::~Runner() = default;
 
 void Runner::run() {
   // The kernel rounds sleeps up by 50 us otherwise, a twentieth of the usual step.
   prctl(PR_SET_TIMERSLACK, 1UL);
-  if (parts_->options.paused) {
-    runPaused();
-  } else {
-    runSteps();
+  while (!isOver()) {
+    if (parts_->control.paused()) {
+      waitPaused();
+    } else {
+      runSteps();
+    }
   }
 }
 
-void Runner::runPaused() {
-  while (!stopping_.load()) {
-    parts_->simulation.transport().dispatchFor(kPausedPeriod);
-    parts_->simulation.stepPaused();
-    parts_->publishStatus(Clock::now());
-  }
+bool Runner::isOver() const { return stopping_.load() || parts_->made >= parts_->iterations; }
+
+/// Until something comes that may end the pause, but not for long.
+void Runner::waitPaused() {
+  Parts& parts = *parts_;
+  parts.simulation.transport().dispatchFor(kPausedPeriod);
+  if (!parts.control.paused()) return;
+  parts.simulation.advance(Time::zero());
+  parts.publishStatus(Clock::now());
 }
 
 void Runner::runSteps() {
   Parts& parts = *parts_;
-  const std::uint64_t count = parts.options.iterations.value_or(std::numeric_limits<std::uint64_t>::max());
+  parts.factor.restart();
   Clock::time_point now = Clock::now();
-  const Clock::time_point start = now;
+  const Clock::time_point start = now - parts.real;
   Clock::time_point due = now;
-  for (std::uint64_t i = 0; i < count && !stopping_.load(); ++i) {
-    parts.simulation.step();
+  while (!isOver()) {
+    parts.simulation.transport().dispatch();
+    // what was asked for meanwhile is done before it is answered: no step comes after an answered pause
+    if (parts.control.paused() || isOver()) return;
+    parts.simulation.advance(parts.simulation.stepSize());
+    ++parts.made;
+    parts.control.stepped(parts.simulation.time());
     now = Clock::now();
     parts.real = now - start;
     parts.factor.sample(now, parts.simulation.time());

@@ -19,10 +19,12 @@ struct RunOptions {
 };
 
 /// Steps a simulation at the pace of the wall clock, and tells on its topics (`/clock`, `/stats`,
-/// `/world/W/clock`, `/world/W/stats`) where it stands.
+/// `/world/W/clock`, `/world/W/stats`) where it stands. Pauses, steps and ends as its services (`/world/W/control`,
+/// `/server_control`) are asked to.
 class Runner {
  public:
   /// All references must outlive it.
+  /// @throws std::invalid_argument where another run offers the services on the simulation's transport.
   Runner(Simulation& simulation, const RunOptions& options);
   ~Runner();
 
@@ -33,7 +35,8 @@ class Runner {
   void stop() { stopping_.store(true); }
 
  private:
-  void runPaused();
+  bool isOver() const;
+  void waitPaused();
   void runSteps();
 
   struct Parts;

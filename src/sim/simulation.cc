@@ -73,29 +73,30 @@ Simulation::Simulation(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) 
 Simulation::~Simulation() = default;
 
 void Simulation::step(std::uint64_t count) {
-  Parts& parts = *parts_;
   for (std::uint64_t i = 0; i < count; ++i) {
-    parts.transport->dispatch();
-    const StepInfo info = parts.nextStep(parts.description.physics.maxStepSize);
-    if (parts.systems) {
-      parts.systems->preUpdate(info);
-      parts.systems->update(info);
-    }
-    if (!parts.systems || parts.systems->wantsPhysics()) parts.engine.step(info.dt, parts.state);
-    parts.state.time = info.time;
-    parts.state.iterations = info.iteration;
-    if (parts.systems) parts.systems->postUpdate(info);
+    parts_->transport->dispatch();
+    advance(stepSize());
   }
 }
 
 void Simulation::stepPaused() {
+  parts_->transport->dispatch();
+  advance(Time::zero());
+}
+
+void Simulation::advance(Time dt) {
   Parts& parts = *parts_;
-  parts.transport->dispatch();
-  if (!parts.systems) return;
-  const StepInfo info = parts.nextStep(Time::zero());
-  parts.systems->preUpdate(info);
-  parts.systems->update(info);
-  parts.systems->postUpdate(info);
+  const StepInfo info = parts.nextStep(dt);
+  if (parts.systems) {
+    parts.systems->preUpdate(info);
+    parts.systems->update(info);
+  }
+  if (!info.paused) {
+    if (!parts.systems || parts.systems->wantsPhysics()) parts.engine.step(info.dt, parts.state);
+    parts.state.time = info.time;
+    parts.state.iterations = info.iteration;
+  }
+  if (parts.systems) parts.systems->postUpdate(info);
 }
 
 Time Simulation::time() const { return parts_->state.time; }

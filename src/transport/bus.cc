@@ -9,14 +9,12 @@
 #include "transport/deadline.hh"
 #include "transport/network.hh"
 #include "transport/payload.hh"
+#include "transport/service_name.hh"
 #include "transport/topic_name.hh"
 
 namespace pongsim::transport {
 
 namespace {
-
-constexpr std::size_t kMaximumMessage = 1 << 30;
-constexpr std::chrono::seconds kComplaintPeriod{1};
 
 const Logger& log() {
   static const Logger logger("transport");
@@ -30,7 +28,12 @@ Channel::Channel(std::string topicName, std::string typeName)
 
 Channel::~Channel() = default;
 
-Bus::Bus(std::unique_ptr<Network> network) : network_(std::move(network)) {}
+Bus::Bus(std::unique_ptr<Network> network)
+    : network_(std::move(network)),
+      server_(
+          network_.get(), [this] { requestArrived(); },
+          [this](std::uint64_t call, const auto& header, auto message) { client_.answerOwn(call, header, message); }),
+      client_(network_.get(), server_) {}
 
 Bus::~Bus() = default;
 
@@ -218,14 +221,18 @@ void Bus::releaseArrivals() {
 }
 
 std::size_t Bus::dispatch() {
-  if (!waiting_.load(std::memory_order_relaxed)) return 0;
+  if (!waiting_.load(std::memory_order_relaxed) && !server_.waiting()) return 0;
   const std::lock_guard lock(dispatching_);
   if (inDispatch_) throw std::logic_error("dispatch was called from a function that dispatch had called");
   inDispatch_ = true;
+  dispatcher_ = std::this_thread::get_id();
 
   // also when a called function throws
   struct Release {
-    ~Release() { bus.releaseArrivals(); }
+    ~Release() {
+      bus.dispatcher_ = std::thread::id();
+      bus.releaseArrivals();
+    }
     Bus& bus;
   } const release{*this};
 
@@ -241,13 +248,13 @@ std::size_t Bus::dispatch() {
       complain(inbox.channel(), arrival.buffer->sender, "is no " + inbox.channel().type);
     }
   }
-  return handedOver;
+  return handedOver + server_.dispatch();
 }
 
 std::size_t Bus::dispatchFor(std::chrono::nanoseconds timeout) {
   {
     std::unique_lock lock(mutex_);
-    arrived_.wait_until(lock, deadlineAfter(timeout), [this] { return woken_ || waiting_; });
+    arrived_.wait_until(lock, deadlineAfter(timeout), [this] { return woken_ || waiting_ || server_.waiting(); });
     woken_ = false;
   }
   return dispatch();
@@ -262,28 +269,28 @@ void Bus::wake() {
 }
 
 void Bus::complain(Channel& channel, const ParticipantId& sender, std::string_view what) {
-  std::uint64_t unmentioned = 0;
+  std::optional<std::uint64_t> unmentioned;
   {
     const std::lock_guard lock(mutex_);
-    const TimePoint now = std::chrono::steady_clock::now();
-    if (channel.complained != TimePoint{} && now - channel.complained < kComplaintPeriod) {
-      ++channel.unmentioned;
-      return;
-    }
-    channel.complained = now;
-    unmentioned = std::exchange(channel.unmentioned, 0);
+    unmentioned = channel.complaints.pass(std::chrono::steady_clock::now());
   }
+  if (!unmentioned) return;
   const int pid = network_ ? network_->directory().pidOf(sender) : 0;
   log().warning("topic '" + channel.topic + "': a message from " +
                 (sender == ParticipantId{} ? "this process" : "process " + std::to_string(pid)) + " " +
                 std::string(what) + "; dropped" +
-                (unmentioned > 0 ? " (and " + std::to_string(unmentioned) + " before it)" : ""));
+                (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
 }
 
 void Bus::subscribersChanged() {
   // whoever is about to wait has looked either before, and waits by now, or afterwards
   { const std::lock_guard lock(mutex_); }
   subscribersChanged_.notify_all();
+}
+
+void Bus::requestArrived() {
+  { const std::lock_guard lock(mutex_); }
+  arrived_.notify_one();
 }
 
 bool Bus::waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout) {
@@ -312,6 +319,39 @@ TopicInfo Bus::waitForTopic(std::string_view topic, bool wantPublisher, std::chr
   network_->directory().waitForTopic(name, wantPublisher ? Role::kPublisher : Role::kSubscriber,
                                      deadlineAfter(timeout));
   return network_->directory().topic(name);
+}
+
+Offer& Bus::addService(std::string_view service, std::string_view requestType, std::string_view replyType,
+                       ServiceHandler handler) {
+  const std::lock_guard lock(setUp_);
+  return server_.add(service, requestType, replyType, std::move(handler));
+}
+
+void Bus::endService(Offer& offer) {
+  const std::lock_guard dispatchLock(dispatching_);
+  const std::lock_guard lock(setUp_);
+  server_.end(offer, inDispatch_);
+}
+
+CallResult Bus::call(std::string_view service, const Message& request, Message& reply,
+                     std::chrono::nanoseconds timeout) {
+  if (dispatcher_ == std::this_thread::get_id()) {
+    throw std::logic_error("a service was called from a function that dispatch had called, which must not wait");
+  }
+  return client_.call(service, request, reply, deadlineAfter(timeout));
+}
+
+std::vector<ServiceInfo> Bus::discoverServices(std::chrono::nanoseconds timeout) {
+  if (!network_) return {};
+  network_->discover(timeout);
+  return network_->directory().services();
+}
+
+ServiceInfo Bus::waitForService(std::string_view service, std::chrono::nanoseconds timeout) {
+  const std::string name = absoluteService(service);
+  if (!network_) return {name, {}};
+  network_->directory().waitForTopic(requestTopic(name), Role::kSubscriber, deadlineAfter(timeout));
+  return network_->directory().service(name);
 }
 
 }  // namespace pongsim::transport

@@ -11,12 +11,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
+#include "transport/complaint_limit.hh"
 #include "transport/inbox.hh"
+#include "transport/service_client.hh"
+#include "transport/service_server.hh"
 
 namespace pongsim::transport {
 
@@ -43,9 +47,8 @@ class Channel {
   std::vector<Inbox*> inboxes;
   std::atomic<int> inboxCount = 0;
 
-  /// When something was last said of bad messages, and how many there were since; guarded by the bus's mutex.
-  std::chrono::steady_clock::time_point complained;
-  std::uint64_t unmentioned = 0;
+  /// Of bad messages; guarded by the bus's mutex.
+  ComplaintLimit complaints;
 };
 
 /// Takes messages from publishers and from the network to the subscriptions of one `Transport`.
@@ -79,6 +82,13 @@ class Bus {
   std::vector<TopicInfo> discover(std::chrono::nanoseconds timeout);
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);
 
+  Offer& addService(std::string_view service, std::string_view requestType, std::string_view replyType,
+                    ServiceHandler handler);
+  void endService(Offer& offer);
+  CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
+  std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);
+  ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
+
  private:
   Channel& channelFor(std::string_view topic, std::string_view type);
   void openReader(Channel& channel);
@@ -90,12 +100,15 @@ class Bus {
   void eraseIfUnused(const Channel& channel);
   void complain(Channel& channel, const ParticipantId& sender, std::string_view what);
   void subscribersChanged();
+  void requestArrived();
 
   std::unique_ptr<Network> network_;
 
   std::recursive_mutex dispatching_;
   std::vector<Arrival> arrivals_;
   bool inDispatch_ = false;
+  /// Who dispatches now.
+  std::atomic<std::thread::id> dispatcher_;
   /// Ended by a function that `dispatch` called, for which they must stay until it returns.
   std::vector<Inbox*> endedInDispatch_;
 
@@ -111,6 +124,9 @@ class Bus {
   std::uint64_t nextArrival_ = 0;
   std::atomic<bool> waiting_ = false;
   bool woken_ = false;
+
+  ServiceServer server_;
+  ServiceClient client_;
 };
 
 /// A publisher's share in its topic.
@@ -123,6 +139,18 @@ class PublisherState {
 
   Bus& bus;
   Channel& channel;
+};
+
+/// A service's share in its transport.
+class ServiceState {
+ public:
+  ServiceState(Bus& owner, Offer& service) : bus(owner), offer(service) {}
+  ~ServiceState() { bus.endService(offer); }
+  ServiceState(const ServiceState&) = delete;
+  ServiceState& operator=(const ServiceState&) = delete;
+
+  Bus& bus;
+  Offer& offer;
 };
 
 /// A subscription's place to wait for messages.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pongsim/log.hh"
+#include "transport/service_name.hh"
 
 namespace pongsim::transport {
 
@@ -108,7 +109,7 @@ std::vector<TopicInfo> Directory::topics() const {
   const std::lock_guard lock(mutex_);
   std::map<std::string, TopicInfo> byName;
   for (const auto& [id, endpoint] : endpoints_) {
-    if (!isListed(id, endpoint)) continue;
+    if (!isListed(id, endpoint) || !endpoint.topic.starts_with('/')) continue;
     TopicInfo& info = byName[endpoint.topic];
     auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
     side.push_back({endpoint.type, pidOfLocked(participantOf(id))});
@@ -126,6 +127,32 @@ TopicInfo Directory::topic(std::string_view name) const {
     if (info.name == name) return std::move(info);
   }
   return {std::string(name), {}, {}};
+}
+
+std::vector<ServiceInfo> Directory::services() const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string_view, ServiceInfo> byName;
+  for (const auto& [id, endpoint] : endpoints_) {
+    const auto name = serviceOfRequestTopic(endpoint.topic);
+    const auto types = typesOfService(endpoint.type);
+    // who subscribes to requests offers the service
+    if (!name || !types || endpoint.role != Role::kSubscriber || !isListed(id, endpoint)) continue;
+    byName[*name].providers.push_back(
+        {std::string(types->first), std::string(types->second), pidOfLocked(participantOf(id))});
+  }
+  std::vector<ServiceInfo> all;
+  for (auto& [name, info] : byName) {
+    info.name = name;
+    all.push_back(std::move(info));
+  }
+  return all;
+}
+
+ServiceInfo Directory::service(std::string_view name) const {
+  for (ServiceInfo& info : services()) {
+    if (info.name == name) return std::move(info);
+  }
+  return {std::string(name), {}};
 }
 
 bool Directory::isListed(const EndpointId& id, const Endpoint& endpoint) const {

@@ -53,6 +53,10 @@ class Directory {
   std::vector<TopicInfo> topics() const;
   TopicInfo topic(std::string_view name) const;
 
+  /// @return All services of pongsim processes, sorted by name.
+  std::vector<ServiceInfo> services() const;
+  ServiceInfo service(std::string_view name) const;
+
   /// Waits until a participant is known at each of `ports` and all of them have told of all their endpoints.
   /// @return Whether they have; false at `deadline`.
   bool waitForAll(std::span<const std::uint32_t> ports, TimePoint deadline);

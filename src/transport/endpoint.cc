@@ -91,6 +91,16 @@ Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std
 
 Writer::~Writer() { rtps::RTPSDomain::removeRTPSWriter(writer_); }
 
+bool Writer::hasReaderOf(const ParticipantId& participant) const {
+  const std::lock_guard lock(readersMutex_);
+  return std::ranges::find(readersOf_, participant) != readersOf_.end();
+}
+
+std::optional<ParticipantId> Writer::newestReader() const {
+  const std::lock_guard lock(readersMutex_);
+  return readersOf_.empty() ? std::nullopt : std::optional(readersOf_.back());
+}
+
 void Writer::write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill) {
   const std::size_t size = payloadSize(messageSize);
   const std::lock_guard lock(writer_->getMutex());
@@ -124,8 +134,17 @@ bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
 }
 
 void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
-  if (participantId(info.remoteEndpointGuid.guidPrefix) == own_) return;
-  readers_ += info.status == rtps::MATCHED_MATCHING ? 1 : -1;
+  const ParticipantId participant = participantId(info.remoteEndpointGuid.guidPrefix);
+  if (participant == own_) return;
+  {
+    const std::lock_guard lock(readersMutex_);
+    if (info.status == rtps::MATCHED_MATCHING) {
+      readersOf_.push_back(participant);
+    } else if (const auto gone = std::ranges::find(readersOf_, participant); gone != readersOf_.end()) {
+      readersOf_.erase(gone);
+    }
+    readers_ = static_cast<int>(readersOf_.size());
+  }
   if (readersChanged_) readersChanged_();
 }
 

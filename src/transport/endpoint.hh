@@ -11,8 +11,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "transport/inbox.hh"
 
@@ -43,6 +46,10 @@ class Writer : private rtps::WriterListener {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
+  /// @return Whether that participant's reader would get what is written now.
+  bool hasReaderOf(const ParticipantId& participant) const;
+  /// @return The participant of the reader that came last, or nothing.
+  std::optional<ParticipantId> newestReader() const;
   bool hasReaders() const { return readers_.load(std::memory_order_relaxed) > 0; }
 
   /// Sends a message of so many bytes, which `fill` writes to the place it is given.
@@ -65,6 +72,8 @@ class Writer : private rtps::WriterListener {
   /// In the history, guarded by the writer's mutex.
   std::size_t keptBytes_ = 0;
   std::atomic<int> readers_ = 0;
+  mutable std::mutex readersMutex_;
+  std::vector<ParticipantId> readersOf_;
   rtps::RTPSWriter* writer_ = nullptr;
 };
 

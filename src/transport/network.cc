@@ -22,6 +22,7 @@
 #include "transport/domain.hh"
 #include "transport/gated_udp.hh"
 #include "transport/payload.hh"
+#include "transport/service_name.hh"
 
 namespace pongsim::transport {
 
@@ -220,7 +221,8 @@ void Network::endpointChanged(const ProxyData& data, Role role, bool removed) {
   if (topic == kCensusTopic) return;
   const std::vector<std::string> partitions = data.m_qos.m_partition.getNames();
   const bool samePartition = partition_.empty() ? partitions.empty() : std::ranges::count(partitions, partition_) > 0;
-  directory_.addEndpoint(id, {topic, data.typeName().c_str(), role, samePartition && topic.starts_with('/')});
+  directory_.addEndpoint(id, {topic, data.typeName().c_str(), role,
+                              samePartition && (topic.starts_with('/') || serviceOfRequestTopic(topic))});
 }
 
 void Network::onReaderDiscovery(rtps::RTPSParticipant*, rtps::ReaderDiscoveryInfo&& info) {

@@ -29,6 +29,7 @@ class Network : private rtps::RTPSParticipantListener {
   Network& operator=(const Network&) = delete;
 
   Directory& directory() { return directory_; }
+  const ParticipantId& id() const { return own_; }
 
   std::unique_ptr<Writer> makeWriter(const std::string& topic, const std::string& type,
                                      std::function<void()> readersChanged);

@@ -45,6 +45,23 @@ Subscription Node::subscribe(std::string_view topic, std::string_view type,
       *bus_, bus_->addSubscription(topic, type, std::move(received), queueLength)));
 }
 
+Service::Service() = default;
+Service::Service(std::unique_ptr<transport::ServiceState> state) : state_(std::move(state)) {}
+Service::Service(Service&&) noexcept = default;
+Service& Service::operator=(Service&&) noexcept = default;
+Service::~Service() = default;
+
+Service Node::serve(std::string_view service, std::string_view requestType, std::string_view replyType,
+                    ServiceHandler handler) {
+  return Service(std::make_unique<transport::ServiceState>(
+      *bus_, bus_->addService(service, requestType, replyType, std::move(handler))));
+}
+
+CallResult Node::call(std::string_view service, const Message& request, Message& reply,
+                      std::chrono::nanoseconds timeout) {
+  return bus_->call(service, request, reply, timeout);
+}
+
 Transport::Transport(const TransportOptions& options)
     : bus_(std::make_unique<transport::Bus>(options.network ? std::make_unique<transport::Network>(options.domain)
                                                             : nullptr)) {}
@@ -61,6 +78,14 @@ std::vector<TopicInfo> Transport::discover(std::chrono::nanoseconds timeout) { r
 
 TopicInfo Transport::waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout) {
   return bus_->waitForTopic(topic, wantPublisher, timeout);
+}
+
+std::vector<ServiceInfo> Transport::discoverServices(std::chrono::nanoseconds timeout) {
+  return bus_->discoverServices(timeout);
+}
+
+ServiceInfo Transport::waitForService(std::string_view service, std::chrono::nanoseconds timeout) {
+  return bus_->waitForService(service, timeout);
 }
 
 }  // namespace pongsim

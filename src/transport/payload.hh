@@ -10,6 +10,9 @@ namespace pongsim::transport {
 /// DDS pads samples to four bytes and a message must know its own length. Its bytes come after this many.
 inline constexpr std::size_t kPayloadHeader = 8;
 
+/// A larger message is not sent.
+inline constexpr std::size_t kMaximumMessage = 1 << 30;
+
 /// @return The size of the sample for a message of so many bytes.
 constexpr std::size_t payloadSize(std::size_t messageSize) { return kPayloadHeader + (messageSize + 3) / 4 * 4; }
 

@@ -62,15 +62,18 @@ TEST_F(DocumentationTest, TutorialOfTheReadmeWorksLineByLine) {
   EXPECT_NE(output_.find("state hash: "), std::string::npos) << output_;
 }
 
-TEST_F(DocumentationTest, ExamplesOfTheTopicCommandWork) {
-  std::string script = "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\npongsim run worlds/pong_world.sdf &\n";
-  int examples = 0;
-  for (const std::string& line : codeLines("docs/cli.md", "## pongsim topic")) {
-    if (examples++ == 0) script += "pongsim topic -e -t /clock -n 1 >/dev/null\n";
-    script += line + "\n";
+TEST_F(DocumentationTest, ExamplesOfTheOtherCommandsWork) {
+  std::string script =
+      "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\npongsim run worlds/pong_world.sdf &\n"
+      "pongsim topic -e -t /clock -n 1 >/dev/null\n";
+  for (const char* command : {"topic", "service", "world", "key", "msg"}) {
+    const std::vector<std::string> examples = codeLines("docs/cli.md", std::string("## pongsim ") + command);
+    EXPECT_FALSE(examples.empty()) << command;
+    for (const std::string& line : examples) script += line + "\n";
   }
-  EXPECT_GE(examples, 5);
   run(script);
+  EXPECT_NE(output_.find("\ndata: true\n"), std::string::npos) << output_;
+  EXPECT_NE(output_.find(" iterations, paused\n"), std::string::npos) << output_;
   EXPECT_NE(output_.find("{\"system\":{"), std::string::npos) << output_;
 }
 

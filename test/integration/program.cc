@@ -28,6 +28,12 @@ std::unique_ptr<Process> startWorld(const std::string& name, std::vector<std::st
   return process;
 }
 
+std::unique_ptr<Process> startServedWorld(const std::string& name, std::vector<std::string> options) {
+  std::unique_ptr<Process> process = startWorld(name, std::move(options));
+  EXPECT_EQ(runToEnd({"topic", "-et", "/clock", "-n", "1"}).exitCode, 0);
+  return process;
+}
+
 std::string ownWorld(const std::string& name) { return (projectFolder() / "worlds" / name).string(); }
 
 std::vector<std::string> lines(const std::string& text) {

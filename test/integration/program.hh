@@ -24,6 +24,9 @@ Outcome runToEnd(std::vector<std::string> arguments);
 /// Starts one of the project's own worlds, and returns when it is loaded and runs.
 std::unique_ptr<Process> startWorld(const std::string& name, std::vector<std::string> options = {});
 
+/// As `startWorld`, and returns when its topics and services are there.
+std::unique_ptr<Process> startServedWorld(const std::string& name, std::vector<std::string> options = {});
+
 /// @return The full path of one of the project's own worlds.
 std::string ownWorld(const std::string& name);
 

@@ -33,6 +33,16 @@ TEST(StatusMessages, GiveTheRunsStateInTheStatistics) {
   EXPECT_NE(text.find("sim_time {\n  sec: 2\n  nsec: 5000000\n}\n"), std::string::npos) << text;
 }
 
+TEST(StatusMessages, AreReadAsTheyAreMade) {
+  StatusMessages messages;
+  const Status read = statusOf(messages.statistics(kStatus));
+  EXPECT_EQ(read.simulated, kStatus.simulated);
+  EXPECT_EQ(read.real, kStatus.real);
+  EXPECT_EQ(read.iterations, kStatus.iterations);
+  EXPECT_EQ(read.realTimeFactor, 0.6667);
+  EXPECT_TRUE(read.paused);
+}
+
 TEST(StatusMessages, AreMadeAnewEachTime) {
   StatusMessages messages;
   messages.statistics(kStatus);

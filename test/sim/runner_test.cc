@@ -1,9 +1,17 @@
 #include "sim/runner.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/stringmsg_v.pb.h>
+#include <ignition/msgs/world_stats.pb.h>
 
+#include <atomic>
 #include <chrono>
+#include <memory>
+#include <string>
 #include <thread>
+
+#include "support/process.hh"
 
 namespace pongsim::sim {
 namespace {
@@ -70,6 +78,87 @@ TEST_F(RunnerTest, StaysWhereItIsWhilePaused) {
   runner.run();
   EXPECT_EQ(heard, 2);
   EXPECT_EQ(simulation_->iterations(), 0U);
+}
+
+/// A run on a thread of its own, asked things by this one.
+class ControlledRun : public RunnerTest {
+ protected:
+  ~ControlledRun() override { end(); }
+
+  void start(const RunOptions& options) {
+    runner_ = std::make_unique<Runner>(*simulation_, options);
+    thread_ = std::thread([this] { runner_->run(); });
+  }
+  void end() {
+    if (!thread_.joinable()) return;
+    runner_->stop();
+    thread_.join();
+  }
+  void waitForTheEnd() { thread_.join(); }
+
+  /// @return Whether the answer is `data: true`.
+  bool ask(const std::string& service, const std::string& type, const std::string& text) {
+    const MessagePointer request = newMessage(type);
+    EXPECT_FALSE(parseMessage(text, *request));
+    ignition::msgs::Boolean reply;
+    const CallResult result = simulation_->transport().node().call(service, *request, reply, test::kDeadline);
+    EXPECT_TRUE(result) << result.error;
+    return reply.data();
+  }
+  bool control(const std::string& text) { return ask("/world/w/control", "WorldControl", text); }
+
+  std::unique_ptr<Runner> runner_;
+  std::thread thread_;
+};
+
+TEST_F(ControlledRun, PlaysAndEndsAfterTheStepsAskedFor) {
+  start({.paused = true, .iterations = 30});
+  EXPECT_TRUE(control("pause: true, multi_step: 10"));
+  EXPECT_TRUE(control("pause: false"));
+  waitForTheEnd();
+  EXPECT_EQ(simulation_->iterations(), 30U);
+}
+
+TEST_F(ControlledRun, MakesNoStepAfterAnAnsweredPause) {
+  start({.updateRate = 0.0});
+  EXPECT_TRUE(control("pause: true"));
+  const Time paused = simulation_->time();
+  EXPECT_FALSE(control("reset {all: true}"));
+  EXPECT_FALSE(control("seed: 5"));
+  EXPECT_EQ(simulation_->time(), paused);
+}
+
+TEST_F(ControlledRun, RunsToTheTimeAskedFor) {
+  start({.paused = true, .updateRate = 0.0});
+  std::atomic<bool> pausedAgain = false;
+  Node node = simulation_->transport().node();
+  const Subscription statistics =
+      node.subscribe<ignition::msgs::WorldStatistics>("/stats", [&](const ignition::msgs::WorldStatistics& message) {
+        if (message.paused() && message.iterations() > 0) pausedAgain = true;
+      });
+  EXPECT_TRUE(control("run_to_sim_time {nsec: 500000000}"));
+  while (!pausedAgain) std::this_thread::yield();
+  end();
+  EXPECT_EQ(simulation_->time(), std::chrono::milliseconds(500));
+}
+
+TEST_F(ControlledRun, EndsWhereTheServerIsToldToStop) {
+  for (const bool paused : {false, true}) {
+    start({.paused = paused});
+    EXPECT_FALSE(ask("/server_control", "ServerControl", "stop: true, clone: true"));
+    EXPECT_FALSE(ask("/server_control", "ServerControl", ""));
+    EXPECT_TRUE(ask("/server_control", "ServerControl", "stop: true"));
+    waitForTheEnd();
+    runner_.reset();
+  }
+}
+
+TEST_F(ControlledRun, TellsItsWorld) {
+  start({.paused = true});
+  ignition::msgs::StringMsg_V worlds;
+  EXPECT_TRUE(simulation_->transport().node().call("/gazebo/worlds", *newMessage("Empty"), worlds, test::kDeadline));
+  ASSERT_EQ(worlds.data_size(), 1);
+  EXPECT_EQ(worlds.data(0), "w");
 }
 
 }  // namespace

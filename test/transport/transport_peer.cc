@@ -3,6 +3,9 @@
 //   say TOPIC COUNT BYTES   waits for a listener, then publishes so many texts "0", "1", ..., filled up to BYTES
 //   offer COUNT             publishes on so many topics /PID/0, /PID/1, ..., says "ready"
 //   discover                says how many topics it finds
+//   serve SERVICE HOW       offers to echo texts ("echo"), to refuse them ("refuse"), to hang ("hang") or to answer the
+//                           first and end ("once"); says "ready", then "asked TEXT" for each request
+//   ask SERVICE COUNT       calls it with so many texts "0", "1", ..., says "answered TEXT" or "failed ERROR"
 // What has no end of its own ends cleanly with SIGTERM.
 
 #include <ignition/msgs/stringmsg.pb.h>
@@ -69,6 +72,31 @@ int offer(Transport& transport, int count) {
   return 0;
 }
 
+int serve(Transport& transport, const std::string& name, const std::string& how) {
+  pongsim::Service service =
+      transport.node().serve<StringMsg, StringMsg>(name, [&how](const StringMsg& request, StringMsg& reply) {
+        std::cout << "asked " << request.data() << std::endl;
+        if (how == "refuse") return pongsim::ServiceAnswer::refused("not today");
+        while (how == "hang" && !stopped) pause();
+        reply.set_data(request.data() + "!");
+        if (how == "once") stopped = true;
+        return pongsim::ServiceAnswer(true);
+      });
+  std::cout << "ready" << std::endl;
+  dispatchUntilStopped(transport);
+  return 0;
+}
+
+int ask(Transport& transport, const std::string& name, int count) {
+  for (int i = 0; i < count; ++i) {
+    StringMsg request, reply;
+    request.set_data(std::to_string(i));
+    const pongsim::CallResult result = transport.node().call(name, request, reply, kDeadline);
+    std::cout << (result ? "answered " + reply.data() : "failed " + result.error) << std::endl;
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int count, char** texts) {
@@ -80,6 +108,8 @@ int main(int count, char** texts) {
     return say(transport, arguments.at(1), std::stoi(arguments.at(2)), std::stoul(arguments.at(3)));
   }
   if (arguments.at(0) == "offer") return offer(transport, std::stoi(arguments.at(1)));
+  if (arguments.at(0) == "serve") return serve(transport, arguments.at(1), arguments.at(2));
+  if (arguments.at(0) == "ask") return ask(transport, arguments.at(1), std::stoi(arguments.at(2)));
   std::cout << "found " << transport.discover(kDeadline).size() << std::endl;
   return 0;
 }

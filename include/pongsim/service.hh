@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pongsim/export.hh"
+#include "pongsim/message.hh"
+
+namespace pongsim {
+
+namespace transport {
+class ServiceState;
+}
+
+/// What a service made of a request.
+struct ServiceAnswer {
+  // implicit, so that a handler can return true or false
+  ServiceAnswer(bool worked) : done(worked) {}
+
+  /// @return That the request was not met, and why, in a line without a full stop.
+  static ServiceAnswer refused(std::string reason) {
+    ServiceAnswer answer(false);
+    answer.reason = std::move(reason);
+    return answer;
+  }
+
+  bool done;
+  /// Why it was not, or empty.
+  std::string reason;
+};
+
+/// Meets a request: fills in `reply`, which is empty at first and goes to the caller where the answer is that it is
+/// done. An exception is an answer too: refused, with its text.
+using ServiceHandler = std::function<ServiceAnswer(const Message& request, Message& reply)>;
+
+enum class CallOutcome {
+  /// The reply is there.
+  kDone,
+  /// The service answered that it did not do it.
+  kRefused,
+  /// No process has a service of that name.
+  kNoService,
+  /// There is a service of that name, with other types.
+  kOtherTypes,
+  /// The service did not answer in time.
+  kNoAnswer,
+  /// The service went away before it answered.
+  kGone
+};
+
+struct CallResult {
+  CallOutcome outcome = CallOutcome::kNoService;
+  /// What went wrong, in a line without a full stop: "service '/x' did not answer in time". Empty where it is done.
+  std::string error;
+
+  explicit operator bool() const { return outcome == CallOutcome::kDone; }
+};
+
+/// What the processes offer under a service's name.
+struct ServiceInfo {
+  std::string name;
+  struct Provider {
+    /// Full names of the message types.
+    std::string requestType;
+    std::string replyType;
+    /// Process that it belongs to.
+    int pid = 0;
+    bool operator==(const Provider&) const = default;
+  };
+  std::vector<Provider> providers;
+};
+
+/// A service that is offered, for as long as this lives. It must not outlive its `Transport`.
+class PONGSIM_API Service {
+ public:
+  Service();
+  explicit Service(std::unique_ptr<transport::ServiceState> state);
+  Service(Service&&) noexcept;
+  Service& operator=(Service&&) noexcept;
+  /// Its function is not called from then on. Waits, up to half a second, for callers to get the last replies.
+  ~Service();
+
+  explicit operator bool() const { return state_ != nullptr; }
+
+ private:
+  std::unique_ptr<transport::ServiceState> state_;
+};
+
+}  // namespace pongsim

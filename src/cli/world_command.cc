@@ -1,0 +1,96 @@
+#include "cli/world_command.hh"
+
+#include <CLI/App.hpp>
+#include <array>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/nearest_word.hh"
+#include "cli/command.hh"
+#include "cli/console.hh"
+#include "cli/number_option.hh"
+#include "pongsim/log.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+/// The command line as it was given.
+struct Given {
+  std::string action;
+  std::optional<std::string> steps, world, lines, timeout;
+};
+
+constexpr std::array<std::pair<std::string_view, WorldAction>, 4> kActions{{{"pause", WorldAction::kPause},
+                                                                            {"play", WorldAction::kPlay},
+                                                                            {"step", WorldAction::kStep},
+                                                                            {"stats", WorldAction::kStats}}};
+
+WorldAction actionOf(const std::string& word) {
+  std::array<std::string_view, kActions.size()> words;
+  for (std::size_t i = 0; i < kActions.size(); ++i) {
+    if (kActions[i].first == word) return kActions[i].second;
+    words[i] = kActions[i].first;
+  }
+  const std::string nearest = base::didYouMean(word, words);
+  throw UsageError("unknown action '" + word + "'", nearest.empty() ? "one of pause, play, step, stats" : nearest);
+}
+
+Work workFor(const Given& given) {
+  WorldOptions options;
+  if (given.action.empty()) throw UsageError("nothing to do given", "one of pause, play, step, stats");
+  options.action = actionOf(given.action);
+  if (given.steps && options.action != WorldAction::kStep) {
+    throw UsageError("a number means nothing with '" + given.action + "'", "it goes with step");
+  }
+  if (given.lines && options.action != WorldAction::kStats) {
+    throw UsageError("option '-n' means nothing with '" + given.action + "'", "it goes with stats");
+  }
+  if (given.world) options.world = *given.world;
+  if (given.world && given.world->empty()) throw UsageError("option '-w' needs a world's name");
+  if (given.steps) {
+    options.steps =
+        static_cast<std::uint32_t>(wholeNumber("step", *given.steps, 1, std::numeric_limits<std::uint32_t>::max()));
+  }
+  if (given.lines) options.lines = wholeNumber("-n", *given.lines, 1);
+  if (given.timeout)
+    options.timeout = std::chrono::milliseconds(wholeNumber("--timeout", *given.timeout, 0, kLongestMs));
+  return [options] { return controlWorld(options); };
+}
+
+}  // namespace
+
+void addWorldCommand(CLI::App& program, Work& work) {
+  const auto given = std::make_shared<Given>();
+  CLI::App* command = program.add_subcommand("world", "Pause a running world, step it, tell how it goes");
+  command->set_help_flag("-h,--help", "Print this and end");
+  const auto add = [command](const char* names, const char* value, const char* description,
+                             std::optional<std::string>& target) {
+    const auto keep = [&target](const std::string& text) { target = text; };
+    command->add_option_function<std::string>(names, keep, description)->type_name(value);
+  };
+  command
+      ->add_option("ACTION", given->action,
+                   "pause, play, step (pauses, makes N steps and ends when they are made),\n"
+                   "stats (a line each update, ten times a second)")
+      ->type_name("");
+  add("N", "", "With step: how many (1)", given->steps);
+  add("-w,--world", "WORLD", "The world's name, where several run", given->world);
+  add("-n,--num", "N", "With stats: N lines, then end", given->lines);
+  add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its answer", given->timeout);
+  command->footer(
+      "Examples:\n"
+      "  pongsim run worlds/pong_world.sdf --paused &\n"
+      "  pongsim world step 100\n"
+      "  pongsim world play\n"
+      "  pongsim world stats -n 10");
+  command->callback([given, &work] {
+    work = workFor(*given);
+    setLogLevel(LogLevel::kError);
+  });
+}
+
+}  // namespace pongsim::cli

@@ -1,0 +1,59 @@
+#include "msgs/control_messages.hh"
+
+#include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/int32.pb.h>
+#include <ignition/msgs/server_control.pb.h>
+#include <ignition/msgs/stringmsg_v.pb.h>
+#include <ignition/msgs/world_control.pb.h>
+
+#include <algorithm>
+
+#include "msgs/time.hh"
+
+namespace pongsim::msgs {
+
+WorldControl worldControl(const Message& message) {
+  const auto& asked = static_cast<const ignition::msgs::WorldControl&>(message);
+  WorldControl control;
+  control.pause = asked.pause();
+  control.steps = asked.step() ? std::max(asked.multi_step(), 1U) : asked.multi_step();
+  if (asked.has_run_to_sim_time()) control.runTo = timeOf(asked.run_to_sim_time());
+  control.reset = asked.reset().all() || asked.reset().time_only() || asked.reset().model_only();
+  control.seed = asked.seed();
+  return control;
+}
+
+ServerControl serverControl(const Message& message) {
+  const auto& asked = static_cast<const ignition::msgs::ServerControl&>(message);
+  const bool more = !asked.save_world_name().empty() || !asked.save_filename().empty() ||
+                    !asked.open_filename().empty() || asked.new_world() || asked.clone() || asked.new_port() != 0;
+  return {asked.stop(), more};
+}
+
+void setBoolean(bool value, Message& message) { static_cast<ignition::msgs::Boolean&>(message).set_data(value); }
+
+void addString(const std::string& value, Message& stringMsgV) {
+  static_cast<ignition::msgs::StringMsg_V&>(stringMsgV).add_data(value);
+}
+
+MessagePointer worldControlMessage(const WorldControl& control) {
+  auto message = std::make_unique<ignition::msgs::WorldControl>();
+  message->set_pause(control.pause);
+  message->set_multi_step(control.steps);
+  if (control.runTo) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(*control.runTo);
+    message->mutable_run_to_sim_time()->set_sec(seconds.count());
+    message->mutable_run_to_sim_time()->set_nsec(static_cast<std::int32_t>((*control.runTo - seconds).count()));
+  }
+  return MessagePointer(message.release());
+}
+
+bool boolean(const Message& message) { return static_cast<const ignition::msgs::Boolean&>(message).data(); }
+
+MessagePointer int32Message(std::int32_t value) {
+  auto message = std::make_unique<ignition::msgs::Int32>();
+  message->set_data(value);
+  return MessagePointer(message.release());
+}
+
+}  // namespace pongsim::msgs

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "pongsim/message.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::msgs {
+
+/// What `ignition.msgs.WorldControl` asks for.
+struct WorldControl {
+  bool pause = false;
+  /// So many steps, then a pause; 0: nothing of the kind.
+  std::uint32_t steps = 0;
+  /// Pause at that simulated time.
+  std::optional<Time> runTo = std::nullopt;
+  bool reset = false;
+  /// New seed; 0: none.
+  std::uint32_t seed = 0;
+};
+
+/// What `ignition.msgs.ServerControl` asks for.
+struct ServerControl {
+  bool stop = false;
+  /// Whether it asks for something else too.
+  bool more = false;
+};
+
+/// Each reads or fills in a message of the type that its name tells.
+WorldControl worldControl(const Message& message);
+ServerControl serverControl(const Message& message);
+void setBoolean(bool value, Message& message);
+void addString(const std::string& value, Message& stringMsgV);
+
+/// @return `ignition.msgs.WorldControl` that asks for that; a `reset` or `seed` is left out.
+MessagePointer worldControlMessage(const WorldControl& control);
+/// @return The value of an `ignition.msgs.Boolean`.
+bool boolean(const Message& message);
+/// @return `ignition.msgs.Int32`.
+MessagePointer int32Message(std::int32_t value);
+
+}  // namespace pongsim::msgs

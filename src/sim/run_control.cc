@@ -1,0 +1,21 @@
+#include "sim/run_control.hh"
+
+namespace pongsim::sim {
+
+std::optional<std::string> RunControl::apply(const msgs::WorldControl& asked, Time now) {
+  if (asked.reset) return "a world cannot be reset; start it again";
+  if (asked.seed != 0) return "the seed is chosen at the start: pongsim run --seed N";
+  paused_ = asked.pause;
+  stepsLeft_ = asked.pause ? asked.steps : 0;
+  runTo_ = !asked.pause && asked.runTo && *asked.runTo > now ? asked.runTo : std::nullopt;
+  return std::nullopt;
+}
+
+void RunControl::stepped(Time now) {
+  if (stepsLeft_ > 0) --stepsLeft_;
+  if (!runTo_ || now < *runTo_) return;
+  paused_ = true;
+  runTo_.reset();
+}
+
+}  // namespace pongsim::sim

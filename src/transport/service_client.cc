@@ -1,0 +1,201 @@
+#include "transport/service_client.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "msgs/bytes.hh"
+#include "pongsim/log.hh"
+#include "transport/network.hh"
+#include "transport/payload.hh"
+#include "transport/service_name.hh"
+#include "transport/service_server.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+// How soon it is seen that the service that has come has other types.
+constexpr std::chrono::milliseconds kLookAgain{20};
+
+CallResult failed(CallOutcome outcome, const std::string& service, const std::string& what) {
+  return {outcome, "service '" + service + "' " + what};
+}
+
+std::string takes(std::string_view requestType, std::string_view replyType) {
+  return "takes " + std::string(requestType) + " and answers " + std::string(replyType);
+}
+
+}  // namespace
+
+/// Notes down a call for as long as somebody waits for it.
+class ServiceClient::CallScope {
+ public:
+  CallScope(ServiceClient& client, const ParticipantId& server) : client_(client) {
+    const std::lock_guard lock(client.mutex_);
+    number_ = client.nextCall_++;
+    call_ = &client.calls_[number_];
+    call_->server = server;
+  }
+  ~CallScope() {
+    const std::lock_guard lock(client_.mutex_);
+    client_.calls_.erase(number_);
+  }
+  CallScope(const CallScope&) = delete;
+  CallScope& operator=(const CallScope&) = delete;
+
+  std::uint64_t number() const { return number_; }
+
+  /// Waits for the answer; `isThere` says whether the service still is.
+  template <class IsThere>
+  CallResult wait(const std::string& service, Message& reply, TimePoint deadline, IsThere isThere) {
+    std::unique_lock lock(client_.mutex_);
+    client_.changed_.wait_until(lock, deadline, [&] { return call_->header || call_->gone || !isThere(); });
+    if (!call_->header && (call_->gone || !isThere())) {
+      return failed(CallOutcome::kGone, service, "went away before it answered");
+    }
+    if (!call_->header) return failed(CallOutcome::kNoAnswer, service, "did not answer in time");
+    if (!call_->header->done) {
+      const std::string& reason = call_->header->reason;
+      return failed(CallOutcome::kRefused, service, "refused" + (reason.empty() ? "" : ": " + reason));
+    }
+    if (msgs::parseBytes(call_->message, reply)) return {CallOutcome::kDone, {}};
+    return failed(CallOutcome::kNoAnswer, service, "answered with what is no " + msgs::typeName(reply));
+  }
+
+ private:
+  ServiceClient& client_;
+  std::uint64_t number_ = 0;
+  Call* call_ = nullptr;
+};
+
+ServiceClient::ServiceClient(Network* network, ServiceServer& own) : network_(network), own_(own) {}
+
+ServiceClient::~ServiceClient() {
+  for (auto& [key, line] : lines_) {
+    network_->end(std::move(line->reader));
+    network_->end(std::move(line->writer));
+  }
+}
+
+CallResult ServiceClient::call(std::string_view service, const Message& request, Message& reply, TimePoint deadline) {
+  const std::string name = absoluteService(service);
+  if (const auto types = own_.typesOf(name)) {
+    if (types->first == msgs::typeName(request) && types->second == msgs::typeName(reply)) {
+      return callOwn(name, request, reply, deadline);
+    }
+    return failed(CallOutcome::kOtherTypes, name, takes(types->first, types->second));
+  }
+  if (network_ == nullptr) return {CallOutcome::kNoService, "there is no service '" + name + "'"};
+  return callOther(name, request, reply, deadline);
+}
+
+CallResult ServiceClient::callOwn(const std::string& service, const Message& request, Message& reply,
+                                  TimePoint deadline) {
+  CallScope call(*this, {});
+  std::vector<std::byte> message(msgs::byteSize(request));
+  msgs::writeBytes(request, message);
+  if (!own_.post(service, call.number(), std::move(message))) {
+    if (!own_.typesOf(service)) return {CallOutcome::kNoService, "there is no service '" + service + "'"};
+    return failed(CallOutcome::kNoAnswer, service, "has too many requests waiting");
+  }
+  return call.wait(service, reply, deadline, [] { return true; });
+}
+
+CallResult ServiceClient::callOther(const std::string& service, const Message& request, Message& reply,
+                                    TimePoint deadline) {
+  Line& line = lineTo(service, serviceType(msgs::typeName(request), msgs::typeName(reply)));
+  const std::optional<ParticipantId> server = waitForServer(line, deadline);
+  if (!server) {
+    const std::string other = otherTypes(line);
+    if (!other.empty()) return failed(CallOutcome::kOtherTypes, service, other);
+    return {CallOutcome::kNoService, "there is no service '" + service + "'"};
+  }
+
+  CallScope call(*this, *server);
+  const RequestHeader header{*server, call.number()};
+  const std::size_t size = msgs::byteSize(request);
+  if (size > kMaximumMessage) return failed(CallOutcome::kNoAnswer, service, "cannot be sent so large a request");
+  line.writer->write(headerSize(header) + size,
+                     [&](std::span<std::byte> place) { msgs::writeBytes(request, writeHeader(header, place)); });
+  return call.wait(service, reply, deadline, [&] { return line.writer->hasReaderOf(*server); });
+}
+
+ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std::string& type) {
+  const std::lock_guard lock(setUp_);
+  std::unique_ptr<Line>& place = lines_[service + " " + type];
+  if (place) return *place;
+  auto line = std::make_unique<Line>();
+  line->service = service;
+  line->type = type;
+  // the way back first: a request waits at the service until that is known
+  line->reader = network_->makeReader(
+      replyTopic(service), type,
+      [this, to = line.get()](const ParticipantId& sender, auto payload) { receive(*to, sender, payload); });
+  line->writer = network_->makeWriter(requestTopic(service), type, [this] { changed(); });
+  place = std::move(line);
+  return *place;
+}
+
+/// @return A process that has the service; nothing at `deadline` or where the only ones have it with other types.
+std::optional<ParticipantId> ServiceClient::waitForServer(const Line& line, TimePoint deadline) {
+  for (bool late = false;;) {
+    if (const std::optional<ParticipantId> server = line.writer->newestReader()) return server;
+    if (late || !otherTypes(line).empty()) return std::nullopt;
+    std::unique_lock lock(mutex_);
+    const TimePoint now = std::chrono::steady_clock::now();
+    late = now >= deadline;
+    changed_.wait_until(lock, std::min(deadline, now + kLookAgain), [&] { return line.writer->hasReaders(); });
+  }
+}
+
+/// @return What the service that is there takes, or nothing where there is none or one of the line's types, which may
+/// be known before there is a way to it.
+std::string ServiceClient::otherTypes(const Line& line) const {
+  const ServiceInfo info = network_->directory().service(line.service);
+  const auto fits = [&line](const ServiceInfo::Provider& provider) {
+    return serviceType(provider.requestType, provider.replyType) == line.type;
+  };
+  if (info.providers.empty() || std::ranges::any_of(info.providers, fits)) return {};
+  return takes(info.providers.front().requestType, info.providers.front().replyType);
+}
+
+void ServiceClient::receive(const Line& line, const ParticipantId& sender, std::span<const std::byte> payload) {
+  std::optional<std::span<const std::byte>> message = messageInPayload(payload);
+  std::optional<ReplyHeader> header = message ? readReplyHeader(*message) : std::nullopt;
+  if (!header) {
+    static const Logger log("transport");
+    log.warning("service '" + line.service + "': a reply from process " +
+                std::to_string(network_->directory().pidOf(sender)) + " is damaged; dropped");
+    return;
+  }
+  if (header->client != network_->id()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto call = calls_.find(header->call);
+    if (call == calls_.end() || call->second.server != sender) return;
+    call->second.message.assign(message->begin(), message->end());
+    call->second.header = std::move(header);
+  }
+  changed_.notify_all();
+}
+
+void ServiceClient::answerOwn(std::uint64_t number, const std::optional<ReplyHeader>& header,
+                              std::span<const std::byte> message) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto call = calls_.find(number);
+    if (call == calls_.end()) return;
+    call->second.gone = !header;
+    call->second.header = header;
+    call->second.message.assign(message.begin(), message.end());
+  }
+  changed_.notify_all();
+}
+
+void ServiceClient::changed() {
+  // whoever is about to wait has looked either before, and waits by now, or afterwards
+  { const std::lock_guard lock(mutex_); }
+  changed_.notify_all();
+}
+
+}  // namespace pongsim::transport

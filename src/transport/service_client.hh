@@ -1,0 +1,76 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pongsim/service.hh"
+#include "transport/deadline.hh"
+#include "transport/inbox.hh"
+#include "transport/service_payload.hh"
+
+namespace pongsim::transport {
+
+class Network;
+class Reader;
+class ServiceServer;
+class Writer;
+
+/// A transport's calls to services, its own and those of other processes. Any thread may call.
+class ServiceClient {
+ public:
+  /// @param network Null for a transport of this process only.
+  /// @param own The services that this transport offers itself.
+  ServiceClient(Network* network, ServiceServer& own);
+  ~ServiceClient();
+
+  CallResult call(std::string_view service, const Message& request, Message& reply, TimePoint deadline);
+
+  /// Takes the answer to a call to this transport's own service; nothing where the service has gone.
+  void answerOwn(std::uint64_t call, const std::optional<ReplyHeader>& header, std::span<const std::byte> message);
+
+ private:
+  /// The way to a service and back, kept for the next call.
+  struct Line {
+    std::string service;
+    std::string type;
+    std::unique_ptr<Writer> writer;
+    std::unique_ptr<Reader> reader;
+  };
+  /// A call that is waiting.
+  struct Call {
+    ParticipantId server{};
+    bool gone = false;
+    std::optional<ReplyHeader> header;
+    std::vector<std::byte> message;
+  };
+  class CallScope;
+
+  CallResult callOwn(const std::string& service, const Message& request, Message& reply, TimePoint deadline);
+  CallResult callOther(const std::string& service, const Message& request, Message& reply, TimePoint deadline);
+  Line& lineTo(const std::string& service, const std::string& type);
+  std::optional<ParticipantId> waitForServer(const Line& line, TimePoint deadline);
+  std::string otherTypes(const Line& line) const;
+  void receive(const Line& line, const ParticipantId& sender, std::span<const std::byte> payload);
+  void changed();
+
+  Network* network_;
+  ServiceServer& own_;
+  std::mutex setUp_;
+  std::map<std::string, std::unique_ptr<Line>> lines_;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::map<std::uint64_t, Call> calls_;
+  std::uint64_t nextCall_ = 0;
+};
+
+}  // namespace pongsim::transport

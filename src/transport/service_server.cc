@@ -1,0 +1,235 @@
+#include "transport/service_server.hh"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+
+#include "msgs/bytes.hh"
+#include "pongsim/log.hh"
+#include "transport/network.hh"
+#include "transport/payload.hh"
+#include "transport/service_name.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+// What may wait for one service's `dispatch`.
+constexpr std::size_t kMaximumRequests = 1000;
+constexpr std::size_t kMaximumBytes = 32 << 20;
+
+// A caller whose reader has not been found by then has gone.
+constexpr std::chrono::seconds kPatience{10};
+
+// How long the end of a service waits for its last replies to arrive.
+constexpr std::chrono::milliseconds kFarewell{500};
+
+constexpr ParticipantId kOwn{};
+
+const Logger& log() {
+  static const Logger logger("transport");
+  return logger;
+}
+
+std::string knownType(std::string_view type) {
+  if (std::optional<std::string> name = messageTypeName(type)) return *std::move(name);
+  throw std::invalid_argument("there is no message type '" + std::string(type) + "'");
+}
+
+}  // namespace
+
+Offer::Offer(std::string service, std::string typeOfRequest, std::string typeOfReply, ServiceHandler function)
+    : name(std::move(service)),
+      requestType(std::move(typeOfRequest)),
+      replyType(std::move(typeOfReply)),
+      handler(std::move(function)),
+      request(newMessage(requestType)),
+      reply(newMessage(replyType)) {}
+
+Offer::~Offer() = default;
+
+ServiceServer::ServiceServer(Network* network, std::function<void()> arrived, AnswerOwn answerOwn)
+    : network_(network), arrived_(std::move(arrived)), answerOwn_(std::move(answerOwn)) {}
+
+ServiceServer::~ServiceServer() = default;
+
+Offer& ServiceServer::add(std::string_view service, std::string_view requestType, std::string_view replyType,
+                          ServiceHandler handler) {
+  auto owned = std::make_unique<Offer>(absoluteService(service), knownType(requestType), knownType(replyType),
+                                       std::move(handler));
+  Offer& offer = *owned;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!offers_.try_emplace(offer.name, std::move(owned)).second) {
+      throw std::invalid_argument("service '" + std::string(service) + "' is offered already");
+    }
+  }
+  if (network_ == nullptr) return offer;
+  const std::string type = serviceType(offer.requestType, offer.replyType);
+  try {
+    // the way back first: who finds the service finds all of it soon
+    offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this] { wake(); });
+    offer.reader = network_->makeReader(
+        requestTopic(offer.name), type,
+        [this, &offer](const ParticipantId& sender, auto payload) { receive(offer, sender, payload); });
+  } catch (...) {
+    end(offer, false);
+    throw;
+  }
+  return offer;
+}
+
+void ServiceServer::end(Offer& offer, bool inDispatch) {
+  std::unique_ptr<Offer> owned;
+  std::deque<Offer::Request> unanswered;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = offers_.find(offer.name);
+    owned = std::move(found->second);
+    offers_.erase(found);
+    offer.ended = true;
+    unanswered.swap(offer.waiting);
+  }
+  for (const Offer::Request& request : unanswered) {
+    if (request.client == kOwn) answerOwn_(request.call, std::nullopt, {});
+  }
+  // a caller takes it that there will be no reply when the reader of requests has gone
+  if (offer.writer) offer.writer->waitForAcknowledgement(kFarewell);
+  if (offer.reader) network_->end(std::move(offer.reader));
+  if (offer.writer) network_->end(std::move(offer.writer));
+  if (inDispatch) endedInDispatch_.push_back(std::move(owned));
+}
+
+std::optional<std::pair<std::string, std::string>> ServiceServer::typesOf(const std::string& service) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = offers_.find(service);
+  if (found == offers_.end()) return std::nullopt;
+  return std::pair(found->second->requestType, found->second->replyType);
+}
+
+void ServiceServer::wake() {
+  waiting_ = true;
+  arrived_();
+}
+
+void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload) {
+  std::optional<std::span<const std::byte>> message = messageInPayload(payload);
+  const std::optional<RequestHeader> header = message ? readRequestHeader(*message) : std::nullopt;
+  if (!header) {
+    complain(offer, sender, "is damaged");
+    return;
+  }
+  if (header->server != network_->id() || offer.ended) return;
+  if (!enqueue(offer,
+               {0, sender, header->call, std::chrono::steady_clock::now(), {message->begin(), message->end()}})) {
+    complain(offer, sender, "is one too many");
+    return;
+  }
+  wake();
+}
+
+bool ServiceServer::enqueue(Offer& offer, Offer::Request request) {
+  const std::lock_guard lock(mutex_);
+  if (offer.ended || offer.waiting.size() >= kMaximumRequests) return false;
+  if (!offer.waiting.empty() && offer.waitingBytes + request.message.size() > kMaximumBytes) return false;
+  request.number = nextNumber_++;
+  offer.waitingBytes += request.message.size();
+  offer.waiting.push_back(std::move(request));
+  return true;
+}
+
+bool ServiceServer::post(const std::string& service, std::uint64_t call, std::vector<std::byte> message) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = offers_.find(service);
+    if (found == offers_.end() || found->second->waiting.size() >= kMaximumRequests) return false;
+    found->second->waitingBytes += message.size();
+    found->second->waiting.push_back({nextNumber_++, kOwn, call, std::chrono::steady_clock::now(), std::move(message)});
+  }
+  wake();
+  return true;
+}
+
+/// Moves those whose answers would arrive to `ready`, and drops those that nobody waits for any more.
+void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready) {
+  const TimePoint tooOld = std::chrono::steady_clock::now() - kPatience;
+  std::erase_if(offer.waiting, [&](Offer::Request& request) {
+    const bool isReady = request.client == kOwn || (offer.writer && offer.writer->hasReaderOf(request.client));
+    if (!isReady && request.came >= tooOld) return false;
+    offer.waitingBytes -= request.message.size();
+    if (isReady) ready.push_back({&offer, std::move(request)});
+    return true;
+  });
+}
+
+std::size_t ServiceServer::dispatch() {
+  // before it is looked at: what comes from now on sets it again
+  if (!waiting_.exchange(false)) return 0;
+  std::vector<Ready> ready;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [name, offer] : offers_) takeReady(*offer, ready);
+  }
+  std::ranges::sort(ready, {}, [](const Ready& each) { return each.request.number; });
+  for (const Ready& each : ready) {
+    if (each.offer->ended) {
+      if (each.request.client == kOwn) answerOwn_(each.request.call, std::nullopt, {});
+    } else {
+      handle(*each.offer, each.request);
+    }
+  }
+  endedInDispatch_.clear();
+  return ready.size();
+}
+
+void ServiceServer::handle(Offer& offer, const Offer::Request& request) {
+  if (!msgs::parseBytes(request.message, *offer.request)) {
+    complain(offer, request.client, "is no " + offer.requestType);
+    answer(offer, request, ServiceAnswer::refused("the request is no " + offer.requestType));
+    return;
+  }
+  answer(offer, request, ask(offer));
+}
+
+ServiceAnswer ServiceServer::ask(Offer& offer) {
+  // as new, without knowing its class
+  msgs::parseBytes({}, *offer.reply);
+  try {
+    return offer.handler(*offer.request, *offer.reply);
+  } catch (const std::exception& error) {
+    log().error("service '" + offer.name + "': " + error.what());
+    return ServiceAnswer::refused(error.what());
+  }
+}
+
+void ServiceServer::answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer) {
+  const ReplyHeader header{request.client, request.call, answer.done, answer.reason};
+  std::vector<std::byte> message(answer.done ? msgs::byteSize(*offer.reply) : 0);
+  if (message.size() > kMaximumMessage) {
+    this->answer(offer, request, ServiceAnswer::refused("the reply is too large to send"));
+    return;
+  }
+  if (answer.done) msgs::writeBytes(*offer.reply, message);
+  if (request.client == kOwn) {
+    answerOwn_(request.call, header, message);
+  } else if (offer.writer) {
+    offer.writer->write(headerSize(header) + message.size(), [&](std::span<std::byte> place) {
+      std::ranges::copy(message, writeHeader(header, place).begin());
+    });
+  }
+}
+
+void ServiceServer::complain(Offer& offer, const ParticipantId& sender, std::string_view what) {
+  std::optional<std::uint64_t> unmentioned;
+  {
+    const std::lock_guard lock(mutex_);
+    unmentioned = offer.complaints.pass(std::chrono::steady_clock::now());
+  }
+  if (!unmentioned) return;
+  const int pid = network_ != nullptr ? network_->directory().pidOf(sender) : 0;
+  log().warning("service '" + offer.name + "': a request from " +
+                (sender == kOwn ? "this process" : "process " + std::to_string(pid)) + " " + std::string(what) +
+                "; dropped" + (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
+}
+
+}  // namespace pongsim::transport

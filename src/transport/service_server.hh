@@ -1,0 +1,117 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pongsim/service.hh"
+#include "transport/complaint_limit.hh"
+#include "transport/deadline.hh"
+#include "transport/inbox.hh"
+#include "transport/service_payload.hh"
+
+namespace pongsim::transport {
+
+class Network;
+class Reader;
+class Writer;
+
+/// A service that this transport offers.
+class Offer {
+ public:
+  Offer(std::string service, std::string typeOfRequest, std::string typeOfReply, ServiceHandler function);
+  ~Offer();
+
+  const std::string name;
+  const std::string requestType;
+  const std::string replyType;
+  const ServiceHandler handler;
+  MessagePointer request;
+  MessagePointer reply;
+  std::unique_ptr<Writer> writer;
+  std::unique_ptr<Reader> reader;
+
+  struct Request {
+    /// Counts from the start, over all services.
+    std::uint64_t number = 0;
+    /// All zeros for a call from this transport.
+    ParticipantId client{};
+    std::uint64_t call = 0;
+    TimePoint came;
+    std::vector<std::byte> message;
+  };
+  /// What waits for `dispatch`; these are guarded by the server's mutex.
+  std::deque<Request> waiting;
+  std::size_t waitingBytes = 0;
+  ComplaintLimit complaints;
+  std::atomic<bool> ended = false;
+};
+
+/// The services that a transport offers. A request waits until `dispatch`, and until the service's writer knows the
+/// caller's reader: a reply sent before would be lost. Set-up and `dispatch` are for one thread at a time; DDS threads
+/// take the mutex only, which is never held while DDS is called.
+class ServiceServer {
+ public:
+  /// Takes the answer to a call from this transport; nothing stands for a service that has gone.
+  using AnswerOwn =
+      std::function<void(std::uint64_t call, const std::optional<ReplyHeader>&, std::span<const std::byte> message)>;
+
+  /// @param network Null for a transport of this process only.
+  /// @param arrived Called from any thread when there is something to dispatch.
+  ServiceServer(Network* network, std::function<void()> arrived, AnswerOwn answerOwn);
+  ~ServiceServer();
+
+  /// @throws std::invalid_argument for a bad name, an unknown type, or a name that is taken.
+  Offer& add(std::string_view service, std::string_view requestType, std::string_view replyType,
+             ServiceHandler handler);
+  /// @param inDispatch Whether a function that `dispatch` called is still running.
+  void end(Offer& offer, bool inDispatch);
+
+  /// @return Request and reply type of a service offered here, or nothing.
+  std::optional<std::pair<std::string, std::string>> typesOf(const std::string& service) const;
+
+  /// Puts a request of this transport into the queue.
+  /// @return False where there is no such service any more or no room.
+  bool post(const std::string& service, std::uint64_t call, std::vector<std::byte> message);
+
+  bool waiting() const { return waiting_.load(std::memory_order_relaxed); }
+  std::size_t dispatch();
+
+ private:
+  struct Ready {
+    Offer* offer;
+    Offer::Request request;
+  };
+
+  void receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload);
+  bool enqueue(Offer& offer, Offer::Request request);
+  void takeReady(Offer& offer, std::vector<Ready>& ready);
+  void handle(Offer& offer, const Offer::Request& request);
+  ServiceAnswer ask(Offer& offer);
+  void answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer);
+  void complain(Offer& offer, const ParticipantId& sender, std::string_view what);
+  void wake();
+
+  Network* network_;
+  std::function<void()> arrived_;
+  AnswerOwn answerOwn_;
+  std::vector<std::unique_ptr<Offer>> endedInDispatch_;
+
+  mutable std::mutex mutex_;
+  std::map<std::string, std::unique_ptr<Offer>> offers_;
+  std::uint64_t nextNumber_ = 0;
+  std::atomic<bool> waiting_ = false;
+};
+
+}  // namespace pongsim::transport

@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "integration/program.hh"
+
+namespace pongsim::test {
+namespace {
+
+TEST(Msg, ListsTheTypesSorted) {
+  const Outcome list = runToEnd({"msg", "-l"});
+  EXPECT_EQ(list.exitCode, 0) << list.error;
+  const std::vector<std::string> types = lines(list.output);
+  EXPECT_TRUE(std::is_sorted(types.begin(), types.end()));
+  EXPECT_TRUE(std::binary_search(types.begin(), types.end(), "ignition.msgs.Twist")) << list.output;
+}
+
+TEST(Msg, PrintsADefinition) {
+  const Outcome info = runToEnd({"msg", "-i", "Boolean"});
+  EXPECT_EQ(info.exitCode, 0) << info.error;
+  EXPECT_EQ(info.output,
+            "// ignition.msgs.Boolean\nmessage Boolean {\n  .ignition.msgs.Header header = 1;\n  bool data = 2;\n}\n");
+}
+
+TEST(Msg, GuessesTheTypeThatWasMeant) {
+  const Outcome wrong = runToEnd({"msg", "-i", "ignition.msgs.Twst"});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_NE(wrong.error.find("did you mean 'ignition.msgs.Twist'?"), std::string::npos) << wrong.error;
+  EXPECT_EQ(runToEnd({"msg"}).exitCode, 2);
+}
+
+}  // namespace
+}  // namespace pongsim::test

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "integration/program.hh"
+
+namespace pongsim::test {
+namespace {
+
+constexpr const char* kControl = "/world/pong_world/control";
+
+Outcome call(const std::string& service, const std::string& request, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments = {"service", "-s", service, "--req", request};
+  // a long wait for those who answer soon, so that a busy machine breaks nothing
+  if (std::ranges::count(more, "--timeout") == 0) more.insert(more.end(), {"--timeout", "60000"});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return runToEnd(arguments);
+}
+
+/// The pong world, paused.
+class Services : public testing::Test {
+ protected:
+  std::unique_ptr<Process> world_ = startServedWorld("pong_world.sdf", {"--paused"});
+};
+
+TEST_F(Services, AreListedSorted) {
+  const Outcome list = runToEnd({"service", "-l"});
+  EXPECT_EQ(list.exitCode, 0) << list.error;
+  const std::vector<std::string> names = lines(list.output);
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  for (const char* name : {"/gazebo/worlds", "/server_control", kControl}) {
+    EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name)) << name << "\n" << list.output;
+  }
+}
+
+TEST_F(Services, TellWhoOffersThem) {
+  const Outcome info = runToEnd({"service", "-is", kControl});
+  EXPECT_EQ(info.exitCode, 0) << info.error;
+  EXPECT_EQ(info.output, "Service providers [Process, Request Message Type, Response Message Type]:\n  " +
+                             std::to_string(world_->pid()) + ", ignition.msgs.WorldControl, ignition.msgs.Boolean\n");
+}
+
+TEST_F(Services, AnswerWithAndWithoutTheirTypes) {
+  const Outcome short_ = call(kControl, "pause: true");
+  EXPECT_EQ(short_.exitCode, 0) << short_.error;
+  EXPECT_EQ(short_.output, "data: true\n\n");
+  const Outcome full =
+      call(kControl, "pause: true",
+           {"--reqtype", "ignition.msgs.WorldControl", "--reptype", "gz.msgs.Boolean", "--timeout", "60000"});
+  EXPECT_EQ(full.exitCode, 0) << full.error;
+  EXPECT_EQ(full.output, "data: true\n\n");
+  EXPECT_EQ(call("/gazebo/worlds", "").output, "data: \"pong_world\"\n\n");
+}
+
+TEST_F(Services, SayFalseToWhatCannotBeDone) {
+  const Outcome reset = call(kControl, "reset: {all: true}");
+  EXPECT_EQ(reset.exitCode, 0) << reset.error;
+  EXPECT_EQ(reset.output, "\n");
+  EXPECT_EQ(reset.error, "pongsim: the reply, ignition.msgs.Boolean, has nothing but default values\n");
+  EXPECT_TRUE(world_->waitForError("/world/pong_world/control: a world cannot be reset")) << world_->error();
+}
+
+TEST_F(Services, FailWithAReason) {
+  const Outcome unknown = call("/world/pong_world/contrl", "pause: true", {"--timeout", "100"});
+  EXPECT_EQ(unknown.exitCode, 1);
+  EXPECT_EQ(unknown.error,
+            "pongsim: error: no service /world/pong_world/contrl\n  hint: did you mean '/world/pong_world/control'?\n");
+  EXPECT_EQ(runToEnd({"service", "-is", "/world/pong_world/contrl"}).error, unknown.error);
+  const Outcome other = call(kControl, "data: 1", {"--reqtype", "Int32", "--reptype", "Boolean", "--timeout", "60000"});
+  EXPECT_EQ(other.exitCode, 1);
+  EXPECT_EQ(other.error,
+            "pongsim: error: service '/world/pong_world/control' takes ignition.msgs.WorldControl and answers "
+            "ignition.msgs.Boolean\n");
+  const Outcome text = call(kControl, "paus: true");
+  EXPECT_EQ(text.exitCode, 2);
+  EXPECT_NE(text.error.find("did you mean 'pause'?"), std::string::npos) << text.error;
+}
+
+TEST_F(Services, FailInTimeWhereNobodyAnswers) {
+  world_->kill(SIGSTOP);
+  const Outcome silent =
+      call(kControl, "pause: true", {"--reqtype", "WorldControl", "--reptype", "Boolean", "--timeout", "300"});
+  world_->kill(SIGCONT);
+  EXPECT_EQ(silent.exitCode, 1);
+  EXPECT_TRUE(silent.error.starts_with("pongsim: error: ")) << silent.error;
+}
+
+TEST_F(Services, EndTheRun) {
+  EXPECT_EQ(call("/server_control", "stop: true").output, "data: true\n\n");
+  EXPECT_EQ(world_->wait(), 0);
+}
+
+TEST(ServicesAlone, SayThatNobodyOffersOne) {
+  const Outcome list = runToEnd({"service", "-l"});
+  EXPECT_EQ(list.exitCode, 0);
+  EXPECT_EQ(list.output, "");
+  EXPECT_EQ(list.error, "pongsim: no services: nobody offers one\n");
+}
+
+}  // namespace
+}  // namespace pongsim::test

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <regex>
+#include <string>
+
+#include "integration/program.hh"
+
+namespace pongsim::test {
+namespace {
+
+/// @return Where the run stands: "simulated 0.100 s, ..., 100 iterations, paused".
+std::string state() {
+  const Outcome stats = runToEnd({"world", "stats", "-n", "1", "--timeout", "60000"});
+  EXPECT_EQ(stats.exitCode, 0) << stats.error;
+  return stats.output;
+}
+
+int ask(std::vector<std::string> action) {
+  action.insert(action.begin(), "world");
+  action.insert(action.end(), {"--timeout", "60000"});
+  const Outcome outcome = runToEnd(action);
+  EXPECT_EQ(outcome.output + outcome.error, "");
+  return outcome.exitCode;
+}
+
+TEST(World, IsSteppedPlayedAndPaused) {
+  const auto world = startServedWorld("pong_world.sdf", {"--paused"});
+  EXPECT_EQ(ask({"step", "100"}), 0);
+  EXPECT_TRUE(std::regex_match(state(), std::regex("simulated 0\\.100 s, real \\d+\\.\\d{3} s, factor \\d+\\.\\d{3}, "
+                                                   "100 iterations, paused\n")))
+      << state();
+  EXPECT_EQ(ask({"step"}), 0);
+  EXPECT_NE(state().find(" 101 iterations, paused"), std::string::npos);
+  EXPECT_EQ(ask({"play"}), 0);
+  EXPECT_NE(state().find(" iterations, running"), std::string::npos);
+  EXPECT_EQ(ask({"pause"}), 0);
+  EXPECT_EQ(ask({"step", "1"}), 0);
+  EXPECT_NE(state().find(" iterations, paused"), std::string::npos);
+}
+
+TEST(World, EndsAfterItsIterationsOnceItIsPlayed) {
+  const auto world = startServedWorld("pong_world.sdf", {"--paused", "--iterations", "50", "--hash"});
+  EXPECT_EQ(ask({"play"}), 0);
+  EXPECT_EQ(world->wait(), 0);
+  const Outcome unpaused = runToEnd({"run", ownWorld("pong_world.sdf"), "-z", "0", "--iterations", "50", "--hash"});
+  EXPECT_EQ(world->output(), unpaused.output);
+}
+
+TEST(World, IsChosenWhereSeveralRun) {
+  const auto first = startServedWorld("pong_world.sdf", {"--paused"});
+  EXPECT_EQ(ask({"pause", "-w", "pong_world"}), 0);
+  const Outcome wrong = runToEnd({"world", "pause", "-w", "ping_world", "--timeout", "0"});
+  EXPECT_EQ(wrong.exitCode, 1);
+  EXPECT_EQ(wrong.error, "pongsim: error: no world 'ping_world' runs\n  hint: did you mean 'pong_world'?\n");
+  const auto second = startWorld("building_robot.sdf", {"--paused"});
+  const Outcome list = runToEnd({"topic", "-et", "/world/building_robot/clock", "-n", "1"});
+  EXPECT_EQ(list.exitCode, 0);
+  const Outcome either = runToEnd({"world", "pause"});
+  EXPECT_EQ(either.exitCode, 1);
+  EXPECT_TRUE(either.error.starts_with("pongsim: error: several worlds run: ")) << either.error;
+}
+
+TEST(World, StatsEndAtASignal) {
+  const auto world = startServedWorld("pong_world.sdf");
+  const auto stats = start({"world", "stats", "--timeout", "60000"});
+  ASSERT_TRUE(stats->waitForOutput("running\n.*running\n")) << stats->error();
+  stats->kill(SIGINT);
+  EXPECT_EQ(stats->wait(), 0) << stats->error();
+}
+
+TEST(World, IsMissedWhereNoneRuns) {
+  const Outcome none = runToEnd({"world", "play", "--timeout", "0"});
+  EXPECT_EQ(none.exitCode, 1);
+  EXPECT_EQ(none.error, "pongsim: error: no world runs\n  hint: start one with pongsim run WORLD\n");
+}
+
+}  // namespace
+}  // namespace pongsim::test
