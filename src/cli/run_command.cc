@@ -101,8 +101,9 @@ void addRunCommand(CLI::App& program, Work& work) {
   command->set_help_flag("-h,--help", "Print this and end");
   command
       ->add_option("WORLD", options->world,
-                   "World file: a path, or a name in the folders of IGN_GAZEBO_RESOURCE_PATH,\n"
-                   "GZ_SIM_RESOURCE_PATH or in pongsim's own")
+                   "World file, or one with a model: a path, or a name in the folders of\n"
+                   "PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH\n"
+                   "or in pongsim's own")
       ->type_name("")
       ->required();
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
