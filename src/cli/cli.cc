@@ -21,7 +21,7 @@ namespace pongsim::cli {
 
 namespace {
 
-constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand, addTopicCommand};
+constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand, addTopicCommand, addSdfCommand};
 
 bool isOption(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
 

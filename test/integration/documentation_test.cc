@@ -71,5 +71,12 @@ TEST_F(DocumentationTest, ExamplesOfTheTopicCommandWork) {
   EXPECT_NE(output_.find("{\"system\":{"), std::string::npos) << output_;
 }
 
+TEST_F(DocumentationTest, ExamplesOfTheSdfCommandWork) {
+  std::string script = "set -e\n";
+  for (const std::string& line : codeLines("docs/cli.md", "## pongsim sdf --check FILE...")) script += line + "\n";
+  run(script);
+  EXPECT_TRUE(output_.starts_with("Valid.\n[")) << output_;
+}
+
 }  // namespace
 }  // namespace pongsim
