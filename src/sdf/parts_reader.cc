@@ -142,7 +142,10 @@ void PartsReader::readLightPart(const Element& element, const Source& source) {
 void PartsReader::readInclude(const Element& include, const Source& source) {
   const bool merges = isMerge(include, source.context);
   const bool isOpen = context_.includes.follow(include, source.context, [&](const Element& included, Context& context) {
-    if (!merges) {
+    if (included.name == "light" && isModel_) {
+      source.context.diagnostics.warning(include.position, "a light can't stand in a model: it is left out",
+                                         "it can stand in a <link> or in the world");
+    } else if (!merges) {
       readPart(included, {context, source.modelFrame, &include.position});
     } else if (included.name == "model" && isModel_) {
       readMerged(included, include.position, source.modelFrame, context);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "sdf/environment_reader.hh"
 #include "sdf/names.hh"
 #include "sdf/parts_reader.hh"
 #include "sdf/physics_reader.hh"
@@ -29,6 +30,7 @@ description::World readWorld(const Element& element, Context& context) {
   world.position = element.position;
   world.gravity = readGravity(element, context);
   world.physics = readPhysics(element, context);
+  world.environment = readEnvironment(element, context);
 
   Scope scope("world", world.name.empty() ? "a world" : "world '" + world.name + "'");
   scope.setCanonicalLink("world");

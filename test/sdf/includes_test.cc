@@ -99,6 +99,14 @@ TEST_F(IncludesTest, BringInLights) {
                      "model"});
 }
 
+TEST_F(IncludesTest, LeaveOutALightInAModelWithAWarning) {
+  write("sun.sdf", "<light name='sun' type='directional'/>");
+  EXPECT_EQ(
+      loadModelWith("<link name='l'/><include><uri>sun.sdf</uri></include>").messages,
+      Messages{"DIR/w.sdf:3:17: warning: a light can't stand in a model: it is left out | it can stand in a <link> "
+               "or in the world"});
+}
+
 TEST_F(IncludesTest, LeaveOutActorsWithAWarning) {
   write("a.sdf", "<actor name='a'/>");
   EXPECT_EQ(loadWorldWith("<include><uri>a.sdf</uri></include>").messages,
@@ -267,8 +275,8 @@ TEST_F(IncludesTest, MergeByAPlacementFrameAndWithinAMergedModel) {
 
 TEST_F(IncludesTest, MergeOnlyModelsAndOnlyIntoModels) {
   writeModel("arm", "<link name='a'/>");
-  write("sun.sdf", "<light name='s' type='point'/>");
-  EXPECT_EQ(loadModelWith("<link name='a'/>\n<include merge='true'><uri>sun.sdf</uri></include>\n"
+  write("actor.sdf", "<actor name='s'/>");
+  EXPECT_EQ(loadModelWith("<link name='a'/>\n<include merge='true'><uri>actor.sdf</uri></include>\n"
                           "<include merge='x'><uri>arm</uri></include>\n"
                           "<include merge='true'><uri>arm</uri><name>other</name></include>")
                 .messages,
