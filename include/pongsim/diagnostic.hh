@@ -28,16 +28,24 @@ struct Diagnostic {
   std::string message;
   /// One line of help, or empty.
   std::string hint;
+  /// Where the file of `position` is included, where that file is included, and so on; empty for the file that the user
+  /// named.
+  std::vector<SourcePosition> includedFrom = {};
 };
 
-/// @return "world.sdf:41:9: error: joint 'j' has no <child>", and the hint on a second line.
+/// @return "world.sdf:41:9: error: joint 'j' has no <child>", and below it the hint and where the file is included.
 PONGSIM_API std::string format(const Diagnostic& diagnostic);
+
+/// As `format`, with the line of the source and a mark under the diagnostic's column below the first line.
+/// @param sourceLine Line `position.line` of the file, in UTF-8, without its end. A long one is shown in part.
+PONGSIM_API std::string format(const Diagnostic& diagnostic, std::string_view sourceLine);
 
 /// What was found wrong while reading something, in the order in which it was found.
 class PONGSIM_API Diagnostics {
  public:
   void error(SourcePosition position, std::string message, std::string hint = {});
   void warning(SourcePosition position, std::string message, std::string hint = {});
+  void add(Diagnostic diagnostic);
 
   bool hasErrors() const { return errorCount_ > 0; }
   const std::vector<Diagnostic>& all() const { return all_; }

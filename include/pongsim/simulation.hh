@@ -31,7 +31,8 @@ struct SimulationOptions {
 /// One world, from its file, with its bodies and systems. Belongs to one thread at a time.
 class PONGSIM_API Simulation {
  public:
-  /// Loads a world file. What is wrong with it is added to `diagnostics`.
+  /// Loads a world file, or one with a model at its root, which gets a world with a ground plane and the sun. What is
+  /// wrong with it is added to `diagnostics`.
   /// @return Null if there was an error.
   static std::unique_ptr<Simulation> fromFile(const std::filesystem::path& file, const SimulationOptions& options,
                                               Diagnostics& diagnostics);

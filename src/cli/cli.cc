@@ -21,8 +21,8 @@ namespace pongsim::cli {
 
 namespace {
 
-constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand,   addTopicCommand, addServiceCommand,
-                                                   addWorldCommand, addKeyCommand,   addMsgCommand};
+constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand, addTopicCommand, addServiceCommand, addWorldCommand,
+                                                   addKeyCommand, addMsgCommand,   addSdfCommand};
 
 bool isOption(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
 

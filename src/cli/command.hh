@@ -15,6 +15,7 @@ using Work = std::function<int()>;
 /// Each adds its subcommand to `program`, which sets `work` where the user names it. Both must stay until the work
 /// is done.
 void addRunCommand(CLI::App& program, Work& work);
+void addSdfCommand(CLI::App& program, Work& work);
 void addTopicCommand(CLI::App& program, Work& work);
 void addServiceCommand(CLI::App& program, Work& work);
 void addWorldCommand(CLI::App& program, Work& work);

@@ -1,4 +1,5 @@
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -7,6 +8,7 @@
 
 #include "cli/command.hh"
 #include "cli/console.hh"
+#include "cli/diagnostic_report.hh"
 #include "cli/number_option.hh"
 #include "cli/stop_signal.hh"
 #include "cli/world_file.hh"
@@ -34,18 +36,6 @@ std::string shortNumber(double value) {
   return text;
 }
 
-/// Says what was found wrong with the world, as far as the user wants to know.
-/// @return The number of errors.
-std::size_t report(const Diagnostics& diagnostics) {
-  std::size_t errors = 0;
-  for (const Diagnostic& diagnostic : diagnostics.all()) {
-    const bool isError = diagnostic.severity == Severity::kError;
-    if (isError) ++errors;
-    if (isError || logLevel() >= LogLevel::kWarning) std::fprintf(stderr, "%s\n", format(diagnostic).c_str());
-  }
-  return errors;
-}
-
 std::string describe(Simulation& simulation, const sim::RunOptions& options) {
   World world = simulation.world();
   const std::size_t models = world.models().size();
@@ -69,8 +59,9 @@ int runWorld(const Options& options) {
   Diagnostics diagnostics;
   const std::unique_ptr<Simulation> simulation =
       Simulation::fromFile(findWorldFile(options.world), {.seed = options.seed, .transport = &transport}, diagnostics);
-  const std::size_t errors = report(diagnostics);
+  say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr) {
+    const auto errors = std::ranges::count(diagnostics.all(), Severity::kError, &Diagnostic::severity);
     say(std::to_string(errors) + (errors == 1 ? " error" : " errors"));
     return kFailed;
   }
@@ -101,8 +92,9 @@ void addRunCommand(CLI::App& program, Work& work) {
   command->set_help_flag("-h,--help", "Print this and end");
   command
       ->add_option("WORLD", options->world,
-                   "World file: a path, or a name in the folders of IGN_GAZEBO_RESOURCE_PATH,\n"
-                   "GZ_SIM_RESOURCE_PATH or in pongsim's own")
+                   "World file, or one with a model: a path, or a name in the folders of\n"
+                   "PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH\n"
+                   "or in pongsim's own")
       ->type_name("")
       ->required();
   const auto addFlag = [command](const char* name, bool& target, const char* description) {

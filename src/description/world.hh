@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "description/environment.hh"
 #include "description/model.hh"
 #include "description/plugin.hh"
 #include "pongsim/types.hh"
@@ -31,6 +32,7 @@ struct World {
   /// World frame [m/s^2].
   Vector3 gravity{0, 0, -9.8};
   PhysicsProfile physics;
+  Environment environment;
   std::vector<Model> models;
   std::vector<Light> lights;
   /// Joints that connect models at the world's level.

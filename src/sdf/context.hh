@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -7,13 +8,19 @@
 
 namespace pongsim::sdf {
 
+class Includes;
+
 /// What the readers of one file share.
 struct Context {
   Diagnostics& diagnostics;
+  /// Opens the files that this one includes.
+  Includes& includes;
   /// The file is written in SDF 1.`version`.
   int version = 9;
+  /// The file's folder.
+  std::filesystem::path folder = {};
   /// Subjects of warnings that are given once a file.
-  std::set<std::string> said;
+  std::set<std::string> said = {};
   /// How many more unknown names are worth a search for one that is spelt alike, which takes its time.
   int searchesLeft = 50;
 

@@ -164,7 +164,8 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
   return draft;
 }
 
-description::Joint finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry, Context& context) {
+std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry,
+                                              Context& context) {
   description::Joint joint = std::move(draft.joint);
   const std::string label = labelOf(joint);
   const Pose& X_ScopeJoint = scope.pose(entry);
@@ -195,10 +196,12 @@ description::Joint finishJoint(JointDraft&& draft, const Scope& scope, std::size
     }
     joint.parent = parent ? parent->link : "";
     joint.X_ParentJoint = poseOf(joint.parent).inverse() * X_ScopeJoint;
+    // Fortress loads such a joint, and nothing moves by it
     if (!joint.parent.empty() && joint.parent == joint.child) {
-      context.diagnostics.error(draft.child.position, "parent '" + draft.parent.name + "' and child '" +
-                                                          draft.child.name + "' of " + label + " are the same link '" +
-                                                          joint.child + "'");
+      context.diagnostics.warning(
+          draft.child.position, "parent '" + draft.parent.name + "' and child '" + draft.child.name + "' of " + label +
+                                    " are the same link '" + joint.child + "': the joint is left out");
+      return std::nullopt;
     }
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
 /// Completes the joint's links, poses and axes. Where the parent is the world and the scope is a model's,
 /// `X_ParentJoint` is the pose in the model frame, for the model's place in the world is not known yet.
 /// @param entry The joint's number in the scope, which is resolved.
-description::Joint finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry, Context& context);
+/// @return Nothing, and a warning added, where it ties a link to itself.
+std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry,
+                                              Context& context);
 
 }  // namespace pongsim::sdf

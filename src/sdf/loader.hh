@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assets/finder.hh"
 #include "description/world.hh"
 #include "pongsim/diagnostic.hh"
 
@@ -12,13 +13,20 @@ namespace pongsim::sdf {
 /// What an SDF file describes.
 struct Root {
   std::vector<description::World> worlds;
+  /// Those outside of any world, as if they stood in one of their own.
+  std::vector<description::Model> models;
+  std::vector<description::Light> lights;
 };
 
-/// Reads a file. All that is wrong with it is added to `diagnostics`, in one go; what the result holds is of use
-/// only if there was no error.
-Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// Reads a file and all that it includes. All that is wrong with them is added to `diagnostics`, in one go; what the
+/// result holds is of use only if there was no error.
+/// @param finder Finds the files that are included.
+Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics,
+              const assets::Finder& finder = assets::finderFromEnvironment());
 
-/// As `loadFile`, from text; `name` stands in the diagnostics.
-Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics);
+/// As `loadFile`, from text.
+/// @param name Stands in the diagnostics; its folder is that of the text.
+Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics,
+              const assets::Finder& finder = assets::finderFromEnvironment());
 
 }  // namespace pongsim::sdf

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "sdf/includes.hh"
 #include "sdf/names.hh"
 #include "sdf/parts_reader.hh"
 
@@ -31,6 +32,7 @@ bool hasChild(const Element& element, std::string_view name) { return element.ch
 ModelDraft readModel(const Element& element, const std::string& owner, bool isInStatic, Context& context) {
   ModelDraft draft;
   description::Model& model = draft.model;
+  if (!context.includes.enterModel(element.position)) return draft;
   model.name = readName(element, owner, context);
   model.position = element.position;
   model.isStatic = readFlag(element, "static", false, context);
@@ -42,6 +44,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   draft.scope = std::make_unique<Scope>("__model__", label);
   PartsReader parts(*draft.scope, model.isStatic || isInStatic, context);
   parts.read(element);
+  context.includes.leaveModel();
   if (!model.isStatic && !hasChild(element, "link") && !hasChild(element, "model") && !hasChild(element, "include")) {
     context.diagnostics.error(element.position, label + " has no link",
                               "a model that is not static needs a <link>, which gives it a body");

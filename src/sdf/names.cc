@@ -26,20 +26,23 @@ std::string readName(const Element& element, std::string_view owner, Context& co
   return name;
 }
 
-void SiblingNames::claim(const std::string& name, std::string_view group, const Element& element, Context& context) {
+void SiblingNames::claim(const std::string& name, std::string_view group, std::string_view kind,
+                         const SourcePosition& position, Context& context) {
   if (name.empty()) return;
-  const auto [holder, isNew] =
-      holders_.try_emplace({std::string(group), name}, Holder{element.name, element.position.line});
+  const auto [found, isNew] = holders_.try_emplace({std::string(group), name}, Holder{std::string(kind), position});
   if (isNew) return;
-  const bool isSameKind = holder->second.kind == element.name;
-  const std::string message = element.name + " '" + name + "' has the same name as " +
-                              (isSameKind ? "another " + element.name : "a " + holder->second.kind) + " of " + owner_;
-  const std::string hint = "the first one is in line " + std::to_string(holder->second.line);
+  const Holder& holder = found->second;
+  const bool isSameKind = holder.kind == kind;
+  const std::string message = std::string(kind) + " '" + name + "' has the same name as " +
+                              (isSameKind ? "another " : "a ") + holder.kind + " of " + owner_;
+  const bool isSameFile = holder.position.file == position.file;
+  const std::string hint = "the first one is in " + (isSameFile ? "" : *holder.position.file + ", ") + "line " +
+                           std::to_string(holder.position.line);
   // Up to SDF 1.6 different kinds could share a name.
   if (!isSameKind && context.version <= 6) {
-    context.diagnostics.warning(element.position, message, hint);
+    context.diagnostics.warning(position, message, hint);
   } else {
-    context.diagnostics.error(element.position, message, hint);
+    context.diagnostics.error(position, message, hint);
   }
 }
 

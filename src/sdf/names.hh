@@ -23,12 +23,19 @@ class SiblingNames {
 
   /// Adds a name, and an error where it is taken already. An empty name is not looked at.
   /// @param group Kinds of one group share their names; kinds of different groups do not.
-  void claim(const std::string& name, std::string_view group, const Element& element, Context& context);
+  /// @param kind "link"
+  void claim(const std::string& name, std::string_view group, std::string_view kind, const SourcePosition& position,
+             Context& context);
+
+  /// As above, for an element of its own kind and place.
+  void claim(const std::string& name, std::string_view group, const Element& element, Context& context) {
+    claim(name, group, element.name, element.position, context);
+  }
 
  private:
   struct Holder {
     std::string kind;
-    int line;
+    SourcePosition position;
   };
   std::string owner_;
   std::map<std::pair<std::string, std::string>, Holder, std::less<>> holders_;

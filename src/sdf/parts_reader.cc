@@ -1,5 +1,9 @@
 #include "sdf/parts_reader.hh"
 
+#include <optional>
+#include <utility>
+
+#include "sdf/includes.hh"
 #include "sdf/model_reader.hh"
 #include "sdf/plugin_reader.hh"
 #include "sdf/unsimulated.hh"
@@ -10,6 +14,29 @@ namespace {
 
 // Links, joints, frames and models stand for frames, so no two may have the same name.
 constexpr std::string_view kFrames = "frame";
+constexpr std::string_view kModelFrame = "__model__";
+
+/// Puts `modelFrame`, if it is not empty, in place of the model frame that `name` names.
+void rename(std::string& name, const std::string& modelFrame) {
+  if (!modelFrame.empty() && name == kModelFrame) name = modelFrame;
+}
+
+/// As `rename`, where no name stands for the model frame too.
+void renameDefault(std::string& name, const std::string& modelFrame) {
+  if (name.empty()) name = modelFrame;
+  rename(name, modelFrame);
+}
+
+bool isMerge(const Element& include, Context& context) {
+  const Element::Attribute* attribute = include.attribute("merge");
+  if (attribute == nullptr) return false;
+  const std::optional<bool> flag = parseFlag(attribute->value);
+  if (!flag) {
+    context.diagnostics.error(attribute->position,
+                              "attribute 'merge' is '" + attribute->value + "', which is not 'true' or 'false'");
+  }
+  return flag.value_or(false);
+}
 
 }  // namespace
 
@@ -17,77 +44,158 @@ PartsReader::PartsReader(Scope& scope, bool isStatic, Context& context)
     : scope_(scope), isStatic_(isStatic), context_(context), names_(scope.label()) {}
 
 void PartsReader::read(const Element& holder) {
-  if (refuseIncludes(holder, context_)) scope_.setIncomplete();
-  const bool isWorld = holder.name == "world";
+  isModel_ = holder.name == "model";
+  const bool isRoot = holder.name == "sdf";
+  const Source source{context_};
   for (const Element& child : holder.children) {
-    if (child.name == "model") readModelPart(child);
-    if (child.name == "link" && !isWorld) readLinkPart(child);
-    if (child.name == "joint") readJointPart(child);
-    if (child.name == "frame") readFramePart(child);
-    if (child.name == "plugin") plugins_.push_back(readPlugin(child, scope_.label(), context_));
+    if (isRoot && child.name != "model" && child.name != "light" && child.name != "actor") continue;
+    readPart(child, source);
   }
-  warnOfUnsimulated(holder, context_);
 }
 
-void PartsReader::readModelPart(const Element& element) {
-  ModelDraft draft = readModel(element, scope_.label(), isStatic_, context_);
+void PartsReader::readPart(const Element& element, const Source& source) {
+  const std::string& kind = element.name;
+  if (kind == "model") return readModelPart(element, source);
+  if (kind == "link" && isModel_) return readLinkPart(element, source);
+  if (kind == "joint") return readJointPart(element, source);
+  if (kind == "frame") return readFramePart(element, source);
+  if (kind == "light" && !isModel_) return readLightPart(element, source);
+  if (kind == "include") return readInclude(element, source);
+  if (kind == "plugin") return plugins_.push_back(readPlugin(element, scope_.label(), source.context));
+  warnIfUnsimulated(element, source.context);
+}
+
+void PartsReader::readModelPart(const Element& element, const Source& source) {
+  ModelDraft draft = readModel(element, scope_.label(), isStatic_, source.context);
   description::Model& model = draft.model;
-  names_.claim(model.name, kFrames, element, context_);
+  const SourcePosition& position = source.includedFrom != nullptr ? *source.includedFrom : element.position;
+  names_.claim(model.name, kFrames, element.name, position, context_);
+  renameDefault(draft.pose.relativeTo, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kModel,
                                         .name = model.name,
-                                        .position = model.position,
+                                        .position = position,
                                         .pose = std::move(draft.pose),
                                         .attachedTo = {},
                                         .attachedToPosition = {},
                                         .inside = std::move(draft.scope),
                                         .placementFrame = std::move(draft.placementFrame)});
-  models_.push_back({std::move(model), entry});
+  models_.push_back({std::move(model), entry, &source.context});
 }
 
-void PartsReader::readLinkPart(const Element& element) {
-  LinkDraft draft = readLink(element, scope_.label(), isStatic_, context_);
-  names_.claim(draft.link.name, kFrames, element, context_);
+void PartsReader::readLinkPart(const Element& element, const Source& source) {
+  LinkDraft draft = readLink(element, scope_.label(), isStatic_, source.context);
+  names_.claim(draft.link.name, kFrames, element, source.context);
+  renameDefault(draft.pose.relativeTo, source.modelFrame);
+  for (LinkDraft::Part& part : draft.parts) rename(part.pose.relativeTo, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kLink,
                                         .name = draft.link.name,
                                         .position = draft.link.position,
                                         .pose = draft.pose,
                                         .attachedTo = {},
                                         .attachedToPosition = {}});
-  links_.push_back({std::move(draft), entry});
+  links_.push_back({std::move(draft), entry, &source.context});
 }
 
-void PartsReader::readJointPart(const Element& element) {
-  JointDraft draft = readJoint(element, scope_.label(), context_);
-  names_.claim(draft.joint.name, kFrames, element, context_);
+void PartsReader::readJointPart(const Element& element, const Source& source) {
+  JointDraft draft = readJoint(element, scope_.label(), source.context);
+  names_.claim(draft.joint.name, kFrames, element, source.context);
+  rename(draft.pose.relativeTo, source.modelFrame);
+  rename(draft.parent.name, source.modelFrame);
+  rename(draft.child.name, source.modelFrame);
+  for (JointDraft::FrameName& frame : draft.axisFrames) rename(frame.name, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kJoint,
                                         .name = draft.joint.name,
                                         .position = draft.joint.position,
                                         .pose = draft.pose,
                                         .attachedTo = draft.child.name,
                                         .attachedToPosition = draft.child.position});
-  joints_.push_back({std::move(draft), entry});
+  joints_.push_back({std::move(draft), entry, &source.context});
 }
 
-void PartsReader::readFramePart(const Element& element) {
+void PartsReader::readFramePart(const Element& element, const Source& source) {
   description::Frame frame;
-  frame.name = readName(element, scope_.label(), context_);
+  frame.name = readName(element, scope_.label(), source.context);
   frame.position = element.position;
-  names_.claim(frame.name, kFrames, element, context_);
-  const Element::Attribute* attachedTo = element.attribute("attached_to");
+  names_.claim(frame.name, kFrames, element, source.context);
+  PoseText pose = readPose(element, source.context);
+  rename(pose.relativeTo, source.modelFrame);
+  const Element::Attribute* attribute = element.attribute("attached_to");
+  std::string attachedTo = attribute != nullptr ? attribute->value : "";
+  renameDefault(attachedTo, source.modelFrame);
   const std::size_t entry =
       scope_.add({.kind = FrameKind::kFrame,
                   .name = frame.name,
                   .position = frame.position,
-                  .pose = readPose(element, context_),
-                  .attachedTo = attachedTo != nullptr ? attachedTo->value : "",
-                  .attachedToPosition = attachedTo != nullptr ? attachedTo->position : frame.position});
-  frames_.push_back({std::move(frame), entry});
+                  .pose = std::move(pose),
+                  .attachedTo = std::move(attachedTo),
+                  .attachedToPosition = attribute != nullptr ? attribute->position : frame.position});
+  frames_.push_back({std::move(frame), entry, &source.context});
+}
+
+void PartsReader::readLightPart(const Element& element, const Source& source) {
+  LightDraft draft = readLight(element, scope_.label(), source.context);
+  const SourcePosition& position = source.includedFrom != nullptr ? *source.includedFrom : element.position;
+  names_.claim(draft.light.name, element.name, element.name, position, context_);
+  lights_.push_back({std::move(draft), 0, &source.context});
+}
+
+void PartsReader::readInclude(const Element& include, const Source& source) {
+  const bool merges = isMerge(include, source.context);
+  const bool isOpen = context_.includes.follow(include, source.context, [&](const Element& included, Context& context) {
+    if (included.name == "light" && isModel_) {
+      source.context.diagnostics.warning(include.position, "a light can't stand in a model: it is left out",
+                                         "it can stand in a <link> or in the world");
+    } else if (!merges) {
+      readPart(included, {context, source.modelFrame, &include.position});
+    } else if (included.name == "model" && isModel_) {
+      readMerged(included, include.position, source.modelFrame, context);
+    } else {
+      source.context.diagnostics.error(include.position, "only a model can be merged, and into a model only",
+                                       "leave out the attribute 'merge'");
+    }
+  });
+  if (!isOpen) scope_.setIncomplete();
+}
+
+void PartsReader::readMerged(const Element& element, const SourcePosition& includedFrom, const std::string& outerFrame,
+                             Context& context) {
+  // first as a model of its own: it must be sound, and tells where its frame is
+  ModelDraft draft = readModel(element, scope_.label(), isStatic_, context);
+  if (draft.model.name.empty()) return scope_.setIncomplete();
+  if (draft.model.isStatic && !isStatic_) {
+    context.diagnostics.warning(
+        includedFrom,
+        "model '" + draft.model.name + "' is static, and what it is merged into " + "is not: its links will move");
+  }
+  PoseText pose = std::move(draft.pose);
+  renameDefault(pose.relativeTo, outerFrame);
+  if (!draft.placementFrame.empty()) {
+    const std::optional<Scope::Found> frame = draft.scope->findOrComplain(
+        draft.placementFrame, "model '" + draft.model.name + "' is placed by its frame", includedFrom, context);
+    if (frame) pose.value = pose.value * frame->X_ScopeFrame.inverse();
+  }
+  if (pose.relativeTo.empty()) pose.relativeTo = kModelFrame;
+
+  // then a frame that stands for its model frame, with the name that Fortress gives it, and its parts
+  description::Frame frame;
+  frame.name = "_merged__" + draft.model.name + "__model__";
+  frame.position = includedFrom;
+  names_.claim(frame.name, kFrames, "frame", includedFrom, context);
+  const std::size_t entry = scope_.add({.kind = FrameKind::kFrame,
+                                        .name = frame.name,
+                                        .position = includedFrom,
+                                        .pose = std::move(pose),
+                                        .attachedTo = draft.model.canonicalLink,
+                                        .attachedToPosition = includedFrom});
+  const Source source{context, frame.name};
+  frames_.push_back({std::move(frame), entry, &context});
+  for (const Element& child : element.children) readPart(child, source);
 }
 
 std::vector<description::Model> PartsReader::takeModels() {
   std::vector<description::Model> models;
   models.reserve(models_.size());
-  for (auto& [model, entry] : models_) {
+  for (auto& [model, entry, context] : models_) {
     model.X_ParentModel = scope_.pose(entry);
     models.push_back(std::move(model));
   }
@@ -97,26 +205,36 @@ std::vector<description::Model> PartsReader::takeModels() {
 std::vector<description::Link> PartsReader::takeLinks() {
   std::vector<description::Link> links;
   links.reserve(links_.size());
-  for (auto& [draft, entry] : links_) links.push_back(finishLink(std::move(draft), scope_, entry, context_));
+  for (auto& [draft, entry, context] : links_) links.push_back(finishLink(std::move(draft), scope_, entry, *context));
   return links;
 }
 
 std::vector<description::Joint> PartsReader::takeJoints() {
   std::vector<description::Joint> joints;
   joints.reserve(joints_.size());
-  for (auto& [draft, entry] : joints_) joints.push_back(finishJoint(std::move(draft), scope_, entry, context_));
+  for (auto& [draft, entry, context] : joints_) {
+    std::optional<description::Joint> joint = finishJoint(std::move(draft), scope_, entry, *context);
+    if (joint) joints.push_back(std::move(*joint));
+  }
   return joints;
 }
 
 std::vector<description::Frame> PartsReader::takeFrames() {
   std::vector<description::Frame> frames;
   frames.reserve(frames_.size());
-  for (auto& [frame, entry] : frames_) {
+  for (auto& [frame, entry, context] : frames_) {
     frame.X_ModelFrame = scope_.pose(entry);
     frame.attachedLink = scope_.link(entry);
     frames.push_back(std::move(frame));
   }
   return frames;
+}
+
+std::vector<description::Light> PartsReader::takeLights() {
+  std::vector<description::Light> lights;
+  lights.reserve(lights_.size());
+  for (auto& [draft, entry, context] : lights_) lights.push_back(finishLight(std::move(draft), scope_, *context));
+  return lights;
 }
 
 }  // namespace pongsim::sdf

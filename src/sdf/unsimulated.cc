@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "sdf/values.hh"
-
 namespace pongsim::sdf {
 
 void warnOfSensors(const Element& element, Context& context) {
@@ -17,25 +15,11 @@ void warnOfSensors(const Element& element, Context& context) {
   }
 }
 
-void warnOfUnsimulated(const Element& element, Context& context) {
+void warnIfUnsimulated(const Element& element, Context& context) {
   constexpr std::string_view kKinds[] = {"actor", "gripper", "population"};
-  for (const Element& child : element.children) {
-    if (std::ranges::find(kKinds, child.name) == std::end(kKinds)) continue;
-    if (!context.firstTime("kind " + child.name)) continue;
-    context.diagnostics.warning(child.position, "<" + child.name + "> is not simulated yet: it is left out");
-  }
-}
-
-bool refuseIncludes(const Element& element, Context& context) {
-  bool found = false;
-  for (const Element& child : element.children) {
-    if (child.name != "include") continue;
-    found = true;
-    const std::string uri(childText(child, "uri"));
-    context.diagnostics.error(child.position, "<include> is not supported yet",
-                              "put the model" + (uri.empty() ? "" : " '" + uri + "'") + " itself in its place");
-  }
-  return found;
+  if (std::ranges::find(kKinds, element.name) == std::end(kKinds)) return;
+  if (!context.firstTime("kind " + element.name)) return;
+  context.diagnostics.warning(element.position, "<" + element.name + "> is not simulated yet: it is left out");
 }
 
 }  // namespace pongsim::sdf

@@ -1,7 +1,11 @@
 #include "pongsim/simulation.hh"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "description/world.hh"
 #include "physics/engine.hh"
@@ -42,6 +46,30 @@ struct Simulation::Parts {
   std::optional<sim::SystemSet> systems;
 };
 
+namespace {
+
+/// @return A world around the models and lights that stand in none: a ground, the sun, and what a world has by default.
+description::World worldAround(sdf::Root root) {
+  constexpr std::string_view kWorld =
+      "<sdf version='1.9'><world name='default'><light name='sun' type='directional'><pose>0 0 10 0 0 0</pose></light>"
+      "<model name='ground_plane'><static>true</static><link name='link'>"
+      "<collision name='collision'><geometry><plane><size>100 100</size></plane></geometry></collision>"
+      "<visual name='visual'><geometry><plane><size>100 100</size></plane></geometry></visual>"
+      "</link></model></world></sdf>";
+  Diagnostics none;
+  description::World world = std::move(sdf::loadText(kWorld, "default world", none, {}).worlds.at(0));
+  const auto addTo = [](auto& standard, auto& own) {
+    // the file's own ground or sun takes the place of ours
+    for (const auto& part : own) std::erase_if(standard, [&](const auto& other) { return other.name == part.name; });
+    std::ranges::move(own, std::back_inserter(standard));
+  };
+  addTo(world.models, root.models);
+  addTo(world.lights, root.lights);
+  return world;
+}
+
+}  // namespace
+
 std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const SimulationOptions& options,
                                                     Diagnostics& diagnostics) {
   if (diagnostics.hasErrors()) return nullptr;
@@ -49,7 +77,8 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
     diagnostics.warning(root.worlds[i].position, "world '" + root.worlds[i].name + "' is left out: pongsim runs the " +
                                                      "first world of a file, '" + root.worlds[0].name + "'");
   }
-  auto parts = std::make_unique<Parts>(std::move(root.worlds.front()), options);
+  description::World world = root.worlds.empty() ? worldAround(std::move(root)) : std::move(root.worlds.front());
+  auto parts = std::make_unique<Parts>(std::move(world), options);
   if (options.loadSystems) {
     parts->systems.emplace(parts->access, *parts->transport, options.seed);
     parts->systems->load(parts->description, diagnostics);

@@ -23,6 +23,33 @@ TEST(Diagnostic, PutsTheHintOnALineOfItsOwn) {
             "world.sdf:1:2: error: wrong\n  hint: do it right");
 }
 
+TEST(Diagnostic, NamesTheFilesThatIncludeItsOwn) {
+  EXPECT_EQ(format({Severity::kError, at(1, 2), "wrong", "do it right", {at(5, 3), at(9, 0)}}),
+            "world.sdf:1:2: error: wrong\n  hint: do it right\n  included from world.sdf:5:3\n"
+            "  included from world.sdf:9");
+}
+
+TEST(Diagnostic, ShowsTheLineWithAMark) {
+  EXPECT_EQ(format({Severity::kError, at(1, 3), "wrong", "do it right"}, "\t<link/>"),
+            "world.sdf:1:3: error: wrong\n     <link/>\n      ^\n  hint: do it right");
+  // a letter takes one place, whatever the number of its bytes
+  EXPECT_EQ(format({Severity::kError, at(1, 4), "wrong", {}}, "äöü<"),
+            "world.sdf:1:4: error: wrong\n    äöü<\n       ^");
+}
+
+TEST(Diagnostic, ShowsAPartOfALongLine) {
+  const std::string line = std::string(200, 'a') + "<" + std::string(200, 'b');
+  EXPECT_EQ(format({Severity::kError, at(1, 201), "wrong", {}}, line),
+            "world.sdf:1:201: error: wrong\n    ..." + std::string(60, 'a') + "<" + std::string(59, 'b') + "...\n" +
+                std::string(67, ' ') + "^");
+}
+
+TEST(Diagnostic, ShowsNoLineWhereItsColumnIsNotInIt) {
+  for (const int column : {0, 4}) {
+    EXPECT_EQ(format({Severity::kError, at(0, column), "wrong", {}}, "abc"), "world.sdf: error: wrong");
+  }
+}
+
 TEST(Diagnostics, KeepsOrderAndCountsOnlyErrorsAsErrors) {
   Diagnostics diagnostics;
   diagnostics.warning(at(1, 1), "first");

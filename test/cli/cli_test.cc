@@ -56,6 +56,8 @@ const Case kWrong[] = {
     {{}, "no command given | pongsim --help lists the commands"},
     {{"rnu", "x.sdf"}, "unknown command 'rnu' | did you mean 'run'?"},
     {{"help", "topci"}, "unknown command 'topci' | did you mean 'topic'?"},
+    {{"sdf", "a.sdf"}, "nothing to do | pongsim sdf --check FILE"},
+    {{"sdf", "--check"}, "no file given | pongsim sdf --check FILE"},
     {{"simulate"}, "unknown command 'simulate' | pongsim --help lists the commands"},
     {{"--versoin"}, "unknown option '--versoin' | did you mean '--version'?"},
     {{"run", "--pausd", "x.sdf"}, "unknown option '--pausd' | did you mean '--paused'?"},

@@ -16,8 +16,9 @@ class WorldFile : public testing::Test {
   void TearDown() override { leaveVariablesUnset(); }
 
   static void leaveVariablesUnset() {
-    unsetenv("IGN_GAZEBO_RESOURCE_PATH");
-    unsetenv("GZ_SIM_RESOURCE_PATH");
+    for (const char* name : {"PONGSIM_RESOURCE_PATH", "SDF_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH"}) {
+      unsetenv(name);
+    }
   }
 
   test::TempFolder first_, second_;

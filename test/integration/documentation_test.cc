@@ -97,5 +97,12 @@ TEST(Documentation, LinksLeadSomewhere) {
   EXPECT_GE(links, 8);
 }
 
+TEST_F(DocumentationTest, ExamplesOfTheSdfCommandWork) {
+  std::string script = "set -e\n";
+  for (const std::string& line : codeLines("docs/cli.md", "## pongsim sdf --check FILE...")) script += line + "\n";
+  run(script);
+  EXPECT_TRUE(output_.starts_with("Valid.\n[")) << output_;
+}
+
 }  // namespace
 }  // namespace pongsim

@@ -19,25 +19,36 @@ class FortressWorlds : public ::testing::Test {
 };
 
 TEST_F(FortressWorlds, AllLoadOrSayWhyNot) {
+  const assets::Finder finder = assets::finderIn({{folder_ / "test/models"}, "/nowhere"});
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
     if (entry.path().extension() != ".sdf") continue;
     ++count;
     Diagnostics diagnostics;
-    const Root root = loadFile(entry.path(), diagnostics);
-    EXPECT_TRUE(diagnostics.hasErrors() || root.worlds.size() == 1) << entry.path();
+    const Root root = loadFile(entry.path(), diagnostics, finder);
+    EXPECT_TRUE(diagnostics.hasErrors() || root.worlds.size() + root.models.size() == 1) << entry.path();
     for (const Diagnostic& diagnostic : diagnostics.all()) {
       EXPECT_GT(diagnostic.position.line, 0) << format(diagnostic);
       EXPECT_GT(diagnostic.position.column, 0) << format(diagnostic);
       // what is left to support, and nothing else
       const bool isExpected = diagnostic.severity == Severity::kWarning ||
-                              diagnostic.message == "<include> is not supported yet" ||
-                              diagnostic.message == "joint type 'revolute2' is not simulated yet" ||
-                              diagnostic.message == "there is no <world> in this file";
+                              diagnostic.message.ends_with("' is not in the local Fuel cache") ||
+                              diagnostic.message == "joint type 'revolute2' is not simulated yet";
       EXPECT_TRUE(isExpected) << format(diagnostic);
     }
   }
   EXPECT_GT(count, 0U);
+}
+
+TEST_F(FortressWorlds, ThatIncludeModelsHoldThem) {
+  const assets::Finder finder = assets::finderIn({{folder_ / "test/models"}, "/nowhere"});
+  Diagnostics diagnostics;
+  const Root root = loadFile(folder_ / "test/include_connected_nested_models.sdf", diagnostics, finder);
+  for (const Diagnostic& diagnostic : diagnostics.all()) EXPECT_NE(diagnostic.severity, Severity::kError);
+  const description::Model& model = root.worlds.at(0).models.at(1);
+  EXPECT_EQ(model.name, "include_connected_nested_new_name");
+  EXPECT_EQ(model.models.at(0).name, "nested_models_new_name");
+  EXPECT_EQ(model.joints.at(0).child, "nested_models_new_name::model_00::link_00");
 }
 
 TEST_F(FortressWorlds, OfTheFirstTutorialsLoadWithoutAWord) {

@@ -130,10 +130,12 @@ TEST(Joint, NeedsTwoLinks) {
       loadJoint("<joint name='j' type='fixed'><parent>a</parent><child>world</child></joint>").messages,
       Messages{
           "t.sdf:4:48: error: joint 'j' has the world as its child | the world can be the parent of a joint only"});
-  EXPECT_EQ(loadJoint("<joint name='j' type='fixed'><parent>a</parent><child>f</child></joint>\n"
-                      "<frame name='f' attached_to='a'/>")
-                .messages,
-            Messages{"t.sdf:4:48: error: parent 'a' and child 'f' of joint 'j' are the same link 'a'"});
+  const Loaded onItself = loadJoint(
+      "<joint name='j' type='fixed'><parent>a</parent><child>f</child></joint>\n<frame name='f' attached_to='a'/>");
+  EXPECT_EQ(onItself.messages,
+            Messages{"t.sdf:4:48: warning: parent 'a' and child 'f' of joint 'j' are the same link 'a': the joint is "
+                     "left out"});
+  EXPECT_TRUE(onItself.model().joints.empty());
 }
 
 TEST(Joint, TakesAFrameForTheLinkThatItIsAttachedTo) {

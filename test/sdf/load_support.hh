@@ -2,34 +2,46 @@
 
 #include <gtest/gtest.h>
 
+#include <concepts>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "sdf/loader.hh"
 
 namespace pongsim::sdf::test {
 
-/// A text that was loaded under the name "t.sdf", and what was said about it.
+/// What was loaded, and what was said about it.
 struct Loaded {
   Root root;
-  /// As `format` writes them, with the hint on the same line behind " | ".
+  /// As `format` writes them, with the hint on the same line behind " | " and the places of includes in brackets.
   std::vector<std::string> messages;
 
   const description::World& world() const { return root.worlds.at(0); }
   const description::Model& model() const { return world().models.at(0); }
 };
 
-inline Loaded load(std::string_view text) {
+/// @param read Loads what is asked for.
+template <class Read>
+Loaded load(Read read) requires std::invocable<Read, Diagnostics&> {
   Loaded loaded;
   Diagnostics diagnostics;
-  loaded.root = loadText(text, "t.sdf", diagnostics);
+  loaded.root = read(diagnostics);
   for (Diagnostic diagnostic : diagnostics.all()) {
-    const std::string hint = std::exchange(diagnostic.hint, "");
-    loaded.messages.push_back(format(diagnostic) + (hint.empty() ? "" : " | " + hint));
+    std::string ending = diagnostic.hint.empty() ? "" : " | " + diagnostic.hint;
+    for (const SourcePosition& place : diagnostic.includedFrom) {
+      ending += " (from " + *place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ")";
+    }
+    diagnostic.hint.clear();
+    diagnostic.includedFrom.clear();
+    loaded.messages.push_back(format(diagnostic) + ending);
   }
   return loaded;
+}
+
+/// Loads a text under the name "t.sdf"; nothing that it includes is found.
+inline Loaded load(std::string_view text) {
+  return load([text](Diagnostics& diagnostics) { return loadText(text, "t.sdf", diagnostics, assets::finderIn({})); });
 }
 
 /// Loads what stands in a world, its first character in line 2, column 1.

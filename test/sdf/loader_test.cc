@@ -38,10 +38,22 @@ TEST(Loader, ReadsAllWorldsOfAFile) {
 TEST(Loader, SaysWhatTheFileIsInstead) {
   EXPECT_EQ(load("<robot name='r'/>").messages,
             Messages{"t.sdf:1:1: error: the file begins with <robot>, not with <sdf> | URDF is not supported yet"});
-  EXPECT_EQ(load("<sdf version='1.9'/>").messages, Messages{"t.sdf:1:1: error: there is no <world> in this file"});
-  EXPECT_EQ(load("<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>").messages,
-            Messages{"t.sdf:1:1: error: there is no <world> in this file | a model has to stand in a world: <world "
-                     "name=\"...\"><model>...</model></world>"});
+  EXPECT_EQ(load("<sdf version='1.9'/>").messages,
+            Messages{"t.sdf:1:1: error: there is no <world> and no <model> in this file"});
+}
+
+TEST(Loader, ReadsModelsAndLightsOutsideOfAWorld) {
+  const Loaded loaded = load(
+      "<sdf version='1.9'><model name='m'><pose>0 0 1 0 0 0</pose><link name='l'/><joint name='j' type='fixed'>"
+      "<parent>world</parent><child>l</child></joint></model><light name='s' type='point'/></sdf>");
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_TRUE(loaded.root.worlds.empty());
+  ASSERT_EQ(loaded.root.models.size(), 1U);
+  expectPose(loaded.root.models[0].X_ParentModel, {0, 0, 1});
+  expectPose(loaded.root.models[0].joints.at(0).X_ParentJoint, {0, 0, 1});
+  EXPECT_EQ(loaded.root.lights.at(0).name, "s");
+  EXPECT_EQ(load("<sdf version='1.9'>\n<actor name='a'/></sdf>").messages,
+            Messages{"t.sdf:2:1: warning: <actor> is not simulated yet: it is left out"});
 }
 
 TEST(Loader, ChecksTheVersion) {

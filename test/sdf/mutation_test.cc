@@ -6,6 +6,7 @@
 
 #include "load_support.hh"
 #include "support/fortress_worlds.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim::sdf::test {
 namespace {
@@ -64,7 +65,8 @@ void loadMutations(const std::string& text, int count, std::mt19937& random) {
     const std::string mutation = mutated(text, random);
     Diagnostics diagnostics;
     const Root root = loadText(mutation, "m.sdf", diagnostics);
-    ASSERT_TRUE(diagnostics.hasErrors() || !root.worlds.empty()) << mutation;
+    const bool isFilled = !root.worlds.empty() || !root.models.empty() || !root.lights.empty();
+    ASSERT_TRUE(diagnostics.hasErrors() || isFilled) << mutation;
     for (const Diagnostic& diagnostic : diagnostics.all()) ASSERT_FALSE(format(diagnostic).empty());
   }
 }
@@ -86,6 +88,42 @@ TEST(Mutation, OfFortressWorldsIsLoadedOrRefused) {
     const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     ASSERT_FALSE(text.empty()) << name;
     loadMutations(text, 200, random);
+  }
+}
+
+TEST(Mutation, OfIncludedFilesIsLoadedOrRefused) {
+  std::mt19937 random(3);
+  const pongsim::test::TempFolder folder;
+  const assets::Finder finder = assets::finderIn({{folder.path()}, {}});
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"w.sdf",
+       "<sdf version='1.9'><world name='w'><include><uri>model://a</uri><name>n</name><pose>1 0 0 0 0 0</pose>"
+       "<placement_frame>l</placement_frame><static>0</static><plugin filename='f' name='n'/></include>"
+       "<include><uri>a/model.sdf</uri></include></world></sdf>"},
+      {"a/model.config", "<?xml version='1.0'?><model><name>a</name><sdf version='1.9'>model.sdf</sdf></model>"},
+      {"a/model.sdf",
+       "<sdf version='1.8'><model name='a'><link name='l'/><include merge='true'><uri>b.sdf</uri><pose>0 0 1 0 0 0"
+       "</pose></include><include><uri>../a/b.sdf</uri></include></model></sdf>"},
+      {"a/b.sdf",
+       "<sdf version='1.6'><model name='b'><link name='x'/><link name='y'/><joint name='j' type='revolute'>"
+       "<parent>x</parent><child>y</child><axis><xyz expressed_in='__model__'>0 0 "
+       "1</xyz></axis></joint></model></sdf>"}};
+  for (const auto& [name, text] : files) folder.write(name, text);
+  Diagnostics none;
+  loadFile(folder.path() / "w.sdf", none, finder);
+  for (const Diagnostic& diagnostic : none.all()) ADD_FAILURE() << format(diagnostic);
+
+  for (const auto& [name, text] : files) {
+    for (int i = 0; i < 250; ++i) {
+      const std::string mutation = mutated(text, random);
+      folder.write(name, mutation);
+      Diagnostics diagnostics;
+      const Root root = loadFile(folder.path() / "w.sdf", diagnostics, finder);
+      const bool isFilled = !root.worlds.empty() || !root.models.empty() || !root.lights.empty();
+      ASSERT_TRUE(diagnostics.hasErrors() || isFilled) << name << ": " << mutation;
+      for (const Diagnostic& diagnostic : diagnostics.all()) ASSERT_FALSE(format(diagnostic).empty());
+    }
+    folder.write(name, text);
   }
 }
 

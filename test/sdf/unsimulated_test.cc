@@ -15,14 +15,5 @@ TEST(Unsimulated, KindsAreNamedOnce) {
             Messages{"t.sdf:2:1: warning: <actor> is not simulated yet: it is left out"});
 }
 
-TEST(Unsimulated, IncludesAreErrorsWithoutConsequences) {
-  EXPECT_EQ(
-      loadWorld("<include><uri>model://sun</uri></include>\n<joint name='j' type='fixed'><parent>world</parent>"
-                "<child>sun</child></joint>\n<model name='m'><include/></model>")
-          .messages,
-      (Messages{"t.sdf:2:1: error: <include> is not supported yet | put the model 'model://sun' itself in its place",
-                "t.sdf:4:17: error: <include> is not supported yet | put the model itself in its place"}));
-}
-
 }  // namespace
 }  // namespace pongsim::sdf::test

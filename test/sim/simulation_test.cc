@@ -69,6 +69,28 @@ TEST(Simulation, GivesTheFilesMistakes) {
   EXPECT_TRUE(diagnostics.hasErrors());
 }
 
+TEST(Simulation, PutsAModelWithoutAWorldIntoOne) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      R"(<sdf version="1.9"><model name="ball"><pose>0 0 1 0 0 0</pose><link name="l"><collision name="c"><geometry>
+         <sphere><radius>0.5</radius></sphere></geometry></collision></link></model></sdf>)",
+      "ball.sdf", {}, diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_EQ(simulation->world().name(), "default");
+  simulation->step(2000);
+  EXPECT_NEAR(simulation->world().model("ball")->pose().position.z(), 0.5, 0.01);
+}
+
+TEST(Simulation, LeavesAModelThatIsTheGroundAlone) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      R"(<sdf version="1.9"><model name="ground_plane"><static>1</static><link name="l"/></model></sdf>)", "g.sdf", {},
+      diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  EXPECT_EQ(simulation->world().models().size(), 1U);
+}
+
 TEST(Simulation, WarnsOfFurtherWorlds) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(R"(<sdf version="1.9"><world name="one"/><world name="two"/></sdf>)",

@@ -1,0 +1,39 @@
+#include "assets/places.hh"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+namespace pongsim::assets {
+
+namespace {
+
+// Fortress appends the resource paths to SDF_PATH.
+constexpr const char* kVariables[] = {"PONGSIM_RESOURCE_PATH", "SDF_PATH", "IGN_GAZEBO_RESOURCE_PATH",
+                                      "GZ_SIM_RESOURCE_PATH"};
+
+std::string_view variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+}  // namespace
+
+Places Places::fromEnvironment() {
+  Places places;
+  for (const char* name : kVariables) {
+    std::string_view rest = variable(name);
+    while (!rest.empty()) {
+      const std::string_view folder = rest.substr(0, rest.find(':'));
+      if (!folder.empty()) places.folders.emplace_back(folder);
+      rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+    }
+  }
+  places.fuelCache = variable("IGN_FUEL_CACHE_PATH");
+  if (const std::string_view home = variable("HOME"); places.fuelCache.empty() && !home.empty()) {
+    places.fuelCache = std::filesystem::path(home) / ".ignition" / "fuel";
+  }
+  return places;
+}
+
+}  // namespace pongsim::assets

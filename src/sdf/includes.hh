@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "assets/finder.hh"
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+
+namespace pongsim::sdf {
+
+/// The files that one load includes, each of which is parsed once, and who includes what.
+class Includes {
+ public:
+  /// Models within models, across files.
+  static constexpr int kDeepestModel = 100;
+  static constexpr std::size_t kDeepestInclude = 50;
+  static constexpr std::size_t kMostIncludes = 20'000;
+
+  Includes(assets::Finder finder, Diagnostics& diagnostics);
+
+  /// Where the load begins: a file that includes this one includes itself.
+  void begin(const std::filesystem::path& file);
+
+  /// Called with what an `<include>` stands for: a `<model>`, `<light>` or `<actor>` with what the `<include>` says of
+  /// it in place of its own; and the context of its file.
+  using Read = std::function<void(const Element& included, Context& context)>;
+
+  /// Opens what an `<include>` names, and calls `read` with it.
+  /// @param context That of the file of the `<include>`.
+  /// @return False, and an error added by the first such `<include>` at least, where it can't be opened.
+  bool follow(const Element& include, Context& context, const Read& read);
+
+  /// @return Where the file of `position` is included, where that file is included, and so on.
+  std::vector<SourcePosition> chainOf(const SourcePosition& position) const;
+
+  /// Notes that a model begins.
+  /// @return False, and an error added, where it nests too deep.
+  bool enterModel(const SourcePosition& position);
+  void leaveModel() { --modelDepth_; }
+
+ private:
+  struct File {
+    /// As found on the disk, without links, to know it again.
+    std::filesystem::path path;
+    std::size_t size = 0;
+    /// What it holds for others; nothing if it can't be read.
+    std::optional<Element> content;
+    Context context;
+  };
+  using Name = std::shared_ptr<const std::string>;
+
+  std::optional<std::filesystem::path> find(const Element& include, Context& context);
+  File& fileAt(const std::filesystem::path& path, const SourcePosition& includedFrom);
+  void parse(const std::filesystem::path& path, const Name& name, File& file);
+  bool isWithinBounds(const Element& include, const File& file);
+  bool isRecursion(const Element& include, const File& file);
+  Name newName(const std::filesystem::path& path, const SourcePosition& includedFrom);
+
+  assets::Finder finder_;
+  Diagnostics& diagnostics_;
+  std::unordered_map<std::string, std::unique_ptr<File>> files_;
+  /// By the folder of each model its SDF file, where its model.config names one.
+  std::unordered_map<std::string, std::optional<std::filesystem::path>> modelFiles_;
+  /// Where each name of a file comes from: every inclusion has a name of its own.
+  std::unordered_map<Name, SourcePosition> includedFrom_;
+  /// The files that are open, the innermost last.
+  std::vector<std::filesystem::path> open_;
+  std::size_t count_ = 0;
+  std::size_t size_ = 0;
+  int modelDepth_ = 0;
+};
+
+}  // namespace pongsim::sdf

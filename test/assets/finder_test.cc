@@ -1,0 +1,97 @@
+#include "assets/finder.hh"
+
+#include <gtest/gtest.h>
+
+#include "support/temp_folder.hh"
+
+namespace pongsim::assets {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FinderTest : public testing::Test {
+ protected:
+  /// @return The path found, or what was said instead.
+  std::string find(std::string_view uri) {
+    Diagnostics diagnostics;
+    const SourcePosition position{std::make_shared<const std::string>("w.sdf"), 3, 4};
+    const Finder finder = finderIn({{first_.path(), second_.path()}, cache_.path()});
+    const auto path = finder(uri, own_.path(), position, diagnostics);
+    if (path) return diagnostics.all().empty() ? path->string() : "found, and yet an error";
+    return diagnostics.all().size() == 1 ? format(diagnostics.all()[0]) : "no error, or too many";
+  }
+
+  test::TempFolder own_, first_, second_, cache_;
+};
+
+TEST_F(FinderTest, FindsAPathAsItIsAndBesideTheFile) {
+  const std::string file = own_.write("a/b.sdf", "").string();
+  for (const std::string& uri : {file, "file://" + file, std::string("a/b.sdf"), std::string("file://a/b.sdf")}) {
+    EXPECT_EQ(find(uri), file);
+  }
+}
+
+TEST_F(FinderTest, FindsAModelInTheFirstFolderThatHasIt) {
+  const std::string inSecond = second_.write("sun/model.sdf", "").string();
+  EXPECT_EQ(find("model://sun/model.sdf"), inSecond);
+  EXPECT_EQ(find("model://sun"), (second_.path() / "sun").string());
+  EXPECT_EQ(find("sun"), (second_.path() / "sun").string());
+  EXPECT_EQ(find("model://sun/model.sdf"), inSecond);
+  EXPECT_EQ(find("model://sun"), (second_.path() / "sun").string());
+  first_.write("sun/model.sdf", "");
+  EXPECT_EQ(find("model://sun"), (first_.path() / "sun").string());
+}
+
+TEST_F(FinderTest, LooksForAModelNotBesideTheFile) {
+  own_.write("sun/model.sdf", "");
+  EXPECT_EQ(find("sun"), (own_.path() / "sun").string());
+  EXPECT_EQ(find("model://sun"), "w.sdf:3:4: error: 'model://sun' is not found\n  hint: it was looked for at " +
+                                     (first_.path() / "sun").string() + ", " + (second_.path() / "sun").string() +
+                                     ", sun");
+}
+
+TEST_F(FinderTest, AdvisesWhereNoFolderIsNamed) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(finderIn({})("model://no such", "", {}, diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].hint,
+            "it was looked for at no such; PONGSIM_RESOURCE_PATH can name folders to look in");
+}
+
+TEST_F(FinderTest, TakesTheVersionOfAFuelModelThatIsAskedForOrTheNewest) {
+  cache_.write("fuel.gazebosim.org/openrobotics/models/coke can/2/model.config", "");
+  cache_.write("fuel.gazebosim.org/openrobotics/models/coke can/3/meshes/c.dae", "");
+  const fs::path model = cache_.path() / "fuel.gazebosim.org/openrobotics/models/coke can";
+  const std::string address = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/Coke Can";
+  EXPECT_EQ(find(address), model / "3");
+  EXPECT_EQ(find(address + "/2"), model / "2");
+  EXPECT_EQ(find(address + "/tip/files/meshes/c.dae"), model / "3/meshes/c.dae");
+  EXPECT_EQ(find(address + "/4"),
+            "w.sdf:3:4: error: '" + address + "/4' is not in the local Fuel cache\n  hint: it was looked for at " +
+                (model / "4").string() + ", " +
+                (cache_.path() / "fuel.ignitionrobotics.org/openrobotics/models/coke can/4").string() +
+                "; 'ign fuel download -u ADDRESS' puts it there");
+  // the same server by its old name
+  EXPECT_EQ(find("https://fuel.ignitionrobotics.org/1.0/OpenRobotics/models/Coke Can/2"), model / "2");
+}
+
+TEST_F(FinderTest, SaysWhatIsWrongWithAnAddress) {
+  EXPECT_TRUE(find("").starts_with("w.sdf:3:4: error: '' names nothing"));
+  EXPECT_TRUE(find("model://").starts_with("w.sdf:3:4: error: 'model://' names nothing"));
+  EXPECT_TRUE(find("ftp://x").starts_with("w.sdf:3:4: error: 'ftp://x' is an address of an unknown kind"));
+  EXPECT_TRUE(find("https://fuel.gazebosim.org/x")
+                  .starts_with("w.sdf:3:4: error: 'https://fuel.gazebosim.org/x' is "
+                               "not the address of a Fuel model"));
+  EXPECT_TRUE(find(std::string_view("a\0b", 3)).starts_with("w.sdf:3:4: error: there is a zero byte"));
+}
+
+TEST_F(FinderTest, TellsOfManyPlacesTheFirst) {
+  Places places;
+  for (int i = 0; i < 9; ++i) places.folders.push_back("/no/" + std::to_string(i));
+  Diagnostics diagnostics;
+  EXPECT_FALSE(finderIn(places)("model://m", "", {}, diagnostics));
+  EXPECT_EQ(diagnostics.all()[0].hint, "it was looked for at /no/0/m, /no/1/m, /no/2/m, /no/3/m and 6 more");
+}
+
+}  // namespace
+}  // namespace pongsim::assets

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "cli/cli.hh"
+#include "support/temp_folder.hh"
+
+namespace pongsim::cli {
+namespace {
+
+struct Outcome {
+  int exitCode;
+  std::string output;
+  std::string error;
+};
+
+class SdfCheck : public testing::Test {
+ protected:
+  Outcome check(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"pongsim", "sdf", "--check"});
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int exitCode = run(static_cast<int>(pointers.size()), pointers.data());
+    return {exitCode, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+  }
+
+  std::string write(const std::string& name, const std::string& content) {
+    return folder_.write(name, "<sdf version='1.9'>\n" + content + "</sdf>").string();
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(SdfCheck, SaysThatAFileIsValid) {
+  const Outcome outcome = check({write("a.sdf", "<world name='w'/>")});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.output, "Valid.\n");
+  EXPECT_EQ(outcome.error, "");
+}
+
+TEST_F(SdfCheck, SaysWhatIsWrong) {
+  const std::string file = write("a.sdf", "<world/>");
+  const Outcome outcome = check({file});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.error, file +
+                               ":2:1: error: <world> has no name\n    <world/></sdf>\n    ^\n"
+                               "  hint: write <world name=\"...\">\n");
+}
+
+TEST_F(SdfCheck, NamesTheFilesWhereThereAreSeveral) {
+  const std::string good = write("a.sdf", "<world name='w'/>");
+  const std::string bad = write("b.sdf", "<world/>");
+  const Outcome outcome = check({good, bad, "/no/such.sdf", good});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.output, good + ": Valid.\n" + good + ": Valid.\n");
+  EXPECT_NE(outcome.error.find(bad + ":2:1: error: "), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("/no/such.sdf: error: no such file"), std::string::npos) << outcome.error;
+}
+
+TEST_F(SdfCheck, TakesWarningsForErrorsIfItIsStrict) {
+  const std::string file = write("a.sdf", "<world name='w'><odd/></world>");
+  EXPECT_EQ(check({file}).exitCode, 0);
+  EXPECT_EQ(check({file}).output, "Valid.\n");
+  const Outcome outcome = check({file, "--strict"});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_TRUE(outcome.error.starts_with(file + ":2:17: error: <odd> is not known in <world>")) << outcome.error;
+}
+
+TEST_F(SdfCheck, PrintsJson) {
+  const std::string good = write("a.sdf", "<world name='w'/>");
+  EXPECT_EQ(check({"--json", good}).output, "[]\n");
+  const std::string bad = write("b.sdf", "<world/>");
+  const Outcome outcome = check({"--json", good, bad});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_EQ(outcome.output, "[{\"file\":\"" + bad +
+                                "\",\"line\":2,\"column\":1,\"severity\":\"error\",\"message\":\"<world> has no name\","
+                                "\"hint\":\"write <world name=\\\"...\\\">\"}]\n");
+}
+
+}  // namespace
+}  // namespace pongsim::cli
