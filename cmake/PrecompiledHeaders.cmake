@@ -1,0 +1,22 @@
+# The headers that cost most to read are read once for the library and systems, and once for the tests: half of a build.
+# Include what you use all the same: the preset `debug` builds without them, and a missing #include shows there.
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cc CONTENT "")
+set(headers <algorithm> <chrono> <filesystem> <functional> <map> <memory> <optional> <string> <string_view>
+            <unordered_map> <variant> <vector> <Eigen/Geometry>)
+
+add_library(pongsim_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
+target_link_libraries(pongsim_precompiled PRIVATE pongsim_settings Eigen3::Eigen)
+target_precompile_headers(pongsim_precompiled PRIVATE ${headers})
+
+if(BUILD_TESTING)
+  # A test is run once where it is compiled: optimizing it costs more than it gives.
+  add_library(pongsim_test_settings INTERFACE)
+  target_compile_options(pongsim_test_settings INTERFACE $<$<CONFIG:Release>:-O1>)
+  target_link_libraries(pongsim_test_settings INTERFACE pongsim_settings)
+
+  add_library(pongsim_test_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
+  target_link_libraries(pongsim_test_precompiled PRIVATE pongsim_test_settings Eigen3::Eigen GTest::gtest)
+  target_precompile_headers(pongsim_test_precompiled PRIVATE ${headers} <gtest/gtest.h>)
+  # As GCC does by default: an OBJECT library's -fPIC would not fit an executable's -fPIE.
+  set_target_properties(pongsim_test_precompiled PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+endif()
