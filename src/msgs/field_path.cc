@@ -74,7 +74,9 @@ void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vect
   open.push_back(&type);
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);
-    if (field.is_repeated()) continue;
+    // Fortress leaves the headers of inner messages empty
+    const bool isInnerHeader = !prefix.empty() && field.name() == "header";
+    if (field.is_repeated() || isInnerHeader) continue;
     const std::string path = prefix + field.name();
     if (field.message_type() != nullptr) {
       addScalarPaths(*field.message_type(), path + ".", open, paths);

@@ -48,7 +48,7 @@ class FieldPath {
 };
 
 /// @return The paths of all single numbers, texts and booleans in messages of that type, in the order of the
-/// definition, with lists left out.
+/// definition, with lists and the headers of inner messages left out.
 std::vector<std::string> scalarPaths(const std::string& type);
 
 }  // namespace pongsim::msgs
