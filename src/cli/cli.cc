@@ -22,8 +22,9 @@ namespace pongsim::cli {
 
 namespace {
 
-constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand, addTopicCommand, addServiceCommand, addWorldCommand,
-                                                   addKeyCommand, addMsgCommand,   addSdfCommand};
+constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand,   addTopicCommand,     addServiceCommand,
+                                                   addWorldCommand, addKeyCommand,       addMsgCommand,
+                                                   addSdfCommand,   addCompletionCommand};
 
 bool isOption(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
 

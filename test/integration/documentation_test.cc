@@ -67,7 +67,7 @@ TEST_F(DocumentationTest, ExamplesOfTheOtherCommandsWork) {
   std::string script =
       "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\npongsim run worlds/pong_world.sdf &\n"
       "pongsim topic -e -t /clock -n 1 >/dev/null\n";
-  for (const char* command : {"topic", "service", "world", "key", "msg"}) {
+  for (const char* command : {"topic", "service", "world", "key", "msg", "completion"}) {
     const std::vector<std::string> examples = codeLines("docs/cli.md", std::string("## pongsim ") + command);
     EXPECT_FALSE(examples.empty()) << command;
     for (const std::string& line : examples) script += line + "\n";
