@@ -14,7 +14,7 @@ namespace {
 std::string hintFor(std::string_view name, std::span<const Schema::Part> parts) {
   std::vector<std::string_view> known;
   for (const Schema::Part& part : parts) {
-    if (part.removedIn == 0) known.push_back(part.name);
+    if (part.row.removedIn == 0 && part.name != "*") known.push_back(part.name);
   }
   return base::didYouMean(name, known);
 }
@@ -24,12 +24,12 @@ std::string hintFor(std::string_view name, std::span<const Schema::Part> parts) 
 const Schema::Part* knownPart(std::string_view name, std::span<const Schema::Part> parts, const std::string& label,
                               const Element& holder, const SourcePosition& position, Context& context) {
   const Schema::Part* part = Schema::find(parts, name);
-  const bool isGone = part != nullptr && part->removedIn != 0 && context.version >= part->removedIn;
+  const bool isGone = part != nullptr && part->row.removedIn != 0 && context.version >= part->row.removedIn;
   if ((part == nullptr || isGone) && context.firstTime("unknown " + label)) {
     const std::string ending = " in <" + holder.name + ">";
     if (isGone) {
       context.diagnostics.warning(position, label + " is not used any more" + ending,
-                                  "SDF 1." + std::to_string(part->removedIn) + " took it out of the format");
+                                  "SDF 1." + std::to_string(part->row.removedIn) + " took it out of the format");
     } else {
       context.diagnostics.warning(position, label + " is not known" + ending, hintFor(name, parts));
     }
@@ -55,6 +55,6 @@ void check(const Element& element, const Schema::ElementType* type, Context& con
 
 }  // namespace
 
-void checkElements(const Element& root, Context& context) { check(root, &Schema::instance().root(), context); }
+void checkElements(const Element& root, Context& context) { check(root, Schema::instance().root().type, context); }
 
 }  // namespace pongsim::sdf

@@ -40,7 +40,8 @@ description::Inertial readInertial(const Element& link, const std::string& owner
 
   const PoseText pose = readPose(*element, context);
   inertial.X_LinkCom = pose.value;
-  if (!pose.relativeTo.empty()) {
+  // from SDF 1.8 on the format does not know the attribute, which is said already
+  if (!pose.relativeTo.empty() && context.version < 8) {
     context.diagnostics.warning(pose.position, "the <inertial> of " + owner + " is relative to '" + pose.relativeTo +
                                                    "', which is ignored: it is always relative to its link");
   }

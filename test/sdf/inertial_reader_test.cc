@@ -64,10 +64,15 @@ TEST(Inertial, MeansNothingInAStaticModel) {
 }
 
 TEST(Inertial, IsAlwaysRelativeToItsLink) {
+  const std::string link = "<link name='l'>\n<inertial><pose relative_to='__model__'/></inertial></link>";
   EXPECT_EQ(
-      loadLink("<inertial><pose relative_to='__model__'/></inertial>").messages,
+      loadModel(link, "1.7").messages,
       Messages{"t.sdf:4:17: warning: the <inertial> of link 'l' of model 'm' is relative to '__model__', which is "
                "ignored: it is always relative to its link"});
+  EXPECT_EQ(
+      loadModel(link, "1.8").messages,
+      Messages{"t.sdf:4:17: warning: attribute 'relative_to' is not used any more in <pose> | SDF 1.8 took it out of "
+               "the format"});
 }
 
 }  // namespace
