@@ -1,12 +1,15 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/sdf_describe.hh"
 #include "sdf/loader.hh"
 
 namespace pongsim::cli {
@@ -18,6 +21,7 @@ struct Options {
   bool check = false;
   bool strict = false;
   bool json = false;
+  std::optional<std::string> element;
 };
 
 /// @return What is wrong with the file, with warnings as errors if the user wants that.
@@ -53,17 +57,30 @@ int check(const Options& options) {
   return areValid && isPrinted ? kDone : kFailed;
 }
 
-void checkAndSchedule(const Options& options, Work& work) {
-  if (!options.check) throw UsageError("nothing to do", "pongsim sdf --check FILE");
+Work describeWork(const Options& options) {
+  const std::variant<sdf::NamedPart, sdf::NoPart> found = sdf::findPart(*options.element);
+  if (const auto* none = std::get_if<sdf::NoPart>(&found)) throw UsageError(none->message, none->hint);
+  if (!options.files.empty()) throw UsageError("--describe takes no file");
+  return [text = describe(std::get<sdf::NamedPart>(found))] { return print(text) ? kDone : kFailed; };
+}
+
+Work workFor(const Options& options) {
+  const int tasks = static_cast<int>(options.check) + static_cast<int>(options.element.has_value());
+  if (tasks == 0) throw UsageError("nothing to do", "pongsim sdf --help lists what there is");
+  if (tasks > 1) throw UsageError("one thing at a time", "pongsim sdf --help lists what there is");
+  if (!options.check && (options.strict || options.json)) {
+    throw UsageError("--strict and --json are for --check");
+  }
+  if (options.element) return describeWork(options);
   if (options.files.empty()) throw UsageError("no file given", "pongsim sdf --check FILE");
-  work = [&options] { return check(options); };
+  return [&options] { return check(options); };
 }
 
 }  // namespace
 
 void addSdfCommand(CLI::App& program, Work& work) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("sdf", "Look into world and model files");
+  CLI::App* command = program.add_subcommand("sdf", "Look into world and model files, and what they may hold");
   command->set_help_flag("-h,--help", "Print this and end");
   command->add_option("FILE", options->files, "World or model files")->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
@@ -72,11 +89,17 @@ void addSdfCommand(CLI::App& program, Work& work) {
   addFlag("-k,--check", options->check, "Say what is wrong with the files and what they include, or 'Valid.'");
   addFlag("--strict", options->strict, "Take warnings for errors");
   addFlag("--json", options->json, "Print what is wrong as an array of JSON objects");
+  command
+      ->add_option_function<std::string>(
+          "-d,--describe", [options](const std::string& text) { options->element = text; },
+          "Print what the format says of an element or attribute: joint, joint/axis/limit, joint/@type")
+      ->type_name("ELEMENT");
   command->footer(
       "Examples:\n"
       "  pongsim sdf --check worlds/pong_world.sdf\n"
+      "  pongsim sdf --describe joint/axis/limit\n"
       "  pongsim sdf --check --strict --json worlds/*.sdf");
-  command->callback([options, &work] { checkAndSchedule(*options, work); });
+  command->callback([options, &work] { work = workFor(*options); });
 }
 
 }  // namespace pongsim::cli

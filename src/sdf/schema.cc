@@ -39,9 +39,8 @@ void Schema::resolve(Part& part) {
     part.row.fallback = meant.fallback;
     if (part.row.description.empty()) part.row.description = meant.description;
   }
-  const auto type = typeOfPath_.find(path);
-  if (type == typeOfPath_.end()) return;
-  part.type = type->second;
+  part.type = typeOf(path);
+  if (part.type == nullptr) return;
   part.isFreeForm = std::ranges::find(part.type->children, "*", &Part::name) != part.type->children.end();
 }
 
@@ -57,6 +56,11 @@ const Schema& Schema::instance() {
 }
 
 const Schema::Part* Schema::shared(std::string_view name) const { return find(shared_, name); }
+
+const Schema::ElementType* Schema::typeOf(std::string_view path) const {
+  const auto found = typeOfPath_.find(path);
+  return found != typeOfPath_.end() ? found->second : nullptr;
+}
 
 const Schema::Part* Schema::find(std::span<const Part> parts, std::string_view name) {
   const auto found = std::ranges::lower_bound(parts, name, {}, &Part::name);

@@ -43,6 +43,9 @@ class Schema {
   /// @return All of those, sorted by name.
   std::span<const Part> allShared() const { return shared_; }
 
+  /// @return What may stand in the element of that path in the table ("joint.axis"), or null.
+  const ElementType* typeOf(std::string_view path) const;
+
   /// @return The part of that name, or null.
   static const Part* find(std::span<const Part> parts, std::string_view name);
 

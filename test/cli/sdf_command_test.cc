@@ -15,16 +15,21 @@ struct Outcome {
   std::string error;
 };
 
+Outcome runSdf(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"pongsim", "sdf"});
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exitCode = run(static_cast<int>(pointers.size()), pointers.data());
+  return {exitCode, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
 class SdfCheck : public testing::Test {
  protected:
   Outcome check(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"pongsim", "sdf", "--check"});
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments) pointers.push_back(argument.data());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int exitCode = run(static_cast<int>(pointers.size()), pointers.data());
-    return {exitCode, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+    arguments.insert(arguments.begin(), "--check");
+    return runSdf(std::move(arguments));
   }
 
   std::string write(const std::string& name, const std::string& content) {
@@ -81,6 +86,27 @@ TEST_F(SdfCheck, PrintsJson) {
   EXPECT_EQ(outcome.output, "[{\"file\":\"" + bad +
                                 "\",\"line\":2,\"column\":1,\"severity\":\"error\",\"message\":\"<world> has no name\","
                                 "\"hint\":\"write <world name=\\\"...\\\">\"}]\n");
+}
+
+TEST(SdfCommand, DoesOneThingAtATime) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"--check"},
+                                                    {"--check", "a.sdf", "--describe", "joint"},
+                                                    {"--describe", "joint", "a.sdf"},
+                                                    {"--describe", "joint", "--json"},
+                                                    {"--describe", "joitn"}}) {
+    const Outcome outcome = runSdf(arguments);
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(outcome.error.starts_with("pongsim: error: ")) << outcome.error;
+  }
+}
+
+TEST(SdfDescribe, PrintsWhatTheFormatSays) {
+  const Outcome outcome = runSdf({"--describe", "//joint/axis/limit"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_TRUE(outcome.output.starts_with("<limit> in joint/axis\n")) << outcome.output;
 }
 
 }  // namespace
