@@ -10,6 +10,7 @@
 #include "sdf/file_text.hh"
 #include "sdf/include_overrides.hh"
 #include "sdf/model_config.hh"
+#include "sdf/upgrade.hh"
 #include "sdf/values.hh"
 #include "sdf/version.hh"
 
@@ -114,6 +115,7 @@ void Includes::parse(const fs::path& path, const Name& name, File& file) {
   }
   file.context.version = readVersion(*root, diagnostics_);
   checkElements(*root, file.context);
+  upgrade(*root, file.context);
   file.content = contentOf(*root, diagnostics_);
 }
 

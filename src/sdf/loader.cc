@@ -13,6 +13,7 @@
 #include "sdf/file_text.hh"
 #include "sdf/includes.hh"
 #include "sdf/names.hh"
+#include "sdf/upgrade.hh"
 #include "sdf/version.hh"
 #include "sdf/world_reader.hh"
 
@@ -22,7 +23,7 @@ namespace {
 
 using FileName = std::shared_ptr<const std::string>;
 
-Root readRoot(const Element& element, Includes& includes, const FileName& file, Diagnostics& diagnostics) {
+Root readRoot(Element& element, Includes& includes, const FileName& file, Diagnostics& diagnostics) {
   Root root;
   if (element.name != "sdf") {
     diagnostics.error(element.position, "the file begins with <" + element.name + ">, not with <sdf>",
@@ -34,6 +35,7 @@ Root readRoot(const Element& element, Includes& includes, const FileName& file, 
                   .version = readVersion(element, diagnostics),
                   .folder = std::filesystem::path(*file).parent_path()};
   checkElements(element, context);
+  upgrade(element, context);
 
   SiblingNames names("this file");
   for (const Element& child : element.children) {
@@ -77,7 +79,7 @@ Root load(std::string_view text, const FileName& name, const assets::Finder& fin
   Includes includes(finder, found);
   includes.begin(*name);
   Root root;
-  if (const std::optional<Element> element = parseDocument(text, name, found)) {
+  if (std::optional<Element> element = parseDocument(text, name, found)) {
     root = readRoot(*element, includes, name, found);
   }
   addSorted(found, includes, diagnostics);

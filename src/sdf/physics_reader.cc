@@ -48,12 +48,7 @@ description::PhysicsProfile readPhysics(const Element& world, Context& context) 
 }
 
 Vector3 readGravity(const Element& world, Context& context) {
-  const Vector3 standard = description::World().gravity;
-  const Element* physics = world.child("physics");
-  if (context.version <= 5 && physics != nullptr && world.child("gravity") == nullptr) {
-    return readVector(*physics, "gravity", standard, context);
-  }
-  return readVector(world, "gravity", standard, context);
+  return readVector(world, "gravity", description::World().gravity, context);
 }
 
 }  // namespace pongsim::sdf

@@ -154,10 +154,7 @@ PoseText readPose(const Element& parent, Context& context) {
   if (element == nullptr) return pose;
   pose.position = element->position;
 
-  // SDF 1.6 and older call it "frame".
-  const Element::Attribute* relativeTo = element->attribute("relative_to");
-  if (relativeTo == nullptr && context.version <= 6) relativeTo = element->attribute("frame");
-  if (relativeTo != nullptr) {
+  if (const Element::Attribute* relativeTo = element->attribute("relative_to")) {
     pose.relativeTo = relativeTo->value;
     pose.position = relativeTo->position;
   }

@@ -15,7 +15,8 @@ TEST(ElementCheck, NamesTheElementThatIsMeant) {
 TEST(ElementCheck, WarnsOnceAName) { EXPECT_EQ(loadLink("<colision/><colision/>").messages.size(), 1U); }
 
 TEST(ElementCheck, LeavesTheUsersOwnAlone) {
-  EXPECT_EQ(loadWorld("<plugin filename='a' name='b'><x y='z'/></plugin><gui><plugin filename='a' name='b'><x/></plugin></gui><my:thing><x/></my:thing>"
+  EXPECT_EQ(loadWorld("<plugin filename='a' name='b'><x y='z'/></plugin><gui><plugin filename='a' "
+                      "name='b'><x/></plugin></gui><my:thing><x/></my:thing>"
                       "<model name='m' my:attribute='1'><link name='l'/></model>")
                 .messages,
             Messages());

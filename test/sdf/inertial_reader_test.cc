@@ -63,17 +63,5 @@ TEST(Inertial, MeansNothingInAStaticModel) {
             Messages());
 }
 
-TEST(Inertial, IsAlwaysRelativeToItsLink) {
-  const std::string link = "<link name='l'>\n<inertial><pose relative_to='__model__'/></inertial></link>";
-  EXPECT_EQ(
-      loadModel(link, "1.7").messages,
-      Messages{"t.sdf:4:17: warning: the <inertial> of link 'l' of model 'm' is relative to '__model__', which is "
-               "ignored: it is always relative to its link"});
-  EXPECT_EQ(
-      loadModel(link, "1.8").messages,
-      Messages{"t.sdf:4:17: warning: attribute 'relative_to' is not used any more in <pose> | SDF 1.8 took it out of "
-               "the format"});
-}
-
 }  // namespace
 }  // namespace pongsim::sdf::test
