@@ -11,6 +11,7 @@
 #include "cli/diagnostic_report.hh"
 #include "cli/sdf_describe.hh"
 #include "sdf/loader.hh"
+#include "sdf/print.hh"
 
 namespace pongsim::cli {
 
@@ -21,6 +22,7 @@ struct Options {
   bool check = false;
   bool strict = false;
   bool json = false;
+  bool print = false;
   std::optional<std::string> element;
 };
 
@@ -57,6 +59,13 @@ int check(const Options& options) {
   return areValid && isPrinted ? kDone : kFailed;
 }
 
+int printResolved(const std::string& file) {
+  Diagnostics diagnostics;
+  const std::optional<Element> resolved = sdf::resolveFile(file, diagnostics);
+  say(diagnostics, Severity::kWarning, Severity::kWarning);
+  return resolved && print(sdf::printDocument(*resolved)) ? kDone : kFailed;
+}
+
 Work describeWork(const Options& options) {
   const std::variant<sdf::NamedPart, sdf::NoPart> found = sdf::findPart(*options.element);
   if (const auto* none = std::get_if<sdf::NoPart>(&found)) throw UsageError(none->message, none->hint);
@@ -65,15 +74,19 @@ Work describeWork(const Options& options) {
 }
 
 Work workFor(const Options& options) {
-  const int tasks = static_cast<int>(options.check) + static_cast<int>(options.element.has_value());
+  const int tasks =
+      static_cast<int>(options.check) + static_cast<int>(options.print) + static_cast<int>(options.element.has_value());
   if (tasks == 0) throw UsageError("nothing to do", "pongsim sdf --help lists what there is");
   if (tasks > 1) throw UsageError("one thing at a time", "pongsim sdf --help lists what there is");
   if (!options.check && (options.strict || options.json)) {
     throw UsageError("--strict and --json are for --check");
   }
   if (options.element) return describeWork(options);
-  if (options.files.empty()) throw UsageError("no file given", "pongsim sdf --check FILE");
-  return [&options] { return check(options); };
+  const std::string task = options.check ? "--check" : "--print";
+  if (options.files.empty()) throw UsageError("no file given", "pongsim sdf " + task + " FILE");
+  if (options.check) return [&options] { return check(options); };
+  if (options.files.size() > 1) throw UsageError(task + " takes one file");
+  return [&options] { return printResolved(options.files.front()); };
 }
 
 }  // namespace
@@ -87,6 +100,7 @@ void addSdfCommand(CLI::App& program, Work& work) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
   addFlag("-k,--check", options->check, "Say what is wrong with the files and what they include, or 'Valid.'");
+  addFlag("-p,--print", options->print, "Print the file as SDF 1.9, with what it includes in place of each <include>");
   addFlag("--strict", options->strict, "Take warnings for errors");
   addFlag("--json", options->json, "Print what is wrong as an array of JSON objects");
   command
@@ -97,6 +111,7 @@ void addSdfCommand(CLI::App& program, Work& work) {
   command->footer(
       "Examples:\n"
       "  pongsim sdf --check worlds/pong_world.sdf\n"
+      "  pongsim sdf --print worlds/pong_world.sdf\n"
       "  pongsim sdf --describe joint/axis/limit\n"
       "  pongsim sdf --check --strict --json worlds/*.sdf");
   command->callback([options, &work] { work = workFor(*options); });

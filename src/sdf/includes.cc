@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sdf/addresses.hh"
 #include "sdf/document.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
@@ -65,11 +66,35 @@ bool Includes::follow(const Element& include, Context& context, const Read& read
 
   Element content = *file.content;
   setFileName(content, newName(*path, include.position));
+  if (keepsReplacements_) makeAddressesAbsolute(content, file.context.folder);
   applyOverrides(include, content, context);
   open_.push_back(file.path);
   read(content, file.context);
   open_.pop_back();
   return true;
+}
+
+const std::vector<Element>& Includes::replace(const Element& include, std::vector<Element>& parts) {
+  if (!keepsReplacements_) return parts;
+  return replacements_[&include] = std::move(parts);
+}
+
+void Includes::resolve(Element& element) {
+  std::vector<Element> children;
+  for (Element& child : element.children) {
+    const auto replacement = child.name == "include" ? replacements_.find(&child) : replacements_.end();
+    if (replacement == replacements_.end()) {
+      resolve(child);
+      children.push_back(std::move(child));
+      continue;
+    }
+    // swapped, so that the includes among them stay where they are known by their addresses
+    Element holder;
+    holder.children.swap(replacement->second);
+    resolve(holder);
+    std::ranges::move(holder.children, std::back_inserter(children));
+  }
+  element.children = std::move(children);
 }
 
 std::optional<fs::path> Includes::find(const Element& include, Context& context) {

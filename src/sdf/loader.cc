@@ -94,6 +94,22 @@ Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics, const
   return text ? load(*text, name, finder, diagnostics) : Root();
 }
 
+std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                   const assets::Finder& finder) {
+  const auto name = std::make_shared<const std::string>(file.string());
+  Diagnostics found;
+  Includes includes(finder, found);
+  includes.begin(*name);
+  includes.keepReplacements();
+  const std::optional<std::string> text = readFileText(file, name, found);
+  std::optional<Element> element = text ? parseDocument(*text, name, found) : std::nullopt;
+  if (element) readRoot(*element, includes, name, found);
+  addSorted(found, includes, diagnostics);
+  if (found.hasErrors()) return std::nullopt;
+  includes.resolve(*element);
+  return element;
+}
+
 Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics, const assets::Finder& finder) {
   return load(text, std::make_shared<const std::string>(name), finder, diagnostics);
 }

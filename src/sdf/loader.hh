@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "assets/finder.hh"
 #include "description/world.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/element.hh"
 
 namespace pongsim::sdf {
 
@@ -28,5 +30,11 @@ Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics,
 /// @param name Stands in the diagnostics; its folder is that of the text.
 Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics,
               const assets::Finder& finder = assets::finderFromEnvironment());
+
+/// Reads a file and all that it includes as `loadFile` does.
+/// @return Its `<sdf>` element, of SDF 1.9, with what it includes in place of each `<include>`; nothing where there was
+/// an error.
+std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                   const assets::Finder& finder = assets::finderFromEnvironment());
 
 }  // namespace pongsim::sdf

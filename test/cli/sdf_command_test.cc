@@ -102,6 +102,38 @@ TEST(SdfCommand, DoesOneThingAtATime) {
   }
 }
 
+TEST(SdfPrint, PrintsAFileWithWhatItIncludes) {
+  const test::TempFolder folder;
+  const std::string model =
+      folder.write("m.sdf", "<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>").string();
+  const std::string world = folder
+                                .write("w.sdf", "<sdf version='1.8'><world name='w'><include><uri>" + model +
+                                                    "</uri><pose>1 0 0 0 0 0</pose></include><odd/></world></sdf>")
+                                .string();
+  const Outcome outcome = runSdf({"--print", world});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_NE(outcome.error.find("<odd> is not known"), std::string::npos) << outcome.error;
+  EXPECT_EQ(outcome.output,
+            "<?xml version=\"1.0\"?>\n"
+            "<sdf version=\"1.9\">\n"
+            "  <world name=\"w\">\n"
+            "    <model name=\"m\">\n"
+            "      <link name=\"l\"/>\n"
+            "      <pose>1 0 0 0 0 0</pose>\n"
+            "    </model>\n"
+            "    <odd/>\n"
+            "  </world>\n"
+            "</sdf>\n");
+}
+
+TEST(SdfPrint, PrintsNothingOfAFileWithErrors) {
+  const Outcome outcome = runSdf({"--print", "/no/such.sdf"});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.error.substr(0, 40), "/no/such.sdf: error: no such file\n  hint");
+  EXPECT_EQ(runSdf({"--print", "a.sdf", "b.sdf"}).exitCode, 2);
+}
+
 TEST(SdfDescribe, PrintsWhatTheFormatSays) {
   const Outcome outcome = runSdf({"--describe", "//joint/axis/limit"});
   EXPECT_EQ(outcome.exitCode, 0);
