@@ -78,8 +78,8 @@ void requireMoved(double distance) {
   }
 }
 
-void stepBare(::benchmark::State& run, const Case& which) {
-  BareBullet world(load(which));
+void stepBare(::benchmark::State& run, const Case& which, BareSolver solver) {
+  BareBullet world(load(which), solver);
   world.setVelocity("left_wheel_joint", kLeft);
   world.setVelocity("right_wheel_joint", kRight);
   const btVector3 start = world.position("chassis");
@@ -146,19 +146,25 @@ class MedianReporter final : public ::benchmark::ConsoleReporter {
   }
 
   void printTable(const std::vector<Case>& all) const {
-    std::printf("\n%-18s %12s %12s %16s %14s %18s\n", "world", "bare [us]", "engine [us]", "simulation [us]",
-                "engine : bare", "simulation : bare");
+    std::printf("\nbare: a loop of Bullet with pongsim's solver; stock: with Bullet's own, as it comes\n");
+    std::printf("%-18s %10s %10s %11s %15s %14s %17s %18s\n", "world", "bare [us]", "stock [us]", "engine [us]",
+                "simulation [us]", "engine : bare", "simulation : bare", "simulation : stock");
     for (const Case& which : all) {
-      const auto bare = medians_.find(which.name + "/bare");
-      const auto engine = medians_.find(which.name + "/engine");
-      const auto simulation = medians_.find(which.name + "/simulation");
-      if (bare == medians_.end() || engine == medians_.end() || simulation == medians_.end()) continue;
-      std::printf("%-18s %12.2f %12.2f %16.2f %14.2f %18.2f\n", which.name.c_str(), bare->second, engine->second,
-                  simulation->second, engine->second / bare->second, simulation->second / bare->second);
+      const double bare = median(which, "bare"), stock = median(which, "stock");
+      const double engine = median(which, "engine"), simulation = median(which, "simulation");
+      if (!(bare > 0 && stock > 0 && engine > 0 && simulation > 0)) continue;
+      std::printf("%-18s %10.2f %10.2f %11.2f %15.2f %14.2f %17.2f %18.2f\n", which.name.c_str(), bare, stock, engine,
+                  simulation, engine / bare, simulation / bare, simulation / stock);
     }
   }
 
  private:
+  /// @return [us]; 0 if it was not measured.
+  double median(const Case& which, const std::string& what) const {
+    const auto found = medians_.find(which.name + "/" + what);
+    return found == medians_.end() ? 0 : found->second;
+  }
+
   std::map<std::string, double> medians_;
 };
 
@@ -180,7 +186,8 @@ int run(int argc, char** argv) {
       ::benchmark::RegisterBenchmark((which.name + "/" + what).c_str(), function, which)
           ->Unit(::benchmark::kMicrosecond);
     };
-    add("bare", stepBare);
+    add("bare", [](auto& state, const Case& each) { stepBare(state, each, BareSolver::kPongsim); });
+    add("stock", [](auto& state, const Case& each) { stepBare(state, each, BareSolver::kBullet); });
     add("engine", stepEngine);
     add("simulation", stepSimulation);
   }
