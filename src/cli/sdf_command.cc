@@ -23,6 +23,7 @@ struct Options {
   bool strict = false;
   bool json = false;
   bool print = false;
+  std::optional<std::string> graph;
   std::optional<std::string> element;
 };
 
@@ -66,6 +67,19 @@ int printResolved(const std::string& file) {
   return resolved && print(sdf::printDocument(*resolved)) ? kDone : kFailed;
 }
 
+int printGraph(const std::string& file, sdf::FrameGraphKind kind) {
+  Diagnostics diagnostics;
+  const std::optional<std::string> graphs = sdf::frameGraphs(file, kind, diagnostics);
+  say(diagnostics, Severity::kWarning, Severity::kWarning);
+  return graphs && print(*graphs) ? kDone : kFailed;
+}
+
+sdf::FrameGraphKind graphKind(const std::string& name) {
+  if (name == "frame") return sdf::FrameGraphKind::kFrame;
+  if (name == "pose") return sdf::FrameGraphKind::kPose;
+  throw UsageError("'" + name + "' is not a kind of graph", "the kinds are frame and pose");
+}
+
 Work describeWork(const Options& options) {
   const std::variant<sdf::NamedPart, sdf::NoPart> found = sdf::findPart(*options.element);
   if (const auto* none = std::get_if<sdf::NoPart>(&found)) throw UsageError(none->message, none->hint);
@@ -74,19 +88,20 @@ Work describeWork(const Options& options) {
 }
 
 Work workFor(const Options& options) {
-  const int tasks =
-      static_cast<int>(options.check) + static_cast<int>(options.print) + static_cast<int>(options.element.has_value());
+  const int tasks = static_cast<int>(options.check) + static_cast<int>(options.print) +
+                    static_cast<int>(options.graph.has_value()) + static_cast<int>(options.element.has_value());
   if (tasks == 0) throw UsageError("nothing to do", "pongsim sdf --help lists what there is");
   if (tasks > 1) throw UsageError("one thing at a time", "pongsim sdf --help lists what there is");
   if (!options.check && (options.strict || options.json)) {
     throw UsageError("--strict and --json are for --check");
   }
   if (options.element) return describeWork(options);
-  const std::string task = options.check ? "--check" : "--print";
+  const std::string task = options.check ? "--check" : options.print ? "--print" : "--graph " + *options.graph;
   if (options.files.empty()) throw UsageError("no file given", "pongsim sdf " + task + " FILE");
   if (options.check) return [&options] { return check(options); };
   if (options.files.size() > 1) throw UsageError(task + " takes one file");
-  return [&options] { return printResolved(options.files.front()); };
+  if (options.print) return [&options] { return printResolved(options.files.front()); };
+  return [&options, kind = graphKind(*options.graph)] { return printGraph(options.files.front(), kind); };
 }
 
 }  // namespace
@@ -105,6 +120,11 @@ void addSdfCommand(CLI::App& program, Work& work) {
   addFlag("--json", options->json, "Print what is wrong as an array of JSON objects");
   command
       ->add_option_function<std::string>(
+          "-g,--graph", [options](const std::string& text) { options->graph = text; },
+          "Print a graph for Graphviz: what each frame is attached to, or measured in")
+      ->type_name("frame|pose");
+  command
+      ->add_option_function<std::string>(
           "-d,--describe", [options](const std::string& text) { options->element = text; },
           "Print what the format says of an element or attribute: joint, joint/axis/limit, joint/@type")
       ->type_name("ELEMENT");
@@ -112,6 +132,7 @@ void addSdfCommand(CLI::App& program, Work& work) {
       "Examples:\n"
       "  pongsim sdf --check worlds/pong_world.sdf\n"
       "  pongsim sdf --print worlds/pong_world.sdf\n"
+      "  pongsim sdf --graph pose worlds/pong_world.sdf | dot -Tsvg > frames.svg\n"
       "  pongsim sdf --describe joint/axis/limit\n"
       "  pongsim sdf --check --strict --json worlds/*.sdf");
   command->callback([options, &work] { work = workFor(*options); });

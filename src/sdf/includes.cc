@@ -53,8 +53,8 @@ std::optional<Element> contentOf(Element& root, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Includes::Includes(assets::Finder finder, Diagnostics& diagnostics)
-    : finder_(std::move(finder)), diagnostics_(diagnostics) {}
+Includes::Includes(assets::Finder finder, Diagnostics& diagnostics, Diagnostics& unsimulated)
+    : finder_(std::move(finder)), diagnostics_(diagnostics), unsimulated_(unsimulated) {}
 
 void Includes::begin(const fs::path& file) { open_.assign(1, withoutLinks(file)); }
 
@@ -120,7 +120,8 @@ std::optional<fs::path> Includes::find(const Element& include, Context& context)
 Includes::File& Includes::fileAt(const fs::path& path, const SourcePosition& includedFrom) {
   std::unique_ptr<File>& file = files_[path.string()];
   if (file == nullptr) {
-    Context context{.diagnostics = diagnostics_, .includes = *this, .folder = path.parent_path()};
+    Context context{
+        .diagnostics = diagnostics_, .unsimulated = unsimulated_, .includes = *this, .folder = path.parent_path()};
     file = std::make_unique<File>(File{withoutLinks(path), 0, std::nullopt, std::move(context)});
     parse(path, newName(path, includedFrom), *file);
   }

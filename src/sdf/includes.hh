@@ -23,7 +23,8 @@ class Includes {
   static constexpr std::size_t kDeepestInclude = 50;
   static constexpr std::size_t kMostIncludes = 20'000;
 
-  Includes(assets::Finder finder, Diagnostics& diagnostics);
+  /// @param unsimulated As in the contexts of the files.
+  Includes(assets::Finder finder, Diagnostics& diagnostics, Diagnostics& unsimulated);
 
   /// Where the load begins: a file that includes this one includes itself.
   void begin(const std::filesystem::path& file);
@@ -75,6 +76,7 @@ class Includes {
 
   assets::Finder finder_;
   Diagnostics& diagnostics_;
+  Diagnostics& unsimulated_;
   std::unordered_map<std::string, std::unique_ptr<File>> files_;
   /// By the folder of each model its SDF file, where its model.config names one.
   std::unordered_map<std::string, std::optional<std::filesystem::path>> modelFiles_;

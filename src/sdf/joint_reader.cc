@@ -52,7 +52,7 @@ std::optional<JointType> readType(const Element& element, const std::string& lab
     known.push_back(description::name(type));
     if (known.back() != attribute->value) continue;
     if (!isSimulated(type)) {
-      context.diagnostics.error(attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
+      context.unsimulated.error(attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
                                 label + " can be revolute, continuous, prismatic, ball or fixed");
     }
     return type;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "description/world.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
+#include "sdf/frame_dot.hh"
 
 namespace pongsim::sdf {
 
@@ -18,6 +20,9 @@ struct Root {
   /// Those outside of any world, as if they stood in one of their own.
   std::vector<description::Model> models;
   std::vector<description::Light> lights;
+  /// Warnings of what the file says well and pongsim does not simulate, and errors where it can't be left out: of no
+  /// concern to those who only read.
+  Diagnostics unsimulated;
 };
 
 /// Reads a file and all that it includes. All that is wrong with them is added to `diagnostics`, in one go; what the
@@ -36,5 +41,11 @@ Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnos
 /// an error.
 std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
                                    const assets::Finder& finder = assets::finderFromEnvironment());
+
+/// Reads a file as `loadFile` does.
+/// @return The graph of the frames of each world in it, and of what stands in none, as text for Graphviz; nothing where
+/// there was an error.
+std::optional<std::string> frameGraphs(const std::filesystem::path& file, FrameGraphKind kind, Diagnostics& diagnostics,
+                                       const assets::Finder& finder = assets::finderFromEnvironment());
 
 }  // namespace pongsim::sdf

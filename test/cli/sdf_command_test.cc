@@ -134,6 +134,18 @@ TEST(SdfPrint, PrintsNothingOfAFileWithErrors) {
   EXPECT_EQ(runSdf({"--print", "a.sdf", "b.sdf"}).exitCode, 2);
 }
 
+TEST(SdfGraph, PrintsText) {
+  const test::TempFolder folder;
+  const std::string world = folder.write("w.sdf", "<sdf version='1.8'><world name='w'/></sdf>").string();
+  const Outcome outcome = runSdf({"--graph", "frame", world});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.output, "digraph {\n  0 [label=\"world\"];\n}\n");
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_EQ(runSdf({"--graph", "frames", world}).exitCode, 2);
+  EXPECT_EQ(runSdf({"--graph", "pose"}).exitCode, 2);
+  EXPECT_EQ(runSdf({"--graph", "pose", "/no/such.sdf"}).exitCode, 1);
+}
+
 TEST(SdfDescribe, PrintsWhatTheFormatSays) {
   const Outcome outcome = runSdf({"--describe", "//joint/axis/limit"});
   EXPECT_EQ(outcome.exitCode, 0);

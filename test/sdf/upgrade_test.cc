@@ -115,8 +115,8 @@ TEST(Upgrade, GivesEachAxisOfAnImuItsNoise) {
       "<stddev>2</stddev></rate><accel><bias_mean>3</bias_mean></accel></noise></imu></sensor></link>";
   Element root;
   Diagnostics diagnostics;
-  Includes includes(assets::finderIn({}), diagnostics);
-  Context context{.diagnostics = diagnostics, .includes = includes, .version = 5};
+  Includes includes(assets::finderIn({}), diagnostics, diagnostics);
+  Context context{.diagnostics = diagnostics, .unsimulated = diagnostics, .includes = includes, .version = 5};
   root = *parseDocument("<sdf version='1.5'><model name='m'>" + imu + "</model></sdf>", nullptr, diagnostics);
   upgrade(root, context);
   EXPECT_TRUE(diagnostics.all().empty());
