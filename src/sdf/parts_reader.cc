@@ -16,17 +16,6 @@ namespace {
 // Links, joints, frames and models stand for frames, so no two may have the same name.
 constexpr std::string_view kFrames = "frame";
 
-bool isMerge(const Element& include, Context& context) {
-  const Element::Attribute* attribute = include.attribute("merge");
-  if (attribute == nullptr) return false;
-  const std::optional<bool> flag = parseFlag(attribute->value);
-  if (!flag) {
-    context.diagnostics.error(attribute->position,
-                              "attribute 'merge' is '" + attribute->value + "', which is not 'true' or 'false'");
-  }
-  return flag.value_or(false);
-}
-
 }  // namespace
 
 PartsReader::PartsReader(Scope& scope, bool isStatic, Context& context)
@@ -119,7 +108,7 @@ void PartsReader::readLightPart(const Element& element, const Source& source) {
 }
 
 void PartsReader::readInclude(const Element& include, const Source& source) {
-  const bool merges = isMerge(include, source.context);
+  const bool merges = readFlagAttribute(include, "merge", false, source.context);
   const bool isOpen = context_.includes.follow(include, source.context, [&](Element& included, Context& context) {
     if (!source.modelFrame.empty()) setModelFrame(included, source.modelFrame);
     std::vector<Element> parts;

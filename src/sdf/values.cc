@@ -67,14 +67,7 @@ Pose readEulerPose(const Element& element, Context& context) {
   if (!values) return {};
   const std::vector<double>& v = *values;
   double unit = 1;
-  if (const Element::Attribute* degrees = element.attribute("degrees")) {
-    const std::optional<bool> flag = parseFlag(degrees->value);
-    if (!flag) {
-      context.diagnostics.error(degrees->position,
-                                "attribute 'degrees' is '" + degrees->value + "', which is not 'true' or 'false'");
-    }
-    if (flag.value_or(false)) unit = std::numbers::pi / 180;
-  }
+  if (readFlagAttribute(element, "degrees", false, context)) unit = std::numbers::pi / 180;
   return {{v[0], v[1], v[2]}, fromRollPitchYaw(v[3] * unit, v[4] * unit, v[5] * unit)};
 }
 
@@ -137,6 +130,17 @@ bool readFlag(const Element& parent, std::string_view child, bool fallback, Cont
   if (element == nullptr) return fallback;
   const std::optional<bool> flag = parseFlag(element->text);
   if (!flag) complain(*element, "'true' or 'false'", context);
+  return flag.value_or(fallback);
+}
+
+bool readFlagAttribute(const Element& element, std::string_view attribute, bool fallback, Context& context) {
+  const Element::Attribute* found = element.attribute(attribute);
+  if (found == nullptr) return fallback;
+  const std::optional<bool> flag = parseFlag(found->value);
+  if (!flag) {
+    context.diagnostics.error(
+        found->position, "attribute '" + found->name + "' is '" + found->value + "', which is not 'true' or 'false'");
+  }
   return flag.value_or(fallback);
 }
 
