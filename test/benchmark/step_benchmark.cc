@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "benchmark/bare_bullet.hh"
+#include "benchmark/medians.hh"
 #include "physics/engine.hh"
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
@@ -135,51 +135,21 @@ void stepSimulation(::benchmark::State& run, const Case& which) {
   for (auto _ : run) simulation->step();
 }
 
-/// Prints as usual, and keeps the medians.
-class MedianReporter final : public ::benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.aggregate_name == "median") medians_[run.run_name.function_name] = run.GetAdjustedCPUTime();
-    }
+void printTable(const Medians& medians, const std::vector<Case>& all) {
+  std::printf("\nbare: a loop of Bullet with pongsim's solver; stock: with Bullet's own, as it comes\n");
+  std::printf("%-18s %10s %10s %11s %15s %14s %17s %18s\n", "world", "bare [us]", "stock [us]", "engine [us]",
+              "simulation [us]", "engine : bare", "simulation : bare", "simulation : stock");
+  for (const Case& which : all) {
+    const auto median = [&](const char* what) { return medians.of(which.name + "/" + what); };
+    const double bare = median("bare"), stock = median("stock");
+    const double engine = median("engine"), simulation = median("simulation");
+    if (!(bare > 0 && stock > 0 && engine > 0 && simulation > 0)) continue;
+    std::printf("%-18s %10.2f %10.2f %11.2f %15.2f %14.2f %17.2f %18.2f\n", which.name.c_str(), bare, stock, engine,
+                simulation, engine / bare, simulation / bare, simulation / stock);
   }
+}
 
-  void printTable(const std::vector<Case>& all) const {
-    std::printf("\nbare: a loop of Bullet with pongsim's solver; stock: with Bullet's own, as it comes\n");
-    std::printf("%-18s %10s %10s %11s %15s %14s %17s %18s\n", "world", "bare [us]", "stock [us]", "engine [us]",
-                "simulation [us]", "engine : bare", "simulation : bare", "simulation : stock");
-    for (const Case& which : all) {
-      const double bare = median(which, "bare"), stock = median(which, "stock");
-      const double engine = median(which, "engine"), simulation = median(which, "simulation");
-      if (!(bare > 0 && stock > 0 && engine > 0 && simulation > 0)) continue;
-      std::printf("%-18s %10.2f %10.2f %11.2f %15.2f %14.2f %17.2f %18.2f\n", which.name.c_str(), bare, stock, engine,
-                  simulation, engine / bare, simulation / bare, simulation / stock);
-    }
-  }
-
- private:
-  /// @return [us]; 0 if it was not measured.
-  double median(const Case& which, const std::string& what) const {
-    const auto found = medians_.find(which.name + "/" + what);
-    return found == medians_.end() ? 0 : found->second;
-  }
-
-  std::map<std::string, double> medians_;
-};
-
-// nine short runs of each in mixed order, unless the command line says otherwise
 int run(int argc, char** argv) {
-  std::vector<std::string> arguments = {argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.2",
-                                        "--benchmark_enable_random_interleaving=true",
-                                        "--benchmark_report_aggregates_only=true"};
-  arguments.insert(arguments.end(), argv + 1, argv + argc);
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  int count = static_cast<int>(pointers.size());
-  ::benchmark::Initialize(&count, pointers.data());
-  if (::benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-
   const std::vector<Case> all = cases();
   for (const Case& which : all) {
     const auto add = [&](const char* what, auto function) {
@@ -191,9 +161,9 @@ int run(int argc, char** argv) {
     add("engine", stepEngine);
     add("simulation", stepSimulation);
   }
-  MedianReporter reporter;
-  ::benchmark::RunSpecifiedBenchmarks(&reporter);
-  reporter.printTable(all);
+  Medians medians;
+  if (!medians.run(argc, argv)) return 2;
+  printTable(medians, all);
   return 0;
 }
 
