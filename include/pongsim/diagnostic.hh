@@ -16,6 +16,7 @@ struct SourcePosition {
   std::shared_ptr<const std::string> file;
   int line = 0;
   int column = 0;
+  bool operator==(const SourcePosition&) const = default;
 };
 
 enum class Severity { kWarning, kError };

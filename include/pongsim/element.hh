@@ -19,6 +19,7 @@ class PONGSIM_API Element {
     std::string name;
     std::string value;
     SourcePosition position;
+    bool operator==(const Attribute&) const = default;
   };
 
   std::string name;
@@ -61,6 +62,8 @@ class PONGSIM_API Element {
   T get(std::string_view childName, T fallback) const {
     return find<T>(childName).value_or(std::move(fallback));
   }
+
+  bool operator==(const Element&) const = default;
 };
 
 template <>

@@ -40,6 +40,7 @@ struct Pose {
     const Quaternion inverted = rotation.conjugate();
     return {-(inverted * position), inverted};
   }
+  bool operator==(const Pose&) const = default;
 };
 
 /// Rotation from fixed-axis roll, pitch, yaw [rad] as SDF and URDF write it: R = Rz(yaw) Ry(pitch) Rx(roll).

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 namespace pongsim::cli {
 
@@ -12,56 +14,15 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// @return The number of bytes of the letter that `text` begins with; 0 where that is not UTF-8.
-std::size_t letterLength(std::string_view text) {
-  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  std::size_t length = 1;
-  if (byte(0) >= 0xC2) length = byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
-  if ((byte(0) >= 0x80 && length == 1) || byte(0) > 0xF4 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80) return 0;
-  }
-  // too long a form, half of a UTF-16 pair, beyond the last letter
-  const bool isOdd = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) >= 0xA0) ||
-                     (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) >= 0x90);
-  return isOdd ? 0 : length;
-}
+// With its members in the order in which they are added.
+using Json = nlohmann::ordered_json;
 
-/// @return The text in quotes. What is not UTF-8 becomes U+FFFD, for JSON is.
-std::string jsonText(std::string_view text) {
-  std::string json = "\"";
-  while (!text.empty()) {
-    const std::size_t length = letterLength(text);
-    const char letter = text.front();
-    if (length == 0) {
-      json += "\\ufffd";
-    } else if (letter == '"' || letter == '\\') {
-      json += {'\\', letter};
-    } else if (length == 1 && static_cast<unsigned char>(letter) < 0x20) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(letter));
-      json += code;
-    } else {
-      json += text.substr(0, length);
-    }
-    text.remove_prefix(length == 0 ? 1 : length);
-  }
-  return json + "\"";
-}
-
-/// @return The members of a place, with a comma behind each.
-std::string membersOf(const SourcePosition& position) {
-  std::string json;
-  if (position.file) json += "\"file\":" + jsonText(*position.file) + ",";
-  if (position.line > 0) json += "\"line\":" + std::to_string(position.line) + ",";
-  if (position.line > 0 && position.column > 0) json += "\"column\":" + std::to_string(position.column) + ",";
-  return json;
-}
-
-std::string objectOf(const SourcePosition& position) {
-  std::string members = membersOf(position);
-  if (!members.empty()) members.pop_back();
-  return "{" + members + "}";
+Json placeOf(const SourcePosition& position) {
+  Json place = Json::object();
+  if (position.file) place["file"] = *position.file;
+  if (position.line > 0) place["line"] = position.line;
+  if (position.line > 0 && position.column > 0) place["column"] = position.column;
+  return place;
 }
 
 }  // namespace
@@ -103,21 +64,17 @@ void say(const Diagnostics& diagnostics, Severity least, Severity leastWithLine)
 }
 
 std::string jsonOf(const std::vector<Diagnostic>& diagnostics) {
-  std::string json = "[";
+  Json all = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) {
-    if (json.size() > 1) json += ",";
-    json += "{" + membersOf(diagnostic.position) + "\"severity\":";
-    json += diagnostic.severity == Severity::kError ? "\"error\"" : "\"warning\"";
-    json += ",\"message\":" + jsonText(diagnostic.message);
-    if (!diagnostic.hint.empty()) json += ",\"hint\":" + jsonText(diagnostic.hint);
-    if (!diagnostic.includedFrom.empty()) {
-      json += ",\"includedFrom\":[";
-      for (const SourcePosition& place : diagnostic.includedFrom) json += objectOf(place) + ",";
-      json.back() = ']';
-    }
-    json += "}";
+    Json object = placeOf(diagnostic.position);
+    object["severity"] = diagnostic.severity == Severity::kError ? "error" : "warning";
+    object["message"] = diagnostic.message;
+    if (!diagnostic.hint.empty()) object["hint"] = diagnostic.hint;
+    for (const SourcePosition& place : diagnostic.includedFrom) object["includedFrom"].push_back(placeOf(place));
+    all.push_back(std::move(object));
   }
-  return json + "]\n";
+  // JSON is UTF-8: what is not becomes U+FFFD
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace pongsim::cli

@@ -1,13 +1,17 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/sdf_describe.hh"
 #include "sdf/loader.hh"
+#include "sdf/print.hh"
 
 namespace pongsim::cli {
 
@@ -18,6 +22,9 @@ struct Options {
   bool check = false;
   bool strict = false;
   bool json = false;
+  bool print = false;
+  std::optional<std::string> graph;
+  std::optional<std::string> element;
 };
 
 /// @return What is wrong with the file, with warnings as errors if the user wants that.
@@ -53,30 +60,82 @@ int check(const Options& options) {
   return areValid && isPrinted ? kDone : kFailed;
 }
 
-void checkAndSchedule(const Options& options, Work& work) {
-  if (!options.check) throw UsageError("nothing to do", "pongsim sdf --check FILE");
-  if (options.files.empty()) throw UsageError("no file given", "pongsim sdf --check FILE");
-  work = [&options] { return check(options); };
+int printResolved(const std::string& file) {
+  Diagnostics diagnostics;
+  const std::optional<Element> resolved = sdf::resolveFile(file, diagnostics);
+  say(diagnostics, Severity::kWarning, Severity::kWarning);
+  return resolved && print(sdf::printDocument(*resolved)) ? kDone : kFailed;
+}
+
+int printGraph(const std::string& file, sdf::FrameGraphKind kind) {
+  Diagnostics diagnostics;
+  const std::optional<std::string> graphs = sdf::frameGraphs(file, kind, diagnostics);
+  say(diagnostics, Severity::kWarning, Severity::kWarning);
+  return graphs && print(*graphs) ? kDone : kFailed;
+}
+
+sdf::FrameGraphKind graphKind(const std::string& name) {
+  if (name == "frame") return sdf::FrameGraphKind::kFrame;
+  if (name == "pose") return sdf::FrameGraphKind::kPose;
+  throw UsageError("'" + name + "' is not a kind of graph", "the kinds are frame and pose");
+}
+
+Work describeWork(const Options& options) {
+  const std::variant<sdf::NamedPart, sdf::NoPart> found = sdf::findPart(*options.element);
+  if (const auto* none = std::get_if<sdf::NoPart>(&found)) throw UsageError(none->message, none->hint);
+  if (!options.files.empty()) throw UsageError("--describe takes no file");
+  return [text = describe(std::get<sdf::NamedPart>(found))] { return print(text) ? kDone : kFailed; };
+}
+
+Work workFor(const Options& options) {
+  const int tasks = static_cast<int>(options.check) + static_cast<int>(options.print) +
+                    static_cast<int>(options.graph.has_value()) + static_cast<int>(options.element.has_value());
+  if (tasks == 0) throw UsageError("nothing to do", "pongsim sdf --help lists what there is");
+  if (tasks > 1) throw UsageError("one thing at a time", "pongsim sdf --help lists what there is");
+  if (!options.check && (options.strict || options.json)) {
+    throw UsageError("--strict and --json are for --check");
+  }
+  if (options.element) return describeWork(options);
+  const std::string task = options.check ? "--check" : options.print ? "--print" : "--graph " + *options.graph;
+  if (options.files.empty()) throw UsageError("no file given", "pongsim sdf " + task + " FILE");
+  if (options.check) return [&options] { return check(options); };
+  if (options.files.size() > 1) throw UsageError(task + " takes one file");
+  if (options.print) return [&options] { return printResolved(options.files.front()); };
+  return [&options, kind = graphKind(*options.graph)] { return printGraph(options.files.front(), kind); };
 }
 
 }  // namespace
 
 void addSdfCommand(CLI::App& program, Work& work) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("sdf", "Look into world and model files");
+  CLI::App* command = program.add_subcommand("sdf", "Look into world and model files, and what they may hold");
   command->set_help_flag("-h,--help", "Print this and end");
   command->add_option("FILE", options->files, "World or model files")->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
   addFlag("-k,--check", options->check, "Say what is wrong with the files and what they include, or 'Valid.'");
+  addFlag("-p,--print", options->print, "Print the file as SDF 1.9, with what it includes in place of each <include>");
   addFlag("--strict", options->strict, "Take warnings for errors");
   addFlag("--json", options->json, "Print what is wrong as an array of JSON objects");
+  command
+      ->add_option_function<std::string>(
+          "-g,--graph", [options](const std::string& text) { options->graph = text; },
+          "Print a graph for Graphviz: what each frame is attached to, or measured in")
+      ->type_name("frame|pose");
+  command
+      ->add_option_function<std::string>(
+          "-d,--describe", [options](const std::string& text) { options->element = text; },
+          "Print what the format says of an element or attribute: joint, joint/axis/limit, joint/@type")
+      ->type_name("ELEMENT");
   command->footer(
       "Examples:\n"
       "  pongsim sdf --check worlds/pong_world.sdf\n"
+      "  pongsim sdf --print worlds/pong_world.sdf\n"
+      "  pongsim sdf --graph pose worlds/pong_world.sdf | dot -Tsvg > frames.svg\n"
+      "  pongsim sdf --describe joint/axis/limit\n"
       "  pongsim sdf --check --strict --json worlds/*.sdf");
-  command->callback([options, &work] { checkAndSchedule(*options, work); });
+  command->callback([options, &work] { work = workFor(*options); });
 }
 
 }  // namespace pongsim::cli

@@ -14,6 +14,7 @@ struct Atmosphere {
   double temperatureGradient = -0.0065;
   /// [Pa]
   double pressure = 101325;
+  bool operator==(const Atmosphere&) const = default;
 };
 
 /// `<spherical_coordinates>`: where on a planet the world is.
@@ -27,6 +28,7 @@ struct SphericalCoordinates {
   double elevation = 0;
   /// Of the world frame, counter-clockwise from the orientation above [rad].
   double heading = 0;
+  bool operator==(const SphericalCoordinates&) const = default;
 };
 
 /// What is around the bodies of a world.
@@ -37,6 +39,7 @@ struct Environment {
   Vector3 magneticField{5.5645e-6, 22.8758e-6, -42.3884e-6};
   Atmosphere atmosphere;
   SphericalCoordinates sphericalCoordinates;
+  bool operator==(const Environment&) const = default;
 };
 
 }  // namespace pongsim::description

@@ -28,6 +28,7 @@ struct JointAxis {
   double friction = 0;
   double springReference = 0;
   double springStiffness = 0;
+  bool operator==(const JointAxis&) const = default;
 };
 
 /// What a `<joint>` says. Links are named as the model sees them: "wheel", "inner::wheel", or "world".
@@ -43,6 +44,7 @@ struct Joint {
   Pose X_ParentJoint;
   /// One for revolute, continuous, prismatic, screw; two for universal, revolute2, gearbox; none for ball, fixed.
   std::vector<JointAxis> axes;
+  bool operator==(const Joint&) const = default;
 };
 
 }  // namespace pongsim::description

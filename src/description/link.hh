@@ -18,6 +18,7 @@ struct Inertial {
   Pose X_LinkCom;
   /// Inertia tensor about the centre of mass [kg m^2].
   Matrix3 moments = Matrix3::Identity();
+  bool operator==(const Inertial&) const = default;
 };
 
 /// `<surface>`: how a collision's skin behaves.
@@ -29,6 +30,7 @@ struct Surface {
   Vector3 fdir1 = Vector3::Zero();
   /// `<bounce><restitution_coefficient>`, 0 to 1.
   double restitution = 0;
+  bool operator==(const Surface&) const = default;
 };
 
 struct Collision {
@@ -37,6 +39,7 @@ struct Collision {
   Pose X_LinkCollision;
   Geometry geometry;
   Surface surface;
+  bool operator==(const Collision&) const = default;
 };
 
 struct Visual {
@@ -44,6 +47,7 @@ struct Visual {
   SourcePosition position;
   Pose X_LinkVisual;
   Geometry geometry;
+  bool operator==(const Visual&) const = default;
 };
 
 /// What a `<link>` says.
@@ -63,6 +67,7 @@ struct Link {
   /// `<velocity_decay>`, fraction of the velocity lost a second.
   double linearDamping = 0;
   double angularDamping = 0;
+  bool operator==(const Link&) const = default;
 };
 
 }  // namespace pongsim::description

@@ -18,6 +18,7 @@ struct Frame {
   Pose X_ModelFrame;
   /// Link that the frame moves with, as the model names it.
   std::string attachedLink;
+  bool operator==(const Frame&) const = default;
 };
 
 /// What a `<model>` says, frames resolved.
@@ -35,6 +36,7 @@ struct Model {
   std::vector<Frame> frames;
   std::vector<Model> models;
   std::vector<Plugin> plugins;
+  bool operator==(const Model&) const = default;
 };
 
 }  // namespace pongsim::description

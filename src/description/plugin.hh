@@ -12,6 +12,7 @@ struct Plugin {
   std::string className;
   /// The whole `<plugin>` element, with its position.
   Element sdf;
+  bool operator==(const Plugin&) const = default;
 };
 
 }  // namespace pongsim::description

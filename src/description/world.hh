@@ -16,6 +16,7 @@ struct PhysicsProfile {
   Time maxStepSize = std::chrono::milliseconds(1);
   /// Simulated seconds a second; 0 means as many as possible.
   double realTimeFactor = 1;
+  bool operator==(const PhysicsProfile&) const = default;
 };
 
 struct Light {
@@ -23,6 +24,7 @@ struct Light {
   std::string type;
   Pose X_WorldLight;
   SourcePosition position;
+  bool operator==(const Light&) const = default;
 };
 
 /// What a `<world>` says, frames resolved.
@@ -40,6 +42,7 @@ struct World {
   /// Frames at the world's level; the world stands for their model: links are named "model::link", or "world".
   std::vector<Frame> frames;
   std::vector<Plugin> plugins;
+  bool operator==(const World&) const = default;
 };
 
 }  // namespace pongsim::description

@@ -12,7 +12,10 @@ class Includes;
 
 /// What the readers of one file share.
 struct Context {
+  /// What is wrong with the files.
   Diagnostics& diagnostics;
+  /// What they say well, and nothing here simulates.
+  Diagnostics& unsimulated;
   /// Opens the files that this one includes.
   Includes& includes;
   /// The file is written in SDF 1.`version`.

@@ -1,11 +1,13 @@
 #include "sdf/element_check.hh"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/nearest_word.hh"
 #include "sdf/schema.hh"
+#include "sdf/value_check.hh"
 
 namespace pongsim::sdf {
 
@@ -14,7 +16,7 @@ namespace {
 std::string hintFor(std::string_view name, std::span<const Schema::Part> parts) {
   std::vector<std::string_view> known;
   for (const Schema::Part& part : parts) {
-    if (part.removedIn == 0) known.push_back(part.name);
+    if (part.row.removedIn == 0 && part.name != "*") known.push_back(part.name);
   }
   return base::didYouMean(name, known);
 }
@@ -24,12 +26,12 @@ std::string hintFor(std::string_view name, std::span<const Schema::Part> parts) 
 const Schema::Part* knownPart(std::string_view name, std::span<const Schema::Part> parts, const std::string& label,
                               const Element& holder, const SourcePosition& position, Context& context) {
   const Schema::Part* part = Schema::find(parts, name);
-  const bool isGone = part != nullptr && part->removedIn != 0 && context.version >= part->removedIn;
+  const bool isGone = part != nullptr && part->row.removedIn != 0 && context.version >= part->row.removedIn;
   if ((part == nullptr || isGone) && context.firstTime("unknown " + label)) {
     const std::string ending = " in <" + holder.name + ">";
     if (isGone) {
       context.diagnostics.warning(position, label + " is not used any more" + ending,
-                                  "SDF 1." + std::to_string(part->removedIn) + " took it out of the format");
+                                  "SDF 1." + std::to_string(part->row.removedIn) + " took it out of the format");
     } else {
       context.diagnostics.warning(position, label + " is not known" + ending, hintFor(name, parts));
     }
@@ -37,24 +39,59 @@ const Schema::Part* knownPart(std::string_view name, std::span<const Schema::Par
   return isGone ? nullptr : part;
 }
 
-void check(const Element& element, const Schema::ElementType* type, Context& context) {
+/// @param label "<mass>" or "attribute 'id'"
+void checkType(std::string_view type, const std::string& text, const std::string& label, const SourcePosition& position,
+               Context& context) {
+  constexpr std::size_t kLongestQuote = 60;
+  const std::optional<WrongValue> wrong = checkValue(type, text);
+  if (!wrong) return;
+  const std::string quote = text.size() > kLongestQuote ? text.substr(0, kLongestQuote) + "..." : text;
+  const bool isError = wrong->severity == Severity::kError;
+  context.diagnostics.add({wrong->severity, position,
+                           label + " is '" + quote + "', which is not " + std::string(wrong->expected),
+                           isError ? "" : "Fortress takes as much of it as it can"});
+}
+
+void checkRequired(const Element& element, const Schema::ElementType& type, Context& context) {
+  for (const Schema::Part& part : type.attributes) {
+    if (part.row.presence != '1' || part.row.removedIn != 0 || element.attribute(part.name) != nullptr) continue;
+    const std::string name(part.name);
+    context.diagnostics.error(element.position, "<" + element.name + "> has no " + name,
+                              "write <" + element.name + " " + name + "=\"...\">");
+  }
+}
+
+/// @param isPassed No reader looks at the element, so that its values are checked here.
+void check(const Element& element, const Schema::ElementType* type, bool isPassed, Context& context) {
   static const Schema::ElementType kNothing;
   if (type == nullptr) type = &kNothing;
+  if (isPassed) checkRequired(element, *type, context);
   for (const Element::Attribute& attribute : element.attributes) {
     if (attribute.name.find(':') != std::string::npos) continue;
-    knownPart(attribute.name, type->attributes, "attribute '" + attribute.name + "'", element, attribute.position,
-              context);
+    const std::string label = "attribute '" + attribute.name + "'";
+    const Schema::Part* part = knownPart(attribute.name, type->attributes, label, element, attribute.position, context);
+    if (part == nullptr || (!isPassed && part->row.use == Use::kRead)) continue;
+    checkType(part->row.type, attribute.value, label, attribute.position, context);
   }
   for (const Element& child : element.children) {
     if (child.name.find(':') != std::string::npos) continue;
     const Schema::Part* part =
         knownPart(child.name, type->children, "<" + child.name + ">", element, child.position, context);
-    if (part != nullptr && !part->isFreeForm) check(child, part->type, context);
+    if (part == nullptr) continue;
+    const bool isChildPassed = isPassed || part->row.use == Use::kPassed;
+    if (isChildPassed) checkType(part->row.type, child.text, "<" + child.name + ">", child.position, context);
+    if (!part->isFreeForm) {
+      check(child, part->type, isChildPassed, context);
+    } else if (isChildPassed) {
+      checkRequired(child, *part->type, context);
+    }
   }
 }
 
 }  // namespace
 
-void checkElements(const Element& root, Context& context) { check(root, &Schema::instance().root(), context); }
+void checkElements(const Element& root, Context& context) {
+  check(root, Schema::instance().root().type, false, context);
+}
 
 }  // namespace pongsim::sdf

@@ -54,8 +54,8 @@ description::Geometry readShape(const Element& shape, const std::string& owner, 
 
 /// @return Whether the format knows it as a shape.
 bool isShape(std::string_view name) {
-  static const Schema::ElementType* const kGeometry = Schema::instance().shared("geometry");
-  return kGeometry != nullptr && Schema::find(kGeometry->children, name) != nullptr;
+  static const Schema::ElementType& kGeometry = *Schema::instance().shared("geometry")->type;
+  return Schema::find(kGeometry.children, name) != nullptr;
 }
 
 }  // namespace

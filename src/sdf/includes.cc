@@ -5,11 +5,13 @@
 #include <system_error>
 #include <utility>
 
+#include "sdf/addresses.hh"
 #include "sdf/document.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/include_overrides.hh"
 #include "sdf/model_config.hh"
+#include "sdf/upgrade.hh"
 #include "sdf/values.hh"
 #include "sdf/version.hh"
 
@@ -51,8 +53,8 @@ std::optional<Element> contentOf(Element& root, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Includes::Includes(assets::Finder finder, Diagnostics& diagnostics)
-    : finder_(std::move(finder)), diagnostics_(diagnostics) {}
+Includes::Includes(assets::Finder finder, Diagnostics& diagnostics, Diagnostics& unsimulated)
+    : finder_(std::move(finder)), diagnostics_(diagnostics), unsimulated_(unsimulated) {}
 
 void Includes::begin(const fs::path& file) { open_.assign(1, withoutLinks(file)); }
 
@@ -64,11 +66,35 @@ bool Includes::follow(const Element& include, Context& context, const Read& read
 
   Element content = *file.content;
   setFileName(content, newName(*path, include.position));
+  if (keepsReplacements_) makeAddressesAbsolute(content, file.context.folder);
   applyOverrides(include, content, context);
   open_.push_back(file.path);
   read(content, file.context);
   open_.pop_back();
   return true;
+}
+
+const std::vector<Element>& Includes::replace(const Element& include, std::vector<Element>& parts) {
+  if (!keepsReplacements_) return parts;
+  return replacements_[&include] = std::move(parts);
+}
+
+void Includes::resolve(Element& element) {
+  std::vector<Element> children;
+  for (Element& child : element.children) {
+    const auto replacement = child.name == "include" ? replacements_.find(&child) : replacements_.end();
+    if (replacement == replacements_.end()) {
+      resolve(child);
+      children.push_back(std::move(child));
+      continue;
+    }
+    // swapped, so that the includes among them stay where they are known by their addresses
+    Element holder;
+    holder.children.swap(replacement->second);
+    resolve(holder);
+    std::ranges::move(holder.children, std::back_inserter(children));
+  }
+  element.children = std::move(children);
 }
 
 std::optional<fs::path> Includes::find(const Element& include, Context& context) {
@@ -94,7 +120,8 @@ std::optional<fs::path> Includes::find(const Element& include, Context& context)
 Includes::File& Includes::fileAt(const fs::path& path, const SourcePosition& includedFrom) {
   std::unique_ptr<File>& file = files_[path.string()];
   if (file == nullptr) {
-    Context context{.diagnostics = diagnostics_, .includes = *this, .folder = path.parent_path()};
+    Context context{
+        .diagnostics = diagnostics_, .unsimulated = unsimulated_, .includes = *this, .folder = path.parent_path()};
     file = std::make_unique<File>(File{withoutLinks(path), 0, std::nullopt, std::move(context)});
     parse(path, newName(path, includedFrom), *file);
   }
@@ -114,6 +141,7 @@ void Includes::parse(const fs::path& path, const Name& name, File& file) {
   }
   file.context.version = readVersion(*root, diagnostics_);
   checkElements(*root, file.context);
+  upgrade(*root, file.context);
   file.content = contentOf(*root, diagnostics_);
 }
 

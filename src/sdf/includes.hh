@@ -23,19 +23,30 @@ class Includes {
   static constexpr std::size_t kDeepestInclude = 50;
   static constexpr std::size_t kMostIncludes = 20'000;
 
-  Includes(assets::Finder finder, Diagnostics& diagnostics);
+  /// @param unsimulated As in the contexts of the files.
+  Includes(assets::Finder finder, Diagnostics& diagnostics, Diagnostics& unsimulated);
 
   /// Where the load begins: a file that includes this one includes itself.
   void begin(const std::filesystem::path& file);
 
   /// Called with what an `<include>` stands for: a `<model>`, `<light>` or `<actor>` with what the `<include>` says of
-  /// it in place of its own; and the context of its file.
-  using Read = std::function<void(const Element& included, Context& context)>;
+  /// it in place of its own, to keep or change; and the context of its file.
+  using Read = std::function<void(Element& included, Context& context)>;
 
   /// Opens what an `<include>` names, and calls `read` with it.
   /// @param context That of the file of the `<include>`.
   /// @return False, and an error added by the first such `<include>` at least, where it can't be opened.
   bool follow(const Element& include, Context& context, const Read& read);
+
+  /// From now on what stands in place of each `<include>` is kept, and relative addresses in it are made absolute.
+  void keepReplacements() { keepsReplacements_ = true; }
+
+  /// Notes what stands in place of an `<include>`.
+  /// @return Those elements, to be read: `parts`, or the copy that is kept of them.
+  const std::vector<Element>& replace(const Element& include, std::vector<Element>& parts);
+
+  /// Puts what was kept in place of the includes in `element`, all the way down.
+  void resolve(Element& element);
 
   /// @return Where the file of `position` is included, where that file is included, and so on.
   std::vector<SourcePosition> chainOf(const SourcePosition& position) const;
@@ -65,6 +76,7 @@ class Includes {
 
   assets::Finder finder_;
   Diagnostics& diagnostics_;
+  Diagnostics& unsimulated_;
   std::unordered_map<std::string, std::unique_ptr<File>> files_;
   /// By the folder of each model its SDF file, where its model.config names one.
   std::unordered_map<std::string, std::optional<std::filesystem::path>> modelFiles_;
@@ -75,6 +87,8 @@ class Includes {
   std::size_t count_ = 0;
   std::size_t size_ = 0;
   int modelDepth_ = 0;
+  bool keepsReplacements_ = false;
+  std::unordered_map<const Element*, std::vector<Element>> replacements_;
 };
 
 }  // namespace pongsim::sdf

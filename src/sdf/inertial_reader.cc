@@ -38,12 +38,7 @@ description::Inertial readInertial(const Element& link, const std::string& owner
   inertial.mass = isStatic ? readNumber(*element, "mass", inertial.mass, context)
                            : readPositive(*element, "mass", inertial.mass, context);
 
-  const PoseText pose = readPose(*element, context);
-  inertial.X_LinkCom = pose.value;
-  if (!pose.relativeTo.empty()) {
-    context.diagnostics.warning(pose.position, "the <inertial> of " + owner + " is relative to '" + pose.relativeTo +
-                                                   "', which is ignored: it is always relative to its link");
-  }
+  inertial.X_LinkCom = readPose(*element, context).value;
 
   const Element* inertia = element->child("inertia");
   if (inertia == nullptr) return inertial;

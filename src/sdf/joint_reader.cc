@@ -52,7 +52,7 @@ std::optional<JointType> readType(const Element& element, const std::string& lab
     known.push_back(description::name(type));
     if (known.back() != attribute->value) continue;
     if (!isSimulated(type)) {
-      context.diagnostics.error(attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
+      context.unsimulated.error(attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
                                 label + " can be revolute, continuous, prismatic, ball or fixed");
     }
     return type;
@@ -101,14 +101,11 @@ JointAxis readAxis(const Element& element, const std::string& label, JointType t
 }
 
 /// @return The frame that the axis is given in; empty: the joint's own.
-JointDraft::FrameName readAxisFrame(const Element& axis, Context& context) {
+JointDraft::FrameName readAxisFrame(const Element& axis) {
   if (const Element* xyz = axis.child("xyz")) {
     if (const Element::Attribute* frame = xyz->attribute("expressed_in")) return {frame->value, frame->position};
   }
-  // Up to SDF 1.6 a flag, which SDF 1.4 did not have, for it was always so.
-  const bool isInModel =
-      context.version <= 6 && readFlag(axis, "use_parent_model_frame", context.version <= 4, context);
-  return {isInModel ? "__model__" : "", axis.position};
+  return {"", axis.position};
 }
 
 void readAxes(const Element& element, JointDraft& draft, Context& context) {
@@ -124,7 +121,7 @@ void readAxes(const Element& element, JointDraft& draft, Context& context) {
       continue;
     }
     draft.joint.axes.push_back(readAxis(*axis, label, draft.joint.type, context));
-    draft.axisFrames.push_back(readAxisFrame(*axis, context));
+    draft.axisFrames.push_back(readAxisFrame(*axis));
   }
 }
 

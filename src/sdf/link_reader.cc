@@ -40,7 +40,7 @@ description::Collision readCollision(const Element& element, const std::string& 
   collision.surface = readSurface(element, context);
   if (const auto* other = std::get_if<description::OtherGeometry>(&collision.geometry)) {
     const bool isVowel = std::string_view("aeiou").find(other->kind.front()) != std::string_view::npos;
-    context.diagnostics.warning(element.position, "collision '" + collision.name + "' has " + (isVowel ? "an " : "a ") +
+    context.unsimulated.warning(element.position, "collision '" + collision.name + "' has " + (isVowel ? "an " : "a ") +
                                                       other->kind +
                                                       ", which is not simulated yet: it will not collide");
   }

@@ -13,6 +13,7 @@
 #include "sdf/file_text.hh"
 #include "sdf/includes.hh"
 #include "sdf/names.hh"
+#include "sdf/upgrade.hh"
 #include "sdf/version.hh"
 #include "sdf/world_reader.hh"
 
@@ -22,32 +23,45 @@ namespace {
 
 using FileName = std::shared_ptr<const std::string>;
 
-Root readRoot(const Element& element, Includes& includes, const FileName& file, Diagnostics& diagnostics) {
+/// What was read, and the frames of each world and of what stands in none.
+struct Reading {
   Root root;
+  std::vector<std::unique_ptr<Scope>> scopes;
+};
+
+Reading readRoot(Element& element, Includes& includes, const FileName& file, Diagnostics& diagnostics,
+                 Diagnostics& unsimulated) {
+  Reading reading;
+  Root& root = reading.root;
   if (element.name != "sdf") {
     diagnostics.error(element.position, "the file begins with <" + element.name + ">, not with <sdf>",
                       element.name == "robot" ? "URDF is not supported yet" : "");
-    return root;
+    return reading;
   }
   Context context{.diagnostics = diagnostics,
+                  .unsimulated = unsimulated,
                   .includes = includes,
                   .version = readVersion(element, diagnostics),
                   .folder = std::filesystem::path(*file).parent_path()};
   checkElements(element, context);
+  upgrade(element, context);
 
   SiblingNames names("this file");
   for (const Element& child : element.children) {
     if (child.name != "world") continue;
-    root.worlds.push_back(readWorld(child, context));
+    WorldParts parts = readWorld(child, context);
+    root.worlds.push_back(std::move(parts.world));
+    reading.scopes.push_back(std::move(parts.scope));
     names.claim(root.worlds.back().name, child.name, child, context);
   }
   RootParts parts = readRootParts(element, context);
   root.models = std::move(parts.models);
   root.lights = std::move(parts.lights);
+  if (!root.models.empty()) reading.scopes.push_back(std::move(parts.scope));
   if (root.worlds.empty() && root.models.empty() && root.lights.empty() && element.child("actor") == nullptr) {
     diagnostics.error(element.position, "there is no <world> and no <model> in this file");
   }
-  return root;
+  return reading;
 }
 
 /// Adds `found` to `diagnostics` in the order of the file: checks that look at the whole come late. What is wrong with
@@ -72,28 +86,82 @@ void addSorted(const Diagnostics& found, const Includes& includes, Diagnostics& 
   }
 }
 
-Root load(std::string_view text, const FileName& name, const assets::Finder& finder, Diagnostics& diagnostics) {
-  Diagnostics found;
-  Includes includes(finder, found);
-  includes.begin(*name);
-  Root root;
-  if (const std::optional<Element> element = parseDocument(text, name, found)) {
-    root = readRoot(*element, includes, name, found);
+/// One file on its way to a description.
+class Load {
+ public:
+  Load(FileName name, const assets::Finder& finder) : name_(std::move(name)), includes_(finder, found_, unsimulated_) {
+    includes_.begin(*name_);
   }
-  addSorted(found, includes, diagnostics);
-  return root;
-}
+
+  Reading read(std::string_view text) {
+    element_ = parseDocument(text, name_, found_);
+    if (!element_) return {};
+    Reading reading = readRoot(*element_, includes_, name_, found_, unsimulated_);
+    addSorted(unsimulated_, includes_, reading.root.unsimulated);
+    return reading;
+  }
+
+  Reading readFile() {
+    const std::optional<std::string> text = readFileText(*name_, name_, found_);
+    return text ? read(*text) : Reading();
+  }
+
+  void keepReplacements() { includes_.keepReplacements(); }
+
+  /// @return The file's element, with what it includes in place; nothing if there was an error. To be asked once.
+  std::optional<Element> takeResolved() {
+    if (found_.hasErrors()) return std::nullopt;
+    includes_.resolve(*element_);
+    return std::move(element_);
+  }
+
+  bool hasErrors() const { return found_.hasErrors(); }
+  void report(Diagnostics& diagnostics) const { addSorted(found_, includes_, diagnostics); }
+
+ private:
+  FileName name_;
+  Diagnostics found_;
+  Diagnostics unsimulated_;
+  Includes includes_;
+  std::optional<Element> element_;
+};
+
+FileName nameOf(const std::filesystem::path& file) { return std::make_shared<const std::string>(file.string()); }
 
 }  // namespace
 
 Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics, const assets::Finder& finder) {
-  const auto name = std::make_shared<const std::string>(file.string());
-  const std::optional<std::string> text = readFileText(file, name, diagnostics);
-  return text ? load(*text, name, finder, diagnostics) : Root();
+  Load load(nameOf(file), finder);
+  Reading reading = load.readFile();
+  load.report(diagnostics);
+  return std::move(reading.root);
+}
+
+std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                   const assets::Finder& finder) {
+  Load load(nameOf(file), finder);
+  load.keepReplacements();
+  load.readFile();
+  load.report(diagnostics);
+  return load.takeResolved();
+}
+
+std::optional<std::string> frameGraphs(const std::filesystem::path& file, FrameGraphKind kind, Diagnostics& diagnostics,
+                                       const assets::Finder& finder) {
+  Load load(nameOf(file), finder);
+  const Reading reading = load.readFile();
+  load.report(diagnostics);
+  if (load.hasErrors()) return std::nullopt;
+  std::string text;
+  for (const std::unique_ptr<Scope>& scope : reading.scopes) text += frameDot(*scope, kind);
+  return text;
 }
 
 Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics, const assets::Finder& finder) {
-  return load(text, std::make_shared<const std::string>(name), finder, diagnostics);
+  Load load(std::make_shared<const std::string>(name), finder);
+  Reading reading = load.read(text);
+  load.report(diagnostics);
+  return std::move(reading.root);
 }
 
 }  // namespace pongsim::sdf

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "assets/finder.hh"
 #include "description/world.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/element.hh"
+#include "sdf/frame_dot.hh"
 
 namespace pongsim::sdf {
 
@@ -16,6 +20,9 @@ struct Root {
   /// Those outside of any world, as if they stood in one of their own.
   std::vector<description::Model> models;
   std::vector<description::Light> lights;
+  /// Warnings of what the file says well and pongsim does not simulate, and errors where it can't be left out: of no
+  /// concern to those who only read.
+  Diagnostics unsimulated;
 };
 
 /// Reads a file and all that it includes. All that is wrong with them is added to `diagnostics`, in one go; what the
@@ -28,5 +35,17 @@ Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics,
 /// @param name Stands in the diagnostics; its folder is that of the text.
 Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics,
               const assets::Finder& finder = assets::finderFromEnvironment());
+
+/// Reads a file and all that it includes as `loadFile` does.
+/// @return Its `<sdf>` element, of SDF 1.9, with what it includes in place of each `<include>`; nothing where there was
+/// an error.
+std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                   const assets::Finder& finder = assets::finderFromEnvironment());
+
+/// Reads a file as `loadFile` does.
+/// @return The graph of the frames of each world in it, and of what stands in none, as text for Graphviz; nothing where
+/// there was an error.
+std::optional<std::string> frameGraphs(const std::filesystem::path& file, FrameGraphKind kind, Diagnostics& diagnostics,
+                                       const assets::Finder& finder = assets::finderFromEnvironment());
 
 }  // namespace pongsim::sdf

@@ -17,7 +17,7 @@ std::string readName(const Element& element, std::string_view owner, Context& co
                               "'world' and names like __model__ have a meaning of their own");
     return {};
   }
-  // Older files hold included models flattened into "model::link".
+  // In older files it is a name like others.
   if (context.version >= 8 && name.find("::") != std::string::npos) {
     context.diagnostics.error(attribute->position, element.name + " can't be named '" + name + "'" + ending,
                               "'::' stands between the name of a model and that of its part");
@@ -38,12 +38,7 @@ void SiblingNames::claim(const std::string& name, std::string_view group, std::s
   const bool isSameFile = holder.position.file == position.file;
   const std::string hint = "the first one is in " + (isSameFile ? "" : *holder.position.file + ", ") + "line " +
                            std::to_string(holder.position.line);
-  // Up to SDF 1.6 different kinds could share a name.
-  if (!isSameKind && context.version <= 6) {
-    context.diagnostics.warning(position, message, hint);
-  } else {
-    context.diagnostics.error(position, message, hint);
-  }
+  context.diagnostics.error(position, message, hint);
 }
 
 }  // namespace pongsim::sdf

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sdf/includes.hh"
+#include "sdf/merge.hh"
 #include "sdf/model_reader.hh"
 #include "sdf/plugin_reader.hh"
 #include "sdf/unsimulated.hh"
@@ -14,29 +15,6 @@ namespace {
 
 // Links, joints, frames and models stand for frames, so no two may have the same name.
 constexpr std::string_view kFrames = "frame";
-constexpr std::string_view kModelFrame = "__model__";
-
-/// Puts `modelFrame`, if it is not empty, in place of the model frame that `name` names.
-void rename(std::string& name, const std::string& modelFrame) {
-  if (!modelFrame.empty() && name == kModelFrame) name = modelFrame;
-}
-
-/// As `rename`, where no name stands for the model frame too.
-void renameDefault(std::string& name, const std::string& modelFrame) {
-  if (name.empty()) name = modelFrame;
-  rename(name, modelFrame);
-}
-
-bool isMerge(const Element& include, Context& context) {
-  const Element::Attribute* attribute = include.attribute("merge");
-  if (attribute == nullptr) return false;
-  const std::optional<bool> flag = parseFlag(attribute->value);
-  if (!flag) {
-    context.diagnostics.error(attribute->position,
-                              "attribute 'merge' is '" + attribute->value + "', which is not 'true' or 'false'");
-  }
-  return flag.value_or(false);
-}
 
 }  // namespace
 
@@ -70,7 +48,6 @@ void PartsReader::readModelPart(const Element& element, const Source& source) {
   description::Model& model = draft.model;
   const SourcePosition& position = source.includedFrom != nullptr ? *source.includedFrom : element.position;
   names_.claim(model.name, kFrames, element.name, position, context_);
-  renameDefault(draft.pose.relativeTo, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kModel,
                                         .name = model.name,
                                         .position = position,
@@ -85,8 +62,6 @@ void PartsReader::readModelPart(const Element& element, const Source& source) {
 void PartsReader::readLinkPart(const Element& element, const Source& source) {
   LinkDraft draft = readLink(element, scope_.label(), isStatic_, source.context);
   names_.claim(draft.link.name, kFrames, element, source.context);
-  renameDefault(draft.pose.relativeTo, source.modelFrame);
-  for (LinkDraft::Part& part : draft.parts) rename(part.pose.relativeTo, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kLink,
                                         .name = draft.link.name,
                                         .position = draft.link.position,
@@ -99,10 +74,6 @@ void PartsReader::readLinkPart(const Element& element, const Source& source) {
 void PartsReader::readJointPart(const Element& element, const Source& source) {
   JointDraft draft = readJoint(element, scope_.label(), source.context);
   names_.claim(draft.joint.name, kFrames, element, source.context);
-  rename(draft.pose.relativeTo, source.modelFrame);
-  rename(draft.parent.name, source.modelFrame);
-  rename(draft.child.name, source.modelFrame);
-  for (JointDraft::FrameName& frame : draft.axisFrames) rename(frame.name, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kJoint,
                                         .name = draft.joint.name,
                                         .position = draft.joint.position,
@@ -118,16 +89,13 @@ void PartsReader::readFramePart(const Element& element, const Source& source) {
   frame.position = element.position;
   names_.claim(frame.name, kFrames, element, source.context);
   PoseText pose = readPose(element, source.context);
-  rename(pose.relativeTo, source.modelFrame);
   const Element::Attribute* attribute = element.attribute("attached_to");
-  std::string attachedTo = attribute != nullptr ? attribute->value : "";
-  renameDefault(attachedTo, source.modelFrame);
   const std::size_t entry =
       scope_.add({.kind = FrameKind::kFrame,
                   .name = frame.name,
                   .position = frame.position,
                   .pose = std::move(pose),
-                  .attachedTo = std::move(attachedTo),
+                  .attachedTo = attribute != nullptr ? attribute->value : "",
                   .attachedToPosition = attribute != nullptr ? attribute->position : frame.position});
   frames_.push_back({std::move(frame), entry, &source.context});
 }
@@ -140,15 +108,19 @@ void PartsReader::readLightPart(const Element& element, const Source& source) {
 }
 
 void PartsReader::readInclude(const Element& include, const Source& source) {
-  const bool merges = isMerge(include, source.context);
-  const bool isOpen = context_.includes.follow(include, source.context, [&](const Element& included, Context& context) {
+  const bool merges = readFlagAttribute(include, "merge", false, source.context);
+  const bool isOpen = context_.includes.follow(include, source.context, [&](Element& included, Context& context) {
+    if (!source.modelFrame.empty()) setModelFrame(included, source.modelFrame);
+    std::vector<Element> parts;
     if (included.name == "light" && isModel_) {
       source.context.diagnostics.warning(include.position, "a light can't stand in a model: it is left out",
                                          "it can stand in a <link> or in the world");
+      context_.includes.replace(include, parts);
     } else if (!merges) {
-      readPart(included, {context, source.modelFrame, &include.position});
+      parts.push_back(std::move(included));
+      readPart(context_.includes.replace(include, parts).front(), {context, {}, &include.position});
     } else if (included.name == "model" && isModel_) {
-      readMerged(included, include.position, source.modelFrame, context);
+      readMerged(included, include, context);
     } else {
       source.context.diagnostics.error(include.position, "only a model can be merged, and into a model only",
                                        "leave out the attribute 'merge'");
@@ -157,9 +129,9 @@ void PartsReader::readInclude(const Element& include, const Source& source) {
   if (!isOpen) scope_.setIncomplete();
 }
 
-void PartsReader::readMerged(const Element& element, const SourcePosition& includedFrom, const std::string& outerFrame,
-                             Context& context) {
+void PartsReader::readMerged(const Element& element, const Element& include, Context& context) {
   // first as a model of its own: it must be sound, and tells where its frame is
+  const SourcePosition& includedFrom = include.position;
   ModelDraft draft = readModel(element, scope_.label(), isStatic_, context);
   if (draft.model.name.empty()) return scope_.setIncomplete();
   if (draft.model.isStatic && !isStatic_) {
@@ -168,28 +140,22 @@ void PartsReader::readMerged(const Element& element, const SourcePosition& inclu
         "model '" + draft.model.name + "' is static, and what it is merged into " + "is not: its links will move");
   }
   PoseText pose = std::move(draft.pose);
-  renameDefault(pose.relativeTo, outerFrame);
   if (!draft.placementFrame.empty()) {
     const std::optional<Scope::Found> frame = draft.scope->findOrComplain(
         draft.placementFrame, "model '" + draft.model.name + "' is placed by its frame", includedFrom, context);
     if (frame) pose.value = pose.value * frame->X_ScopeFrame.inverse();
   }
-  if (pose.relativeTo.empty()) pose.relativeTo = kModelFrame;
+  if (pose.relativeTo.empty()) pose.relativeTo = "__model__";
 
-  // then a frame that stands for its model frame, with the name that Fortress gives it, and its parts
-  description::Frame frame;
-  frame.name = "_merged__" + draft.model.name + "__model__";
-  frame.position = includedFrom;
-  names_.claim(frame.name, kFrames, "frame", includedFrom, context);
-  const std::size_t entry = scope_.add({.kind = FrameKind::kFrame,
-                                        .name = frame.name,
-                                        .position = includedFrom,
-                                        .pose = std::move(pose),
-                                        .attachedTo = draft.model.canonicalLink,
-                                        .attachedToPosition = includedFrom});
-  const Source source{context, frame.name};
-  frames_.push_back({std::move(frame), entry, &context});
-  for (const Element& child : element.children) readPart(child, source);
+  // then its parts, with a frame that stands for its own
+  std::vector<Element> parts = mergedParts({.element = element,
+                                            .name = draft.model.name,
+                                            .canonicalLink = draft.model.canonicalLink,
+                                            .X_ReferenceModel = pose.value,
+                                            .relativeTo = std::move(pose.relativeTo),
+                                            .includedFrom = includedFrom});
+  const Source source{context, mergedFrameName(draft.model.name)};
+  for (const Element& part : context_.includes.replace(include, parts)) readPart(part, source);
 }
 
 std::vector<description::Model> PartsReader::takeModels() {

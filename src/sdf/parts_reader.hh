@@ -39,7 +39,7 @@ class PartsReader {
   struct Source {
     /// That of the file that they stand in.
     Context& context;
-    /// The frame that stands here for the `__model__` of a model whose parts are merged into this one; else empty.
+    /// Of a model whose parts are merged into this one: the frame that stands for its own, for what it includes.
     std::string modelFrame = {};
     /// Where the file is included, to tell of clashes with what stands around it; else null.
     const SourcePosition* includedFrom = nullptr;
@@ -52,8 +52,7 @@ class PartsReader {
   void readFramePart(const Element& element, const Source& source);
   void readLightPart(const Element& element, const Source& source);
   void readInclude(const Element& include, const Source& source);
-  void readMerged(const Element& model, const SourcePosition& includedFrom, const std::string& outerFrame,
-                  Context& context);
+  void readMerged(const Element& model, const Element& include, Context& context);
 
   template <class Part>
   struct Read {

@@ -10,11 +10,6 @@ namespace {
 constexpr double kShortestStep = 1e-9;
 constexpr double kLongestStep = 1e6;
 
-bool isDefault(const Element& profile) {
-  const Element::Attribute* attribute = profile.attribute("default");
-  return attribute != nullptr && parseFlag(attribute->value).value_or(false);
-}
-
 description::PhysicsProfile readProfile(const Element& element, Context& context) {
   description::PhysicsProfile profile;
   profile.name = element.attributeOr("name", "");
@@ -39,7 +34,7 @@ description::PhysicsProfile readPhysics(const Element& world, Context& context) 
   for (const Element& child : world.children) {
     if (child.name != "physics") continue;
     const description::PhysicsProfile profile = readProfile(child, context);
-    const bool isMarked = isDefault(child);
+    const bool isMarked = readFlagAttribute(child, "default", false, context);
     if (!isChosen || (isMarked && !isChosenByMark)) chosen = profile;
     isChosen = true;
     isChosenByMark = isChosenByMark || isMarked;
@@ -48,12 +43,7 @@ description::PhysicsProfile readPhysics(const Element& world, Context& context) 
 }
 
 Vector3 readGravity(const Element& world, Context& context) {
-  const Vector3 standard = description::World().gravity;
-  const Element* physics = world.child("physics");
-  if (context.version <= 5 && physics != nullptr && world.child("gravity") == nullptr) {
-    return readVector(*physics, "gravity", standard, context);
-  }
-  return readVector(world, "gravity", standard, context);
+  return readVector(world, "gravity", description::World().gravity, context);
 }
 
 }  // namespace pongsim::sdf

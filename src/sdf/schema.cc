@@ -1,53 +1,53 @@
 #include "sdf/schema.hh"
 
 #include <algorithm>
-#include <charconv>
-#include <string>
 
 namespace pongsim::sdf {
 
-namespace {
-
-/// Calls `take` with each word of `text`.
-template <class Take>
-void forEachWord(std::string_view text, Take take) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    take(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-}
-
-/// Splits "name<7".
-Schema::Part partFrom(std::string_view word) {
-  Schema::Part part;
-  const std::size_t mark = std::min(word.find('<'), word.size());
-  part.name = word.substr(0, mark);
-  if (mark < word.size()) std::from_chars(word.data() + mark + 1, word.data() + word.size(), part.removedIn);
-  return part;
-}
-
-}  // namespace
-
 Schema::Schema() {
-  const std::span<const SchemaRow> rows = schemaRows();
-  types_.resize(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) typeOfPath_[rows[i].path] = &types_[i];
-
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    forEachWord(rows[i].attributes, [&](std::string_view word) { types_[i].attributes.push_back(partFrom(word)); });
-    forEachWord(rows[i].children, [&](std::string_view word) {
-      const bool isShared = word.starts_with('+');
-      const bool isFreeForm = word.starts_with('*');
-      if (isShared || isFreeForm) word.remove_prefix(1);
-      Part part = partFrom(word);
-      part.isFreeForm = isFreeForm;
-      part.type = shared(isShared ? std::string(part.name) : std::string(rows[i].path) + "." + std::string(part.name));
-      types_[i].children.push_back(part);
-    });
-    std::ranges::sort(types_[i].attributes, {}, &Part::name);
-    std::ranges::sort(types_[i].children, {}, &Part::name);
+  addRows();
+  std::ranges::sort(shared_, {}, &Part::name);
+  for (Part& part : shared_) resolve(part);
+  for (ElementType& type : types_) {
+    std::ranges::sort(type.attributes, {}, &Part::name);
+    std::ranges::sort(type.children, {}, &Part::name);
+    for (Part& part : type.attributes) resolve(part);
+    for (Part& part : type.children) resolve(part);
   }
+}
+
+void Schema::addRows() {
+  for (const std::span<const SchemaRow> table : schemaTables()) {
+    for (const SchemaRow& row : table) {
+      const std::size_t mark = row.path.find_last_of(".@");
+      if (mark == std::string_view::npos) {
+        shared_.push_back({row.path, row});
+        continue;
+      }
+      ElementType& parent = typeAt(row.path.substr(0, mark));
+      (row.path[mark] == '@' ? parent.attributes : parent.children).push_back({row.path.substr(mark + 1), row});
+    }
+  }
+}
+
+void Schema::resolve(Part& part) {
+  std::string_view path = part.row.path;
+  if (part.row.type.starts_with('+')) {
+    path = part.row.type.substr(1);
+    const SchemaRow& meant = shared(path)->row;
+    part.row.type = meant.type;
+    part.row.fallback = meant.fallback;
+    if (part.row.description.empty()) part.row.description = meant.description;
+  }
+  part.type = typeOf(path);
+  if (part.type == nullptr) return;
+  part.isFreeForm = std::ranges::find(part.type->children, "*", &Part::name) != part.type->children.end();
+}
+
+Schema::ElementType& Schema::typeAt(std::string_view path) {
+  ElementType*& type = typeOfPath_[path];
+  if (type == nullptr) type = &types_.emplace_back();
+  return *type;
 }
 
 const Schema& Schema::instance() {
@@ -55,8 +55,10 @@ const Schema& Schema::instance() {
   return schema;
 }
 
-const Schema::ElementType* Schema::shared(std::string_view name) const {
-  const auto found = typeOfPath_.find(name);
+const Schema::Part* Schema::shared(std::string_view name) const { return find(shared_, name); }
+
+const Schema::ElementType* Schema::typeOf(std::string_view path) const {
+  const auto found = typeOfPath_.find(path);
   return found != typeOfPath_.end() ? found->second : nullptr;
 }
 

@@ -41,13 +41,7 @@ Scope::Scope(std::string rootName, std::string label) : label_(std::move(label))
 
 std::size_t Scope::add(Entry entry) {
   const std::size_t index = entries_.size();
-  if (!entry.name.empty()) {
-    const auto [holder, isNew] = entryOfName_.try_emplace(entry.name, index);
-    // Names are shared by different kinds in old files only, which can name nothing but links.
-    if (!isNew && entry.kind == FrameKind::kLink && entries_[holder->second].kind != FrameKind::kLink) {
-      holder->second = index;
-    }
-  }
+  if (!entry.name.empty()) entryOfName_.try_emplace(entry.name, index);
   entries_.push_back(std::move(entry));
   resolved_.emplace_back();
   return index;

@@ -73,6 +73,9 @@ class Scope {
   std::optional<Found> findOrComplain(std::string_view path, const std::string& what, const SourcePosition& position,
                                       Context& context) const;
 
+  /// @return All that was added, the scope's own frame first.
+  const std::vector<Entry>& entries() const { return entries_; }
+
   const Pose& pose(std::size_t entry) const { return resolved_[entry].X_ScopeFrame; }
   const std::string& link(std::size_t entry) const { return resolved_[entry].link; }
   const std::string& label() const { return label_; }

@@ -11,7 +11,7 @@ void warnOfSensors(const Element& element, Context& context) {
     if (child.name != "sensor") continue;
     const std::string type = child.attributeOr("type", "");
     if (!context.firstTime("sensor type " + type)) continue;
-    context.diagnostics.warning(child.position, "sensor type '" + type + "' is not simulated yet");
+    context.unsimulated.warning(child.position, "sensor type '" + type + "' is not simulated yet");
   }
 }
 
@@ -19,7 +19,7 @@ void warnIfUnsimulated(const Element& element, Context& context) {
   constexpr std::string_view kKinds[] = {"actor", "gripper", "population"};
   if (std::ranges::find(kKinds, element.name) == std::end(kKinds)) return;
   if (!context.firstTime("kind " + element.name)) return;
-  context.diagnostics.warning(element.position, "<" + element.name + "> is not simulated yet: it is left out");
+  context.unsimulated.warning(element.position, "<" + element.name + "> is not simulated yet: it is left out");
 }
 
 }  // namespace pongsim::sdf

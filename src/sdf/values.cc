@@ -67,14 +67,7 @@ Pose readEulerPose(const Element& element, Context& context) {
   if (!values) return {};
   const std::vector<double>& v = *values;
   double unit = 1;
-  if (const Element::Attribute* degrees = element.attribute("degrees")) {
-    const std::optional<bool> flag = parseFlag(degrees->value);
-    if (!flag) {
-      context.diagnostics.error(degrees->position,
-                                "attribute 'degrees' is '" + degrees->value + "', which is not 'true' or 'false'");
-    }
-    if (flag.value_or(false)) unit = std::numbers::pi / 180;
-  }
+  if (readFlagAttribute(element, "degrees", false, context)) unit = std::numbers::pi / 180;
   return {{v[0], v[1], v[2]}, fromRollPitchYaw(v[3] * unit, v[4] * unit, v[5] * unit)};
 }
 
@@ -140,6 +133,17 @@ bool readFlag(const Element& parent, std::string_view child, bool fallback, Cont
   return flag.value_or(fallback);
 }
 
+bool readFlagAttribute(const Element& element, std::string_view attribute, bool fallback, Context& context) {
+  const Element::Attribute* found = element.attribute(attribute);
+  if (found == nullptr) return fallback;
+  const std::optional<bool> flag = parseFlag(found->value);
+  if (!flag) {
+    context.diagnostics.error(
+        found->position, "attribute '" + found->name + "' is '" + found->value + "', which is not 'true' or 'false'");
+  }
+  return flag.value_or(fallback);
+}
+
 Vector3 readVector(const Element& parent, std::string_view child, const Vector3& fallback, Context& context) {
   const Element* element = filledChild(parent, child);
   if (element == nullptr) return fallback;
@@ -154,10 +158,7 @@ PoseText readPose(const Element& parent, Context& context) {
   if (element == nullptr) return pose;
   pose.position = element->position;
 
-  // SDF 1.6 and older call it "frame".
-  const Element::Attribute* relativeTo = element->attribute("relative_to");
-  if (relativeTo == nullptr && context.version <= 6) relativeTo = element->attribute("frame");
-  if (relativeTo != nullptr) {
+  if (const Element::Attribute* relativeTo = element->attribute("relative_to")) {
     pose.relativeTo = relativeTo->value;
     pose.position = relativeTo->position;
   }

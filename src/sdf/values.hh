@@ -36,6 +36,9 @@ double readLimit(const Element& parent, std::string_view child, double fallback,
 
 bool readFlag(const Element& parent, std::string_view child, bool fallback, Context& context);
 
+/// As `readFlag`, of an attribute of the element itself.
+bool readFlagAttribute(const Element& element, std::string_view attribute, bool fallback, Context& context);
+
 /// Three finite numbers.
 Vector3 readVector(const Element& parent, std::string_view child, const Vector3& fallback, Context& context);
 

@@ -7,7 +7,6 @@
 #include "sdf/names.hh"
 #include "sdf/parts_reader.hh"
 #include "sdf/physics_reader.hh"
-#include "sdf/scope.hh"
 
 namespace pongsim::sdf {
 
@@ -24,7 +23,7 @@ void placeWorldJoints(description::Model& model, const Pose& X_WorldParent) {
 
 }  // namespace
 
-description::World readWorld(const Element& element, Context& context) {
+WorldParts readWorld(const Element& element, Context& context) {
   description::World world;
   world.name = readName(element, "", context);
   world.position = element.position;
@@ -32,27 +31,27 @@ description::World readWorld(const Element& element, Context& context) {
   world.physics = readPhysics(element, context);
   world.environment = readEnvironment(element, context);
 
-  Scope scope("world", world.name.empty() ? "a world" : "world '" + world.name + "'");
-  scope.setCanonicalLink("world");
-  PartsReader parts(scope, false, context);
+  auto scope = std::make_unique<Scope>("world", world.name.empty() ? "a world" : "world '" + world.name + "'");
+  scope->setCanonicalLink("world");
+  PartsReader parts(*scope, false, context);
   parts.read(element);
-  scope.resolve(context);
+  scope->resolve(context);
   world.models = parts.takeModels();
   world.joints = parts.takeJoints();
   world.frames = parts.takeFrames();
   world.lights = parts.takeLights();
   world.plugins = parts.takePlugins();
   for (description::Model& model : world.models) placeWorldJoints(model, Pose());
-  return world;
+  return {std::move(world), std::move(scope)};
 }
 
 RootParts readRootParts(const Element& element, Context& context) {
-  Scope scope("world", "this file");
-  scope.setCanonicalLink("world");
-  PartsReader parts(scope, false, context);
+  auto scope = std::make_unique<Scope>("__root__", "this file");
+  scope->setCanonicalLink("world");
+  PartsReader parts(*scope, false, context);
   parts.read(element);
-  scope.resolve(context);
-  RootParts found{parts.takeModels(), parts.takeLights()};
+  scope->resolve(context);
+  RootParts found{parts.takeModels(), parts.takeLights(), std::move(scope)};
   for (description::Model& model : found.models) placeWorldJoints(model, Pose());
   return found;
 }

@@ -72,6 +72,7 @@ description::World worldAround(sdf::Root root) {
 
 std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const SimulationOptions& options,
                                                     Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : root.unsimulated.all()) diagnostics.add(diagnostic);
   if (diagnostics.hasErrors()) return nullptr;
   for (std::size_t i = 1; i < root.worlds.size(); ++i) {
     diagnostics.warning(root.worlds[i].position, "world '" + root.worlds[i].name + "' is left out: pongsim runs the " +

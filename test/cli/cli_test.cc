@@ -56,7 +56,7 @@ const Case kWrong[] = {
     {{}, "no command given | pongsim --help lists the commands"},
     {{"rnu", "x.sdf"}, "unknown command 'rnu' | did you mean 'run'?"},
     {{"help", "topci"}, "unknown command 'topci' | did you mean 'topic'?"},
-    {{"sdf", "a.sdf"}, "nothing to do | pongsim sdf --check FILE"},
+    {{"sdf", "a.sdf"}, "nothing to do | pongsim sdf --help lists what there is"},
     {{"sdf", "--check"}, "no file given | pongsim sdf --check FILE"},
     {{"simulate"}, "unknown command 'simulate' | pongsim --help lists the commands"},
     {{"--versoin"}, "unknown option '--versoin' | did you mean '--version'?"},

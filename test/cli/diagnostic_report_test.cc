@@ -70,16 +70,16 @@ TEST(DiagnosticJson, IsSoundWhateverTheTextIs) {
     EXPECT_TRUE(json.starts_with(begin) && json.ends_with(end)) << json;
     return json.substr(begin.size(), json.size() - begin.size() - end.size());
   };
-  EXPECT_EQ(message("a\"b\\c\n\x01"), "a\\\"b\\\\c\\u000a\\u0001");
+  EXPECT_EQ(message("a\"b\\c\n\x01"), "a\\\"b\\\\c\\n\\u0001");
   EXPECT_EQ(message("ä€😀"), "ä€😀");
   // cut off, not begun, too long a form, half of a pair, beyond the last letter
-  EXPECT_EQ(message("\xC3"), "\\ufffd");
-  EXPECT_EQ(message("\x80z"), "\\ufffdz");
-  EXPECT_EQ(message("\xC0\x80"), "\\ufffd\\ufffd");
-  EXPECT_EQ(message("\xE0\x80\x80"), "\\ufffd\\ufffd\\ufffd");
-  EXPECT_EQ(message("\xED\xA0\x80"), "\\ufffd\\ufffd\\ufffd");
-  EXPECT_EQ(message("\xF4\x90\x80\x80"), "\\ufffd\\ufffd\\ufffd\\ufffd");
-  EXPECT_EQ(message("\xF5z"), "\\ufffdz");
+  EXPECT_EQ(message("\xC3"), "\uFFFD");
+  EXPECT_EQ(message("\x80z"), "\uFFFDz");
+  EXPECT_EQ(message("\xC0\x80"), "\uFFFD\uFFFD");
+  EXPECT_EQ(message("\xE0\x80\x80"), "\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(message("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(message("\xF4\x90\x80\x80"), "\uFFFD\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(message("\xF5z"), "\uFFFDz");
 }
 
 }  // namespace

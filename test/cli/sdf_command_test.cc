@@ -15,16 +15,21 @@ struct Outcome {
   std::string error;
 };
 
+Outcome runSdf(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"pongsim", "sdf"});
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exitCode = run(static_cast<int>(pointers.size()), pointers.data());
+  return {exitCode, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
 class SdfCheck : public testing::Test {
  protected:
   Outcome check(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"pongsim", "sdf", "--check"});
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments) pointers.push_back(argument.data());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int exitCode = run(static_cast<int>(pointers.size()), pointers.data());
-    return {exitCode, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+    arguments.insert(arguments.begin(), "--check");
+    return runSdf(std::move(arguments));
   }
 
   std::string write(const std::string& name, const std::string& content) {
@@ -81,6 +86,71 @@ TEST_F(SdfCheck, PrintsJson) {
   EXPECT_EQ(outcome.output, "[{\"file\":\"" + bad +
                                 "\",\"line\":2,\"column\":1,\"severity\":\"error\",\"message\":\"<world> has no name\","
                                 "\"hint\":\"write <world name=\\\"...\\\">\"}]\n");
+}
+
+TEST(SdfCommand, DoesOneThingAtATime) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"--check"},
+                                                    {"--check", "a.sdf", "--describe", "joint"},
+                                                    {"--describe", "joint", "a.sdf"},
+                                                    {"--describe", "joint", "--json"},
+                                                    {"--describe", "joitn"}}) {
+    const Outcome outcome = runSdf(arguments);
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(outcome.error.starts_with("pongsim: error: ")) << outcome.error;
+  }
+}
+
+TEST(SdfPrint, PrintsAFileWithWhatItIncludes) {
+  const test::TempFolder folder;
+  const std::string model =
+      folder.write("m.sdf", "<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>").string();
+  const std::string world = folder
+                                .write("w.sdf", "<sdf version='1.8'><world name='w'><include><uri>" + model +
+                                                    "</uri><pose>1 0 0 0 0 0</pose></include><odd/></world></sdf>")
+                                .string();
+  const Outcome outcome = runSdf({"--print", world});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_NE(outcome.error.find("<odd> is not known"), std::string::npos) << outcome.error;
+  EXPECT_EQ(outcome.output,
+            "<?xml version=\"1.0\"?>\n"
+            "<sdf version=\"1.9\">\n"
+            "  <world name=\"w\">\n"
+            "    <model name=\"m\">\n"
+            "      <link name=\"l\"/>\n"
+            "      <pose>1 0 0 0 0 0</pose>\n"
+            "    </model>\n"
+            "    <odd/>\n"
+            "  </world>\n"
+            "</sdf>\n");
+}
+
+TEST(SdfPrint, PrintsNothingOfAFileWithErrors) {
+  const Outcome outcome = runSdf({"--print", "/no/such.sdf"});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.error.substr(0, 40), "/no/such.sdf: error: no such file\n  hint");
+  EXPECT_EQ(runSdf({"--print", "a.sdf", "b.sdf"}).exitCode, 2);
+}
+
+TEST(SdfGraph, PrintsText) {
+  const test::TempFolder folder;
+  const std::string world = folder.write("w.sdf", "<sdf version='1.8'><world name='w'/></sdf>").string();
+  const Outcome outcome = runSdf({"--graph", "frame", world});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.output, "digraph {\n  0 [label=\"world\"];\n}\n");
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_EQ(runSdf({"--graph", "frames", world}).exitCode, 2);
+  EXPECT_EQ(runSdf({"--graph", "pose"}).exitCode, 2);
+  EXPECT_EQ(runSdf({"--graph", "pose", "/no/such.sdf"}).exitCode, 1);
+}
+
+TEST(SdfDescribe, PrintsWhatTheFormatSays) {
+  const Outcome outcome = runSdf({"--describe", "//joint/axis/limit"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_TRUE(outcome.output.starts_with("<limit> in joint/axis\n")) << outcome.output;
 }
 
 }  // namespace

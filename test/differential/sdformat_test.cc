@@ -27,7 +27,6 @@ constexpr std::uintmax_t kMostBytes = 1'000'000;
 
 /// Files that are read otherwise here, and why.
 const std::map<std::string, std::string> kOnPurpose = {
-    {"test/joint_sensor.sdf", "a joint of type revolute2 is an error: it is not simulated yet"},
     {"test/models/include_nested/model.sdf", "it includes nested_models, below"},
     {"test/models/nested_models/model.sdf",
      "joint_01 connects a link with itself by two frames: it is left out with a warning"}};

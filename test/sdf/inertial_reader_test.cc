@@ -63,12 +63,5 @@ TEST(Inertial, MeansNothingInAStaticModel) {
             Messages());
 }
 
-TEST(Inertial, IsAlwaysRelativeToItsLink) {
-  EXPECT_EQ(
-      loadLink("<inertial><pose relative_to='__model__'/></inertial>").messages,
-      Messages{"t.sdf:4:17: warning: the <inertial> of link 'l' of model 'm' is relative to '__model__', which is "
-               "ignored: it is always relative to its link"});
-}
-
 }  // namespace
 }  // namespace pongsim::sdf::test

@@ -14,7 +14,7 @@ namespace pongsim::sdf::test {
 /// What was loaded, and what was said about it.
 struct Loaded {
   Root root;
-  /// As `format` writes them, with the hint on the same line behind " | " and the places of includes in brackets.
+  /// What is wrong, then what is not simulated, as `format` writes them, with the hint on the same line behind " | " and the places of includes in brackets.
   std::vector<std::string> messages;
 
   const description::World& world() const { return root.worlds.at(0); }
@@ -27,6 +27,7 @@ Loaded load(Read read) requires std::invocable<Read, Diagnostics&> {
   Loaded loaded;
   Diagnostics diagnostics;
   loaded.root = read(diagnostics);
+  for (const Diagnostic& diagnostic : loaded.root.unsimulated.all()) diagnostics.add(diagnostic);
   for (Diagnostic diagnostic : diagnostics.all()) {
     std::string ending = diagnostic.hint.empty() ? "" : " | " + diagnostic.hint;
     for (const SourcePosition& place : diagnostic.includedFrom) {

@@ -6,12 +6,10 @@ namespace pongsim::sdf::test {
 namespace {
 
 /// Loads a link with that pose, in line 4.
-Loaded loadPose(const std::string& pose, std::string_view version = "1.9") {
-  return loadModel("<frame name='f'><pose>1 0 0 0 0 0</pose></frame><link name='l'>\n" + pose + "</link>", version);
-}
+Loaded loadPose(const std::string& pose) { return loadModel("<link name='l'>\n" + pose + "</link>"); }
 
-Pose poseOf(const std::string& pose, std::string_view version = "1.9") {
-  const Loaded loaded = loadPose(pose, version);
+Pose poseOf(const std::string& pose) {
+  const Loaded loaded = loadPose(pose);
   EXPECT_EQ(loaded.messages, Messages());
   return loaded.model().links.at(0).X_ModelLink;
 }
@@ -24,7 +22,6 @@ TEST(Values, ReadPosesInAllFormats) {
   expectPose(poseOf("<pose degrees='true'>1 2 3 0 0 90</pose>"), {1, 2, 3}, fromRollPitchYaw(0, 0, half));
   expectPose(poseOf("<pose rotation_format='quat_xyzw'>1 2 3 0 0 2 2</pose>"), {1, 2, 3}, fromRollPitchYaw(0, 0, half));
   expectPose(poseOf("<pose rotation_format='euler_rpy'>1 2 3 0 0 0</pose>"), {1, 2, 3});
-  expectPose(poseOf("<pose frame='f'>1 2 3 0 0 0</pose>", "1.6"), {2, 2, 3});
 }
 
 TEST(Values, RefusePosesThatAreNone) {

@@ -1,0 +1,212 @@
+#include "sdf/upgrade.hh"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sdf/schema.hh"
+#include "sdf/unflatten.hh"
+#include "sdf/values.hh"
+#include "sdf/version.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+Element* childOf(Element& element, std::string_view name) {
+  const auto found = std::ranges::find(element.children, name, &Element::name);
+  return found != element.children.end() ? &*found : nullptr;
+}
+
+Element newElement(std::string_view name, const SourcePosition& position, std::string text = {}) {
+  Element element;
+  element.name = name;
+  element.text = std::move(text);
+  element.position = position;
+  return element;
+}
+
+/// @return The child of that name, made where there is none.
+Element& childMade(Element& element, std::string_view name) {
+  if (Element* child = childOf(element, name)) return *child;
+  return element.children.emplace_back(newElement(name, element.position));
+}
+
+/// Calls `take` with each element of that name, but for what is in a plugin.
+template <class Take>
+void forEach(Element& element, std::string_view name, const Take& take) {
+  for (Element& child : element.children) {
+    if (child.name == name) take(child);
+    if (child.name != "plugin") forEach(child, name, take);
+  }
+}
+
+/// Calls `take` with each axis of each joint.
+template <class Take>
+void forEachAxis(Element& root, const Take& take) {
+  forEach(root, "joint", [&take](Element& joint) {
+    for (Element& child : joint.children) {
+      if (child.name == "axis" || child.name == "axis2") take(child);
+    }
+  });
+}
+
+/// To SDF 1.5, which has a flag for what was always so: axes are given in the model's frame.
+void flagAxes(Element& root) {
+  forEachAxis(root, [](Element& axis) {
+    constexpr std::string_view kFlag = "use_parent_model_frame";
+    if (axis.child(kFlag) == nullptr) axis.children.push_back(newElement(kFlag, axis.position, "true"));
+  });
+}
+
+/// To SDF 1.6, where gravity and the magnetic field are the world's.
+void movePhysics(Element& root) {
+  for (Element& world : root.children) {
+    Element* physics = world.name == "world" ? childOf(world, "physics") : nullptr;
+    if (physics == nullptr) continue;
+    std::vector<Element> moved;
+    for (const std::string_view name : {"gravity", "magnetic_field"}) {
+      const Element* child = physics->child(name);
+      if (child == nullptr || world.child(name) != nullptr) continue;
+      moved.push_back(*child);
+      std::erase_if(physics->children, [name](const Element& each) { return each.name == name; });
+    }
+    std::ranges::move(moved, std::back_inserter(world.children));
+  }
+}
+
+/// To SDF 1.6, where each axis of an IMU has its noise.
+void splitImuNoise(Element& root) {
+  forEach(root, "imu", [](Element& imu) {
+    const Element* found = imu.child("noise");
+    if (found == nullptr) return;
+    const Element noise = *found;
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kParts{
+        {{"rate", "angular_velocity"}, {"accel", "linear_acceleration"}}};
+    for (const auto& [from, to] : kParts) {
+      const Element* parameters = noise.child(from);
+      for (const std::string_view axis : {"x", "y", "z"}) {
+        Element& target = childMade(childMade(childMade(imu, to), axis), "noise");
+        target.attributes.push_back({"type", std::string(childText(noise, "type")), noise.position});
+        if (parameters != nullptr) target.children = parameters->children;
+      }
+    }
+    std::erase_if(imu.children, [](const Element& child) { return child.name == "noise"; });
+  });
+}
+
+/// To SDF 1.7, where a pose's frame has a name of its own.
+void renamePoseFrames(Element& root) {
+  forEach(root, "pose", [](Element& pose) {
+    if (pose.attribute("relative_to") != nullptr) return;
+    for (Element::Attribute& attribute : pose.attributes) {
+      if (attribute.name == "frame") attribute.name = "relative_to";
+    }
+  });
+}
+
+/// To SDF 1.7, where an axis names the frame that it is given in.
+void nameAxisFrames(Element& root, Context& context) {
+  forEachAxis(root, [&context](Element& axis) {
+    constexpr std::string_view kFlag = "use_parent_model_frame";
+    const Element* flag = axis.child(kFlag);
+    if (flag == nullptr) return;
+    const SourcePosition position = flag->position;
+    const bool isInModel = readFlag(axis, kFlag, false, context);
+    std::erase_if(axis.children, [](const Element& child) { return child.name == kFlag; });
+    if (!isInModel) return;
+    Element& xyz = childMade(axis, "xyz");
+    if (xyz.attribute("expressed_in") == nullptr) {
+      xyz.attributes.push_back({"expressed_in", "__model__", position});
+    }
+  });
+}
+
+/// To SDF 1.7, where no two parts of a model or world that stand for frames share a name. Later ones get a new name,
+/// the one that Fortress gives them.
+void separateNames(Element& holder, Context& context) {
+  std::set<std::pair<std::string, std::string>> kindAndName;
+  std::set<std::string> taken;
+  for (const Element* include : holder.childrenNamed("include")) taken.emplace(childText(*include, "name"));
+  for (const std::string_view kind : {"model", "link", "joint", "frame"}) {
+    for (Element& child : holder.children) {
+      if (child.name != kind) continue;
+      const auto attribute = std::ranges::find(child.attributes, "name", &Element::Attribute::name);
+      if (attribute == child.attributes.end() || attribute->value.empty()) continue;
+      const std::string old = attribute->value;
+      // two of the same kind are a mistake in any version
+      if (!kindAndName.emplace(child.name, old).second || taken.insert(old).second) continue;
+      std::string name = old + "_" + child.name;
+      for (int i = 0; !taken.insert(name).second; ++i) name = old + "_" + child.name + std::to_string(i);
+      context.diagnostics.warning(attribute->position,
+                                  child.name + " '" + old + "' has the name of something else in its " + holder.name +
+                                      ": it is called '" + name + "'",
+                                  "as Fortress calls it; from SDF 1.7 on this is an error");
+      attribute->value = name;
+    }
+  }
+}
+
+void separateAllNames(Element& element, Context& context) {
+  for (Element& child : element.children) {
+    if (child.name != "world" && child.name != "model") continue;
+    separateNames(child, context);
+    separateAllNames(child, context);
+  }
+}
+
+/// Takes out what SDF 1.9 does not know any more.
+void dropRemoved(Element& element, const Schema::ElementType& type, Context& context) {
+  const auto isGone = [](std::span<const Schema::Part> parts, std::string_view name) {
+    const Schema::Part* part = Schema::find(parts, name);
+    return part != nullptr && part->row.removedIn != 0;
+  };
+  const auto warn = [&](const std::string& label, const SourcePosition& position, const Schema::Part& part) {
+    if (part.row.removedIn <= context.version || !context.firstTime("removed " + label)) return;
+    context.diagnostics.warning(position, label + " has no effect in <" + element.name + ">",
+                                "SDF 1." + std::to_string(part.row.removedIn) + " took it out of the format");
+  };
+  std::erase_if(element.attributes, [&](const Element::Attribute& attribute) {
+    if (!isGone(type.attributes, attribute.name)) return false;
+    if (!attribute.value.empty()) {
+      warn("attribute '" + attribute.name + "'", attribute.position, *Schema::find(type.attributes, attribute.name));
+    }
+    return true;
+  });
+  std::erase_if(element.children, [&](const Element& child) {
+    if (!isGone(type.children, child.name)) return false;
+    warn("<" + child.name + ">", child.position, *Schema::find(type.children, child.name));
+    return true;
+  });
+  for (Element& child : element.children) {
+    const Schema::Part* part = Schema::find(type.children, child.name);
+    if (part != nullptr && part->type != nullptr && !part->isFreeForm) dropRemoved(child, *part->type, context);
+  }
+}
+
+}  // namespace
+
+void upgrade(Element& root, Context& context) {
+  const int version = context.version;
+  if (version < 5) flagAxes(root);
+  if (version < 6) {
+    movePhysics(root);
+    splitImuNoise(root);
+  }
+  if (version < 7) {
+    renamePoseFrames(root);
+    nameAxisFrames(root, context);
+    separateAllNames(root, context);
+  }
+  if (version < 8) unflattenAll(root, context);
+  dropRemoved(root, *Schema::instance().root().type, context);
+  for (Element::Attribute& attribute : root.attributes) {
+    if (attribute.name == "version") attribute.value = "1." + std::to_string(kNewestVersion);
+  }
+}
+
+}  // namespace pongsim::sdf
