@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "sdf/document.hh"
+#include "sdf/model_document.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/includes.hh"
@@ -24,11 +24,6 @@ using FileName = std::shared_ptr<const std::string>;
 
 Root readRoot(const Element& element, Includes& includes, const FileName& file, Diagnostics& diagnostics) {
   Root root;
-  if (element.name != "sdf") {
-    diagnostics.error(element.position, "the file begins with <" + element.name + ">, not with <sdf>",
-                      element.name == "robot" ? "URDF is not supported yet" : "");
-    return root;
-  }
   Context context{.diagnostics = diagnostics,
                   .includes = includes,
                   .version = readVersion(element, diagnostics),
@@ -77,7 +72,7 @@ Root load(std::string_view text, const FileName& name, const assets::Finder& fin
   Includes includes(finder, found);
   includes.begin(*name);
   Root root;
-  if (const std::optional<Element> element = parseDocument(text, name, found)) {
+  if (const std::optional<Element> element = parseModelDocument(text, name, found)) {
     root = readRoot(*element, includes, name, found);
   }
   addSorted(found, includes, diagnostics);

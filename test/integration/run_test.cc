@@ -5,6 +5,7 @@
 #include <string>
 
 #include "integration/program.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -46,6 +47,20 @@ TEST(Run, SaysInOneLineWhatItRuns) {
   EXPECT_TRUE(std::regex_match(outcome.error,
                                std::regex("pongsim: world 'pong_world': \\d+ models, step 1 ms, real-time factor 1\n")))
       << outcome.error;
+}
+
+TEST(Run, PutsARobotInUrdfOnTheGround) {
+  const TempFolder folder;
+  const auto file = folder.write(
+      "ball.urdf",
+      "<robot name='ball'><origin xyz='0 0 2'/><link name='l'><inertial><mass value='1'/><inertia ixx='1' ixy='0' "
+      "ixz='0' "
+      "iyy='1' iyz='0' izz='1'/></inertial><collision><geometry><sphere radius='0.5'/></geometry></collision></link>"
+      "</robot>");
+  const auto process = startWorld(file.string());
+  const Outcome pose = runToEnd({"topic", "-et", "/world/default/dynamic_pose/info", "-n", "1"});
+  EXPECT_EQ(pose.exitCode, 0) << pose.error;
+  EXPECT_NE(pose.output.find("name: \"ball\""), std::string::npos) << pose.output;
 }
 
 TEST(Run, SaysNothingAtLevel0) {
