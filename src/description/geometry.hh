@@ -1,8 +1,11 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <variant>
 
+#include "description/triangle_mesh.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::description {
@@ -32,11 +35,28 @@ struct Plane {
   Eigen::Vector2d size{1, 1};
 };
 
+/// `<mesh>`: triangles from a file.
+struct Mesh {
+  /// As it stands in the description's file.
+  std::string uri;
+  /// What it names; empty where that is not there.
+  std::filesystem::path file;
+  /// The one part of the file that is meant; empty: all of it.
+  std::string submesh;
+  /// The part's bounding box is moved to have its centre in the origin.
+  bool isCentered = false;
+  /// Along each axis; negative mirrors, never zero.
+  Vector3 scale{1, 1, 1};
+  /// Before scaling, shared by all that show the same. Null where it could not be read, and for visuals, which are not
+  /// read.
+  std::shared_ptr<const TriangleMesh> triangles;
+};
+
 /// A shape of the format that pongsim does not build yet; `kind` is its element's name.
 struct OtherGeometry {
   std::string kind;
 };
 
-using Geometry = std::variant<Empty, Box, Sphere, Cylinder, Plane, OtherGeometry>;
+using Geometry = std::variant<Empty, Box, Sphere, Cylinder, Plane, Mesh, OtherGeometry>;
 
 }  // namespace pongsim::description

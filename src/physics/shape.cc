@@ -11,14 +11,12 @@
 #include <variant>
 
 #include "physics/convert.hh"
+#include "physics/margin.hh"
+#include "physics/mesh_shape.hh"
 
 namespace pongsim::physics {
 
 namespace {
-
-// Bullet rounds edges by the margin. It stays far below the size of the part, and below a millimetre, so that a wheel
-// stands on its whole width.
-double marginFor(double smallestHalfLength) { return std::min(0.001, 0.01 * smallestHalfLength); }
 
 struct MakeShape {
   using Result = std::unique_ptr<btCollisionShape>;
@@ -40,20 +38,33 @@ struct MakeShape {
     shape->setMargin(0);
     return shape;
   }
+  Result operator()(const description::Mesh& mesh) const {
+    return mesh.triangles != nullptr ? makeHull(*mesh.triangles, mesh.scale) : nullptr;
+  }
   Result operator()(const description::Empty&) const { return nullptr; }
   Result operator()(const description::OtherGeometry&) const { return nullptr; }
 };
 
 }  // namespace
 
-LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink) {
+LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves) {
   std::vector<Pose> poses;
   for (const description::Collision& collision : link.collisions) {
-    auto shape = std::visit(MakeShape(), collision.geometry);
-    if (!shape) continue;
+    Pose X_BodyPart = X_BodyLink * collision.X_LinkCollision;
+    btCollisionShape* shape = nullptr;
+    const auto* mesh = std::get_if<description::Mesh>(&collision.geometry);
+    if (mesh != nullptr && mesh->triangles != nullptr && !moves) {
+      surfaces_.push_back(std::make_unique<TriangleSurface>(*mesh->triangles, mesh->scale, X_BodyPart));
+      shape = surfaces_.back()->shape();
+      X_BodyPart = Pose();
+    } else if (auto made = std::visit(MakeShape(), collision.geometry)) {
+      shape = made.get();
+      owned_.push_back(std::move(made));
+    }
+    if (shape == nullptr) continue;
     shape->setUserPointer(const_cast<description::Surface*>(&collision.surface));
-    parts_.push_back(std::move(shape));
-    poses.push_back(X_BodyLink * collision.X_LinkCollision);
+    parts_.push_back(shape);
+    poses.push_back(X_BodyPart);
   }
 
   if (parts_.empty()) {
@@ -65,11 +76,11 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink) {
   // one part that lies as the body does needs no compound
   const bool inPlace = poses[0].position.isZero(0) && poses[0].rotation.vec().isZero(0);
   if (parts_.size() == 1 && inPlace) {
-    root_ = parts_[0].get();
+    root_ = parts_[0];
     return;
   }
   auto compound = std::make_unique<btCompoundShape>(true, static_cast<int>(parts_.size()));
-  for (std::size_t i = 0; i < parts_.size(); ++i) compound->addChildShape(toBullet(poses[i]), parts_[i].get());
+  for (std::size_t i = 0; i < parts_.size(); ++i) compound->addChildShape(toBullet(poses[i]), parts_[i]);
   holder_ = std::move(compound);
   root_ = holder_.get();
 }

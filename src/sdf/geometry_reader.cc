@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "sdf/mesh_reader.hh"
 #include "sdf/schema.hh"
 #include "sdf/values.hh"
 
@@ -41,7 +42,7 @@ description::Plane readPlane(const Element& shape, const std::string& owner, Con
   return plane;
 }
 
-description::Geometry readShape(const Element& shape, const std::string& owner, Context& context) {
+description::Geometry readShape(const Element& shape, const std::string& owner, bool isCollision, Context& context) {
   if (shape.name == "empty") return description::Empty{};
   if (shape.name == "box") return readBox(shape, context);
   if (shape.name == "sphere") return description::Sphere{readPositive(shape, "radius", 1, context)};
@@ -49,6 +50,7 @@ description::Geometry readShape(const Element& shape, const std::string& owner, 
     return description::Cylinder{readPositive(shape, "radius", 1, context), readPositive(shape, "length", 1, context)};
   }
   if (shape.name == "plane") return readPlane(shape, owner, context);
+  if (shape.name == "mesh") return readMesh(shape, owner, isCollision, context);
   return description::OtherGeometry{shape.name};
 }
 
@@ -73,7 +75,7 @@ description::Geometry readGeometry(const Element& element, const std::string& ow
         "a shape is box, sphere, cylinder, plane, ...");
     return description::Empty{};
   }
-  return readShape(*shape, owner, context);
+  return readShape(*shape, owner, element.name == "collision", context);
 }
 
 }  // namespace pongsim::sdf

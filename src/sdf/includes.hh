@@ -6,10 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "assets/finder.hh"
+#include "assets/mesh_store.hh"
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
 
@@ -36,6 +38,13 @@ class Includes {
   /// @param context That of the file of the `<include>`.
   /// @return False, and an error added by the first such `<include>` at least, where it can't be opened.
   bool follow(const Element& include, Context& context, const Read& read);
+
+  /// Finds another file that one names, as a mesh: see `assets::Finder`.
+  std::optional<std::filesystem::path> findAsset(std::string_view uri, const std::filesystem::path& folder,
+                                                 const SourcePosition& position, Diagnostics& diagnostics) const {
+    return finder_ ? finder_(uri, folder, position, diagnostics) : std::nullopt;
+  }
+  assets::MeshStore& meshes() { return meshes_; }
 
   /// @return Where the file of `position` is included, where that file is included, and so on.
   std::vector<SourcePosition> chainOf(const SourcePosition& position) const;
@@ -64,6 +73,7 @@ class Includes {
   Name newName(const std::filesystem::path& path, const SourcePosition& includedFrom);
 
   assets::Finder finder_;
+  assets::MeshStore meshes_;
   Diagnostics& diagnostics_;
   std::unordered_map<std::string, std::unique_ptr<File>> files_;
   /// By the folder of each model its SDF file, where its model.config names one.

@@ -8,10 +8,10 @@
 #include <tuple>
 #include <utility>
 
-#include "sdf/model_document.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/includes.hh"
+#include "sdf/model_document.hh"
 #include "sdf/names.hh"
 #include "sdf/version.hh"
 #include "sdf/world_reader.hh"

@@ -56,8 +56,9 @@ TEST(LinkShape, LeavesOutWhatItCannotBuild) {
   description::Link link = makeLink("link", {0, 0, 0}, 1, {1, 1, 1});
   addCollision(link, description::OtherGeometry{"mesh"});
   addCollision(link, description::Empty{});
-  EXPECT_TRUE(LinkShape(link, Pose()).empty());
-  EXPECT_NE(LinkShape(link, Pose()).root(), nullptr);
+  addCollision(link, description::Mesh{});
+  EXPECT_TRUE(LinkShape(link, Pose(), true).empty());
+  EXPECT_NE(LinkShape(link, Pose(), true).root(), nullptr);
 }
 
 }  // namespace

@@ -34,16 +34,16 @@ TEST(Geometry, HasTheDefaultsOfTheFormat) {
 
 TEST(Geometry, SaysWhichShapesWillNotCollide) {
   const Loaded loaded = loadLink(
-      "<collision name='c'><geometry><mesh><uri>x</uri></mesh></geometry></collision>\n"
+      "<collision name='c'><geometry><heightmap><uri>x</uri></heightmap></geometry></collision>\n"
       "<collision name='d'><geometry><ellipsoid/></geometry></collision>\n"
-      "<visual name='v'><geometry><mesh><uri>x</uri></mesh></geometry></visual>");
+      "<visual name='v'><geometry><heightmap><uri>x</uri></heightmap></geometry></visual>");
   EXPECT_EQ(
       loaded.messages,
       (Messages{
-          "t.sdf:4:1: warning: collision 'c' has a mesh, which is not simulated yet: it will not collide",
+          "t.sdf:4:1: warning: collision 'c' has a heightmap, which is not simulated yet: it will not collide",
           "t.sdf:5:1: warning: collision 'd' has an ellipsoid, which is not simulated yet: it will not collide"}));
   const auto& link = loaded.model().links.at(0);
-  EXPECT_EQ(std::get<description::OtherGeometry>(link.collisions.at(0).geometry).kind, "mesh");
+  EXPECT_EQ(std::get<description::OtherGeometry>(link.collisions.at(0).geometry).kind, "heightmap");
 }
 
 TEST(Geometry, RefusesSizesThatNothingHas) {
