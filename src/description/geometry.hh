@@ -29,6 +29,17 @@ struct Cylinder {
   double length = 1;
 };
 
+/// A cylinder of that length along z with half a ball on each end [m].
+struct Capsule {
+  double radius = 0.5;
+  double length = 1;
+};
+
+/// Centred on its frame. Radii along x, y, z [m].
+struct Ellipsoid {
+  Vector3 radii{1, 1, 1};
+};
+
 /// Through the origin of its frame. As a collision shape it has no end; `size` is that of its picture [m].
 struct Plane {
   Vector3 normal = Vector3::UnitZ();
@@ -57,6 +68,6 @@ struct OtherGeometry {
   std::string kind;
 };
 
-using Geometry = std::variant<Empty, Box, Sphere, Cylinder, Plane, Mesh, OtherGeometry>;
+using Geometry = std::variant<Empty, Box, Sphere, Cylinder, Capsule, Ellipsoid, Plane, Mesh, OtherGeometry>;
 
 }  // namespace pongsim::description

@@ -1,6 +1,7 @@
 #include "physics/shape.hh"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btEmptyShape.h>
@@ -11,6 +12,7 @@
 #include <variant>
 
 #include "physics/convert.hh"
+#include "physics/ellipsoid_shape.hh"
 #include "physics/margin.hh"
 #include "physics/mesh_shape.hh"
 
@@ -32,6 +34,12 @@ struct MakeShape {
     auto shape = std::make_unique<btCylinderShapeZ>(halfLengths);
     shape->setMargin(marginFor(std::min(cylinder.radius, cylinder.length / 2)));
     return shape;
+  }
+  Result operator()(const description::Capsule& capsule) const {
+    return std::make_unique<btCapsuleShapeZ>(capsule.radius, capsule.length);
+  }
+  Result operator()(const description::Ellipsoid& ellipsoid) const {
+    return std::make_unique<EllipsoidShape>(toBullet(ellipsoid.radii));
   }
   Result operator()(const description::Plane& plane) const {
     auto shape = std::make_unique<btStaticPlaneShape>(toBullet(plane.normal.normalized()), 0);
