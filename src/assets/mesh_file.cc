@@ -85,39 +85,39 @@ class SceneCopier {
   bool isFinite_ = true;
 };
 
-std::variant<std::vector<MeshPart>, MeshProblem> partsOf(const aiScene& scene) {
+std::variant<std::vector<MeshPart>, Problem> partsOf(const aiScene& scene) {
   SceneCopier copier(scene);
   if (scene.mRootNode != nullptr) copier.copy(*scene.mRootNode, aiMatrix4x4(), 0);
   if (copier.isTooLarge()) {
-    return MeshProblem{"holds more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
+    return Problem{"holds more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
   }
-  if (!copier.isFinite()) return MeshProblem{"holds a coordinate that is not finite", {}};
+  if (!copier.isFinite()) return Problem{"holds a coordinate that is not finite", {}};
   std::vector<MeshPart> parts = copier.take();
-  if (parts.empty()) return MeshProblem{"holds no triangles", {}};
+  if (parts.empty()) return Problem{"holds no triangles", {}};
   return parts;
 }
 
 }  // namespace
 
-std::variant<std::vector<MeshPart>, MeshProblem> readMeshFile(const std::filesystem::path& file) {
+std::variant<std::vector<MeshPart>, Problem> readMeshFile(const std::filesystem::path& file) {
   const std::string ending = lowerCaseEnding(file);
   if (std::ranges::find(kEndings, ending) == kEndings.end()) {
-    return MeshProblem{"is of a kind that is not read", "meshes in .dae, .stl, .obj, .glb and .gltf are"};
+    return Problem{"is of a kind that is not read", "meshes in .dae, .stl, .obj, .glb and .gltf are"};
   }
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return MeshProblem{"can't be read: " + error.message(), {}};
+  if (error) return Problem{"can't be read: " + error.message(), {}};
   if (size > kLargestMeshFile) {
-    return MeshProblem{"is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MiB, which is the limit", {}};
+    return Problem{"is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MiB, which is the limit", {}};
   }
   try {
     Assimp::Importer importer;
     configure(importer);
     const aiScene* scene = importer.ReadFile(file.string(), kSteps);
-    if (scene == nullptr) return MeshProblem{"can't be read as a mesh", importer.GetErrorString()};
+    if (scene == nullptr) return Problem{"can't be read as a mesh", importer.GetErrorString()};
     return partsOf(*scene);
   } catch (const std::exception& problem) {
-    return MeshProblem{"can't be read as a mesh", problem.what()};
+    return Problem{"can't be read as a mesh", problem.what()};
   }
 }
 

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "assets/problem.hh"
 #include "description/triangle_mesh.hh"
 
 namespace pongsim::assets {
@@ -17,18 +18,12 @@ struct MeshPart {
   description::TriangleMesh mesh;
 };
 
-/// Why a file could not be read, in a sentence that follows its name: "holds no triangles".
-struct MeshProblem {
-  std::string text;
-  std::string hint;
-};
-
 /// Larger files, and such with more triangles (Bullet counts them with 21 bits), are refused.
 inline constexpr std::size_t kLargestMeshFile = std::size_t{256} << 20U;
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 
 /// Reads a mesh in Collada (.dae), STL (.stl), Wavefront (.obj) or glTF (.glb, .gltf). The unit of a Collada file
 /// counts and its up axis does not, as in Fortress; nothing is turned.
-std::variant<std::vector<MeshPart>, MeshProblem> readMeshFile(const std::filesystem::path& file);
+std::variant<std::vector<MeshPart>, Problem> readMeshFile(const std::filesystem::path& file);
 
 }  // namespace pongsim::assets

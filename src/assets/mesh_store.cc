@@ -24,7 +24,7 @@ void center(TriangleMesh& mesh) {
   for (Vector3& vertex : mesh.vertices) vertex -= box.center();
 }
 
-MeshProblem unknownPart(const std::vector<MeshPart>& parts, const std::string& name) {
+Problem unknownPart(const std::vector<MeshPart>& parts, const std::string& name) {
   std::vector<std::string_view> known;
   for (const MeshPart& part : parts) {
     known.push_back(part.nodeName);
@@ -50,7 +50,7 @@ MeshStore::Found MeshStore::find(const std::filesystem::path& file, const std::s
   if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
   auto parts = files_.find(file);
   if (parts == files_.end()) parts = files_.emplace(file, readMeshFile(file)).first;
-  const auto* problem = std::get_if<MeshProblem>(&parts->second);
+  const auto* problem = std::get_if<Problem>(&parts->second);
   Found found = problem != nullptr ? Found(*problem) : select(std::get<0>(parts->second), submesh, isCentered);
   return meshes_.emplace(key, std::move(found)).first->second;
 }

@@ -15,7 +15,7 @@ namespace pongsim::assets {
 /// Meshes by their files, each of which is read once.
 class MeshStore {
  public:
-  using Found = std::variant<std::shared_ptr<const description::TriangleMesh>, MeshProblem>;
+  using Found = std::variant<std::shared_ptr<const description::TriangleMesh>, Problem>;
 
   /// @param submesh Name of the one part that is wanted; empty: all parts as one.
   /// @param isCentered The part's bounding box gets its centre in the origin. Of no effect on the whole.
@@ -23,7 +23,7 @@ class MeshStore {
   Found find(const std::filesystem::path& file, const std::string& submesh, bool isCentered);
 
  private:
-  using Parts = std::variant<std::vector<MeshPart>, MeshProblem>;
+  using Parts = std::variant<std::vector<MeshPart>, Problem>;
 
   std::map<std::filesystem::path, Parts> files_;
   std::map<std::tuple<std::filesystem::path, std::string, bool>, Found> meshes_;

@@ -63,11 +63,25 @@ struct Mesh {
   std::shared_ptr<const TriangleMesh> triangles;
 };
 
+/// `<heightmap>`: ground whose height is the brightness of an image.
+struct Heightmap {
+  /// As it stands in the description's file.
+  std::string uri;
+  /// What it names; empty where that is not there.
+  std::filesystem::path file;
+  /// Of the whole, from the darkest that a pixel can be to the brightest that there is [m].
+  Vector3 size{1, 1, 1};
+  /// Of its middle, at the height of black [m].
+  Vector3 position = Vector3::Zero();
+  /// With size and position. Null where the image could not be read, and for visuals.
+  std::shared_ptr<const TriangleMesh> triangles;
+};
+
 /// A shape of the format that pongsim does not build yet; `kind` is its element's name.
 struct OtherGeometry {
   std::string kind;
 };
 
-using Geometry = std::variant<Empty, Box, Sphere, Cylinder, Capsule, Ellipsoid, Plane, Mesh, OtherGeometry>;
+using Geometry = std::variant<Empty, Box, Sphere, Cylinder, Capsule, Ellipsoid, Plane, Mesh, Heightmap, OtherGeometry>;
 
 }  // namespace pongsim::description

@@ -9,6 +9,7 @@
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "physics/convert.hh"
@@ -46,12 +47,23 @@ struct MakeShape {
     shape->setMargin(0);
     return shape;
   }
+  // of a body that moves; for others see below
   Result operator()(const description::Mesh& mesh) const {
     return mesh.triangles != nullptr ? makeHull(*mesh.triangles, mesh.scale) : nullptr;
+  }
+  Result operator()(const description::Heightmap& map) const {
+    return map.triangles != nullptr ? makeHull(*map.triangles, {1, 1, 1}) : nullptr;
   }
   Result operator()(const description::Empty&) const { return nullptr; }
   Result operator()(const description::OtherGeometry&) const { return nullptr; }
 };
+
+/// @return The triangles that a shape is made of, and their scale; null where it is not.
+std::pair<const description::TriangleMesh*, Vector3> trianglesOf(const description::Geometry& geometry) {
+  if (const auto* mesh = std::get_if<description::Mesh>(&geometry)) return {mesh->triangles.get(), mesh->scale};
+  if (const auto* map = std::get_if<description::Heightmap>(&geometry)) return {map->triangles.get(), {1, 1, 1}};
+  return {nullptr, {1, 1, 1}};
+}
 
 }  // namespace
 
@@ -60,9 +72,9 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool
   for (const description::Collision& collision : link.collisions) {
     Pose X_BodyPart = X_BodyLink * collision.X_LinkCollision;
     btCollisionShape* shape = nullptr;
-    const auto* mesh = std::get_if<description::Mesh>(&collision.geometry);
-    if (mesh != nullptr && mesh->triangles != nullptr && !moves) {
-      surfaces_.push_back(std::make_unique<TriangleSurface>(*mesh->triangles, mesh->scale, X_BodyPart));
+    const auto [triangles, scale] = trianglesOf(collision.geometry);
+    if (triangles != nullptr && !moves) {
+      surfaces_.push_back(std::make_unique<TriangleSurface>(*triangles, scale, X_BodyPart));
       shape = surfaces_.back()->shape();
       X_BodyPart = Pose();
     } else if (auto made = std::visit(MakeShape(), collision.geometry)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "sdf/heightmap_reader.hh"
 #include "sdf/mesh_reader.hh"
 #include "sdf/schema.hh"
 #include "sdf/values.hh"
@@ -52,6 +53,7 @@ description::Geometry readShape(const Element& shape, const std::string& owner, 
   if (shape.name == "ellipsoid") return description::Ellipsoid{readLengths(shape, "radii", {1, 1, 1}, context)};
   if (shape.name == "plane") return readPlane(shape, owner, context);
   if (shape.name == "mesh") return readMesh(shape, owner, isCollision, context);
+  if (shape.name == "heightmap") return readHeightmap(shape, owner, isCollision, context);
   return description::OtherGeometry{shape.name};
 }
 

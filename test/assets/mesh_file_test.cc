@@ -14,7 +14,7 @@ class MeshFileTest : public ::testing::Test {
  protected:
   std::vector<MeshPart> read(const std::string& name, std::string_view content) {
     auto found = readMeshFile(folder_.write(name, content));
-    if (const auto* problem = std::get_if<MeshProblem>(&found)) {
+    if (const auto* problem = std::get_if<Problem>(&found)) {
       ADD_FAILURE() << name << " " << problem->text << " " << problem->hint;
       return {};
     }
@@ -22,7 +22,7 @@ class MeshFileTest : public ::testing::Test {
   }
   std::string problemOf(const std::filesystem::path& file) {
     const auto found = readMeshFile(file);
-    const auto* problem = std::get_if<MeshProblem>(&found);
+    const auto* problem = std::get_if<Problem>(&found);
     return problem != nullptr ? problem->text : "(none)";
   }
   pongsim::test::TempFolder folder_;

@@ -46,8 +46,8 @@ TEST_F(MeshStoreTest, SharesAndReadsOnce) {
 
 TEST_F(MeshStoreTest, NamesAPartThatIsNotThere) {
   const auto found = store_.find(file_, "triangel", false);
-  EXPECT_EQ(std::get<MeshProblem>(found).text, "has no submesh 'triangel'");
-  EXPECT_EQ(std::get<MeshProblem>(found).hint, "did you mean 'triangle'?");
+  EXPECT_EQ(std::get<Problem>(found).text, "has no submesh 'triangel'");
+  EXPECT_EQ(std::get<Problem>(found).hint, "did you mean 'triangle'?");
 }
 
 }  // namespace

@@ -178,6 +178,19 @@ TEST(MeshShape, LeavesOutTrianglesWithoutArea) {
   EXPECT_EQ(TriangleSurface(mesh, {1, 1, 1}, Pose()).shape(), nullptr);
 }
 
+TEST(MeshShape, MayBeThatOfAHeightmap) {
+  description::Heightmap map;
+  map.triangles = std::make_shared<const description::TriangleMesh>(floorMesh(4));
+  description::Link link;
+  link.name = "link";
+  addCollision(link, map);
+  description::Model ground = makeModel("floor", {link});
+  ground.isStatic = true;
+  description::Link sphere = makeLink("link", {0.3, 0.2, 0.26}, 1, {0.01, 0.01, 0.01});
+  addCollision(sphere, description::Sphere{0.25});
+  EXPECT_NEAR(restingHeight(sphere, ground), 0.25, 1e-4);
+}
+
 TEST(MeshShape, LiesWhereItsCollisionDoes) {
   description::Model floor = makeFloor();
   floor.links[0].collisions[0].X_LinkCollision = {{0, 0, 1}, fromRollPitchYaw(0, 0, 0.3)};

@@ -49,15 +49,15 @@ TEST(Geometry, HasTheDefaultsOfTheFormat) {
 
 TEST(Geometry, SaysWhichShapesWillNotCollide) {
   const Loaded loaded = loadLink(
-      "<collision name='c'><geometry><heightmap><uri>x</uri></heightmap></geometry></collision>\n"
+      "<collision name='c'><geometry><polyline/></geometry></collision>\n"
       "<collision name='d'><geometry><image/></geometry></collision>\n"
-      "<visual name='v'><geometry><heightmap><uri>x</uri></heightmap></geometry></visual>");
+      "<visual name='v'><geometry><polyline/></geometry></visual>");
   EXPECT_EQ(
       loaded.messages,
-      (Messages{"t.sdf:4:1: warning: collision 'c' has a heightmap, which is not simulated yet: it will not collide",
+      (Messages{"t.sdf:4:1: warning: collision 'c' has a polyline, which is not simulated yet: it will not collide",
                 "t.sdf:5:1: warning: collision 'd' has an image, which is not simulated yet: it will not collide"}));
   const auto& link = loaded.model().links.at(0);
-  EXPECT_EQ(std::get<description::OtherGeometry>(link.collisions.at(0).geometry).kind, "heightmap");
+  EXPECT_EQ(std::get<description::OtherGeometry>(link.collisions.at(0).geometry).kind, "polyline");
 }
 
 TEST(Geometry, RefusesSizesThatNothingHas) {
