@@ -48,11 +48,13 @@ struct MakeShape {
 
 LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink) {
   std::vector<Pose> poses;
-  for (const description::Collision& collision : link.collisions) {
+  for (std::size_t i = 0; i < link.collisions.size(); ++i) {
+    const description::Collision& collision = link.collisions[i];
     auto shape = std::visit(MakeShape(), collision.geometry);
     if (!shape) continue;
     shape->setUserPointer(const_cast<description::Surface*>(&collision.surface));
     parts_.push_back(std::move(shape));
+    collisionOfPart_.push_back(i);
     poses.push_back(X_BodyLink * collision.X_LinkCollision);
   }
 

@@ -87,6 +87,7 @@ void PartsReader::readLinkPart(const Element& element, const Source& source) {
   names_.claim(draft.link.name, kFrames, element, source.context);
   renameDefault(draft.pose.relativeTo, source.modelFrame);
   for (LinkDraft::Part& part : draft.parts) rename(part.pose.relativeTo, source.modelFrame);
+  for (SensorDraft& sensor : draft.sensors) rename(sensor.pose.relativeTo, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kLink,
                                         .name = draft.link.name,
                                         .position = draft.link.position,
@@ -103,6 +104,7 @@ void PartsReader::readJointPart(const Element& element, const Source& source) {
   rename(draft.parent.name, source.modelFrame);
   rename(draft.child.name, source.modelFrame);
   for (JointDraft::FrameName& frame : draft.axisFrames) rename(frame.name, source.modelFrame);
+  for (SensorDraft& sensor : draft.sensors) rename(sensor.pose.relativeTo, source.modelFrame);
   const std::size_t entry = scope_.add({.kind = FrameKind::kJoint,
                                         .name = draft.joint.name,
                                         .position = draft.joint.position,

@@ -186,7 +186,8 @@ constexpr SchemaRow kRows[] = {
     {"sdf", "version", "+actor +light +model +world"},
     {"sensor", "name type",
      "+air_pressure +altimeter always_on +camera +contact enable_metrics +force_torque +frame<7 +gps +imu +lidar "
-     "+logical_camera +magnetometer +navsat *plugin +pose +ray +rfid +rfidtag +sonar topic +transceiver update_rate "
+     "gz_frame_id ignition_frame_id +logical_camera +magnetometer +navsat *plugin +pose +ray +rfid +rfidtag +sonar "
+     "topic +transceiver update_rate "
      "visualize"},
     {"sonar", "", "geometry max min radius"},
     {"sphere", "", "radius"},

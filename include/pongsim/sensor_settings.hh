@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+
+#include "pongsim/types.hh"
+
+namespace pongsim {
+
+/// How a value is falsified, as `<noise>` says. All but the times in the unit of the value.
+struct NoiseSettings {
+  enum class Type { kNone, kGaussian, kGaussianQuantized };
+  Type type = Type::kNone;
+  double mean = 0;
+  double standardDeviation = 0;
+  /// Of an offset that is drawn once, its sign too.
+  double biasMean = 0;
+  double biasStandardDeviation = 0;
+  /// Of an offset that wanders, and the time in which it does [s]; it stands still where one of them is zero.
+  double dynamicBiasStandardDeviation = 0;
+  double dynamicBiasCorrelationTime = 0;
+  /// With `kGaussianQuantized` the result is a multiple of it; zero: it is not rounded.
+  double precision = 0;
+};
+
+/// Noise along x, y and z.
+using NoiseSettings3 = std::array<NoiseSettings, 3>;
+
+/// `<imu>`
+struct ImuSettings {
+  /// [rad/s]
+  NoiseSettings3 angularVelocity;
+  /// [m/s^2]
+  NoiseSettings3 linearAcceleration;
+  bool enableOrientation = true;
+  /// What the orientation is measured in: "ENU", "NED", "NWU", "CUSTOM" or one that Fortress takes and ignores; empty:
+  /// the sensor's own orientation at the start.
+  std::string localization;
+  /// With "CUSTOM": orientation in the world frame of what the orientation is measured in.
+  Quaternion customRotation = Quaternion::Identity();
+};
+
+/// What the element of a sensor's own type says.
+using SensorSettings = std::variant<std::monostate, ImuSettings>;
+
+}  // namespace pongsim

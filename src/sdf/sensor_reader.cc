@@ -1,0 +1,92 @@
+#include "sdf/sensor_reader.hh"
+
+#include <optional>
+#include <utility>
+
+#include "sdf/names.hh"
+#include "sdf/noise_reader.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+std::string labelOf(const description::Sensor& sensor) {
+  return sensor.name.empty() ? "a sensor" : "sensor '" + sensor.name + "'";
+}
+
+void readReferenceFrame(const Element& element, ImuSettings& settings, Context& context) {
+  settings.localization = childText(element, "localization");
+  if (settings.localization.empty()) settings.localization = "CUSTOM";
+  const Element* rpy = element.child("custom_rpy");
+  if (rpy == nullptr) return;
+  const Vector3 angles = readVector(element, "custom_rpy", Vector3::Zero(), context);
+  settings.customRotation = fromRollPitchYaw(angles.x(), angles.y(), angles.z());
+  const std::string parent = rpy->attributeOr("parent_frame", "");
+  if (!parent.empty() && parent != "world") {
+    context.diagnostics.warning(rpy->attribute("parent_frame")->position,
+                                "<custom_rpy> is measured in the world, not in '" + parent + "'");
+  }
+}
+
+ImuSettings readImu(const Element* element, Context& context) {
+  ImuSettings settings;
+  if (element == nullptr) return settings;
+  settings.angularVelocity = readNoise3(element->child("angular_velocity"), context);
+  settings.linearAcceleration = readNoise3(element->child("linear_acceleration"), context);
+  settings.enableOrientation = readFlag(*element, "enable_orientation", true, context);
+  if (const Element* frame = element->child("orientation_reference_frame")) {
+    readReferenceFrame(*frame, settings, context);
+  }
+  return settings;
+}
+
+/// Reads the element of the sensor's own type.
+SensorSettings readSettings(const Element& sensor, const std::string& type, Context& context) {
+  if (type == "imu") return readImu(sensor.child("imu"), context);
+  if (context.firstTime("sensor type " + type)) {
+    context.diagnostics.warning(sensor.position, "sensor type '" + type + "' is not simulated yet");
+  }
+  return {};
+}
+
+}  // namespace
+
+SensorDraft readSensor(const Element& element, const std::string& owner, Context& context) {
+  SensorDraft draft;
+  description::Sensor& sensor = draft.sensor;
+  sensor.name = readName(element, owner, context);
+  sensor.position = element.position;
+  sensor.sdf = element;
+  draft.pose = readPose(element, context);
+  sensor.topic = childText(element, "topic");
+  for (const char* name : {"ignition_frame_id", "gz_frame_id"}) {
+    if (const std::string_view frame = childText(element, name); !frame.empty()) sensor.frame = frame;
+  }
+  sensor.updateRate = readNotNegative(element, "update_rate", 0, context);
+  sensor.alwaysOn = readFlag(element, "always_on", false, context);
+  if (const Element::Attribute* type = element.attribute("type")) {
+    sensor.type = type->value;
+    sensor.settings = readSettings(element, sensor.type, context);
+  } else {
+    context.diagnostics.error(element.position, labelOf(sensor) + " has no type", "write type=\"imu\", for example");
+  }
+  return draft;
+}
+
+description::Sensor finishSensor(SensorDraft&& draft, const Scope& scope, const Pose& X_ScopeParent, Context& context) {
+  description::Sensor sensor = std::move(draft.sensor);
+  sensor.X_ParentSensor = draft.pose.value;
+  if (draft.pose.relativeTo.empty()) return sensor;
+  if (const std::optional<Scope::Found> frame = scope.find(draft.pose.relativeTo)) {
+    sensor.X_ParentSensor = X_ScopeParent.inverse() * frame->X_ScopeFrame * draft.pose.value;
+  } else {
+    // Fortress complains, too, and runs the world
+    context.diagnostics.warning(draft.pose.position,
+                                "the pose of " + labelOf(sensor) + " is relative to '" + draft.pose.relativeTo +
+                                    "', which is not in " + scope.label(),
+                                "it is taken as relative to what holds the sensor");
+  }
+  return sensor;
+}
+
+}  // namespace pongsim::sdf
