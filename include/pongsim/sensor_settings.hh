@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "pongsim/types.hh"
 
@@ -41,7 +42,13 @@ struct ImuSettings {
   Quaternion customRotation = Quaternion::Identity();
 };
 
+/// `<contact>`. Its topic is the sensor's.
+struct ContactSettings {
+  /// Names of collisions of the sensor's link.
+  std::vector<std::string> collisions;
+};
+
 /// What the element of a sensor's own type says.
-using SensorSettings = std::variant<std::monostate, ImuSettings>;
+using SensorSettings = std::variant<std::monostate, ImuSettings, ContactSettings>;
 
 }  // namespace pongsim

@@ -40,11 +40,30 @@ ImuSettings readImu(const Element* element, Context& context) {
   return settings;
 }
 
+/// Reads whom a contact sensor watches, and its topic, which takes the place of the sensor's.
+ContactSettings readContact(const Element* element, const std::string& label, description::Sensor& sensor,
+                            Context& context) {
+  ContactSettings settings;
+  sensor.topic.clear();
+  if (element != nullptr) {
+    for (const Element* collision : element->childrenNamed("collision")) settings.collisions.push_back(collision->text);
+    const std::string_view topic = childText(*element, "topic");
+    if (topic != "__default_topic__") sensor.topic = topic;
+  }
+  if (settings.collisions.empty()) {
+    context.diagnostics.warning(sensor.position, label + " names no collision: it will feel nothing",
+                                "write <contact><collision>NAME</collision></contact>");
+  }
+  return settings;
+}
+
 /// Reads the element of the sensor's own type.
-SensorSettings readSettings(const Element& sensor, const std::string& type, Context& context) {
-  if (type == "imu") return readImu(sensor.child("imu"), context);
+SensorSettings readSettings(const Element& element, description::Sensor& sensor, Context& context) {
+  const std::string& type = sensor.type;
+  if (type == "imu") return readImu(element.child("imu"), context);
+  if (type == "contact") return readContact(element.child("contact"), labelOf(sensor), sensor, context);
   if (context.firstTime("sensor type " + type)) {
-    context.diagnostics.warning(sensor.position, "sensor type '" + type + "' is not simulated yet");
+    context.diagnostics.warning(element.position, "sensor type '" + type + "' is not simulated yet");
   }
   return {};
 }
@@ -66,7 +85,7 @@ SensorDraft readSensor(const Element& element, const std::string& owner, Context
   sensor.alwaysOn = readFlag(element, "always_on", false, context);
   if (const Element::Attribute* type = element.attribute("type")) {
     sensor.type = type->value;
-    sensor.settings = readSettings(element, sensor.type, context);
+    sensor.settings = readSettings(element, sensor, context);
   } else {
     context.diagnostics.error(element.position, labelOf(sensor) + " has no type", "write type=\"imu\", for example");
   }

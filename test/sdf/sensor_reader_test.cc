@@ -54,6 +54,23 @@ TEST(Sensor, WarnsOfAnImuWhoseFrameIsMeasuredElsewhere) {
             Messages{"t.sdf:5:13: warning: <custom_rpy> is measured in the world, not in 'l'"});
 }
 
+TEST(Sensor, ReadsAContactSensor) {
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='contact'><topic>not_this</topic><contact><collision>a</collision><collision>b</collision>"
+      "<topic>felt</topic></contact></sensor><sensor name='t' type='contact'><contact><collision>a</collision>"
+      "<topic>__default_topic__</topic></contact></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_EQ(std::get<ContactSettings>(sensorOf(loaded).settings).collisions, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(sensorOf(loaded).topic, "felt");
+  EXPECT_EQ(loaded.model().links.at(0).sensors.at(1).topic, "");
+}
+
+TEST(Sensor, WarnsOfAContactSensorThatFeelsNothing) {
+  EXPECT_EQ(loadLink("<sensor name='s' type='contact'/>").messages,
+            Messages{"t.sdf:4:1: warning: sensor 's' names no collision: it will feel nothing | write "
+                     "<contact><collision>NAME</collision></contact>"});
+}
+
 TEST(Sensor, IsPlacedInWhatHoldsItOrInAnotherFrame) {
   const Loaded loaded = loadModel(
       "<frame name='f'><pose>10 0 0 0 0 0</pose></frame><link name='a'><pose>1 0 0 0 0 0</pose>"
