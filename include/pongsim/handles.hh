@@ -93,6 +93,12 @@ class PONGSIM_API Visual {
   Pose X_LinkVisual_;
 };
 
+/// A force [N] and a torque [N m].
+struct Wrench {
+  Vector3 force = Vector3::Zero();
+  Vector3 torque = Vector3::Zero();
+};
+
 /// What a file says of a joint's axis. Angles [rad] and their derivatives for a turning axis, [m] for a sliding one.
 struct JointAxisInfo {
   /// Unit vector in the joint frame.
@@ -133,6 +139,10 @@ class PONGSIM_API Joint {
   /// @param axis Below `axisCount()`.
   JointAxisInfo axisInfo(int axis = 0) const;
   std::vector<Sensor> sensors() const;
+  /// @return What the joint does to its child, at the joint frame's origin, during the last step, world frame: the
+  /// forces that hold the two together and those of motor, friction, limits and commands. Measured from the first call
+  /// on, which therefore returns zero.
+  Wrench reaction() const;
 
  private:
   friend class Model;

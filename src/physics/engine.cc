@@ -112,6 +112,12 @@ bool Engine::setLinkVelocity(world::Slot link, const Vector3& linear, const Vect
   return true;
 }
 
+Engine::Reaction Engine::jointReaction(world::Slot joint) {
+  Reaction reaction;
+  parts_->joints[joint].readReaction(reaction.force, reaction.torque);
+  return reaction;
+}
+
 void Engine::contacts(std::vector<Contact>& contacts) const {
   listContacts(*parts_->world.bullet().getDispatcher(), parts_->bodies, parts_->entities, parts_->dt, contacts);
 }

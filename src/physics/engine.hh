@@ -39,6 +39,14 @@ class Engine {
   /// @return Whether it is a link that moves; else nothing is done.
   bool setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular);
 
+  /// A force [N] and a torque [N m] on a joint's child at the joint's origin, world frame.
+  struct Reaction {
+    Vector3 force = Vector3::Zero();
+    Vector3 torque = Vector3::Zero();
+  };
+  /// @return What the joint did to its child in the last step; zero before a first step after the first call.
+  Reaction jointReaction(world::Slot joint);
+
   /// Replaces `contacts` by the points at which bodies touched in the last step, ordered by their collisions' ids, the
   /// smaller one first.
   void contacts(std::vector<Contact>& contacts) const;

@@ -100,6 +100,11 @@ Link Joint::child() const { return Link(*access_, access_->entities.links()[reco
 
 Pose Joint::poseInChild() const { return record(*access_, id_).description->X_ChildJoint; }
 
+Wrench Joint::reaction() const {
+  const physics::Engine::Reaction reaction = access_->engine.jointReaction(access_->entities.slot(id_));
+  return {reaction.force, reaction.torque};
+}
+
 JointAxisInfo Joint::axisInfo(int axis) const {
   const description::JointAxis& found = record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis));
   return {found.xyz, found.lower, found.upper, found.effort, found.velocity, found.damping};

@@ -102,6 +102,29 @@ TEST_F(PartHandlesTest, TellOfAJointAndItsAxis) {
   EXPECT_EQ(outer().joint("shaft")->poseInChild().position, Vector3(0, 0, 1));
 }
 
+// a motor that speeds a rotor up: what it does to it, and the rotor's weight
+TEST(JointReaction, IsWhatTheJointDoesToItsChild) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(R"(<sdf version="1.9"><world name="w"><model name="m">
+      <link name="rotor"><inertial><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>
+      </link><joint name="axle" type="revolute"><parent>world</parent><child>rotor</child><axis><xyz>0 0 1</xyz></axis>
+      </joint></model></world></sdf>)",
+                                               "world.sdf", {}, diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  Joint axle = simulation->world().model("m")->joint("axle").value();
+  EXPECT_EQ(axle.reaction().force, Vector3::Zero());
+  axle.addForce(0.5);
+  simulation->step();
+  EXPECT_NEAR((axle.reaction().force - Vector3(0, 0, 2 * 9.8)).norm(), 0, 1e-3);
+  EXPECT_NEAR((axle.reaction().torque - Vector3(0, 0, 0.5)).norm(), 0, 1e-3);
+  simulation->step();
+  EXPECT_NEAR(axle.reaction().torque.norm(), 0, 1e-3);
+  axle.setVelocityTarget(axle.velocity() + 0.001);
+  simulation->step();
+  // 0.1 kg m^2 by a thousandth of a radian a second in a thousandth of a second
+  EXPECT_NEAR((axle.reaction().torque - Vector3(0, 0, 0.1)).norm(), 0, 1e-3);
+}
+
 TEST_F(PartHandlesTest, TellWhatAModelIsNestedIn) {
   EXPECT_EQ(simulation_->world().model("outer::inner")->parent()->id(), outer().id());
   EXPECT_FALSE(outer().parent().has_value());
