@@ -48,7 +48,41 @@ struct ContactSettings {
   std::vector<std::string> collisions;
 };
 
+/// `<altimeter>`
+struct AltimeterSettings {
+  /// [m]
+  NoiseSettings verticalPosition;
+  /// [m/s]
+  NoiseSettings verticalVelocity;
+};
+
+/// `<air_pressure>`
+struct AirPressureSettings {
+  /// [Pa]
+  NoiseSettings pressure;
+};
+
+/// `<magnetometer>`
+struct MagnetometerSettings {
+  /// [T]
+  NoiseSettings3 field;
+};
+
+/// `<force_torque>`
+struct ForceTorqueSettings {
+  /// Whose axes the values are given in.
+  enum class Frame { kChild, kParent, kSensor };
+  Frame frame = Frame::kChild;
+  /// What the parent does to the child is measured, in place of what the child does to the parent.
+  bool isParentToChild = false;
+  /// [N]
+  NoiseSettings3 force;
+  /// [N m]
+  NoiseSettings3 torque;
+};
+
 /// What the element of a sensor's own type says.
-using SensorSettings = std::variant<std::monostate, ImuSettings, ContactSettings>;
+using SensorSettings = std::variant<std::monostate, ImuSettings, ContactSettings, AltimeterSettings,
+                                    AirPressureSettings, MagnetometerSettings, ForceTorqueSettings>;
 
 }  // namespace pongsim

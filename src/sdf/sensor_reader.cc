@@ -1,6 +1,9 @@
 #include "sdf/sensor_reader.hh"
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "sdf/names.hh"
@@ -12,6 +15,12 @@ namespace {
 
 std::string labelOf(const description::Sensor& sensor) {
   return sensor.name.empty() ? "a sensor" : "sensor '" + sensor.name + "'";
+}
+
+std::string joined(std::initializer_list<std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
+  return text;
 }
 
 void readReferenceFrame(const Element& element, ImuSettings& settings, Context& context) {
@@ -57,10 +66,54 @@ ContactSettings readContact(const Element* element, const std::string& label, de
   return settings;
 }
 
+AltimeterSettings readAltimeter(const Element* element, Context& context) {
+  if (element == nullptr) return {};
+  return {readNoise(element, "vertical_position", context), readNoise(element, "vertical_velocity", context)};
+}
+
+AirPressureSettings readAirPressure(const Element* element, Context& context) {
+  if (element == nullptr) return {};
+  if (readNumber(*element, "reference_altitude", 0, context) != 0) {
+    context.diagnostics.warning(element->child("reference_altitude")->position,
+                                "<reference_altitude> is not used, as in Fortress: heights are those in the world");
+  }
+  return {readNoise(element, "pressure", context)};
+}
+
+/// Reads whose axes a force-torque sensor speaks of, and in which direction it measures.
+void readForceTorqueFrame(const Element& element, ForceTorqueSettings& settings, Context& context) {
+  const auto choose = [&](std::string_view name, std::initializer_list<std::string_view> choices) {
+    const std::string_view text = childText(element, name);
+    const auto found = std::ranges::find(choices, text);
+    if (text.empty() || found != choices.end()) return text.empty() ? *choices.begin() : *found;
+    context.diagnostics.error(element.child(name)->position,
+                              "<" + std::string(name) + "> has the unknown value '" + std::string(text) + "'",
+                              "it can be " + joined(choices));
+    return *choices.begin();
+  };
+  using Frame = ForceTorqueSettings::Frame;
+  const std::string_view frame = choose("frame", {"child", "parent", "sensor"});
+  settings.frame = frame == "parent" ? Frame::kParent : frame == "sensor" ? Frame::kSensor : Frame::kChild;
+  settings.isParentToChild = choose("measure_direction", {"child_to_parent", "parent_to_child"}) == "parent_to_child";
+}
+
+ForceTorqueSettings readForceTorque(const Element* element, Context& context) {
+  ForceTorqueSettings settings;
+  if (element == nullptr) return settings;
+  readForceTorqueFrame(*element, settings, context);
+  settings.force = readNoise3(element->child("force"), context);
+  settings.torque = readNoise3(element->child("torque"), context);
+  return settings;
+}
+
 /// Reads the element of the sensor's own type.
 SensorSettings readSettings(const Element& element, description::Sensor& sensor, Context& context) {
   const std::string& type = sensor.type;
   if (type == "imu") return readImu(element.child("imu"), context);
+  if (type == "altimeter") return readAltimeter(element.child("altimeter"), context);
+  if (type == "air_pressure") return readAirPressure(element.child("air_pressure"), context);
+  if (type == "magnetometer") return MagnetometerSettings{readNoise3(element.child("magnetometer"), context)};
+  if (type == "force_torque") return readForceTorque(element.child("force_torque"), context);
   if (type == "contact") return readContact(element.child("contact"), labelOf(sensor), sensor, context);
   if (context.firstTime("sensor type " + type)) {
     context.diagnostics.warning(element.position, "sensor type '" + type + "' is not simulated yet");

@@ -71,6 +71,37 @@ TEST(Sensor, WarnsOfAContactSensorThatFeelsNothing) {
                      "<contact><collision>NAME</collision></contact>"});
 }
 
+TEST(Sensor, ReadsTheSmallTypes) {
+  const std::string noise = "<noise type='gaussian'><mean>1</mean></noise>";
+  const Loaded loaded = loadLink(
+      "<sensor name='a' type='altimeter'><altimeter><vertical_velocity>" + noise + "</vertical_velocity></altimeter>" +
+      "</sensor><sensor name='b' type='air_pressure'><air_pressure><pressure>" + noise + "</pressure></air_pressure>" +
+      "</sensor><sensor name='c' type='magnetometer'><magnetometer><z>" + noise + "</z></magnetometer></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const std::vector<description::Sensor>& sensors = loaded.model().links.at(0).sensors;
+  EXPECT_EQ(std::get<AltimeterSettings>(sensors.at(0).settings).verticalVelocity.mean, 1);
+  EXPECT_EQ(std::get<AltimeterSettings>(sensors.at(0).settings).verticalPosition.mean, 0);
+  EXPECT_EQ(std::get<AirPressureSettings>(sensors.at(1).settings).pressure.mean, 1);
+  EXPECT_EQ(std::get<MagnetometerSettings>(sensors.at(2).settings).field[2].mean, 1);
+}
+
+TEST(Sensor, ReadsAForceTorqueSensor) {
+  const auto load = [](const std::string& content) {
+    return loadLink("<sensor name='s' type='force_torque'><force_torque>\n" + content + "</force_torque></sensor>");
+  };
+  const Loaded loaded = load(
+      "<frame>sensor</frame><measure_direction>parent_to_child</measure_direction>"
+      "<torque><y><noise type='gaussian'><mean>1</mean></noise></y></torque>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const ForceTorqueSettings& settings = std::get<ForceTorqueSettings>(sensorOf(loaded).settings);
+  EXPECT_EQ(settings.frame, ForceTorqueSettings::Frame::kSensor);
+  EXPECT_TRUE(settings.isParentToChild);
+  EXPECT_EQ(settings.torque[1].mean, 1);
+  EXPECT_EQ(std::get<ForceTorqueSettings>(sensorOf(load("")).settings).frame, ForceTorqueSettings::Frame::kChild);
+  EXPECT_EQ(load("<frame>joint</frame>").messages,
+            Messages{"t.sdf:5:1: error: <frame> has the unknown value 'joint' | it can be child, parent, sensor"});
+}
+
 TEST(Sensor, IsPlacedInWhatHoldsItOrInAnotherFrame) {
   const Loaded loaded = loadModel(
       "<frame name='f'><pose>10 0 0 0 0 0</pose></frame><link name='a'><pose>1 0 0 0 0 0</pose>"
