@@ -16,13 +16,15 @@
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
+#include "cli/ign_arguments.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
-constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand, addTopicCommand, addServiceCommand, addWorldCommand,
-                                                   addKeyCommand, addMsgCommand,   addSdfCommand};
+constexpr void (*kCommands[])(CLI::App&, Work&) = {addRunCommand,   addTopicCommand,     addServiceCommand,
+                                                   addWorldCommand, addKeyCommand,       addMsgCommand,
+                                                   addSdfCommand,   addCompletionCommand};
 
 bool isOption(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
 
@@ -89,6 +91,7 @@ UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
 /// `pongsim help topic` is `pongsim topic --help`.
 std::vector<std::string> argumentsOf(int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (argc > 0 && isCalledAsIgn(argv[0])) arguments = fromIgnArguments(std::move(arguments));
   if (!arguments.empty() && arguments.front() == "help") {
     arguments.erase(arguments.begin());
     arguments.push_back("--help");

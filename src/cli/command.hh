@@ -16,6 +16,7 @@ using Work = std::function<int()>;
 /// is done.
 void addRunCommand(CLI::App& program, Work& work);
 void addSdfCommand(CLI::App& program, Work& work);
+void addCompletionCommand(CLI::App& program, Work& work);
 void addTopicCommand(CLI::App& program, Work& work);
 void addServiceCommand(CLI::App& program, Work& work);
 void addWorldCommand(CLI::App& program, Work& work);

@@ -43,14 +43,14 @@ std::string messageTypeOption(std::string_view name) {
                    nearest.empty() ? std::string() : "did you mean '" + nearest + "'?");
 }
 
-std::shared_ptr<const Message> messageOption(std::string_view type, std::string_view text) {
+std::shared_ptr<const Message> messageOption(std::string_view type, std::string_view text, const std::string& source) {
   const std::shared_ptr<Message> message = newMessage(type);
   const std::optional<MessageError> error = parseMessage(text, *message);
   if (!error) return message;
 
-  std::string said = "message text: " + error->message;
+  std::string said = source + ": " + error->message;
   if (error->line > 0) {
-    said = "message text:" + std::to_string(error->line) + ":" + std::to_string(error->column) + ": " + error->message +
+    said = source + ":" + std::to_string(error->line) + ":" + std::to_string(error->column) + ": " + error->message +
            "\n" + showPlace(text, *error);
   }
   throw UsageError(said, error->hint);

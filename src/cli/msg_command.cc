@@ -7,6 +7,7 @@
 #include "cli/console.hh"
 #include "cli/message_option.hh"
 #include "msgs/definition.hh"
+#include "msgs/message_template.hh"
 #include "pongsim/message.hh"
 
 namespace pongsim::cli {
@@ -16,7 +17,7 @@ namespace {
 /// The command line as it was given.
 struct Given {
   bool list = false;
-  std::optional<std::string> type;
+  std::optional<std::string> infoType, templateType;
 };
 
 int listTypes() {
@@ -26,12 +27,15 @@ int listTypes() {
 }
 
 Work workFor(const Given& given) {
-  if (given.list == given.type.has_value()) {
-    throw UsageError(given.list ? "one thing at a time" : "nothing to do given", "one of --list and --info TYPE");
+  if (int{given.list} + int{given.infoType.has_value()} + int{given.templateType.has_value()} != 1) {
+    throw UsageError(given.list || given.infoType ? "one thing at a time" : "nothing to do given",
+                     "one of --list, --info TYPE and --template TYPE");
   }
   if (given.list) return listTypes;
-  const std::string type = messageTypeOption(*given.type);
-  return [type] { return print("// " + type + "\n" + msgs::definition(type).value_or("")) ? kDone : kFailed; };
+  const std::string type = messageTypeOption(given.infoType ? *given.infoType : *given.templateType);
+  const std::string text = given.infoType ? "// " + type + "\n" + msgs::definition(type).value_or("")
+                                          : msgs::messageTemplate(type).value_or("");
+  return [text] { return print(text) ? kDone : kFailed; };
 }
 
 }  // namespace
@@ -41,15 +45,17 @@ void addMsgCommand(CLI::App& program, Work& work) {
   CLI::App* command = program.add_subcommand("msg", "List message types, print how one is made up");
   command->set_help_flag("-h,--help", "Print this and end");
   command->add_flag("-l,--list", given->list, "Print the message types, sorted")->disable_flag_override();
-  command
-      ->add_option_function<std::string>(
-          "-i,--info", [given](const std::string& text) { given->type = text; },
-          "Print the type's definition: ignition.msgs.Twist, gz.msgs.Twist or Twist")
-      ->type_name("TYPE");
+  const auto add = [command](const char* names, const char* description, std::optional<std::string>& target) {
+    const auto keep = [&target](const std::string& text) { target = text; };
+    command->add_option_function<std::string>(names, keep, description)->type_name("TYPE");
+  };
+  add("-i,--info", "Print the type's definition: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->infoType);
+  add("-t,--template", "Print a message of the type as text to fill in", given->templateType);
   command->footer(
       "Examples:\n"
       "  pongsim msg -l\n"
-      "  pongsim msg -i ignition.msgs.Twist");
+      "  pongsim msg -i ignition.msgs.Twist\n"
+      "  pongsim msg -t ignition.msgs.Twist > twist.txt");
   command->callback([given, &work] { work = workFor(*given); });
 }
 

@@ -2,10 +2,13 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cli/command.hh"
 #include "cli/console.hh"
@@ -20,8 +23,10 @@ namespace {
 
 /// The command line as it was given.
 struct Given {
-  bool list = false, info = false, echo = false, json = false;
-  std::optional<std::string> topic, type, text, count, duration, timeout;
+  std::string action;
+  bool list = false, info = false, echo = false, hz = false, bw = false, json = false, csv = false, verbose = false;
+  std::optional<std::string> topic, type, text, file, count, duration, timeout, rate;
+  std::vector<std::string> fields;
 };
 
 /// @throws UsageError where an option is given that means nothing to the action.
@@ -30,9 +35,16 @@ void refuseOthers(const Given& given, std::string_view action) {
     const char* option;
     bool isGiven;
     std::string_view actions;
-  } rules[] = {{"-t", given.topic.has_value(), "-i -e -p"}, {"-m", given.type.has_value(), "-e -p"},
-               {"-n", given.count.has_value(), "-e"},       {"-d", given.duration.has_value(), "-e"},
-               {"--json-output", given.json, "-e"},         {"--timeout", given.timeout.has_value(), "-p"}};
+  } rules[] = {{"-v", given.verbose, "-l"},
+               {"-t", given.topic.has_value(), "-i -e -p --hz --bw wait"},
+               {"-m", given.type.has_value(), "-e -p --hz --bw wait"},
+               {"-n", given.count.has_value(), "-e -p --hz --bw"},
+               {"-d", given.duration.has_value(), "-e --hz --bw"},
+               {"--rate", given.rate.has_value(), "-p"},
+               {"--field", !given.fields.empty(), "-e wait"},
+               {"--json-output", given.json, "-e"},
+               {"--csv", given.csv, "-e"},
+               {"--timeout", given.timeout.has_value(), "-p wait"}};
   for (const auto& rule : rules) {
     if (!rule.isGiven || rule.actions.find(action) != std::string_view::npos) continue;
     throw UsageError("option '" + std::string(rule.option) + "' means nothing with '" + std::string(action) + "'",
@@ -47,40 +59,93 @@ std::chrono::nanoseconds seconds(std::string_view option, const std::string& tex
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(value));
 }
 
-Work echoWork(const Given& given) {
-  EchoOptions options;
+ReadOptions readOptions(const Given& given) {
+  ReadOptions options;
   options.topic = topicOption(*given.topic);
-  options.json = given.json;
   if (given.count && given.duration) throw UsageError("options '-n' and '-d' exclude each other");
   if (given.type) options.type = messageTypeOption(*given.type);
   if (given.count) options.count = wholeNumber("-n", *given.count, 1);
   if (given.duration) options.duration = seconds("-d", *given.duration);
+  return options;
+}
+
+Work echoWork(const Given& given) {
+  EchoOptions options;
+  options.read = readOptions(given);
+  if (given.json && (given.csv || !given.fields.empty())) {
+    throw UsageError(std::string("options '--json-output' and '") + (given.csv ? "--csv" : "--field") +
+                     "' exclude each other");
+  }
+  options.format = given.json ? EchoFormat::kJson : given.csv ? EchoFormat::kCsv : EchoFormat::kText;
+  options.fields = given.fields;
   return [options] { return echoTopic(options); };
+}
+
+/// @return The text of a file, or of stdin where its name is `-`.
+std::string textOf(const std::string& file) {
+  std::ifstream stream(file == "-" ? "/dev/stdin" : file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw UsageError("cannot read '" + file + "'");
+  return text;
 }
 
 Work publishWork(const Given& given) {
   if (!given.type) throw UsageError("'-p' needs the message's type", "pongsim topic -t TOPIC -m TYPE -p TEXT");
+  if (given.text && given.file) throw UsageError("options '-p' and '--file' exclude each other");
   PublishOptions options;
   options.topic = topicOption(*given.topic);
   options.type = messageTypeOption(*given.type);
-  options.message = messageOption(options.type, *given.text);
+  options.message = given.file ? messageOption(options.type, textOf(*given.file), *given.file)
+                               : messageOption(options.type, *given.text);
   if (given.timeout) options.timeout = seconds("--timeout", *given.timeout);
-  return [options] { return publishOnce(options); };
+  if (given.count && !given.rate) throw UsageError("'-n' with '-p' needs a rate", "--rate HZ");
+  if (given.count) options.count = wholeNumber("-n", *given.count, 1);
+  if (given.rate) {
+    constexpr double kSlowest = 1e-6, kQuickest = 1e6;
+    const double rate = numberFromZero("--rate", *given.rate, "a number of messages a second");
+    if (rate < kSlowest || rate > kQuickest) throw UsageError("option '--rate' takes a number from 1e-6 to 1e6");
+    options.period = std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(1 / rate));
+  }
+  return [options] { return publish(options); };
+}
+
+Work waitWork(const Given& given) {
+  if (given.fields.size() > 1) throw UsageError("'wait' takes one condition");
+  std::optional<FieldCondition> condition;
+  if (!given.fields.empty()) condition = FieldCondition::parse(given.fields.front());
+  ReadOptions options = readOptions(given);
+  if (given.timeout) options.duration = seconds("--timeout", *given.timeout);
+  return [options, condition] { return waitForMessage(options, condition); };
 }
 
 Work workFor(const Given& given) {
-  const int actions = int{given.list} + int{given.info} + int{given.echo} + int{given.text.has_value()};
-  if (actions != 1) {
-    throw UsageError(actions == 0 ? "nothing to do given" : "one thing at a time",
-                     "one of --list, --info, --echo and --pub; pongsim topic --help tells more");
+  if (!given.action.empty() && given.action != "wait") {
+    throw UsageError("unexpected argument '" + given.action + "'", "the only word that may stand there is wait");
   }
-  const std::string_view action = given.list ? "-l" : given.info ? "-i" : given.echo ? "-e" : "-p";
+  const std::pair<std::string_view, bool> actions[] = {{"-l", given.list},
+                                                       {"-i", given.info},
+                                                       {"-e", given.echo},
+                                                       {"-p", given.text.has_value() || given.file.has_value()},
+                                                       {"--hz", given.hz},
+                                                       {"--bw", given.bw},
+                                                       {"wait", !given.action.empty()}};
+  const auto isGiven = [](const auto& action) { return action.second; };
+  const auto chosen = std::find_if(std::begin(actions), std::end(actions), isGiven);
+  if (std::count_if(std::begin(actions), std::end(actions), isGiven) != 1) {
+    throw UsageError(chosen == std::end(actions) ? "nothing to do given" : "one thing at a time",
+                     "one of --list, --info, --echo, --pub, --hz, --bw and wait; pongsim topic --help tells more");
+  }
+  const std::string_view action = chosen->first;
   refuseOthers(given, action);
-  if (given.list) return listTopics;
+  if (given.list) return [isVerbose = given.verbose] { return listTopics(isVerbose); };
   if (!given.topic) throw UsageError("'" + std::string(action) + "' needs a topic", "-t TOPIC");
   if (given.echo) return echoWork(given);
-  if (given.text) return publishWork(given);
-  return [topic = topicOption(*given.topic)] { return showTopic(topic); };
+  if (given.info) return [topic = topicOption(*given.topic)] { return showTopic(topic); };
+  if (given.hz || given.bw) {
+    const RateKind kind = given.hz ? RateKind::kMessages : RateKind::kBytes;
+    return [options = readOptions(given), kind] { return measureTopic(options, kind); };
+  }
+  return given.action == "wait" ? waitWork(given) : publishWork(given);
 }
 
 }  // namespace
@@ -97,23 +162,40 @@ void addTopicCommand(CLI::App& program, Work& work) {
   const auto addFlag = [command](const char* names, bool& target, const char* description) {
     command->add_flag(names, target, description)->disable_flag_override();
   };
+  command->add_option("ACTION", given->action, "wait: end when a message comes (that meets the condition of --field)")
+      ->type_name("");
   addFlag("-l,--list", given->list, "Print the topics that somebody publishes, sorted");
+  addFlag("-v,--verbose", given->verbose, "List: with types and counts, and those that are only subscribed to");
   addFlag("-i,--info", given->info, "Print who publishes a topic and who subscribes to it");
   addFlag("-e,--echo", given->echo, "Print a topic's messages as they come");
-  add("-p,--pub", "TEXT", "Publish one message, given in protobuf's text format, as soon as somebody listens",
+  add("-p,--pub", "TEXT", "Publish a message, given in protobuf's text format, as soon as somebody listens",
       given->text);
+  add("--file", "FILE", "Publish the message that the file has, - for stdin", given->file);
+  addFlag("--hz", given->hz, "Print once a second how often messages come, by the wall clock");
+  addFlag("--bw", given->bw, "Print once a second how many bytes come");
   add("-t,--topic", "TOPIC", "The topic", given->topic);
   add("-m,--msgtype", "TYPE", "The messages' type: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->type);
-  add("-n,--num", "N", "Echo N messages, then end", given->count);
-  add("-d,--duration", "S", "Echo for S seconds, then end", given->duration);
+  add("-n,--num,--count", "N", "End after N messages", given->count);
+  add("-d,--duration", "S", "End after S seconds of wall time", given->duration);
+  add("--rate", "HZ", "Publish again and again, HZ times a second of wall time", given->rate);
+  command
+      ->add_option("--field", given->fields,
+                   "Echo: print this value only, such as pose.position.x or pose[0].name; may be repeated\n"
+                   "wait: a condition, such as 'pose.position.x >= 1'")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
   addFlag("--json-output", given->json, "Echo as JSON, a line each message");
-  add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber", given->timeout);
+  addFlag("--csv", given->csv, "Echo as a table for spreadsheets: the fields asked for, or all single values");
+  add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without the message",
+      given->timeout);
   command->footer(
       "Examples:\n"
       "  pongsim topic -l\n"
       "  pongsim topic -e -t /model/pong_bot/odometry -n 1\n"
+      "  pongsim topic -e -t /model/pong_bot/odometry --field pose.position.x\n"
       "  pongsim topic -t /cmd_vel -m ignition.msgs.Twist -p 'linear: {x: 0.5}, angular: {z: 0.05}'\n"
-      "  pongsim topic -t /keyboard/keypress -m ignition.msgs.Int32 -p 'data: 16777235'");
+      "  pongsim topic -t /keyboard/keypress -m ignition.msgs.Int32 -p 'data: 16777235'\n"
+      "  pongsim topic wait -t /model/pong_bot/odometry --field 'pose.position.x >= 1' --timeout 30");
   command->callback([given, &work] {
     work = workFor(*given);
     // what the transport would warn of, types that do not fit, is what these commands fail with

@@ -5,7 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/field_condition.hh"
+#include "cli/topic_reader.hh"
 #include "pongsim/message.hh"
 
 namespace pongsim::cli {
@@ -13,15 +16,13 @@ namespace pongsim::cli {
 /// How long a look around waits for the other processes to tell of their topics.
 inline constexpr std::chrono::milliseconds kDiscoveryTime{1000};
 
+enum class EchoFormat { kText, kJson, kCsv };
+
 struct EchoOptions {
-  std::string topic;
-  /// Full name; empty: what the topic's publisher has.
-  std::string type;
-  /// End after that many messages.
-  std::optional<std::uint64_t> count;
-  /// End after that time.
-  std::optional<std::chrono::nanoseconds> duration;
-  bool json = false;
+  ReadOptions read;
+  EchoFormat format = EchoFormat::kText;
+  /// Paths of the values to print; empty: all of the message.
+  std::vector<std::string> fields;
 };
 
 struct PublishOptions {
@@ -29,14 +30,25 @@ struct PublishOptions {
   /// Full name.
   std::string type;
   std::shared_ptr<const Message> message;
-  /// How long to wait for a subscriber, and then for it to have the message.
+  /// How long to wait for a subscriber, and then for it to have the messages.
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
+  /// From one message to the next; unset: there is only one.
+  std::optional<std::chrono::nanoseconds> period;
+  /// Unset, with a period: until a signal.
+  std::optional<std::uint64_t> count;
 };
 
+/// What `topic --hz` and `topic --bw` print once a second.
+enum class RateKind { kMessages, kBytes };
+
 /// What `pongsim topic` does; each returns the exit code.
-int listTopics();
+/// @param isVerbose With types and counts, and those that are only subscribed to.
+int listTopics(bool isVerbose);
 int showTopic(const std::string& topic);
 int echoTopic(const EchoOptions& options);
-int publishOnce(const PublishOptions& options);
+int publish(const PublishOptions& options);
+int measureTopic(const ReadOptions& options, RateKind kind);
+/// @param condition Unset: any message will do.
+int waitForMessage(const ReadOptions& options, const std::optional<FieldCondition>& condition);
 
 }  // namespace pongsim::cli

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,33 @@ std::string table(const char* title, const std::vector<TopicInfo::Endpoint>& end
   return text;
 }
 
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// @return "/clock [ignition.msgs.Clock] 1 publisher, 0 subscribers", with all types that the topic is used with.
+std::string line(const TopicInfo& topic) {
+  std::set<std::string> types;
+  for (const auto* side : {&topic.publishers, &topic.subscribers}) {
+    for (const TopicInfo::Endpoint& endpoint : *side) types.insert(endpoint.type);
+  }
+  std::string text = topic.name + " [";
+  for (const std::string& type : types) text += (type == *types.begin() ? "" : ", ") + type;
+  return text + "] " + counted(topic.publishers.size(), "publisher") + ", " +
+         counted(topic.subscribers.size(), "subscriber") + "\n";
+}
+
 }  // namespace
 
-int listTopics() {
+int listTopics(bool isVerbose) {
   Transport transport;
   std::string text;
   for (const TopicInfo& topic : transport.discover(kDiscoveryTime)) {
-    if (!topic.publishers.empty()) text += topic.name + "\n";
+    if (isVerbose) {
+      text += line(topic);
+    } else if (!topic.publishers.empty()) {
+      text += topic.name + "\n";
+    }
   }
   if (text.empty()) say("no topics: nobody publishes");
   return print(text) ? kDone : kFailed;

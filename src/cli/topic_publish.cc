@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <vector>
 
 #include "cli/console.hh"
+#include "cli/stop_signal.hh"
 #include "cli/topic_command.hh"
 #include "cli/topic_name.hh"
 #include "pongsim/node.hh"
@@ -26,14 +28,49 @@ int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
   return fail("no subscriber on " + options.topic, nearestTopic(options.topic, heard));
 }
 
+/// @return Whether there is one before the timeout or a signal.
+bool waitForSubscribers(const Publisher& publisher, std::chrono::nanoseconds timeout, const StopSignal& signal) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::nanoseconds kLongestWait = std::chrono::milliseconds(100);
+  const Clock::time_point end = Clock::now() + timeout;
+  do {
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Clock::now());
+    if (publisher.waitForSubscribers(std::clamp(left, std::chrono::nanoseconds::zero(), kLongestWait))) return true;
+  } while (Clock::now() < end && !signal.stopped());
+  return false;
+}
+
+/// Publishes, and waits out the period after each message but the last.
+/// @return Whether it went on to the end, and not to a signal.
+bool publishAll(Transport& transport, Publisher& publisher, const PublishOptions& options, StopSignal& signal) {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next = Clock::now();
+  for (std::uint64_t sent = 1;; ++sent) {
+    publisher.publish(*options.message);
+    if (!options.period || sent == options.count) return true;
+    // from the time it was due: a late message does not make the next one late
+    next += std::chrono::duration_cast<Clock::duration>(*options.period);
+    for (auto now = Clock::now(); now < next && !signal.stopped(); now = Clock::now()) {
+      transport.dispatchFor(next - now);
+    }
+    if (signal.stopped()) return false;
+  }
+}
+
 }  // namespace
 
-int publishOnce(const PublishOptions& options) {
+int publish(const PublishOptions& options) {
+  // before the transport, whose threads inherit the signals' mask
+  StopSignal signal;
   Transport transport;
   Publisher publisher = transport.node().advertise(options.topic, options.type);
-  if (!publisher.waitForSubscribers(options.timeout)) return failWithoutSubscriber(transport, options);
-  publisher.publish(*options.message);
-  if (publisher.waitForDelivery(options.timeout)) return kDone;
+  if (!waitForSubscribers(publisher, options.timeout, signal)) {
+    return signal.stopped() ? kFailed : failWithoutSubscriber(transport, options);
+  }
+  signal.onStop([&transport] { transport.wake(); });
+  const bool isAll = publishAll(transport, publisher, options, signal);
+  signal.onStop({});
+  if (!isAll || publisher.waitForDelivery(options.timeout)) return kDone;
   return fail("no subscriber on " + options.topic + " confirmed the message in time");
 }
 

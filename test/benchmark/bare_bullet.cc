@@ -27,24 +27,30 @@ struct BareBullet::Motor {
   btHingeConstraint* hinge;
 };
 
-BareBullet::BareBullet(const description::World& world) {
+BareBullet::BareBullet(const description::World& world, BareSolver solver) {
   auto configuration = std::make_unique<btDefaultCollisionConfiguration>();
   configuration->setPlaneConvexMultipointIterations(4, 4);
   configuration_ = std::move(configuration);
   dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
   broadphase_ = std::make_unique<btDbvtBroadphase>();
   const physics::Settings settings;
-  solver_ = std::make_unique<physics::GroupSolver>(settings.mostDirectRows);
+  if (solver == BareSolver::kPongsim) {
+    solver_ = std::make_unique<physics::GroupSolver>(settings.mostDirectRows);
+  } else {
+    solver_ = std::make_unique<btSequentialImpulseConstraintSolver>();
+  }
   world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), broadphase_.get(), solver_.get(),
                                                      configuration_.get());
   world_->setGravity(vector(world.gravity));
   world_->setForceUpdateAllAabbs(false);
-  btContactSolverInfo& info = world_->getSolverInfo();
-  info.m_numIterations = settings.iterations;
-  info.m_globalCfm = settings.softness;
-  info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-  info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;
-  info.m_minimumSolverBatchSize = 1;
+  if (solver == BareSolver::kPongsim) {
+    btContactSolverInfo& info = world_->getSolverInfo();
+    info.m_numIterations = settings.iterations;
+    info.m_globalCfm = settings.softness;
+    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+    info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;
+    info.m_minimumSolverBatchSize = 1;
+  }
   for (const description::Model& model : world.models) addModel(model);
 }
 

@@ -12,12 +12,15 @@
 
 namespace pongsim::benchmark {
 
-/// A world in Bullet as lean as one would write it by hand for robots on wheels, with nothing of pongsim but the
-/// solver and its settings: what our own step is compared with. It does not even look at the result. Knows boxes,
-/// spheres, cylinders, planes, revolute and ball joints.
+/// Whose solver a bare loop has, and whose settings of it.
+enum class BareSolver { kPongsim, kBullet };
+
+/// A world in Bullet as lean as one would write it by hand for robots on wheels, with nothing of pongsim but, if one
+/// wants, the solver and its settings: what our own step is compared with. It does not even look at the result. Knows
+/// boxes, spheres, cylinders, planes, revolute and ball joints.
 class BareBullet {
  public:
-  explicit BareBullet(const description::World& world);
+  BareBullet(const description::World& world, BareSolver solver);
   ~BareBullet();
 
   /// Drives all joints of that name [rad/s].

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "benchmark/bare_bullet.hh"
+#include "benchmark/medians.hh"
 #include "physics/engine.hh"
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
@@ -78,8 +78,8 @@ void requireMoved(double distance) {
   }
 }
 
-void stepBare(::benchmark::State& run, const Case& which) {
-  BareBullet world(load(which));
+void stepBare(::benchmark::State& run, const Case& which, BareSolver solver) {
+  BareBullet world(load(which), solver);
   world.setVelocity("left_wheel_joint", kLeft);
   world.setVelocity("right_wheel_joint", kRight);
   const btVector3 start = world.position("chassis");
@@ -135,58 +135,35 @@ void stepSimulation(::benchmark::State& run, const Case& which) {
   for (auto _ : run) simulation->step();
 }
 
-/// Prints as usual, and keeps the medians.
-class MedianReporter final : public ::benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.aggregate_name == "median") medians_[run.run_name.function_name] = run.GetAdjustedCPUTime();
-    }
+void printTable(const Medians& medians, const std::vector<Case>& all) {
+  std::printf("\nbare: a loop of Bullet with pongsim's solver; stock: with Bullet's own, as it comes\n");
+  std::printf("%-18s %10s %10s %11s %15s %14s %17s %18s\n", "world", "bare [us]", "stock [us]", "engine [us]",
+              "simulation [us]", "engine : bare", "simulation : bare", "simulation : stock");
+  for (const Case& which : all) {
+    const auto median = [&](const char* what) { return medians.of(which.name + "/" + what); };
+    const double bare = median("bare"), stock = median("stock");
+    const double engine = median("engine"), simulation = median("simulation");
+    if (!(bare > 0 && stock > 0 && engine > 0 && simulation > 0)) continue;
+    std::printf("%-18s %10.2f %10.2f %11.2f %15.2f %14.2f %17.2f %18.2f\n", which.name.c_str(), bare, stock, engine,
+                simulation, engine / bare, simulation / bare, simulation / stock);
   }
+}
 
-  void printTable(const std::vector<Case>& all) const {
-    std::printf("\n%-18s %12s %12s %16s %14s %18s\n", "world", "bare [us]", "engine [us]", "simulation [us]",
-                "engine : bare", "simulation : bare");
-    for (const Case& which : all) {
-      const auto bare = medians_.find(which.name + "/bare");
-      const auto engine = medians_.find(which.name + "/engine");
-      const auto simulation = medians_.find(which.name + "/simulation");
-      if (bare == medians_.end() || engine == medians_.end() || simulation == medians_.end()) continue;
-      std::printf("%-18s %12.2f %12.2f %16.2f %14.2f %18.2f\n", which.name.c_str(), bare->second, engine->second,
-                  simulation->second, engine->second / bare->second, simulation->second / bare->second);
-    }
-  }
-
- private:
-  std::map<std::string, double> medians_;
-};
-
-// nine short runs of each in mixed order, unless the command line says otherwise
 int run(int argc, char** argv) {
-  std::vector<std::string> arguments = {argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.2",
-                                        "--benchmark_enable_random_interleaving=true",
-                                        "--benchmark_report_aggregates_only=true"};
-  arguments.insert(arguments.end(), argv + 1, argv + argc);
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  int count = static_cast<int>(pointers.size());
-  ::benchmark::Initialize(&count, pointers.data());
-  if (::benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-
   const std::vector<Case> all = cases();
   for (const Case& which : all) {
     const auto add = [&](const char* what, auto function) {
       ::benchmark::RegisterBenchmark((which.name + "/" + what).c_str(), function, which)
           ->Unit(::benchmark::kMicrosecond);
     };
-    add("bare", stepBare);
+    add("bare", [](auto& state, const Case& each) { stepBare(state, each, BareSolver::kPongsim); });
+    add("stock", [](auto& state, const Case& each) { stepBare(state, each, BareSolver::kBullet); });
     add("engine", stepEngine);
     add("simulation", stepSimulation);
   }
-  MedianReporter reporter;
-  ::benchmark::RunSpecifiedBenchmarks(&reporter);
-  reporter.printTable(all);
+  Medians medians;
+  if (!medians.run(argc, argv)) return 2;
+  printTable(medians, all);
   return 0;
 }
 

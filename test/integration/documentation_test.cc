@@ -10,6 +10,7 @@
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
 #include "support/process.hh"
+#include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim {
@@ -66,7 +67,7 @@ TEST_F(DocumentationTest, ExamplesOfTheOtherCommandsWork) {
   std::string script =
       "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\npongsim run worlds/pong_world.sdf &\n"
       "pongsim topic -e -t /clock -n 1 >/dev/null\n";
-  for (const char* command : {"topic", "service", "world", "key", "msg"}) {
+  for (const char* command : {"topic", "service", "world", "key", "msg", "completion"}) {
     const std::vector<std::string> examples = codeLines("docs/cli.md", std::string("## pongsim ") + command);
     EXPECT_FALSE(examples.empty()) << command;
     for (const std::string& line : examples) script += line + "\n";
@@ -75,6 +76,17 @@ TEST_F(DocumentationTest, ExamplesOfTheOtherCommandsWork) {
   EXPECT_NE(output_.find("\ndata: true\n"), std::string::npos) << output_;
   EXPECT_NE(output_.find(" iterations, paused\n"), std::string::npos) << output_;
   EXPECT_NE(output_.find("{\"system\":{"), std::string::npos) << output_;
+}
+
+TEST_F(DocumentationTest, ExamplesOfIgnWork) {
+  const test::TempFolder home;
+  std::string script = "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\nexport HOME=" + home.path().string() + "\n";
+  for (const std::string& line : codeLines("docs/cli.md", "## As `ign` or `gz`")) {
+    script += line + "\n";
+    if (line.ends_with('&')) script += "pongsim topic wait -t /clock\n";
+  }
+  run(script + "ign topic -l\n");
+  EXPECT_NE(output_.find("/cmd_vel\n"), std::string::npos) << output_;
 }
 
 TEST(Documentation, LinksLeadSomewhere) {

@@ -24,6 +24,12 @@ TEST(Msg, PrintsADefinition) {
             "// ignition.msgs.Boolean\nmessage Boolean {\n  .ignition.msgs.Header header = 1;\n  bool data = 2;\n}\n");
 }
 
+TEST(Msg, PrintsATemplate) {
+  const Outcome text = runToEnd({"msg", "-t", "Boolean"});
+  EXPECT_EQ(text.exitCode, 0) << text.error;
+  EXPECT_TRUE(text.output.ends_with("\ndata: false\n")) << text.output;
+}
+
 TEST(Msg, GuessesTheTypeThatWasMeant) {
   const Outcome wrong = runToEnd({"msg", "-i", "ignition.msgs.Twst"});
   EXPECT_EQ(wrong.exitCode, 2);

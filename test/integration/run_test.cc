@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <filesystem>
 #include <regex>
 #include <string>
 
 #include "integration/program.hh"
+#include "support/temp_folder.hh"
+#include "support/test_domain.hh"
 
 namespace pongsim::test {
 namespace {
@@ -66,6 +69,19 @@ TEST(Run, FindsAWorldByItsNameInTheResourcePath) {
   const Process::Options options{.environment = {{"IGN_GAZEBO_RESOURCE_PATH", ownWorld("")}}, .folder = "/"};
   Process process({PONGSIM_PROGRAM, "run", kWorld, "--iterations", "1", "-z", "0"}, options);
   EXPECT_EQ(process.wait(), 0) << process.error();
+}
+
+// as the tutorials of Fortress have it, through a link
+TEST(Run, IsCalledAsIgnToo) {
+  testDomain();
+  const TempFolder folder;
+  const std::string ign = (folder.path() / "ign").string();
+  std::filesystem::create_symlink(PONGSIM_PROGRAM, ign);
+  Process runs({ign, "gazebo", "-s", "-r", "-v", "4", ownWorld("pong_world.sdf"), "--iterations", "10"});
+  EXPECT_EQ(runs.wait(), 0) << runs.error();
+  Process window({ign, "gazebo", "-g"});
+  EXPECT_EQ(window.wait(), 2);
+  EXPECT_TRUE(window.error().starts_with("pongsim: error: there is no display here")) << window.error();
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <fstream>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
+#include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::test {
@@ -47,6 +50,9 @@ TEST_F(Topic, ListsWhatIsPublishedSorted) {
   }
   // only subscribed to
   EXPECT_FALSE(std::binary_search(topics.begin(), topics.end(), "/keyboard/keypress"));
+  const std::string all = runToEnd({"topic", "-lv"}).output;
+  EXPECT_NE(all.find("\n/keyboard/keypress [ignition.msgs.Int32] 0 publishers, 1 subscriber\n"), std::string::npos)
+      << all;
 }
 
 TEST_F(Topic, TellsWhoPublishesAndWhoSubscribes) {
@@ -73,6 +79,77 @@ TEST_F(Topic, EchoesAsJsonALineEach) {
   const std::vector<std::string> all = lines(echo.output);
   ASSERT_EQ(all.size(), 2U) << echo.output;
   for (const std::string& line : all) EXPECT_TRUE(line.starts_with("{\"") && line.ends_with("}")) << line;
+}
+
+TEST_F(Topic, EchoesTheValuesAskedFor) {
+  const Outcome one = runToEnd({"topic", "-et", "/clock", "--field", "sim.sec", "-n", "2"});
+  EXPECT_EQ(one.exitCode, 0) << one.error;
+  EXPECT_TRUE(std::regex_match(one.output, std::regex("\\d+\n\\d+\n"))) << one.output;
+  const Outcome two = runToEnd({"topic", "-et", "/clock", "--field", "sim.sec", "--field", "sim", "--csv", "-n", "1"});
+  EXPECT_TRUE(std::regex_match(two.output, std::regex("sim\\.sec,sim\n\\d+,\\{.*\\}\n"))) << two.output;
+  const Outcome all = runToEnd({"topic", "-et", "/model/pong_bot/odometry", "--csv", "-n", "1"});
+  const std::vector<std::string> table = lines(all.output);
+  ASSERT_EQ(table.size(), 2U) << all.output;
+  EXPECT_EQ(std::count(table[0].begin(), table[0].end(), ','), std::count(table[1].begin(), table[1].end(), ','));
+  const Outcome wrong = runToEnd({"topic", "-et", "/clock", "--field", "sin"});
+  EXPECT_EQ(wrong.exitCode, 1);
+  EXPECT_EQ(wrong.error, "pongsim: error: field 'sin' is not in ignition.msgs.Clock\n  hint: did you mean 'sim'?\n");
+}
+
+TEST_F(Topic, MeasuresHowOftenAndHowMuchComes) {
+  const Outcome rate = runToEnd({"topic", "-t", "/clock", "--hz", "-n", "200"});
+  EXPECT_EQ(rate.exitCode, 0) << rate.error;
+  EXPECT_TRUE(std::regex_search(rate.output, std::regex("^[\\d.]+ Hz, spacing mean .* messages\n"))) << rate.output;
+  const Outcome bandwidth = runToEnd({"topic", "-t", "/clock", "--bw", "-n", "200"});
+  EXPECT_EQ(bandwidth.exitCode, 0) << bandwidth.error;
+  EXPECT_TRUE(std::regex_search(bandwidth.output, std::regex("^[\\d.]+ kB/s, message mean .* messages\n")))
+      << bandwidth.output;
+  const Outcome one = runToEnd({"topic", "-t", "/clock", "--hz", "-n", "1"});
+  EXPECT_EQ(one.exitCode, 1);
+  EXPECT_EQ(one.error, "pongsim: error: one message came, which tells no rate\n");
+}
+
+TEST_F(Topic, WaitsForAValue) {
+  const auto wait = start({"topic", "wait", "-t", "/model/pong_bot/odometry", "--field", "pose.position.x > 0.1"});
+  EXPECT_EQ(publish("/cmd_vel", "Twist", "linear: {x: 0.5}").exitCode, 0);
+  EXPECT_EQ(wait->wait(), 0) << wait->error();
+  EXPECT_EQ(runToEnd({"topic", "wait", "-t", "/clock"}).exitCode, 0);
+  const Outcome late = runToEnd({"topic", "wait", "-t", "/clock", "--field", "sim.sec < 0", "--timeout", "1"});
+  EXPECT_EQ(late.exitCode, 1);
+  EXPECT_TRUE(std::regex_match(
+      late.error, std::regex("pongsim: error: none of \\d+ messages on /clock met the condition in time\n")))
+      << late.error;
+}
+
+TEST_F(Topic, PublishesAgainAndAgain) {
+  const auto echo = start({"topic", "-et", "/again", "-m", "Int32", "-n", "4"});
+  const Outcome again =
+      runToEnd({"topic", "-t", "/again", "-m", "Int32", "-p", "data: 7", "--rate", "50", "-n", "4", "--timeout", "60"});
+  EXPECT_EQ(again.exitCode, 0) << again.error;
+  EXPECT_EQ(echo->wait(), 0) << echo->error();
+  EXPECT_EQ(echo->output(), "data: 7\n\ndata: 7\n\ndata: 7\n\ndata: 7\n\n");
+}
+
+TEST_F(Topic, PublishesForEverUntilASignal) {
+  const auto publisher = start({"topic", "-t", "/cmd_vel", "-m", "Twist", "-p", "linear: {x: 0.1}", "--rate", "50"});
+  EXPECT_EQ(runToEnd({"topic", "-et", "/cmd_vel", "-n", "3"}).exitCode, 0);
+  publisher->kill(SIGINT);
+  EXPECT_EQ(publisher->wait(), 0);
+  EXPECT_EQ(publisher->error(), "");
+}
+
+TEST_F(Topic, PublishesWhatAFileSays) {
+  const TempFolder folder;
+  const std::string file = (folder.path() / "twist.txt").string();
+  std::ofstream(file) << "linear: {x: 0.5}\n";
+  const Outcome good = runToEnd({"topic", "-t", "/cmd_vel", "-m", "Twist", "--file", file, "--timeout", "60"});
+  EXPECT_EQ(good.exitCode, 0) << good.error;
+  std::ofstream(file) << "linear: {x: 0.5}\nangular: {w: 1}\n";
+  const Outcome wrong = runToEnd({"topic", "-t", "/cmd_vel", "-m", "Twist", "--file", file});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_TRUE(wrong.error.starts_with("pongsim: error: " + file + ":2:11: field 'w' is not in ignition.msgs.Vector3d"))
+      << wrong.error;
+  EXPECT_EQ(runToEnd({"topic", "-t", "/cmd_vel", "-m", "Twist", "--file", file + "x"}).exitCode, 2);
 }
 
 TEST_F(Topic, EchoesForAsLongAsAskedFor) {

@@ -1,0 +1,18 @@
+// Any bytes as a message's text: whatever they are, the parser ends, and what it takes prints as text that it takes.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "pongsim/message.hh"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  for (const char* type : {"Twist", "Pose_V", "WorldControl"}) {
+    const pongsim::MessagePointer message = pongsim::newMessage(type);
+    if (pongsim::parseMessage(text, *message)) continue;
+    if (pongsim::parseMessage(pongsim::messageText(*message), *message)) std::abort();
+  }
+  return 0;
+}
