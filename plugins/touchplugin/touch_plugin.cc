@@ -82,7 +82,7 @@ class TouchPlugin : public System {
   }
 
   void postUpdate(const StepInfo& info) override {
-    if (info.paused || !publisher_) return;
+    if (info.paused || !enabled_) return;
     if (!isTouching()) {
       since_.reset();
       return;
@@ -125,9 +125,9 @@ class TouchPlugin : public System {
 
   void setEnabled(bool enabled) {
     since_.reset();
-    if (enabled == static_cast<bool>(publisher_)) return;
-    // as in Fortress, the topic is there only while there is something to come
-    publisher_ = enabled ? node_->advertise<ignition::msgs::Boolean>(topic_) : Publisher();
+    enabled_ = enabled;
+    // stays when it is disabled, for its last message is still on its way to other processes then
+    if (enabled && !publisher_) publisher_ = node_->advertise<ignition::msgs::Boolean>(topic_);
   }
 
   World* world_ = nullptr;
@@ -137,6 +137,7 @@ class TouchPlugin : public System {
   Time time_{0};
   std::string topic_;
   bool startsEnabled_ = false;
+  bool enabled_ = false;
 
   /// Since when the touch is unbroken.
   std::optional<Time> since_;
