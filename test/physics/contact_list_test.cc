@@ -55,6 +55,33 @@ TEST(ContactList, TellsTheForceOfFrictionToo) {
   EXPECT_NEAR((sum - Vector3(3, 0, -2 * 9.8)).norm(), 0, 1e-2) << sum.transpose();
 }
 
+// a bridge on two piers: which part of which
+TEST(ContactList, TellsThePartsApartWhereBothHaveSeveral) {
+  description::Link piers;
+  piers.name = "piers";
+  description::Link bridge = test::makeLink("bridge", {0, 0, 1.1}, 2, test::boxMoments(2, {2, 0.2, 0.2}));
+  for (const double x : {-1.0, 1.0}) {
+    test::addCollision(piers, description::Box{{0.2, 0.2, 2}});
+    piers.collisions.back().X_LinkCollision.position.x() = x;
+    test::addCollision(bridge, description::Box{{0.4, 0.4, 0.2}});
+    bridge.collisions.back().X_LinkCollision.position.x() = x;
+  }
+  description::Model below = test::makeModel("piers", {piers});
+  below.isStatic = true;
+  description::World world;
+  world.models = {below, test::makeModel("bridge", {bridge})};
+  test::Rig rig(world);
+  rig.step(200);
+  std::vector<Contact> contacts;
+  rig.engine.contacts(contacts);
+  ASSERT_EQ(contacts.size(), 8U);
+  for (const Contact& contact : contacts) {
+    const std::size_t side = contact.position.x() < 0 ? 0 : 1;
+    EXPECT_EQ(contact.collision1, rig.entities.collisions()[side].id);
+    EXPECT_EQ(contact.collision2, rig.entities.collisions()[2 + side].id);
+  }
+}
+
 TEST(ContactList, IsEmptyWhereNothingTouches) {
   test::Rig rig(boxOnGround(0.11));
   std::vector<Contact> contacts(3);
