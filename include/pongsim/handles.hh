@@ -3,8 +3,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "pongsim/contact.hh"
 #include "pongsim/export.hh"
 #include "pongsim/types.hh"
 
@@ -14,6 +16,12 @@ namespace sim {
 class Access;
 class SystemSet;
 }  // namespace sim
+
+class Collision;
+class Link;
+class Model;
+class Sensor;
+class Visual;
 
 /// A way to one link of a running world. A copy is the same link; it must not outlive its `Simulation`.
 class PONGSIM_API Link {
@@ -30,12 +38,77 @@ class PONGSIM_API Link {
   /// Applies a force at the link frame's origin and a torque during the next step, both in the world frame
   /// [N, N m]. Several calls add up.
   void addWrench(const Vector3& force, const Vector3& torque);
+  /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s] at once, both in the world
+  /// frame; does nothing to a link that does not move. One that is not finite is refused with a warning.
+  void setVelocity(const Vector3& linear, const Vector3& angular);
+  /// @return The model that it belongs to.
+  Model model() const;
+  /// @return Its name with the models that hold it: "outer::inner::link".
+  std::string scopedName() const;
+  std::vector<Collision> collisions() const;
+  std::vector<Visual> visuals() const;
+  std::vector<Sensor> sensors() const;
 
  private:
+  friend class Collision;
+  friend class Joint;
   friend class Model;
+  friend class Sensor;
   Link(sim::Access& access, LinkId id) : access_(&access), id_(id) {}
   sim::Access* access_;
   LinkId id_;
+};
+
+/// A way to one collision of a link. A copy is the same collision; it must not outlive its `Simulation`.
+class PONGSIM_API Collision {
+ public:
+  CollisionId id() const { return id_; }
+  /// @return Its name in the link.
+  std::string_view name() const;
+  /// @return Its name with all that holds it but the world: "model::link::collision".
+  std::string scopedName() const;
+  Link link() const;
+  /// @return Pose of the collision frame in the link frame; never changes.
+  Pose poseInLink() const;
+
+ private:
+  friend class Link;
+  friend class World;
+  Collision(sim::Access& access, CollisionId id) : access_(&access), id_(id) {}
+  sim::Access* access_;
+  CollisionId id_;
+};
+
+/// One visual of a link.
+class PONGSIM_API Visual {
+ public:
+  Visual(std::string name, const Pose& X_LinkVisual) : name_(std::move(name)), X_LinkVisual_(X_LinkVisual) {}
+  /// @return Its name in the link.
+  const std::string& name() const { return name_; }
+  /// @return Pose of the visual frame in the link frame; never changes.
+  const Pose& poseInLink() const { return X_LinkVisual_; }
+
+ private:
+  std::string name_;
+  Pose X_LinkVisual_;
+};
+
+/// A force [N] and a torque [N m].
+struct Wrench {
+  Vector3 force = Vector3::Zero();
+  Vector3 torque = Vector3::Zero();
+};
+
+/// What a file says of a joint's axis. Angles [rad] and their derivatives for a turning axis, [m] for a sliding one.
+struct JointAxisInfo {
+  /// Unit vector in the joint frame.
+  Vector3 xyz = Vector3::UnitZ();
+  /// Infinite where there is no limit, here and below.
+  double lower = 0;
+  double upper = 0;
+  double effort = 0;
+  double velocity = 0;
+  double damping = 0;
 };
 
 /// A way to one joint of a running world. A copy is the same joint; it must not outlive its `Simulation`.
@@ -56,9 +129,24 @@ class PONGSIM_API Joint {
   /// Applies a force along the axis [N m or N] during the next step. Several calls add up. A value that is not
   /// finite is refused with a warning.
   void addForce(double force, int axis = 0);
+  /// @return The format's name of its type: "revolute".
+  std::string_view type() const;
+  /// @return The link that it hangs on; nothing where that is the world.
+  std::optional<Link> parent() const;
+  Link child() const;
+  /// @return Pose of the joint frame in the child's frame; never changes.
+  Pose poseInChild() const;
+  /// @param axis Below `axisCount()`.
+  JointAxisInfo axisInfo(int axis = 0) const;
+  std::vector<Sensor> sensors() const;
+  /// @return What the joint does to its child, at the joint frame's origin, during the last step, world frame: the
+  /// forces that hold the two together and those of motor, friction, limits and commands. Measured from the first call
+  /// on, which therefore returns zero.
+  Wrench reaction() const;
 
  private:
   friend class Model;
+  friend class Sensor;
   Joint(sim::Access& access, JointId id) : access_(&access), id_(id) {}
   sim::Access* access_;
   JointId id_;
@@ -83,11 +171,19 @@ class PONGSIM_API Model {
   std::optional<Link> link(std::string_view name) const;
   std::optional<Joint> joint(std::string_view name) const;
   std::vector<Model> models() const;
+  /// @return The model that it is nested in; nothing at the top level.
+  std::optional<Model> parent() const;
+  /// Sets the velocity of the model frame's origin [m/s] and the angular velocity [rad/s] at once, both in the world
+  /// frame. All links of the model, of nested ones too, take part in the change, so that the joints' velocities stay
+  /// what they are. One that is not finite is refused with a warning.
+  void setVelocity(const Vector3& linear, const Vector3& angular);
 
  private:
+  friend class Link;
   friend class World;
   friend class sim::SystemSet;
   Model(sim::Access& access, ModelId id) : access_(&access), id_(id) {}
+  void changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular);
   sim::Access* access_;
   ModelId id_;
 };
@@ -104,6 +200,18 @@ class PONGSIM_API World {
   std::vector<Model> models() const;
   /// @param name A model's name, nested ones as "outer::inner".
   std::optional<Model> model(std::string_view name) const;
+  /// @return The collision of that id, if there is one.
+  std::optional<Collision> collision(CollisionId id) const;
+  /// @param type As the file has it: "imu".
+  /// @return The sensors of that type in the order of the file.
+  std::vector<Sensor> sensors(std::string_view type) const;
+  /// Replaces `contacts` by the points where collisions touched in the last step; those of one pair of collisions
+  /// follow each other.
+  void contacts(std::vector<Contact>& contacts) const;
+  /// @return Magnetic field in the world frame [T].
+  Vector3 magneticField() const;
+  /// @return `<heading_deg>` of the world's spherical coordinates [rad].
+  double heading() const;
 
  private:
   sim::Access* access_;

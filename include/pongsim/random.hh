@@ -15,6 +15,9 @@ class PONGSIM_API Random {
  public:
   Random(std::uint64_t seed, std::string_view streamName);
 
+  /// @return A stream of its own for a part of that name: what the part draws later changes nothing for the others.
+  Random split(std::string_view name);
+
   /// @return A number of [0, 1) with 53 random bits.
   double uniform();
 

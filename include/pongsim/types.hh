@@ -67,5 +67,7 @@ using WorldId = Id<struct WorldKind>;
 using ModelId = Id<struct ModelKind>;
 using LinkId = Id<struct LinkKind>;
 using JointId = Id<struct JointKind>;
+using CollisionId = Id<struct CollisionKind>;
+using SensorId = Id<struct SensorKind>;
 
 }  // namespace pongsim

@@ -1,6 +1,5 @@
 #include "odometry.hh"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pongsim {
@@ -38,18 +37,6 @@ void Odometry::update(double leftAngle, double rightAngle, double dt) {
   }
   linear_.add(forward / dt);
   angular_.add(turn / dt);
-}
-
-void Odometry::RollingMean::add(double value) {
-  values_[next_] = value;
-  next_ = (next_ + 1) % values_.size();
-  count_ = std::min(count_ + 1, values_.size());
-}
-
-double Odometry::RollingMean::mean() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < count_; ++i) sum += values_[i];
-  return count_ > 0 ? sum / static_cast<double>(count_) : 0;
 }
 
 }  // namespace pongsim

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include "pongsim/rolling_mean.hh"
 
 namespace pongsim {
 
@@ -30,18 +29,6 @@ class Odometry {
   double angularVelocity() const { return angular_.mean(); }
 
  private:
-  /// Mean of the last ten values.
-  class RollingMean {
-   public:
-    void add(double value);
-    double mean() const;
-
-   private:
-    std::array<double, 10> values_{};
-    std::size_t next_ = 0;
-    std::size_t count_ = 0;
-  };
-
   double separation_;
   double radius_;
   double x_ = 0;
@@ -50,8 +37,8 @@ class Odometry {
   double lastLeft_ = 0;
   double lastRight_ = 0;
   bool started_ = false;
-  RollingMean linear_;
-  RollingMean angular_;
+  RollingMean<10> linear_;
+  RollingMean<10> angular_;
 };
 
 }  // namespace pongsim

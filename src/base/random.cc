@@ -16,6 +16,11 @@ Random::Random(std::uint64_t seed, std::string_view streamName) {
   next();
 }
 
+Random Random::split(std::string_view name) {
+  const std::uint64_t high = next();
+  return Random((high << 32U) | next(), name);
+}
+
 std::uint32_t Random::next() {
   const std::uint64_t old = state_;
   state_ = old * 6364136223846793005ULL + increment_;

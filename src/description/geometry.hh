@@ -38,11 +38,13 @@ struct Cylinder {
 struct Capsule {
   double radius = 0.5;
   double length = 1;
+  bool operator==(const Capsule&) const = default;
 };
 
 /// Centred on its frame. Radii along x, y, z [m].
 struct Ellipsoid {
   Vector3 radii{1, 1, 1};
+  bool operator==(const Ellipsoid&) const = default;
 };
 
 /// Through the origin of its frame. As a collision shape it has no end; `size` is that of its picture [m].
@@ -67,6 +69,11 @@ struct Mesh {
   /// Before scaling, shared by all that show the same. Null where it could not be read, and for visuals, which are not
   /// read.
   std::shared_ptr<const TriangleMesh> triangles;
+
+  /// @return Whether both show the same part of the same file in the same way.
+  bool operator==(const Mesh& other) const {
+    return file == other.file && submesh == other.submesh && isCentered == other.isCentered && scale == other.scale;
+  }
 };
 
 /// `<heightmap>`: ground whose height is the brightness of an image.
@@ -81,6 +88,11 @@ struct Heightmap {
   Vector3 position = Vector3::Zero();
   /// With size and position. Null where the image could not be read, and for visuals.
   std::shared_ptr<const TriangleMesh> triangles;
+
+  /// @return Whether both are the same image in the same size and place.
+  bool operator==(const Heightmap& other) const {
+    return file == other.file && size == other.size && position == other.position;
+  }
 };
 
 /// A shape of the format that pongsim does not build yet; `kind` is its element's name.

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "description/sensor.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/types.hh"
 
@@ -44,6 +45,7 @@ struct Joint {
   Pose X_ParentJoint;
   /// One for revolute, continuous, prismatic, screw; two for universal, revolute2, gearbox; none for ball, fixed.
   std::vector<JointAxis> axes;
+  std::vector<Sensor> sensors;
   bool operator==(const Joint&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "description/geometry.hh"
+#include "description/sensor.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/types.hh"
 
@@ -58,6 +59,7 @@ struct Link {
   Inertial inertial;
   std::vector<Collision> collisions;
   std::vector<Visual> visuals;
+  std::vector<Sensor> sensors;
   /// `<gravity>`
   bool gravity = true;
   /// `<kinematic>`

@@ -1,6 +1,7 @@
 #include "msgs/control_messages.hh"
 
 #include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/double.pb.h>
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/server_control.pb.h>
 #include <ignition/msgs/stringmsg_v.pb.h>
@@ -49,6 +50,8 @@ MessagePointer worldControlMessage(const WorldControl& control) {
 }
 
 bool boolean(const Message& message) { return static_cast<const ignition::msgs::Boolean&>(message).data(); }
+
+double number(const Message& message) { return static_cast<const ignition::msgs::Double&>(message).data(); }
 
 MessagePointer int32Message(std::int32_t value) {
   auto message = std::make_unique<ignition::msgs::Int32>();

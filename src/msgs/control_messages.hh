@@ -38,6 +38,8 @@ void addString(const std::string& value, Message& stringMsgV);
 MessagePointer worldControlMessage(const WorldControl& control);
 /// @return The value of an `ignition.msgs.Boolean`.
 bool boolean(const Message& message);
+/// @return The value of an `ignition.msgs.Double`.
+double number(const Message& message);
 /// @return `ignition.msgs.Int32`.
 MessagePointer int32Message(std::int32_t value);
 

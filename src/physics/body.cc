@@ -69,6 +69,12 @@ void Body::addWrench(const Vector3& force, const Vector3& torque) {
   rigid_.applyTorque(toBullet(torque));
 }
 
+void Body::setVelocity(const Vector3& linear, const Vector3& angular) {
+  const Vector3 linkToCom = -fromBullet(rigid_.getWorldTransform().getBasis() * toBullet(X_BodyLink_.position));
+  rigid_.setLinearVelocity(toBullet(linear + angular.cross(linkToCom)));
+  rigid_.setAngularVelocity(toBullet(angular));
+}
+
 bool Body::read(world::LinkState& state) const {
   state.X_WorldLink = fromBullet(rigid_.getWorldTransform()) * X_BodyLink_;
   state.w_WorldLink = fromBullet(rigid_.getAngularVelocity());

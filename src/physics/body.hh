@@ -26,12 +26,16 @@ class Body {
   const btRigidBody& rigid() const { return rigid_; }
   world::Slot link() const { return link_; }
   bool moves() const { return moves_; }
+  const LinkShape& shape() const { return shape_; }
   bool collides() const { return !shape_.empty(); }
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
 
   /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
   void addWrench(const Vector3& force, const Vector3& torque);
+
+  /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], world frame.
+  void setVelocity(const Vector3& linear, const Vector3& angular);
 
   /// Writes where the link is and how fast.
   /// @return Whether all of it is finite and within reason.

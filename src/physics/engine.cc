@@ -6,6 +6,7 @@
 
 #include "physics/body.hh"
 #include "physics/contact_filter.hh"
+#include "physics/contact_list.hh"
 #include "physics/convert.hh"
 #include "physics/dynamics_world.hh"
 #include "physics/joint.hh"
@@ -37,6 +38,8 @@ struct Engine::Parts {
   std::vector<Body*> moving;
   /// One a joint, in the order of their slots.
   std::deque<Joint> joints;
+  /// Length of the last step [s].
+  double dt = 1;
 };
 
 Engine::Parts::~Parts() {
@@ -103,8 +106,25 @@ void Engine::addLinkWrench(world::Slot link, const Vector3& force, const Vector3
   parts_->bodies[link].addWrench(force, torque);
 }
 
+bool Engine::setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular) {
+  if (!parts_->bodies[link].moves()) return false;
+  parts_->bodies[link].setVelocity(linear, angular);
+  return true;
+}
+
+Engine::Reaction Engine::jointReaction(world::Slot joint) {
+  Reaction reaction;
+  parts_->joints[joint].readReaction(reaction.force, reaction.torque);
+  return reaction;
+}
+
+void Engine::contacts(std::vector<Contact>& contacts) const {
+  listContacts(*parts_->world.bullet().getDispatcher(), parts_->bodies, parts_->entities, parts_->dt, contacts);
+}
+
 void Engine::step(Time dt, world::State& state) {
   const double seconds = toSeconds(dt);
+  parts_->dt = seconds;
   for (Joint& joint : parts_->joints) joint.prepare(seconds);
   parts_->world.step(seconds);
   for (const Body* body : parts_->moving) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "physics/settings.hh"
+#include "pongsim/contact.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -31,6 +33,23 @@ class Engine {
 
   /// Adds a force at the link frame's origin and a torque for the next step, world frame [N, N m].
   void addLinkWrench(world::Slot link, const Vector3& force, const Vector3& torque);
+
+  /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], world frame. Both must be
+  /// finite.
+  /// @return Whether it is a link that moves; else nothing is done.
+  bool setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular);
+
+  /// A force [N] and a torque [N m] on a joint's child at the joint's origin, world frame.
+  struct Reaction {
+    Vector3 force = Vector3::Zero();
+    Vector3 torque = Vector3::Zero();
+  };
+  /// @return What the joint did to its child in the last step; zero before a first step after the first call.
+  Reaction jointReaction(world::Slot joint);
+
+  /// Replaces `contacts` by the points at which bodies touched in the last step, ordered by their collisions' ids, the
+  /// smaller one first.
+  void contacts(std::vector<Contact>& contacts) const;
 
   /// Makes one step of length `dt` and writes what has moved into `state`. Allocates nothing once contacts have
   /// settled.

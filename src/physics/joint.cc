@@ -124,6 +124,7 @@ void Joint::prepare(double dt) {
   }
   force = std::clamp(force, -axis_.effort, axis_.effort);
   if (force != 0) applyAxisForce(frames(), force);
+  appliedForce_ = force;
 
   // a motor holds its velocity with all its effort; else friction and damping hold against what moves
   if (velocityTarget_) {
@@ -156,6 +157,21 @@ void Joint::applyAxisForce(const Frames& frames, double force) {
   };
   if (parentMoves_) apply(m_rbA, -along);
   if (childMoves_) apply(m_rbB, along);
+}
+
+void Joint::readReaction(Vector3& force, Vector3& torque) {
+  force = torque = Vector3::Zero();
+  if (getJointFeedback() == nullptr) {
+    feedback_ = {};
+    childArm_ = stepAxis_ = btVector3(0, 0, 0);
+    setJointFeedback(&feedback_);
+    return;
+  }
+  btVector3 f = feedback_.m_appliedForceBodyB;
+  btVector3 t = feedback_.m_appliedTorqueBodyB - childArm_.cross(f);
+  (turns_ ? t : f) += stepAxis_ * appliedForce_;
+  force = fromBullet(f);
+  torque = fromBullet(t);
 }
 
 void Joint::update() {
@@ -193,6 +209,8 @@ void Joint::getInfo2(btConstraintInfo2* info) {
   addLinearRows(row, now, info->fps * info->erp);
   addAngularRows(row, now, info->fps * info->erp);
   addAxisRows(row, now, info->fps, info->erp);
+  childArm_ = row.childArm;
+  stepAxis_ = now.axis;
 }
 
 void Joint::addLinearRows(Row& row, const Frames& frames, double errorRate) const {

@@ -37,6 +37,10 @@ class Joint final : public btTypedConstraint {
   /// Takes position and velocity from the bodies.
   void update();
 
+  /// What the joint did to its child at the joint's origin in the last step, world frame [N, N m]. Measured from the
+  /// first call on.
+  void readReaction(Vector3& force, Vector3& torque);
+
   const world::JointState& state() const { return state_; }
 
   void getInfo1(btConstraintInfo1* info) override;
@@ -84,6 +88,12 @@ class Joint final : public btTypedConstraint {
     double lowestImpulse = 0;
     double highestImpulse = 0;
   };
+  /// What the solver's rows did, once that has been asked for; with the force along the axis, which is none of them.
+  btJointFeedback feedback_;
+  double appliedForce_ = 0;
+  /// Where the rows met, seen from the child's centre of mass, and the axis; world frame.
+  btVector3 childArm_;
+  btVector3 stepAxis_;
   AxisRow motor_;
   AxisRow limit_;
 };

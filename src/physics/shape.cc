@@ -69,7 +69,8 @@ std::pair<const description::TriangleMesh*, Vector3> trianglesOf(const descripti
 
 LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves) {
   std::vector<Pose> poses;
-  for (const description::Collision& collision : link.collisions) {
+  for (std::size_t i = 0; i < link.collisions.size(); ++i) {
+    const description::Collision& collision = link.collisions[i];
     Pose X_BodyPart = X_BodyLink * collision.X_LinkCollision;
     btCollisionShape* shape = nullptr;
     const auto [triangles, scale] = trianglesOf(collision.geometry);
@@ -84,6 +85,7 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool
     if (shape == nullptr) continue;
     shape->setUserPointer(const_cast<description::Surface*>(&collision.surface));
     parts_.push_back(shape);
+    collisionOfPart_.push_back(i);
     poses.push_back(X_BodyPart);
   }
 

@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -23,12 +24,18 @@ class LinkShape {
   bool empty() const { return parts_.empty(); }
   /// @return The whole; an empty shape where there is nothing to collide with.
   btCollisionShape* root() const { return root_; }
+  /// @param part Its number in the compound; where there is one part only, any number is it.
+  /// @return The number of the part's collision in the link.
+  std::size_t collisionOfPart(int part) const {
+    return collisionOfPart_.size() == 1 ? collisionOfPart_[0] : collisionOfPart_.at(static_cast<std::size_t>(part));
+  }
 
  private:
   std::vector<std::unique_ptr<TriangleSurface>> surfaces_;
   std::vector<std::unique_ptr<btCollisionShape>> owned_;
   /// Some of the above each.
   std::vector<btCollisionShape*> parts_;
+  std::vector<std::size_t> collisionOfPart_;
   std::unique_ptr<btCollisionShape> holder_;
   btCollisionShape* root_ = nullptr;
 };

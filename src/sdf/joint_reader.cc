@@ -8,7 +8,6 @@
 
 #include "base/nearest_word.hh"
 #include "sdf/names.hh"
-#include "sdf/unsimulated.hh"
 
 namespace pongsim::sdf {
 
@@ -157,7 +156,11 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
     context.diagnostics.error(draft.child.position, label + " has '" + draft.child.name + "' as parent and child");
     draft.parent.name.clear();
   }
-  warnOfSensors(element, context);
+  SiblingNames names(label + " of " + owner);
+  for (const Element* sensor : element.childrenNamed("sensor")) {
+    draft.sensors.push_back(readSensor(*sensor, label + " of " + owner, context));
+    names.claim(draft.sensors.back().sensor.name, sensor->name, *sensor, context);
+  }
   return draft;
 }
 
@@ -209,6 +212,9 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
         scope.findOrComplain(given.name, "an axis of " + label + " is expressed in", given.position, context);
     if (!frame) continue;
     joint.axes[i].xyz = X_ScopeJoint.rotation.conjugate() * (frame->X_ScopeFrame.rotation * joint.axes[i].xyz);
+  }
+  for (SensorDraft& sensor : draft.sensors) {
+    joint.sensors.push_back(finishSensor(std::move(sensor), scope, X_ScopeJoint, context));
   }
   return joint;
 }

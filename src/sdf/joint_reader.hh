@@ -8,6 +8,7 @@
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
 #include "sdf/scope.hh"
+#include "sdf/sensor_reader.hh"
 #include "sdf/values.hh"
 
 namespace pongsim::sdf {
@@ -25,6 +26,7 @@ struct JointDraft {
   FrameName child;
   /// For each axis the frame that its vector is given in; empty: the joint's.
   std::vector<FrameName> axisFrames;
+  std::vector<SensorDraft> sensors;
 };
 
 /// @param owner "model 'robot'" or "world 'w'"

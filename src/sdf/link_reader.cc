@@ -6,7 +6,6 @@
 #include "sdf/geometry_reader.hh"
 #include "sdf/inertial_reader.hh"
 #include "sdf/names.hh"
-#include "sdf/unsimulated.hh"
 
 namespace pongsim::sdf {
 
@@ -95,7 +94,10 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
     }
     if (!pose.relativeTo.empty()) draft.parts.push_back({isVisual, index, pose});
   }
-  warnOfSensors(element, context);
+  for (const Element* sensor : element.childrenNamed("sensor")) {
+    draft.sensors.push_back(readSensor(*sensor, label, context));
+    names.claim(draft.sensors.back().sensor.name, sensor->name, *sensor, context);
+  }
   return draft;
 }
 
@@ -110,6 +112,9 @@ description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t 
     if (!frame) continue;
     const Pose X_LinkPart = link.X_ModelLink.inverse() * frame->X_ScopeFrame * part.pose.value;
     (part.isVisual ? link.visuals[part.index].X_LinkVisual : link.collisions[part.index].X_LinkCollision) = X_LinkPart;
+  }
+  for (SensorDraft& sensor : draft.sensors) {
+    link.sensors.push_back(finishSensor(std::move(sensor), scope, link.X_ModelLink, context));
   }
   return link;
 }

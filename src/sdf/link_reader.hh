@@ -7,6 +7,7 @@
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
 #include "sdf/scope.hh"
+#include "sdf/sensor_reader.hh"
 #include "sdf/values.hh"
 
 namespace pongsim::sdf {
@@ -22,6 +23,7 @@ struct LinkDraft {
     PoseText pose;
   };
   std::vector<Part> parts;
+  std::vector<SensorDraft> sensors;
 };
 
 /// @param owner "model 'robot'"

@@ -249,7 +249,7 @@ constexpr SchemaRow kRows[] = {
     {"joint.physics.simbody.must_be_loop_joint", "bool", "false", '0', 4, 0, kPassed,
      "Force cut in the multibody graph at this joint."},
     {"joint.pose", "+pose", "", '0', 2, 0, kRead, ""},
-    {"joint.sensor", "+sensor", "", '*', 4, 0, kPassed, ""},
+    {"joint.sensor", "+sensor", "", '*', 4, 0, kRead, ""},
     {"joint.thread_pitch", "double", "1.0", '0', 0, 0, kPassed, "Parameter for screw joints."},
     {"link", "", "", '1', 0, 0, kRead,
      "A physical link with inertia, collision, and visual properties. A link must be a child of a model, and any "
@@ -273,7 +273,7 @@ constexpr SchemaRow kRows[] = {
     {"link.self_collide", "bool", "false", '0', 2, 0, kRead,
      "If true, the link can collide with other links in the model. Two links within a model will collide if "
      "link1.self_collide OR link2.self_collide. Links connected by a joint will never collide."},
-    {"link.sensor", "+sensor", "", '*', 0, 0, kPassed, ""},
+    {"link.sensor", "+sensor", "", '*', 0, 0, kRead, ""},
     {"link.velocity_decay", "", "", '0', 2, 0, kRead, "Exponential damping of the link's velocity."},
     {"link.velocity_decay.angular", "double", "0.0", '0', 2, 0, kRead, "Angular damping"},
     {"link.velocity_decay.linear", "double", "0.0", '0', 2, 0, kRead, "Linear damping"},

@@ -6,15 +6,6 @@
 
 namespace pongsim::sdf {
 
-void warnOfSensors(const Element& element, Context& context) {
-  for (const Element& child : element.children) {
-    if (child.name != "sensor") continue;
-    const std::string type = child.attributeOr("type", "");
-    if (!context.firstTime("sensor type " + type)) continue;
-    context.unsimulated.warning(child.position, "sensor type '" + type + "' is not simulated yet");
-  }
-}
-
 void warnIfUnsimulated(const Element& element, Context& context) {
   constexpr std::string_view kKinds[] = {"actor", "gripper", "population"};
   if (std::ranges::find(kKinds, element.name) == std::end(kKinds)) return;

@@ -5,9 +5,6 @@
 
 namespace pongsim::sdf {
 
-/// Warns of the sensors below a link or joint, once a type.
-void warnOfSensors(const Element& element, Context& context);
-
 /// Warns of a part of a world or model if it would act on it in Fortress and does not here, once a kind.
 void warnIfUnsimulated(const Element& element, Context& context);
 

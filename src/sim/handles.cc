@@ -51,6 +51,21 @@ void Link::addWrench(const Vector3& force, const Vector3& torque) {
   access_->engine.addLinkWrench(access_->entities.slot(id_), force, torque);
 }
 
+void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
+  if (!linear.allFinite() || !angular.allFinite()) {
+    access_->log.warning("link '" + std::string(name()) + "' was given a velocity that is not finite");
+    return;
+  }
+  const world::Slot slot = access_->entities.slot(id_);
+  if (!access_->engine.setLinkVelocity(slot, linear, angular)) return;
+  access_->state.links[slot].v_WorldLink = linear;
+  access_->state.links[slot].w_WorldLink = angular;
+}
+
+Model Link::model() const { return Model(*access_, access_->entities.models()[record(*access_, id_).model].id); }
+
+std::string Link::scopedName() const { return model().scopedName() + "::" + std::string(name()); }
+
 std::string_view Joint::name() const { return record(*access_, id_).description->name; }
 
 int Joint::axisCount() const { return static_cast<int>(record(*access_, id_).description->axes.size()); }
@@ -71,6 +86,28 @@ void Joint::setVelocityTarget(double velocity, int axis) {
 void Joint::addForce(double force, int axis) {
   if (!canCommand(*access_, *this, force, axis)) return;
   access_->engine.addJointForce(access_->entities.slot(id_), force);
+}
+
+std::string_view Joint::type() const { return description::name(record(*access_, id_).description->type); }
+
+std::optional<Link> Joint::parent() const {
+  const world::Slot slot = record(*access_, id_).parentLink;
+  if (slot == world::kNoSlot) return std::nullopt;
+  return Link(*access_, access_->entities.links()[slot].id);
+}
+
+Link Joint::child() const { return Link(*access_, access_->entities.links()[record(*access_, id_).childLink].id); }
+
+Pose Joint::poseInChild() const { return record(*access_, id_).description->X_ChildJoint; }
+
+Wrench Joint::reaction() const {
+  const physics::Engine::Reaction reaction = access_->engine.jointReaction(access_->entities.slot(id_));
+  return {reaction.force, reaction.torque};
+}
+
+JointAxisInfo Joint::axisInfo(int axis) const {
+  const description::JointAxis& found = record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis));
+  return {found.xyz, found.lower, found.upper, found.effort, found.velocity, found.damping};
 }
 
 std::string_view Model::name() const { return record(*access_, id_).description->name; }
@@ -123,6 +160,33 @@ std::vector<Model> Model::models() const {
   return handles;
 }
 
+std::optional<Model> Model::parent() const {
+  const world::Slot slot = record(*access_, id_).parent;
+  if (slot == world::kNoSlot) return std::nullopt;
+  return Model(*access_, access_->entities.models()[slot].id);
+}
+
+void Model::setVelocity(const Vector3& linear, const Vector3& angular) {
+  const std::optional<Link> canonical = canonicalLink();
+  if (!canonical) return;
+  if (!linear.allFinite() || !angular.allFinite()) {
+    access_->log.warning("model '" + scopedName() + "' was given a velocity that is not finite");
+    return;
+  }
+  const Vector3 origin = pose().position;
+  const Vector3 w_Now = canonical->angularVelocity();
+  const Vector3 v_Now = canonical->linearVelocity() + w_Now.cross(origin - canonical->pose().position);
+  changeVelocity(origin, linear - v_Now, angular - w_Now);
+}
+
+void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular) {
+  for (Link& link : links()) {
+    const Vector3 arm = link.pose().position - origin;
+    link.setVelocity(link.linearVelocity() + linear + angular.cross(arm), link.angularVelocity() + angular);
+  }
+  for (Model& inner : models()) inner.changeVelocity(origin, linear, angular);
+}
+
 std::string_view World::name() const { return access_->entities.description().name; }
 
 WorldId World::id() const { return access_->entities.worldId(); }
@@ -142,5 +206,11 @@ std::optional<Model> World::model(std::string_view name) const {
   if (slot == world::kNoSlot) return std::nullopt;
   return Model(*access_, access_->entities.models()[slot].id);
 }
+
+void World::contacts(std::vector<Contact>& contacts) const { access_->engine.contacts(contacts); }
+
+Vector3 World::magneticField() const { return access_->entities.description().environment.magneticField; }
+
+double World::heading() const { return access_->entities.description().environment.sphericalCoordinates.heading; }
 
 }  // namespace pongsim

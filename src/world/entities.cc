@@ -75,10 +75,16 @@ Slot Entities::addModel(const description::Model& description, Slot parent, cons
 void Entities::addLinks(Slot model, const Pose& X_WorldModel) {
   for (const description::Link& link : models_[model].description->links) {
     const Slot slot = links_.size();
-    links_.push_back({LinkId{nextId()}, &link, model, models_[model].isStatic, X_WorldModel * link.X_ModelLink});
+    links_.push_back(
+        {LinkId{nextId()}, &link, model, models_[model].isStatic, X_WorldModel * link.X_ModelLink, collisions_.size()});
     slotOfId_.emplace(links_.back().id.value, slot);
     models_[model].links.push_back(slot);
-    lastId_ += link.visuals.size() + link.collisions.size();
+    lastId_ += link.visuals.size();
+    for (const description::Collision& collision : link.collisions) {
+      collisions_.push_back({CollisionId{nextId()}, &collision, slot});
+      slotOfId_.emplace(collisions_.back().id.value, collisions_.size() - 1);
+    }
+    addSensors(link.sensors, slot, kNoSlot);
   }
 }
 
@@ -96,6 +102,14 @@ void Entities::addJoint(const description::Joint& description, Slot model) {
       {JointId{nextId()}, &description, model, linkNamed(description.parent), linkNamed(description.child)});
   slotOfId_.emplace(joints_.back().id.value, slot);
   if (model != kNoSlot) models_[model].joints.push_back(slot);
+  addSensors(description.sensors, kNoSlot, slot);
+}
+
+void Entities::addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint) {
+  for (const description::Sensor& sensor : sensors) {
+    sensors_.push_back({SensorId{nextId()}, &sensor, link, joint});
+    slotOfId_.emplace(sensors_.back().id.value, sensors_.size() - 1);
+  }
 }
 
 namespace {
@@ -113,6 +127,8 @@ Slot slotIn(const Records& records, const std::unordered_map<std::uint64_t, Slot
 Slot Entities::slot(ModelId id) const { return slotIn(models_, slotOfId_, id); }
 Slot Entities::slot(LinkId id) const { return slotIn(links_, slotOfId_, id); }
 Slot Entities::slot(JointId id) const { return slotIn(joints_, slotOfId_, id); }
+Slot Entities::slot(CollisionId id) const { return slotIn(collisions_, slotOfId_, id); }
+Slot Entities::slot(SensorId id) const { return slotIn(sensors_, slotOfId_, id); }
 
 Slot Entities::findModel(std::string_view scopedName) const {
   const auto found = modelOfName_.find(std::string(scopedName));

@@ -27,6 +27,8 @@ struct LinkRecord {
   bool isStatic = false;
   /// Pose of the link frame in the world frame at the start.
   Pose X_WorldLinkStart;
+  /// Slot of its first collision; the others follow.
+  Slot firstCollision = 0;
 };
 
 struct JointRecord {
@@ -37,6 +39,20 @@ struct JointRecord {
   /// `kNoSlot` stands for the world.
   Slot parentLink = kNoSlot;
   Slot childLink = kNoSlot;
+};
+
+struct CollisionRecord {
+  CollisionId id;
+  const description::Collision* description = nullptr;
+  Slot link = kNoSlot;
+};
+
+struct SensorRecord {
+  SensorId id;
+  const description::Sensor* description = nullptr;
+  /// What holds it: either is `kNoSlot`.
+  Slot link = kNoSlot;
+  Slot joint = kNoSlot;
 };
 
 struct ModelRecord {
@@ -60,8 +76,8 @@ struct ModelRecord {
 /// a description, which must outlive it.
 ///
 /// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it
-/// has visuals and collisions), the models in it and its joints; last the world's own joints. Links, joints and
-/// models take their slots in the same order.
+/// has visuals, by its collisions and by its sensors), the models in it and its joints (each followed by its sensors);
+/// last the world's own joints. All of a kind take their slots in the same order.
 class Entities {
  public:
   /// @throws std::invalid_argument if a joint or a model names a link that isn't there.
@@ -73,6 +89,8 @@ class Entities {
   const std::vector<ModelRecord>& models() const { return models_; }
   const std::vector<LinkRecord>& links() const { return links_; }
   const std::vector<JointRecord>& joints() const { return joints_; }
+  const std::vector<CollisionRecord>& collisions() const { return collisions_; }
+  const std::vector<SensorRecord>& sensors() const { return sensors_; }
   /// Slots of the models at the top level, in the order of the file.
   const std::vector<Slot>& topLevelModels() const { return topLevelModels_; }
 
@@ -80,6 +98,8 @@ class Entities {
   Slot slot(ModelId id) const;
   Slot slot(LinkId id) const;
   Slot slot(JointId id) const;
+  Slot slot(CollisionId id) const;
+  Slot slot(SensorId id) const;
 
   /// @param scopedName "outer::inner"
   Slot findModel(std::string_view scopedName) const;
@@ -97,6 +117,7 @@ class Entities {
   Slot addModel(const description::Model& description, Slot parent, const Pose& X_WorldParent);
   void addLinks(Slot model, const Pose& X_WorldModel);
   void addJoint(const description::Joint& description, Slot model);
+  void addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint);
 
   const description::World* description_;
   std::uint64_t lastId_ = 0;
@@ -104,6 +125,8 @@ class Entities {
   std::vector<ModelRecord> models_;
   std::vector<LinkRecord> links_;
   std::vector<JointRecord> joints_;
+  std::vector<CollisionRecord> collisions_;
+  std::vector<SensorRecord> sensors_;
   std::vector<Slot> topLevelModels_;
   std::unordered_map<std::uint64_t, Slot> slotOfId_;
   std::unordered_map<std::string, Slot> modelOfName_;

@@ -17,6 +17,16 @@ TEST(Random, DiffersForAnotherSeedOrName) {
   EXPECT_NE(Random(7, "imu").uniform(), Random(7, "lidar").uniform());
 }
 
+TEST(Random, SplitsOffStreamsThatGoTheirOwnWay) {
+  Random whole(7, "imu"), same(7, "imu");
+  Random part = whole.split("x"), samePart = same.split("x");
+  EXPECT_EQ(part.uniform(), samePart.uniform());
+  part.uniform();
+  EXPECT_EQ(whole.uniform(), same.uniform());
+  EXPECT_NE(Random(7, "imu").split("x").uniform(), Random(7, "imu").split("y").uniform());
+  EXPECT_NE(Random(7, "imu").split("x").uniform(), Random(8, "imu").split("x").uniform());
+}
+
 TEST(Random, SpreadsUniformlyOverTheUnitInterval) {
   Random random(1, "test");
   constexpr int kCount = 100'000;

@@ -14,7 +14,8 @@ namespace pongsim::sdf::test {
 /// What was loaded, and what was said about it.
 struct Loaded {
   Root root;
-  /// What is wrong, then what is not simulated, as `format` writes them, with the hint on the same line behind " | " and the places of includes in brackets.
+  /// What is wrong, then what is not simulated, as `format` writes them, with the hint on the same line behind " | "
+  /// and the places of includes in brackets.
   std::vector<std::string> messages;
 
   const description::World& world() const { return root.worlds.at(0); }

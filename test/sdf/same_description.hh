@@ -27,6 +27,7 @@ class PositionEraser {
       link.position = {};
       for (description::Collision& collision : link.collisions) collision.position = {};
       for (description::Visual& visual : link.visuals) visual.position = {};
+      eraseSensors(link);
     }
     for (description::Model& inner : model.models) erase(inner);
     eraseCommon(model);
@@ -34,9 +35,20 @@ class PositionEraser {
 
   template <class Holder>
   void eraseCommon(Holder& holder) {
-    for (description::Joint& joint : holder.joints) joint.position = {};
+    for (description::Joint& joint : holder.joints) {
+      joint.position = {};
+      eraseSensors(joint);
+    }
     for (description::Frame& frame : holder.frames) frame.position = {};
     for (description::Plugin& plugin : holder.plugins) erase(plugin.sdf);
+  }
+
+  template <class Holder>
+  void eraseSensors(Holder& holder) {
+    for (description::Sensor& sensor : holder.sensors) {
+      sensor.position = {};
+      erase(sensor.sdf);
+    }
   }
 
   void erase(Element& element) {

@@ -96,6 +96,24 @@ TEST(Entities, NumbersInTheOrderOfTheFile) {
   EXPECT_EQ(entities.nextId(), 14U);
 }
 
+TEST(Entities, NumbersCollisionsBehindVisualsAndSensorsBehindWhatHoldsThem) {
+  description::World world = nestedWorld();
+  world.models[0].links[0].sensors.resize(2);
+  world.joints[0].sensors.resize(1);
+  const Entities entities(world);
+  ASSERT_EQ(entities.collisions().size(), 1U);
+  EXPECT_EQ(entities.collisions()[0].id.value, 6U);
+  EXPECT_EQ(entities.links()[entities.collisions()[0].link].description->name, "base");
+  EXPECT_EQ(entities.links()[entities.findLink("outer::arm")].firstCollision, 1U);
+  ASSERT_EQ(entities.sensors().size(), 3U);
+  EXPECT_EQ(entities.sensors()[1].id.value, 8U);
+  EXPECT_EQ(entities.slot(entities.sensors()[1].id), 1U);
+  EXPECT_EQ(entities.slot(CollisionId{8}), kNoSlot);
+  EXPECT_EQ(entities.links()[entities.findLink("outer::arm")].id.value, 9U);
+  EXPECT_EQ(entities.sensors()[2].link, kNoSlot);
+  EXPECT_EQ(entities.joints()[entities.sensors()[2].joint].description->name, "bridge");
+}
+
 TEST(Entities, GivesTheSlotOfAnIdOfItsOwnKindOnly) {
   const description::World world = nestedWorld();
   const Entities entities(world);

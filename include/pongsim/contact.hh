@@ -1,0 +1,21 @@
+#pragma once
+
+#include "pongsim/types.hh"
+
+namespace pongsim {
+
+/// One point where two collisions touch. All vectors are in the world frame.
+struct Contact {
+  CollisionId collision1;
+  CollisionId collision2;
+  /// [m]
+  Vector3 position;
+  /// Unit vector out of the second collision, into the first.
+  Vector3 normal;
+  /// How far the two are in each other [m]; not negative.
+  double depth = 0;
+  /// Force on the first collision during the last step, friction included [N].
+  Vector3 force;
+};
+
+}  // namespace pongsim

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+#include <ignition/msgs/double.pb.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "support/running_world.hh"
+
+namespace pongsim {
+namespace {
+
+using test::RunningWorld;
+
+std::string worldWith(const std::string& parameters) {
+  return R"(<gravity>0 0 0</gravity><model name="m">
+    <link name="base"><inertial><mass>1</mass></inertial></link>
+    <link name="cart"><inertial><mass>2</mass></inertial></link>
+    <joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
+    <joint name="rail" type="prismatic"><parent>base</parent><child>cart</child><axis><xyz>1 0 0</xyz></axis></joint>
+    <plugin filename="ignition-gazebo-apply-joint-force-system" name="ignition::gazebo::systems::ApplyJointForce">)" +
+         parameters + "</plugin></model>";
+}
+
+constexpr const char* kJoint = "<joint_name>rail</joint_name>";
+constexpr const char* kTopic = "/model/m/joint/rail/cmd_force";
+
+ignition::msgs::Double number(double value) {
+  ignition::msgs::Double message;
+  message.set_data(value);
+  return message;
+}
+
+TEST(ApplyJointForce, PushesUntilItIsToldOtherwise) {
+  RunningWorld world(worldWith(kJoint));
+  world.step(100);
+  EXPECT_EQ(world.model("m").joint("rail")->velocity(), 0);
+  world.tell(kTopic, number(4));
+  world.step(1000);
+  EXPECT_NEAR(world.model("m").joint("rail")->velocity(), 2, 1e-3);
+  world.tell(kTopic, number(0));
+  world.step(1000);
+  EXPECT_NEAR(world.model("m").joint("rail")->velocity(), 2, 1e-3);
+}
+
+TEST(ApplyJointForce, IgnoresWhatIsNoForce) {
+  RunningWorld world(worldWith(kJoint));
+  testing::internal::CaptureStderr();
+  world.tell(kTopic, number(std::numeric_limits<double>::quiet_NaN()));
+  world.step(10);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("not finite"), std::string::npos);
+}
+
+TEST(ApplyJointForce, IsLeftOutWithoutAJoint) {
+  EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("")),
+            std::vector<std::string>{"apply-joint-force of m is left out: no <joint_name> is given"});
+}
+
+}  // namespace
+}  // namespace pongsim

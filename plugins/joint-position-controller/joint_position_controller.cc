@@ -1,0 +1,87 @@
+#include <ignition/msgs/double.pb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "pongsim/parameters.hh"
+#include "pongsim/pid.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+constexpr PidSettings kDefaults{
+    .p = 1, .i = 0.1, .d = 0.01, .iMin = -1, .iMax = 1, .commandMin = -1000, .commandMax = 1000};
+
+/// Moves a joint to the position that it is told.
+class JointPositionController : public System {
+ public:
+  void configure(const SystemContext& context) override {
+    const Element& sdf = context.sdf;
+    const Model model = requiredModel(context, "JointPositionController");
+    joint_ = requiredJoint(sdf, "joint_name", model);
+    log_ = &context.log;
+    axis_ = sdf.get("joint_index", 0);
+    if (axis_ < 0 || axis_ >= joint_->axisCount()) {
+      refuse(*sdf.child("joint_index"),
+             "joint '" + std::string(joint_->name()) + "' has no axis " + std::to_string(axis_));
+    }
+    pid_ = Pid(readPidSettings(sdf, kDefaults));
+    usesVelocity_ = sdf.get("use_velocity_commands", false);
+    largestVelocity_ = sdf.find<double>("cmd_max");
+    initialTarget_ = target_ = sdf.get("initial_position", 0.0);
+    const std::string topic =
+        topicParameter(sdf, "topic",
+                       "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/" +
+                           std::to_string(axis_) + "/cmd_pos");
+    command_ = context.node.subscribe<ignition::msgs::Double>(
+        topic, [this](const ignition::msgs::Double& message) { receive(message.data()); });
+  }
+
+  void preUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    const double dt = toSeconds(info.dt);
+    const double error = joint_->position(axis_) - target_;
+    if (!usesVelocity_) return joint_->addForce(pid_.update(error, dt), axis_);
+    double velocity = -error / dt;
+    // as Fortress, which counts `<cmd_max>` only where it is given
+    if (largestVelocity_ && std::abs(velocity) > *largestVelocity_) {
+      velocity = std::copysign(*largestVelocity_, velocity);
+    }
+    joint_->setVelocityTarget(velocity);
+  }
+
+  void reset() override {
+    pid_.reset();
+    target_ = initialTarget_;
+  }
+
+ private:
+  void receive(double target) {
+    if (std::isfinite(target)) {
+      target_ = target;
+    } else {
+      log_->warning("a position that is not finite was ignored");
+    }
+  }
+
+  std::optional<Joint> joint_;
+  int axis_ = 0;
+  Pid pid_;
+  bool usesVelocity_ = false;
+  std::optional<double> largestVelocity_;
+  double initialTarget_ = 0;
+  double target_ = 0;
+  const Logger* log_ = nullptr;
+  Subscription command_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::JointPositionController, "ignition::gazebo::systems::JointPositionController",
+                      "gz::sim::systems::JointPositionController");

@@ -1,0 +1,91 @@
+#include <ignition/msgs/model.pb.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pongsim/fields.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// Publishes where the joints of a model stand and how fast they move.
+class JointStatePublisher : public System {
+ public:
+  void configure(const SystemContext& context) override {
+    const Element& sdf = context.sdf;
+    model_ = requiredModel(context, "JointStatePublisher");
+    schedule_ = Schedule(periodParameter(sdf, "update_rate", 0));
+    for (const Element* element : sdf.childrenNamed("joint_name")) {
+      const std::optional<Joint> joint = model_->joint(element->text);
+      if (joint) {
+        joints_.push_back(*joint);
+      } else {
+        context.log.warning("line " + std::to_string(element->position.line) + ": <joint_name> '" + element->text +
+                            "' is no joint of model '" + std::string(model_->name()) + "'");
+      }
+    }
+    if (sdf.child("joint_name") == nullptr) joints_ = model_->joints();
+    std::string topic = "/joint_state";
+    for (std::optional<Model> model = model_; model; model = model->parent()) {
+      topic = "/model/" + std::string(model->name()) + topic;
+    }
+    topic = "/world/" + std::string(context.world.name()) + topic;
+    publisher_ = context.node.advertise<ignition::msgs::Model>(topicParameter(sdf, "topic", topic));
+    describe();
+  }
+
+  void postUpdate(const StepInfo& info) override {
+    if (!info.paused && !schedule_.isDue(info.time)) return;
+    if (!publisher_.hasSubscribers()) return;
+    setStamp(info.time, *message_.mutable_header());
+    const std::optional<Model> parent = model_->parent();
+    setPose(parent ? parent->pose().inverse() * model_->pose() : model_->pose(), *message_.mutable_pose());
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (joints_[i].axisCount() == 0) continue;
+      ignition::msgs::Axis& axis = *message_.mutable_joint(static_cast<int>(i))->mutable_axis1();
+      axis.set_position(joints_[i].position());
+      axis.set_velocity(joints_[i].velocity());
+    }
+    publisher_.publish(message_);
+  }
+
+  void reset() override { schedule_.reset(); }
+
+ private:
+  /// Fills in what does not change.
+  void describe() {
+    message_.set_name(std::string(model_->name()));
+    message_.set_id(static_cast<std::uint32_t>(model_->id().value));
+    for (const Joint& joint : joints_) {
+      ignition::msgs::Joint& message = *message_.add_joint();
+      message.set_name(std::string(joint.name()));
+      message.set_id(static_cast<std::uint32_t>(joint.id().value));
+      setPose(joint.poseInChild(), *message.mutable_pose());
+      message.set_parent(joint.parent() ? std::string(joint.parent()->name()) : "world");
+      message.set_child(std::string(joint.child().name()));
+      if (joint.axisCount() == 0) continue;
+      const JointAxisInfo axis = joint.axisInfo();
+      setVector(axis.xyz, *message.mutable_axis1()->mutable_xyz());
+      message.mutable_axis1()->set_limit_lower(axis.lower);
+      message.mutable_axis1()->set_limit_upper(axis.upper);
+      message.mutable_axis1()->set_damping(axis.damping);
+    }
+  }
+
+  std::optional<Model> model_;
+  std::vector<Joint> joints_;
+  Schedule schedule_;
+  Publisher publisher_;
+  ignition::msgs::Model message_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::JointStatePublisher, "ignition::gazebo::systems::JointStatePublisher",
+                      "gz::sim::systems::JointStatePublisher");

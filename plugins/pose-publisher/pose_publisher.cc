@@ -1,0 +1,184 @@
+#include <ignition/msgs/pose_v.pb.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pongsim/fields.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/sensor.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// What is published of one entity: who it is, and how its pose in its parent's frame is found.
+struct Entry {
+  std::string frame;
+  std::string childFrame;
+  std::optional<Model> model;
+  std::optional<Link> link;
+  /// Of what is fixed to a link.
+  Pose X_ParentEntity;
+
+  Pose pose() const {
+    if (model) {
+      const std::optional<Model> parent = model->parent();
+      return parent ? parent->pose().inverse() * model->pose() : model->pose();
+    }
+    return link ? link->model().pose().inverse() * link->pose() : X_ParentEntity;
+  }
+};
+
+/// What of a model is to be published.
+struct Choice {
+  explicit Choice(const Element& sdf)
+      : links(sdf.get("publish_link_pose", true)),
+        visuals(sdf.get("publish_visual_pose", false)),
+        collisions(sdf.get("publish_collision_pose", false)),
+        sensors(sdf.get("publish_sensor_pose", false)),
+        nestedModels(sdf.get("publish_nested_model_pose", false)),
+        model(sdf.get("publish_model_pose", nestedModels)) {}
+  bool links, visuals, collisions, sensors, nestedModels, model;
+};
+
+/// One topic: a list of entities and how often their poses are published.
+class PoseTopic {
+ public:
+  void open(Node& node, const std::string& topic, bool asVector, Time period) {
+    publisher_ = asVector ? node.advertise<ignition::msgs::Pose_V>(topic) : node.advertise<ignition::msgs::Pose>(topic);
+    asVector_ = asVector;
+    schedule_ = Schedule(period);
+  }
+
+  void add(Entry entry) { entries_.push_back(std::move(entry)); }
+
+  void publish(const StepInfo& info) {
+    if (!schedule_.isDue(info.time) || !publisher_.hasSubscribers()) return;
+    if (asVector_) {
+      setStamp(info.time, *vector_.mutable_header());
+      while (vector_.pose_size() < static_cast<int>(entries_.size())) vector_.add_pose();
+    }
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      ignition::msgs::Pose& message = asVector_ ? *vector_.mutable_pose(static_cast<int>(i)) : single_;
+      fill(entries_[i], info.time, message);
+      if (!asVector_) publisher_.publish(single_);
+    }
+    if (asVector_) publisher_.publish(vector_);
+  }
+
+  void reset() { schedule_.reset(); }
+
+ private:
+  static void fill(const Entry& entry, Time time, ignition::msgs::Pose& message) {
+    setStamp(time, *message.mutable_header());
+    setHeaderValue("frame_id", entry.frame, *message.mutable_header());
+    setHeaderValue("child_frame_id", entry.childFrame, *message.mutable_header());
+    message.set_name(entry.childFrame);
+    setPose(entry.pose(), message);
+  }
+
+  bool asVector_ = false;
+  Schedule schedule_;
+  std::vector<Entry> entries_;
+  Publisher publisher_;
+  ignition::msgs::Pose single_;
+  ignition::msgs::Pose_V vector_;
+};
+
+/// @return Whether a joint that can move moves the link against the rest: it is not the canonical one, and such a joint
+/// begins or ends at it.
+bool movesInModel(const Link& link, const Model& top) {
+  if (top.canonicalLink() && top.canonicalLink()->id() == link.id()) return false;
+  std::vector<Model> models = {top};
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    for (const Model& inner : models[i].models()) models.push_back(inner);
+    for (const Joint& joint : models[i].joints()) {
+      if (joint.type() == "fixed") continue;
+      if (joint.child().id() == link.id() || (joint.parent() && joint.parent()->id() == link.id())) return true;
+    }
+  }
+  return false;
+}
+
+/// Publishes the poses of a model's parts, each in the frame of what holds it.
+class PosePublisher : public System {
+ public:
+  void configure(const SystemContext& context) override {
+    const Element& sdf = context.sdf;
+    const Model model = requiredModel(context, "PosePublisher");
+    top_ = model;
+    isSplit_ = sdf.get("static_publisher", false);
+    const bool asVector = sdf.get("use_pose_vector_msg", false);
+    std::string topic = "/pose";
+    for (std::optional<Model> holder = model; holder; holder = holder->parent()) {
+      topic = "/model/" + std::string(holder->name()) + topic;
+    }
+    moving_.open(context.node, cleanTopic(topic), asVector, periodParameter(sdf, "update_frequency", -1));
+    if (isSplit_) {
+      const char* rate =
+          sdf.child("static_update_frequency") != nullptr ? "static_update_frequency" : "update_frequency";
+      still_.open(context.node, cleanTopic(topic + "_static"), asVector, periodParameter(sdf, rate, -1));
+    }
+
+    const Choice choice(sdf);
+    if (choice.model && choice.nestedModels) {
+      const std::optional<Model> parent = model.parent();
+      const std::string frame = parent ? parent->scopedName() : std::string(context.world.name());
+      add({frame, model.scopedName(), model, std::nullopt, {}}, false);
+    }
+    addParts(model, choice);
+  }
+
+  void postUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    moving_.publish(info);
+    if (isSplit_) still_.publish(info);
+  }
+
+  void reset() override {
+    moving_.reset();
+    still_.reset();
+  }
+
+ private:
+  void addParts(const Model& model, const Choice& choice) {
+    const std::string name = model.scopedName();
+    for (const Link& link : model.links()) {
+      const std::string linkName = link.scopedName();
+      if (choice.links) add({name, linkName, std::nullopt, link, {}}, isSplit_ && movesInModel(link, *top_));
+      const auto addFixed = [&](std::string_view part, const Pose& X_LinkPart) {
+        add({linkName, linkName + "::" + std::string(part), std::nullopt, std::nullopt, X_LinkPart}, false);
+      };
+      if (choice.visuals) {
+        for (const Visual& visual : link.visuals()) addFixed(visual.name(), visual.poseInLink());
+      }
+      if (choice.collisions) {
+        for (const Collision& collision : link.collisions()) addFixed(collision.name(), collision.poseInLink());
+      }
+      if (choice.sensors) {
+        for (const Sensor& sensor : link.sensors()) addFixed(sensor.name(), sensor.poseInLink());
+      }
+    }
+    for (const Model& inner : model.models()) {
+      if (choice.nestedModels) add({name, inner.scopedName(), inner, std::nullopt, {}}, false);
+      addParts(inner, choice);
+    }
+  }
+
+  void add(Entry entry, bool moves) { (isSplit_ && !moves ? still_ : moving_).add(std::move(entry)); }
+
+  std::optional<Model> top_;
+  bool isSplit_ = false;
+  PoseTopic moving_;
+  PoseTopic still_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::PosePublisher, "ignition::gazebo::systems::PosePublisher",
+                      "gz::sim::systems::PosePublisher");

@@ -1,0 +1,153 @@
+#include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/empty.pb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "pongsim/contact.hh"
+#include "pongsim/sensor.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// @return The text of a parameter that must be there.
+std::string required(const Element& sdf, std::string_view name) {
+  const std::string text = sdf.get<std::string>(name, "");
+  if (text.empty()) throw Error({Severity::kError, sdf.position, "no <" + std::string(name) + "> is given", {}});
+  return text;
+}
+
+/// @return "world/W/model/M/link/L/collision/C", which targets are searched in.
+std::string pathOf(const World& world, const Collision& collision) {
+  std::string path = "/link/" + std::string(collision.link().name()) + "/collision/" + std::string(collision.name());
+  for (std::optional<Model> model = collision.link().model(); model; model = model->parent()) {
+    path = "/model/" + std::string(model->name()) + path;
+  }
+  return "world/" + std::string(world.name()) + path;
+}
+
+/// Calls `take` with each collision of the models and of those nested in them.
+template <class Take>
+void forEachCollision(const std::vector<Model>& models, Take take) {
+  for (const Model& model : models) {
+    for (const Link& link : model.links()) {
+      for (const Collision& collision : link.collisions()) take(collision);
+    }
+    forEachCollision(model.models(), take);
+  }
+}
+
+/// Says once that the model has touched a target for some time.
+class TouchPlugin : public System {
+ public:
+  void configure(const SystemContext& context) override {
+    const Element& sdf = context.sdf;
+    if (!context.model) {
+      throw Error({Severity::kError, sdf.position, "TouchPlugin must stand in a <model>", {}});
+    }
+    world_ = &context.world;
+    node_ = &context.node;
+    const std::string target = required(sdf, "target");
+    required(sdf, "time");
+    const double time = sdf.find<double>("time").value();
+    if (!(time >= 0) || !std::isfinite(time)) {
+      throw Error({Severity::kError, sdf.child("time")->position, "<time> must be a time from zero up", {}});
+    }
+    time_ = fromSeconds(std::min(time, 1e9));
+    const std::string space = "/" + required(sdf, "namespace");
+    topic_ = cleanTopic(space + "/touched");
+
+    forEachCollision(context.world.models(), [&](const Collision& collision) {
+      if (pathOf(*world_, collision).find(target) != std::string::npos) targets_.push_back(collision.id());
+    });
+    if (targets_.empty()) context.log.warning("no collision of the world has '" + target + "' in its name");
+    watchContactSensors(*context.model);
+    if (watched_.empty()) {
+      throw Error({Severity::kError, sdf.position,
+                   "model '" + context.model->scopedName() + "' has no contact sensor that names a collision",
+                   "a <sensor type=\"contact\"> in a link tells which collisions can touch"});
+    }
+
+    startsEnabled_ = sdf.get("enabled", false);
+    service_ = node_->serve<ignition::msgs::Boolean, ignition::msgs::Empty>(
+        cleanTopic(space + "/enable"), [this](const ignition::msgs::Boolean& request, ignition::msgs::Empty&) {
+          setEnabled(request.data());
+          return true;
+        });
+    setEnabled(startsEnabled_);
+  }
+
+  void postUpdate(const StepInfo& info) override {
+    if (info.paused || !enabled_) return;
+    if (!isTouching()) {
+      since_.reset();
+      return;
+    }
+    if (!since_) since_ = info.time;
+    if (info.time - *since_ <= time_) return;
+    ignition::msgs::Boolean touched;
+    touched.set_data(true);
+    publisher_.publish(touched);
+    setEnabled(false);
+  }
+
+  void reset() override { setEnabled(startsEnabled_); }
+
+ private:
+  void watchContactSensors(const Model& model) {
+    for (const Link& link : model.links()) {
+      for (const Sensor& sensor : link.sensors()) {
+        const ContactSettings* settings = sensor.settings<ContactSettings>();
+        if (settings == nullptr) continue;
+        for (const Collision& collision : link.collisions()) {
+          if (std::ranges::find(settings->collisions, collision.name()) != settings->collisions.end()) {
+            watched_.push_back(collision.id());
+          }
+        }
+      }
+    }
+  }
+
+  bool isTouching() {
+    const auto isOf = [](const std::vector<CollisionId>& ids, CollisionId id) {
+      return std::ranges::find(ids, id) != ids.end();
+    };
+    world_->contacts(contacts_);
+    return std::ranges::any_of(contacts_, [&](const Contact& contact) {
+      return (isOf(watched_, contact.collision1) && isOf(targets_, contact.collision2)) ||
+             (isOf(watched_, contact.collision2) && isOf(targets_, contact.collision1));
+    });
+  }
+
+  void setEnabled(bool enabled) {
+    since_.reset();
+    enabled_ = enabled;
+    // stays when it is disabled, for its last message is still on its way to other processes then
+    if (enabled && !publisher_) publisher_ = node_->advertise<ignition::msgs::Boolean>(topic_);
+  }
+
+  World* world_ = nullptr;
+  Node* node_ = nullptr;
+  std::vector<CollisionId> targets_;
+  std::vector<CollisionId> watched_;
+  Time time_{0};
+  std::string topic_;
+  bool startsEnabled_ = false;
+  bool enabled_ = false;
+
+  /// Since when the touch is unbroken.
+  std::optional<Time> since_;
+  std::vector<Contact> contacts_;
+  Publisher publisher_;
+  Service service_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::TouchPlugin, "ignition::gazebo::systems::TouchPlugin", "gz::sim::systems::TouchPlugin");

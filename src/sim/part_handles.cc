@@ -1,0 +1,147 @@
+#include "pongsim/sensor.hh"
+#include "sim/access.hh"
+
+namespace pongsim {
+
+namespace {
+
+const world::CollisionRecord& record(const sim::Access& access, CollisionId id) {
+  return access.entities.collisions()[access.entities.slot(id)];
+}
+
+const world::SensorRecord& record(const sim::Access& access, SensorId id) {
+  return access.entities.sensors()[access.entities.slot(id)];
+}
+
+/// @return "/model/outer/model/inner"
+std::string modelTopic(const world::Entities& entities, world::Slot model) {
+  if (model == world::kNoSlot) return "";
+  const world::ModelRecord& record = entities.models()[model];
+  return modelTopic(entities, record.parent) + "/model/" + record.description->name;
+}
+
+}  // namespace
+
+std::string_view Collision::name() const { return record(*access_, id_).description->name; }
+
+std::string Collision::scopedName() const { return link().scopedName() + "::" + std::string(name()); }
+
+Link Collision::link() const { return Link(*access_, access_->entities.links()[record(*access_, id_).link].id); }
+
+Pose Collision::poseInLink() const { return record(*access_, id_).description->X_LinkCollision; }
+
+std::string_view Sensor::name() const { return record(*access_, id_).description->name; }
+
+std::string_view Sensor::type() const { return record(*access_, id_).description->type; }
+
+std::string Sensor::scopedName() const {
+  const std::optional<Joint> holder = joint();
+  if (!holder) return link().scopedName() + "::" + std::string(name());
+  const world::Slot model = access_->entities.joints()[record(*access_, id_).joint].model;
+  const std::string scope = model == world::kNoSlot ? "" : access_->entities.models()[model].scopedName + "::";
+  return scope + std::string(holder->name()) + "::" + std::string(name());
+}
+
+Link Sensor::link() const {
+  const world::SensorRecord& sensor = record(*access_, id_);
+  if (sensor.joint != world::kNoSlot) return joint()->child();
+  return Link(*access_, access_->entities.links()[sensor.link].id);
+}
+
+std::optional<Joint> Sensor::joint() const {
+  const world::Slot slot = record(*access_, id_).joint;
+  if (slot == world::kNoSlot) return std::nullopt;
+  return Joint(*access_, access_->entities.joints()[slot].id);
+}
+
+Pose Sensor::poseInLink() const {
+  const world::SensorRecord& sensor = record(*access_, id_);
+  if (sensor.joint == world::kNoSlot) return sensor.description->X_ParentSensor;
+  return access_->entities.joints()[sensor.joint].description->X_ChildJoint * sensor.description->X_ParentSensor;
+}
+
+Pose Sensor::pose() const { return link().pose() * poseInLink(); }
+
+Vector3 Sensor::linearVelocity() const {
+  const Link holder = link();
+  return holder.linearVelocity() + holder.angularVelocity().cross(holder.pose().rotation * poseInLink().position);
+}
+
+double Sensor::updateRate() const { return record(*access_, id_).description->updateRate; }
+
+bool Sensor::isAlwaysOn() const { return record(*access_, id_).description->alwaysOn; }
+
+std::string Sensor::topic(std::string_view suffix) const {
+  const world::SensorRecord& sensor = record(*access_, id_);
+  if (!sensor.description->topic.empty()) return sensor.description->topic;
+  const world::Entities& entities = access_->entities;
+  std::string topic = "/world/" + entities.description().name;
+  if (sensor.joint != world::kNoSlot) {
+    const world::JointRecord& joint = entities.joints()[sensor.joint];
+    topic += modelTopic(entities, joint.model) + "/joint/" + joint.description->name;
+  } else {
+    const world::LinkRecord& link = entities.links()[sensor.link];
+    topic += modelTopic(entities, link.model) + "/link/" + link.description->name;
+  }
+  return topic.append("/sensor/").append(sensor.description->name).append(suffix);
+}
+
+std::string Sensor::frameName() const {
+  const std::string& frame = record(*access_, id_).description->frame;
+  return frame.empty() ? scopedName() : frame;
+}
+
+const SensorSettings& Sensor::allSettings() const { return record(*access_, id_).description->settings; }
+
+const Element& Sensor::sdf() const { return record(*access_, id_).description->sdf; }
+
+std::optional<Collision> World::collision(CollisionId id) const {
+  if (access_->entities.slot(id) == world::kNoSlot) return std::nullopt;
+  return Collision(*access_, id);
+}
+
+std::vector<Sensor> World::sensors(std::string_view type) const {
+  std::vector<Sensor> handles;
+  for (const world::SensorRecord& sensor : access_->entities.sensors()) {
+    if (sensor.description->type == type) handles.push_back(Sensor(*access_, sensor.id));
+  }
+  return handles;
+}
+
+std::vector<Collision> Link::collisions() const {
+  std::vector<Collision> handles;
+  const world::Slot slot = access_->entities.slot(id_);
+  for (const world::CollisionRecord& collision : access_->entities.collisions()) {
+    if (collision.link == slot) handles.push_back(Collision(*access_, collision.id));
+  }
+  return handles;
+}
+
+std::vector<Visual> Link::visuals() const {
+  std::vector<Visual> visuals;
+  for (const description::Visual& visual :
+       access_->entities.links()[access_->entities.slot(id_)].description->visuals) {
+    visuals.emplace_back(visual.name, visual.X_LinkVisual);
+  }
+  return visuals;
+}
+
+std::vector<Sensor> Link::sensors() const {
+  std::vector<Sensor> handles;
+  const world::Slot slot = access_->entities.slot(id_);
+  for (const world::SensorRecord& sensor : access_->entities.sensors()) {
+    if (sensor.link == slot) handles.push_back(Sensor(*access_, sensor.id));
+  }
+  return handles;
+}
+
+std::vector<Sensor> Joint::sensors() const {
+  std::vector<Sensor> handles;
+  const world::Slot slot = access_->entities.slot(id_);
+  for (const world::SensorRecord& sensor : access_->entities.sensors()) {
+    if (sensor.joint == slot) handles.push_back(Sensor(*access_, sensor.id));
+  }
+  return handles;
+}
+
+}  // namespace pongsim

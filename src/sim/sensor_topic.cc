@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "msgs/control_messages.hh"
+#include "pongsim/sensor.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// @return Time between two messages; zero: one every step.
+Time periodOf(double rate) {
+  if (!(rate > 0)) return Time::zero();
+  return std::chrono::floor<std::chrono::milliseconds>(fromSeconds(std::min(1 / rate, 1e9)));
+}
+
+}  // namespace
+
+SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node)
+    : frameName_(sensor.frameName()), largestRate_(sensor.updateRate()), period_(periodOf(sensor.updateRate())) {
+  const std::string topic = cleanTopic(sensor.topic(suffix));
+  try {
+    publisher_ = node.advertise(topic, type);
+    rateService_ = node.serve(topic + "/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
+                              [this](const Message& request, Message&) {
+                                setRate(msgs::number(request));
+                                return true;
+                              });
+  } catch (const std::invalid_argument& error) {
+    throw Error({Severity::kError,
+                 sensor.sdf().position,
+                 "sensor '" + sensor.scopedName() + "' can't speak on '" + topic + "': " + error.what(),
+                 {}});
+  }
+}
+
+void SensorTopic::setRate(double rate) {
+  if (!(rate >= 0)) return;
+  // no more than the file asks for
+  if (largestRate_ > 0) rate = rate > 0 ? std::min(rate, largestRate_) : largestRate_;
+  period_ = periodOf(rate);
+  due_ = now_ + period_;
+}
+
+bool SensorTopic::isDue(const StepInfo& info) {
+  if (info.paused) return false;
+  now_ = info.time;
+  if (info.time < due_) return false;
+  // on a grid, so that the rate is kept where it is no multiple of the step
+  if (period_ > Time::zero()) due_ = Time((info.time / period_ + 1) * period_.count());
+  return publisher_.hasSubscribers();
+}
+
+void SensorTopic::publish(const Message& message) {
+  publisher_.publish(message);
+  last_ = now_;
+  ++count_;
+}
+
+double SensorTopic::sinceLast(const StepInfo& info) const { return count_ > 0 ? toSeconds(info.time - last_) : 0; }
+
+void SensorTopic::reset() { due_ = now_ = last_ = Time::zero(); }
+
+}  // namespace pongsim

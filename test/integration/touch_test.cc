@@ -1,0 +1,30 @@
+// A message that a system publishes once and never again comes to other processes.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "integration/program.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim::test {
+namespace {
+
+TEST(Touch, IsToldToOtherProcesses) {
+  const auto world = start({"run", (projectFolder() / "plugins/touchplugin/touch_plugin.sdf").string()});
+  const auto echo = start({"topic", "-e", "-t", "/plate/touched", "-n", "1"});
+  // until the echo is there in time to hear it
+  std::optional<int> ended;
+  for (int i = 0; i < 60 && !ended; ++i) {
+    runToEnd({"service", "-s", "/plate/enable", "--reqtype", "Boolean", "--reptype", "Empty", "-r", "data: true",
+              "--timeout", "60000"});
+    ended = echo->wait(std::chrono::seconds(2));
+  }
+  EXPECT_EQ(ended, 0) << world->error();
+  EXPECT_EQ(echo->output(), "data: true\n\n");
+}
+
+}  // namespace
+}  // namespace pongsim::test

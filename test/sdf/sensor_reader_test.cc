@@ -1,0 +1,140 @@
+#include "load_support.hh"
+
+namespace pongsim::sdf::test {
+namespace {
+
+const description::Sensor& sensorOf(const Loaded& loaded) { return loaded.model().links.at(0).sensors.at(0); }
+
+TEST(Sensor, ReadsWhatAllTypesHave) {
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='imu'><pose>1 0 0 0 0 0</pose><topic>imu</topic><update_rate>30</update_rate>"
+      "<always_on>1</always_on></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const description::Sensor& sensor = sensorOf(loaded);
+  EXPECT_EQ(sensor.name, "s");
+  EXPECT_EQ(sensor.type, "imu");
+  EXPECT_EQ(sensor.position.line, 4);
+  expectPose(sensor.X_ParentSensor, {1, 0, 0});
+  EXPECT_EQ(sensor.topic, "imu");
+  EXPECT_EQ(sensor.frame, "");
+  EXPECT_EQ(sensor.updateRate, 30);
+  EXPECT_TRUE(sensor.alwaysOn);
+  EXPECT_NE(sensor.sdf.child("topic"), nullptr);
+}
+
+TEST(Sensor, HasTheDefaultsOfTheFormat) {
+  const Loaded loaded = loadLink("<sensor name='s' type='imu'/>");
+  EXPECT_EQ(sensorOf(loaded).updateRate, 0);
+  EXPECT_FALSE(sensorOf(loaded).alwaysOn);
+  const ImuSettings& imu = std::get<ImuSettings>(sensorOf(loaded).settings);
+  EXPECT_TRUE(imu.enableOrientation);
+  EXPECT_EQ(imu.localization, "");
+}
+
+TEST(Sensor, ReadsAnImu) {
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='imu'><imu><enable_orientation>false</enable_orientation>"
+      "<orientation_reference_frame><custom_rpy parent_frame='world'>0 0 1</custom_rpy></orientation_reference_frame>"
+      "<angular_velocity><z><noise type='gaussian'><mean>1</mean></noise></z></angular_velocity>"
+      "<linear_acceleration><y><noise type='gaussian'><mean>2</mean></noise></y></linear_acceleration></imu></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const ImuSettings& imu = std::get<ImuSettings>(sensorOf(loaded).settings);
+  EXPECT_FALSE(imu.enableOrientation);
+  EXPECT_EQ(imu.localization, "CUSTOM");
+  EXPECT_LT(imu.customRotation.angularDistance(fromRollPitchYaw(0, 0, 1)), 1e-9);
+  EXPECT_EQ(imu.angularVelocity[2].mean, 1);
+  EXPECT_EQ(imu.linearAcceleration[1].mean, 2);
+  EXPECT_EQ(imu.linearAcceleration[0].type, NoiseSettings::Type::kNone);
+}
+
+TEST(Sensor, WarnsOfAnImuWhoseFrameIsMeasuredElsewhere) {
+  EXPECT_EQ(loadLink("<sensor name='s' type='imu'><imu><orientation_reference_frame>\n"
+                     "<custom_rpy parent_frame='l'>0 0 1</custom_rpy></orientation_reference_frame></imu></sensor>")
+                .messages,
+            Messages{"t.sdf:5:13: warning: <custom_rpy> is measured in the world, not in 'l'"});
+}
+
+TEST(Sensor, ReadsAContactSensor) {
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='contact'><topic>not_this</topic><contact><collision>a</collision><collision>b</collision>"
+      "<topic>felt</topic></contact></sensor><sensor name='t' type='contact'><contact><collision>a</collision>"
+      "<topic>__default_topic__</topic></contact></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_EQ(std::get<ContactSettings>(sensorOf(loaded).settings).collisions, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(sensorOf(loaded).topic, "felt");
+  EXPECT_EQ(loaded.model().links.at(0).sensors.at(1).topic, "");
+}
+
+TEST(Sensor, WarnsOfAContactSensorThatFeelsNothing) {
+  EXPECT_EQ(loadLink("<sensor name='s' type='contact'/>").messages,
+            Messages{"t.sdf:4:1: warning: sensor 's' names no collision: it will feel nothing | write "
+                     "<contact><collision>NAME</collision></contact>"});
+}
+
+TEST(Sensor, ReadsTheSmallTypes) {
+  const std::string noise = "<noise type='gaussian'><mean>1</mean></noise>";
+  const Loaded loaded = loadLink(
+      "<sensor name='a' type='altimeter'><altimeter><vertical_velocity>" + noise + "</vertical_velocity></altimeter>" +
+      "</sensor><sensor name='b' type='air_pressure'><air_pressure><pressure>" + noise + "</pressure></air_pressure>" +
+      "</sensor><sensor name='c' type='magnetometer'><magnetometer><z>" + noise + "</z></magnetometer></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const std::vector<description::Sensor>& sensors = loaded.model().links.at(0).sensors;
+  EXPECT_EQ(std::get<AltimeterSettings>(sensors.at(0).settings).verticalVelocity.mean, 1);
+  EXPECT_EQ(std::get<AltimeterSettings>(sensors.at(0).settings).verticalPosition.mean, 0);
+  EXPECT_EQ(std::get<AirPressureSettings>(sensors.at(1).settings).pressure.mean, 1);
+  EXPECT_EQ(std::get<MagnetometerSettings>(sensors.at(2).settings).field[2].mean, 1);
+}
+
+TEST(Sensor, ReadsAForceTorqueSensor) {
+  const auto load = [](const std::string& content) {
+    return loadLink("<sensor name='s' type='force_torque'><force_torque>\n" + content + "</force_torque></sensor>");
+  };
+  const Loaded loaded = load(
+      "<frame>sensor</frame><measure_direction>parent_to_child</measure_direction>"
+      "<torque><y><noise type='gaussian'><mean>1</mean></noise></y></torque>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const ForceTorqueSettings& settings = std::get<ForceTorqueSettings>(sensorOf(loaded).settings);
+  EXPECT_EQ(settings.frame, ForceTorqueSettings::Frame::kSensor);
+  EXPECT_TRUE(settings.isParentToChild);
+  EXPECT_EQ(settings.torque[1].mean, 1);
+  EXPECT_EQ(std::get<ForceTorqueSettings>(sensorOf(load("")).settings).frame, ForceTorqueSettings::Frame::kChild);
+  EXPECT_EQ(load("<frame>joint</frame>").messages,
+            Messages{"t.sdf:5:1: error: <frame> has the unknown value 'joint' | it can be child, parent, sensor"});
+}
+
+TEST(Sensor, IsPlacedInWhatHoldsItOrInAnotherFrame) {
+  const Loaded loaded = loadModel(
+      "<frame name='f'><pose>10 0 0 0 0 0</pose></frame><link name='a'><pose>1 0 0 0 0 0</pose>"
+      "<sensor name='s' type='imu'><pose relative_to='f'>0 0 1 0 0 0</pose></sensor></link><link name='b'/>"
+      "<joint name='j' type='fixed'><pose>0 3 0 0 0 0</pose><parent>a</parent><child>b</child>"
+      "<sensor name='s' type='imu'><pose>0 0 2 0 0 0</pose></sensor>"
+      "<sensor name='t' type='imu'><pose relative_to='f'>0 0 0 0 0 0</pose></sensor></joint>");
+  EXPECT_EQ(loaded.messages, Messages());
+  expectPose(sensorOf(loaded).X_ParentSensor, {9, 0, 1});
+  expectPose(loaded.model().joints.at(0).sensors.at(0).X_ParentSensor, {0, 0, 2});
+  expectPose(loaded.model().joints.at(0).sensors.at(1).X_ParentSensor, {10, -3, 0});
+}
+
+TEST(Sensor, StaysInWhatHoldsItIfItsFrameIsMissing) {
+  const Loaded loaded = loadLink("<sensor name='s' type='imu'><pose relative_to='f'>0 0 1 0 0 0</pose></sensor>");
+  EXPECT_EQ(loaded.messages, Messages{"t.sdf:4:35: warning: the pose of sensor 's' is relative to 'f', which is not in "
+                                      "model 'm' | it is taken as relative to what holds the sensor"});
+  expectPose(sensorOf(loaded).X_ParentSensor, {0, 0, 1});
+}
+
+TEST(Sensor, HasATypeAndANameOfItsOwn) {
+  EXPECT_EQ(loadLink("<sensor name='a'/>\n<sensor name='b' type='imu'/><sensor name='b' type='imu'/>").messages,
+            (Messages{"t.sdf:4:1: error: sensor 'a' has no type | write type=\"imu\", for example",
+                      "t.sdf:5:30: error: sensor 'b' has the same name as another sensor of link 'l' of model 'm' | "
+                      "the first one is in line 5"}));
+}
+
+TEST(Sensor, OfATypeThatIsNotThereYetIsNamedOnceAType) {
+  EXPECT_EQ(loadLink("<sensor name='a' type='sonar'/>\n<sensor name='b' type='sonar'/>\n<sensor name='c' type='rfid'/>")
+                .messages,
+            (Messages{"t.sdf:4:1: warning: sensor type 'sonar' is not simulated yet",
+                      "t.sdf:6:1: warning: sensor type 'rfid' is not simulated yet"}));
+}
+
+}  // namespace
+}  // namespace pongsim::sdf::test

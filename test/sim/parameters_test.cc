@@ -1,0 +1,81 @@
+#include "pongsim/parameters.hh"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "pongsim/simulation.hh"
+
+namespace pongsim {
+namespace {
+
+using std::chrono::milliseconds;
+
+Element elementWith(const std::string& child, const std::string& text) {
+  Element element;
+  element.name = "plugin";
+  element.children.emplace_back();
+  element.children.back().name = child;
+  element.children.back().text = text;
+  return element;
+}
+
+/// @return What is said in refusal; empty where nothing is.
+std::string refusalOf(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Error& error) {
+    const std::string& hint = error.diagnostic().hint;
+    return error.diagnostic().message + (hint.empty() ? "" : " | " + hint);
+  }
+  return {};
+}
+
+TEST(Parameters, MustBeThereWhereTheyAreRequired) {
+  EXPECT_EQ(requiredText(elementWith("a", "x"), "a"), "x");
+  EXPECT_EQ(refusalOf([] { requiredText(elementWith("a", "x"), "b"); }), "no <b> is given");
+  EXPECT_EQ(refusalOf([] { requiredText(elementWith("a", ""), "a"); }), "no <a> is given");
+}
+
+TEST(Parameters, NameJointsThatCanBeCommanded) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><model name='m'><link name='l'/>"
+      "<joint name='hinge' type='revolute'><parent>world</parent><child>l</child><axis><xyz>0 0 1</xyz></axis></joint>"
+      "</model></world></sdf>",
+      "world.sdf", {}, diagnostics);
+  const Model model = simulation->world().model("m").value();
+  EXPECT_EQ(requiredJoint(elementWith("j", "hinge"), "j", model).name(), "hinge");
+  EXPECT_EQ(refusalOf([&] { requiredJoint(elementWith("j", "knee"), "j", model); }),
+            "<j> 'knee' is no joint of model 'm' | its joints are hinge");
+}
+
+TEST(Parameters, GiveTopicsAndPeriods) {
+  EXPECT_EQ(topicParameter(elementWith("t", "my topic"), "t", "/x"), "my_topic");
+  EXPECT_EQ(topicParameter(elementWith("t", "my topic"), "u", "/a b"), "/a_b");
+  EXPECT_EQ(periodParameter(elementWith("r", "50"), "r", 1), milliseconds(20));
+  EXPECT_EQ(periodParameter(elementWith("r", "50"), "s", 100), milliseconds(10));
+  EXPECT_EQ(periodParameter(elementWith("r", "-1"), "r", 1), Time::zero());
+}
+
+TEST(Schedule, KeepsToAGrid) {
+  Schedule schedule(milliseconds(10));
+  EXPECT_TRUE(schedule.isDue(milliseconds(1)));
+  EXPECT_FALSE(schedule.isDue(milliseconds(9)));
+  EXPECT_TRUE(schedule.isDue(milliseconds(12)));
+  EXPECT_FALSE(schedule.isDue(milliseconds(19)));
+  EXPECT_TRUE(schedule.isDue(milliseconds(20)));
+  schedule.reset();
+  EXPECT_TRUE(schedule.isDue(milliseconds(1)));
+}
+
+TEST(Schedule, OfNoPeriodIsDueAtOnceEachTime) {
+  Schedule schedule;
+  EXPECT_TRUE(schedule.isDue(milliseconds(1)));
+  EXPECT_TRUE(schedule.isDue(milliseconds(1)));
+}
+
+}  // namespace
+}  // namespace pongsim

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "pongsim/sensor.hh"
+#include "pongsim/simulation.hh"
+
+namespace pongsim {
+namespace {
+
+class SensorTopicTest : public testing::Test {
+ protected:
+  void start(const std::string& content) {
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromText(
+        "<sdf version='1.9'><world name='w'><model name='m'><link name='l'><sensor name='s' type='imu'>" + content +
+            "</sensor></link></model></world></sdf>",
+        "world.sdf", {}, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+    Node node = simulation_->transport().node();
+    topic_ =
+        std::make_unique<SensorTopic>(simulation_->world().sensors("imu").at(0), "/imu", "ignition.msgs.Int32", node);
+    subscription_ = node.subscribe("/t", "ignition.msgs.Int32", [](const Message&) {});
+  }
+
+  StepInfo at(int milliseconds) const { return {std::chrono::milliseconds(milliseconds), Time(1), 1, false}; }
+
+  /// @return How many messages are due in the milliseconds after `from` up to `to`.
+  int dueBetween(int from, int to) {
+    int count = 0;
+    for (int time = from + 1; time <= to; ++time) {
+      if (!topic_->isDue(at(time))) continue;
+      topic_->publish(*newMessage("ignition.msgs.Int32"));
+      ++count;
+    }
+    return count;
+  }
+
+  /// @return Whether the service took the request.
+  bool setRate(double rate) {
+    MessagePointer request = newMessage("ignition.msgs.Double");
+    parseMessage("data: " + std::to_string(rate), *request);
+    MessagePointer reply = newMessage("ignition.msgs.Empty");
+    std::atomic<bool> over = false;
+    CallResult result;
+    std::thread caller([&] {
+      result = simulation_->transport().node().call("/t/set_rate", *request, *reply, std::chrono::seconds(60));
+      over = true;
+      simulation_->transport().wake();
+    });
+    while (!over) simulation_->transport().dispatchFor(std::chrono::milliseconds(10));
+    caller.join();
+    return static_cast<bool>(result);
+  }
+
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<SensorTopic> topic_;
+  Subscription subscription_;
+};
+
+TEST_F(SensorTopicTest, IsDueEachStepWithoutARate) {
+  start("<topic>t</topic>");
+  EXPECT_EQ(dueBetween(0, 10), 10);
+  EXPECT_EQ(topic_->count(), 10U);
+  EXPECT_NEAR(topic_->sinceLast(at(12)), 0.002, 1e-12);
+}
+
+TEST_F(SensorTopicTest, IsDueAtOnceAndThenAtItsRate) {
+  start("<topic>t</topic><update_rate>100</update_rate>");
+  EXPECT_EQ(dueBetween(0, 9), 1);
+  EXPECT_EQ(dueBetween(9, 1000), 100);
+}
+
+TEST_F(SensorTopicTest, IsNotDueWhilePausedOrWithoutAListener) {
+  start("<topic>t</topic>");
+  StepInfo paused = at(1);
+  paused.paused = true;
+  EXPECT_FALSE(topic_->isDue(paused));
+  subscription_ = Subscription();
+  EXPECT_EQ(dueBetween(0, 10), 0);
+}
+
+TEST_F(SensorTopicTest, DoesNotMakeUpForTimeWithoutAListener) {
+  start("<topic>t</topic><update_rate>100</update_rate>");
+  subscription_ = Subscription();
+  EXPECT_EQ(dueBetween(0, 995), 0);
+  subscription_ = simulation_->transport().node().subscribe("/t", "ignition.msgs.Int32", [](const Message&) {});
+  EXPECT_EQ(dueBetween(995, 1015), 2);
+}
+
+TEST_F(SensorTopicTest, ChangesItsRateUpToThatOfTheFile) {
+  start("<topic>t</topic><update_rate>100</update_rate>");
+  dueBetween(0, 1000);
+  EXPECT_TRUE(setRate(10));
+  EXPECT_EQ(dueBetween(1000, 2000), 10);
+  EXPECT_TRUE(setRate(1000));
+  EXPECT_EQ(dueBetween(2000, 3000), 100);
+}
+
+TEST_F(SensorTopicTest, NamesTheSensorWhoseTopicIsNone) {
+  EXPECT_THROW(
+      try { start("<topic>/</topic>"); } catch (const Error& error) {
+        EXPECT_EQ(error.diagnostic().position.line, 1);
+        EXPECT_NE(error.diagnostic().message.find("sensor 'm::l::s' can't speak on '/'"), std::string::npos)
+            << error.diagnostic().message;
+        throw;
+      },
+      Error);
+}
+
+}  // namespace
+}  // namespace pongsim

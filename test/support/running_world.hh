@@ -1,0 +1,78 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pongsim/simulation.hh"
+
+namespace pongsim::test {
+
+/// A world that a test steps and listens to. What is wrong with it fails the test.
+class RunningWorld {
+ public:
+  /// @param content What stands in the `<world>`, whose name is "w", beside the physics.
+  explicit RunningWorld(const std::string& content) {
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromText(textOf(content), "world.sdf", {}, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  }
+  /// A world of Fortress, of which we may not be able to do everything.
+  explicit RunningWorld(const std::filesystem::path& file) {
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromFile(file, {}, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) {
+      if (diagnostic.severity == Severity::kError) ADD_FAILURE() << format(diagnostic);
+    }
+  }
+
+  static std::string textOf(const std::string& content) {
+    return "<sdf version='1.9'><world name='w'><plugin filename='ignition-gazebo-physics-system' "
+           "name='ignition::gazebo::systems::Physics'/>" +
+           content + "</world></sdf>";
+  }
+
+  /// @return What is said about a world with that content.
+  static std::vector<std::string> complaintsAbout(const std::string& content) {
+    Diagnostics diagnostics;
+    Simulation::fromText(textOf(content), "world.sdf", {}, diagnostics);
+    std::vector<std::string> messages;
+    for (const Diagnostic& diagnostic : diagnostics.all()) messages.push_back(diagnostic.message);
+    return messages;
+  }
+
+  Simulation& simulation() { return *simulation_; }
+  Model model(const std::string& name) { return simulation_->world().model(name).value(); }
+
+  /// Puts all messages on the topic into `messages`, which must outlive it.
+  template <class M>
+  void listen(const std::string& topic, std::vector<M>& messages) {
+    subscriptions_.push_back(simulation_->transport().node().subscribe<M>(
+        topic, [&messages](const M& message) { messages.push_back(message); }));
+  }
+
+  /// Publishes a message on the topic, which keeps its publisher.
+  template <class M>
+  void tell(const std::string& topic, const M& message) {
+    publishers_.push_back(simulation_->transport().node().advertise<M>(topic));
+    publishers_.back().publish(message);
+  }
+
+  /// Makes steps and hands over what was published in the last one.
+  void step(std::uint64_t count) {
+    simulation_->step(count);
+    simulation_->transport().dispatch();
+  }
+
+ private:
+  std::unique_ptr<Simulation> simulation_;
+  std::list<Subscription> subscriptions_;
+  std::list<Publisher> publishers_;
+};
+
+}  // namespace pongsim::test
