@@ -96,10 +96,10 @@ std::optional<fs::path> find(const Places& places, std::string_view uri, const f
   const std::string_view path = uri.substr(mark == uri.npos ? 0 : mark + 3);
   if (path.empty()) return search.fail("'" + std::string(uri) + "' names nothing", "write model://NAME or a path");
   if (path.find('\0') != path.npos) return search.fail("there is a zero byte in an address", "");
-  const bool isModel = scheme == "model";
+  const bool isModel = scheme == "model" || scheme == "package";
   if (!scheme.empty() && !isModel && scheme != "file") {
     return search.fail("'" + std::string(uri) + "' is an address of an unknown kind",
-                       "model://NAME, file://PATH, paths and addresses of Fuel models are known");
+                       "model://NAME, package://NAME/FILE, file://PATH, paths and addresses of Fuel models are known");
   }
   const std::string advice = places.folders.empty() ? "; PONGSIM_RESOURCE_PATH can name folders to look in" : "";
   return search.in(candidates(path, isModel ? nullptr : &folder, places), advice);

@@ -15,7 +15,8 @@ namespace pongsim::assets {
 ///
 /// The address is a path, absolute or relative to the folder of the file that it stands in, to one of the resource
 /// folders or to the current folder; "file://PATH"; "model://NAME" or "model://NAME/FILE", in the resource folders or
-/// the current one; or that of a model on a Fuel server, which is looked for in the local cache.
+/// the current one, where "package://", as URDF writes it, means the same; or that of a model on a Fuel server, which
+/// is looked for in the local cache.
 ///
 /// @param folder That of the file that the address stands in.
 /// @param position Where the address stands.

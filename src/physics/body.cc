@@ -41,7 +41,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
       moves_(isMoving(record)),
       X_LinkBody_(mass.X_LinkBody),
       X_BodyLink_(X_LinkBody_.inverse()),
-      shape_(*record.description, X_BodyLink_),
+      shape_(*record.description, X_BodyLink_, moves_),
       rigid_(constructionInfo(mass, shape_.root())) {
   const description::Link& description = *record.description;
   rigid_.setWorldTransform(toBullet(record.X_WorldLinkStart * X_LinkBody_));

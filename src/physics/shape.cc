@@ -1,6 +1,7 @@
 #include "physics/shape.hh"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 #include <BulletCollision/CollisionShapes/btEmptyShape.h>
@@ -8,17 +9,17 @@
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "physics/convert.hh"
+#include "physics/ellipsoid_shape.hh"
+#include "physics/margin.hh"
+#include "physics/mesh_shape.hh"
 
 namespace pongsim::physics {
 
 namespace {
-
-// Bullet rounds edges by the margin. It stays far below the size of the part, and below a millimetre, so that a wheel
-// stands on its whole width.
-double marginFor(double smallestHalfLength) { return std::min(0.001, 0.01 * smallestHalfLength); }
 
 struct MakeShape {
   using Result = std::unique_ptr<btCollisionShape>;
@@ -35,25 +36,55 @@ struct MakeShape {
     shape->setMargin(marginFor(std::min(cylinder.radius, cylinder.length / 2)));
     return shape;
   }
+  Result operator()(const description::Capsule& capsule) const {
+    return std::make_unique<btCapsuleShapeZ>(capsule.radius, capsule.length);
+  }
+  Result operator()(const description::Ellipsoid& ellipsoid) const {
+    return std::make_unique<EllipsoidShape>(toBullet(ellipsoid.radii));
+  }
   Result operator()(const description::Plane& plane) const {
     auto shape = std::make_unique<btStaticPlaneShape>(toBullet(plane.normal.normalized()), 0);
     shape->setMargin(0);
     return shape;
   }
+  // of a body that moves; for others see below
+  Result operator()(const description::Mesh& mesh) const {
+    return mesh.triangles != nullptr ? makeHull(*mesh.triangles, mesh.scale) : nullptr;
+  }
+  Result operator()(const description::Heightmap& map) const {
+    return map.triangles != nullptr ? makeHull(*map.triangles, {1, 1, 1}) : nullptr;
+  }
   Result operator()(const description::Empty&) const { return nullptr; }
   Result operator()(const description::OtherGeometry&) const { return nullptr; }
 };
 
+/// @return The triangles that a shape is made of, and their scale; null where it is not.
+std::pair<const description::TriangleMesh*, Vector3> trianglesOf(const description::Geometry& geometry) {
+  if (const auto* mesh = std::get_if<description::Mesh>(&geometry)) return {mesh->triangles.get(), mesh->scale};
+  if (const auto* map = std::get_if<description::Heightmap>(&geometry)) return {map->triangles.get(), {1, 1, 1}};
+  return {nullptr, {1, 1, 1}};
+}
+
 }  // namespace
 
-LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink) {
+LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves) {
   std::vector<Pose> poses;
   for (const description::Collision& collision : link.collisions) {
-    auto shape = std::visit(MakeShape(), collision.geometry);
-    if (!shape) continue;
+    Pose X_BodyPart = X_BodyLink * collision.X_LinkCollision;
+    btCollisionShape* shape = nullptr;
+    const auto [triangles, scale] = trianglesOf(collision.geometry);
+    if (triangles != nullptr && !moves) {
+      surfaces_.push_back(std::make_unique<TriangleSurface>(*triangles, scale, X_BodyPart));
+      shape = surfaces_.back()->shape();
+      X_BodyPart = Pose();
+    } else if (auto made = std::visit(MakeShape(), collision.geometry)) {
+      shape = made.get();
+      owned_.push_back(std::move(made));
+    }
+    if (shape == nullptr) continue;
     shape->setUserPointer(const_cast<description::Surface*>(&collision.surface));
-    parts_.push_back(std::move(shape));
-    poses.push_back(X_BodyLink * collision.X_LinkCollision);
+    parts_.push_back(shape);
+    poses.push_back(X_BodyPart);
   }
 
   if (parts_.empty()) {
@@ -65,11 +96,11 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink) {
   // one part that lies as the body does needs no compound
   const bool inPlace = poses[0].position.isZero(0) && poses[0].rotation.vec().isZero(0);
   if (parts_.size() == 1 && inPlace) {
-    root_ = parts_[0].get();
+    root_ = parts_[0];
     return;
   }
   auto compound = std::make_unique<btCompoundShape>(true, static_cast<int>(parts_.size()));
-  for (std::size_t i = 0; i < parts_.size(); ++i) compound->addChildShape(toBullet(poses[i]), parts_[i].get());
+  for (std::size_t i = 0; i < parts_.size(); ++i) compound->addChildShape(toBullet(poses[i]), parts_[i]);
   holder_ = std::move(compound);
   root_ = holder_.get();
 }

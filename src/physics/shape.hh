@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "description/link.hh"
+#include "physics/mesh_shape.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::physics {
@@ -16,14 +17,18 @@ class LinkShape {
  public:
   /// Shapes of kinds that are not built yet are left out.
   /// @param X_BodyLink Pose of the link frame in the frame of the body that bears the shape.
-  LinkShape(const description::Link& link, const Pose& X_BodyLink);
+  /// @param moves Forces move the body: a mesh is its convex hull then, else its triangles.
+  LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves);
 
   bool empty() const { return parts_.empty(); }
   /// @return The whole; an empty shape where there is nothing to collide with.
   btCollisionShape* root() const { return root_; }
 
  private:
-  std::vector<std::unique_ptr<btCollisionShape>> parts_;
+  std::vector<std::unique_ptr<TriangleSurface>> surfaces_;
+  std::vector<std::unique_ptr<btCollisionShape>> owned_;
+  /// Some of the above each.
+  std::vector<btCollisionShape*> parts_;
   std::unique_ptr<btCollisionShape> holder_;
   btCollisionShape* root_ = nullptr;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "sdf/heightmap_reader.hh"
+#include "sdf/mesh_reader.hh"
 #include "sdf/schema.hh"
 #include "sdf/values.hh"
 
@@ -11,17 +13,14 @@ namespace pongsim::sdf {
 
 namespace {
 
-description::Box readBox(const Element& shape, Context& context) {
-  description::Box box;
-  const Vector3 size = readVector(shape, "size", box.size, context);
-  if (size.minCoeff() > 0) {
-    box.size = size;
-  } else {
-    const Element& element = *shape.child("size");
-    context.diagnostics.error(element.position,
-                              "<size> is '" + element.text + "', which is not three finite numbers above zero");
-  }
-  return box;
+/// Three lengths above zero.
+Vector3 readLengths(const Element& shape, std::string_view child, const Vector3& fallback, Context& context) {
+  const Vector3 lengths = readVector(shape, child, fallback, context);
+  if (lengths.minCoeff() > 0) return lengths;
+  const Element& element = *shape.child(child);
+  context.diagnostics.error(element.position, "<" + element.name + "> is '" + element.text +
+                                                  "', which is not three finite numbers above zero");
+  return fallback;
 }
 
 description::Plane readPlane(const Element& shape, const std::string& owner, Context& context) {
@@ -41,14 +40,20 @@ description::Plane readPlane(const Element& shape, const std::string& owner, Con
   return plane;
 }
 
-description::Geometry readShape(const Element& shape, const std::string& owner, Context& context) {
+description::Geometry readShape(const Element& shape, const std::string& owner, bool isCollision, Context& context) {
   if (shape.name == "empty") return description::Empty{};
-  if (shape.name == "box") return readBox(shape, context);
+  if (shape.name == "box") return description::Box{readLengths(shape, "size", {1, 1, 1}, context)};
   if (shape.name == "sphere") return description::Sphere{readPositive(shape, "radius", 1, context)};
   if (shape.name == "cylinder") {
     return description::Cylinder{readPositive(shape, "radius", 1, context), readPositive(shape, "length", 1, context)};
   }
+  if (shape.name == "capsule") {
+    return description::Capsule{readPositive(shape, "radius", 0.5, context), readPositive(shape, "length", 1, context)};
+  }
+  if (shape.name == "ellipsoid") return description::Ellipsoid{readLengths(shape, "radii", {1, 1, 1}, context)};
   if (shape.name == "plane") return readPlane(shape, owner, context);
+  if (shape.name == "mesh") return readMesh(shape, owner, isCollision, context);
+  if (shape.name == "heightmap") return readHeightmap(shape, owner, isCollision, context);
   return description::OtherGeometry{shape.name};
 }
 
@@ -73,7 +78,7 @@ description::Geometry readGeometry(const Element& element, const std::string& ow
         "a shape is box, sphere, cylinder, plane, ...");
     return description::Empty{};
   }
-  return readShape(*shape, owner, context);
+  return readShape(*shape, owner, element.name == "collision", context);
 }
 
 }  // namespace pongsim::sdf

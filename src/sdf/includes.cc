@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "sdf/addresses.hh"
-#include "sdf/document.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/include_overrides.hh"
 #include "sdf/model_config.hh"
+#include "sdf/model_document.hh"
 #include "sdf/upgrade.hh"
 #include "sdf/values.hh"
 #include "sdf/version.hh"
@@ -132,13 +132,8 @@ void Includes::parse(const fs::path& path, const Name& name, File& file) {
   const std::optional<std::string> text = readFileText(path, name, diagnostics_);
   if (!text) return;
   file.size = text->size();
-  std::optional<Element> root = parseDocument(*text, name, diagnostics_);
+  std::optional<Element> root = parseModelDocument(*text, name, diagnostics_);
   if (!root) return;
-  if (root->name != "sdf") {
-    diagnostics_.error(root->position, "the file begins with <" + root->name + ">, not with <sdf>",
-                       root->name == "robot" ? "URDF is not supported yet" : "");
-    return;
-  }
   file.context.version = readVersion(*root, diagnostics_);
   checkElements(*root, file.context);
   upgrade(*root, file.context);

@@ -6,10 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "assets/finder.hh"
+#include "assets/mesh_store.hh"
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
 
@@ -48,6 +50,13 @@ class Includes {
   /// Puts what was kept in place of the includes in `element`, all the way down.
   void resolve(Element& element);
 
+  /// Finds another file that one names, as a mesh: see `assets::Finder`.
+  std::optional<std::filesystem::path> findAsset(std::string_view uri, const std::filesystem::path& folder,
+                                                 const SourcePosition& position, Diagnostics& diagnostics) const {
+    return finder_ ? finder_(uri, folder, position, diagnostics) : std::nullopt;
+  }
+  assets::MeshStore& meshes() { return meshes_; }
+
   /// @return Where the file of `position` is included, where that file is included, and so on.
   std::vector<SourcePosition> chainOf(const SourcePosition& position) const;
 
@@ -75,6 +84,7 @@ class Includes {
   Name newName(const std::filesystem::path& path, const SourcePosition& includedFrom);
 
   assets::Finder finder_;
+  assets::MeshStore meshes_;
   Diagnostics& diagnostics_;
   Diagnostics& unsimulated_;
   std::unordered_map<std::string, std::unique_ptr<File>> files_;

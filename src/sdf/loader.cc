@@ -8,10 +8,10 @@
 #include <tuple>
 #include <utility>
 
-#include "sdf/document.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/includes.hh"
+#include "sdf/model_document.hh"
 #include "sdf/names.hh"
 #include "sdf/upgrade.hh"
 #include "sdf/version.hh"
@@ -33,11 +33,6 @@ Reading readRoot(Element& element, Includes& includes, const FileName& file, Dia
                  Diagnostics& unsimulated) {
   Reading reading;
   Root& root = reading.root;
-  if (element.name != "sdf") {
-    diagnostics.error(element.position, "the file begins with <" + element.name + ">, not with <sdf>",
-                      element.name == "robot" ? "URDF is not supported yet" : "");
-    return reading;
-  }
   Context context{.diagnostics = diagnostics,
                   .unsimulated = unsimulated,
                   .includes = includes,
@@ -94,7 +89,7 @@ class Load {
   }
 
   Reading read(std::string_view text) {
-    element_ = parseDocument(text, name_, found_);
+    element_ = parseModelDocument(text, name_, found_);
     if (!element_) return {};
     Reading reading = readRoot(*element_, includes_, name_, found_, unsimulated_);
     addSorted(unsimulated_, includes_, reading.root.unsimulated);

@@ -42,6 +42,16 @@ TEST_F(FinderTest, FindsAModelInTheFirstFolderThatHasIt) {
   EXPECT_EQ(find("model://sun"), (first_.path() / "sun").string());
 }
 
+TEST_F(FinderTest, TakesAPackageForAModel) {
+  EXPECT_EQ(find("package://robot/a.stl"),
+            "w.sdf:3:4: error: 'package://robot/a.stl' is not found\n  hint: it was "
+            "looked for at " +
+                (first_.path() / "robot/a.stl").string() + ", " + (second_.path() / "robot/a.stl").string() +
+                ", robot/a.stl");
+  const std::string file = second_.write("robot/a.stl", "").string();
+  EXPECT_EQ(find("package://robot/a.stl"), file);
+}
+
 TEST_F(FinderTest, LooksForAModelNotBesideTheFile) {
   own_.write("sun/model.sdf", "");
   EXPECT_EQ(find("sun"), (own_.path() / "sun").string());

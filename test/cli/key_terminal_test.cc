@@ -1,35 +1,28 @@
 #include "cli/key_terminal.hh"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <cstring>
+
+#include "support/pseudo_terminal.hh"
 
 namespace pongsim::cli {
 namespace {
 
 TEST(KeyTerminal, IsAsBeforeAfterwards) {
-  const int control = posix_openpt(O_RDWR | O_NOCTTY);
-  ASSERT_GE(control, 0);
-  ASSERT_EQ(grantpt(control), 0);
-  ASSERT_EQ(unlockpt(control), 0);
-  const int terminal = open(ptsname(control), O_RDWR | O_NOCTTY);
-  ASSERT_GE(terminal, 0);
-  termios before{}, meanwhile{}, after{};
-  ASSERT_EQ(tcgetattr(terminal, &before), 0);
+  const auto terminal = test::PseudoTerminal::open();
+  if (!terminal) GTEST_SKIP() << "no pseudo-terminals here";
+  const termios before = terminal->settings();
   {
-    const KeyTerminal keys(terminal);
+    const KeyTerminal keys(terminal->terminal());
     EXPECT_TRUE(keys.isTerminal());
-    tcgetattr(terminal, &meanwhile);
+    const termios meanwhile = terminal->settings();
     EXPECT_EQ(meanwhile.c_lflag & static_cast<tcflag_t>(ICANON | ECHO), 0U);
     EXPECT_NE(meanwhile.c_lflag & static_cast<tcflag_t>(ISIG), 0U);
   }
-  tcgetattr(terminal, &after);
+  const termios after = terminal->settings();
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
-  close(terminal);
-  close(control);
 }
 
 TEST(KeyTerminal, LeavesWhatIsNoTerminalAlone) {

@@ -78,6 +78,23 @@ void compare(const ours::Geometry& a, const theirs::Geometry& b, const std::stri
       EXPECT_NEAR(std::get<ours::Cylinder>(a).radius, b.CylinderShape()->Radius(), kTolerance) << what;
       EXPECT_NEAR(std::get<ours::Cylinder>(a).length, b.CylinderShape()->Length(), kTolerance) << what;
       return;
+    case theirs::GeometryType::CAPSULE:
+      ASSERT_TRUE(std::holds_alternative<ours::Capsule>(a)) << what;
+      EXPECT_NEAR(std::get<ours::Capsule>(a).radius, b.CapsuleShape()->Radius(), kTolerance) << what;
+      EXPECT_NEAR(std::get<ours::Capsule>(a).length, b.CapsuleShape()->Length(), kTolerance) << what;
+      return;
+    case theirs::GeometryType::ELLIPSOID:
+      ASSERT_TRUE(std::holds_alternative<ours::Ellipsoid>(a)) << what;
+      return expectNear(std::get<ours::Ellipsoid>(a).radii, vector(b.EllipsoidShape()->Radii()), what);
+    case theirs::GeometryType::MESH:
+      ASSERT_TRUE(std::holds_alternative<ours::Mesh>(a)) << what;
+      EXPECT_EQ(std::get<ours::Mesh>(a).submesh, b.MeshShape()->Submesh()) << what;
+      EXPECT_EQ(std::get<ours::Mesh>(a).isCentered, b.MeshShape()->CenterSubmesh()) << what;
+      return expectNear(std::get<ours::Mesh>(a).scale, vector(b.MeshShape()->Scale()), what);
+    case theirs::GeometryType::HEIGHTMAP:
+      ASSERT_TRUE(std::holds_alternative<ours::Heightmap>(a)) << what;
+      expectNear(std::get<ours::Heightmap>(a).position, vector(b.HeightmapShape()->Position()), what);
+      return expectNear(std::get<ours::Heightmap>(a).size, vector(b.HeightmapShape()->Size()), what);
     case theirs::GeometryType::PLANE:
       ASSERT_TRUE(std::holds_alternative<ours::Plane>(a)) << what;
       return expectNear(std::get<ours::Plane>(a).normal, vector(b.PlaneShape()->Normal()), what);

@@ -1,53 +1,22 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <stdlib.h>
-#include <termios.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <string>
 
 #include "integration/program.hh"
+#include "support/pseudo_terminal.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::test {
 namespace {
 
-/// A pseudo-terminal, whose keyboard the test is.
-class Terminal {
- public:
-  Terminal() : control_(posix_openpt(O_RDWR | O_NOCTTY)) {
-    EXPECT_EQ(grantpt(control_), 0);
-    EXPECT_EQ(unlockpt(control_), 0);
-    name_ = ptsname(control_);
-    terminal_ = open(name_.c_str(), O_RDWR | O_NOCTTY);
-  }
-  ~Terminal() {
-    close(terminal_);
-    close(control_);
-  }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
-
-  const std::string& name() const { return name_; }
-  void type(const std::string& keys) const {
-    EXPECT_EQ(write(control_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
-  }
-  termios settings() const {
-    termios now{};
-    EXPECT_EQ(tcgetattr(terminal_, &now), 0);
-    return now;
-  }
-
- private:
-  int control_;
-  int terminal_ = -1;
-  std::string name_;
-};
-
 class Keyboard : public testing::Test {
  protected:
+  void SetUp() override {
+    if (!terminal_) GTEST_SKIP() << "no pseudo-terminals here";
+  }
+
   /// Starts `pongsim key` with that for a standard input.
   static std::unique_ptr<Process> start(const std::string& before, const std::string& input) {
     testDomain();
@@ -57,13 +26,13 @@ class Keyboard : public testing::Test {
   }
 
   void expectAsBefore(const termios& before) const {
-    const termios after = terminal_.settings();
+    const termios after = terminal_->settings();
     EXPECT_EQ(after.c_lflag, before.c_lflag);
     EXPECT_EQ(after.c_iflag, before.c_iflag);
     EXPECT_EQ(std::memcmp(after.c_cc, before.c_cc, sizeof after.c_cc), 0);
   }
 
-  Terminal terminal_;
+  const std::unique_ptr<PseudoTerminal> terminal_ = PseudoTerminal::open();
   const std::unique_ptr<Process> heard_ =
       pongsim::test::start({"topic", "-et", "/keyboard/keypress", "-m", "Int32", "--json-output"});
 };
@@ -78,24 +47,24 @@ TEST_F(Keyboard, TakesKeysFromAPipeInOrder) {
 }
 
 TEST_F(Keyboard, SendsTheKeysOfATerminalAndLeavesItAsItWas) {
-  const termios before = terminal_.settings();
-  const auto keys = start("exec", "< " + terminal_.name());
+  const termios before = terminal_->settings();
+  const auto keys = start("exec", "< " + terminal_->name());
   ASSERT_TRUE(keys->waitForError("keys go to /keyboard/keypress")) << keys->error();
-  EXPECT_EQ(terminal_.settings().c_lflag & static_cast<tcflag_t>(ICANON | ECHO), 0U);
-  terminal_.type("\x1b[A");
+  EXPECT_EQ(terminal_->settings().c_lflag & static_cast<tcflag_t>(ICANON | ECHO), 0U);
+  terminal_->type("\x1b[A");
   EXPECT_TRUE(keys->waitForError("up \\(16777235\\)")) << keys->error();
   EXPECT_TRUE(heard_->waitForOutput("16777235"));
-  terminal_.type("\x1b");
+  terminal_->type("\x1b");
   EXPECT_TRUE(keys->waitForError("escape \\(16777216\\)")) << keys->error();
-  terminal_.type("q");
+  terminal_->type("q");
   EXPECT_EQ(keys->wait(), 0) << keys->error();
   expectAsBefore(before);
 }
 
 TEST_F(Keyboard, LeavesTheTerminalAsItWasAtASignal) {
-  const termios before = terminal_.settings();
+  const termios before = terminal_->settings();
   for (const int signal : {SIGTERM, SIGINT}) {
-    const auto keys = start("exec", "< " + terminal_.name());
+    const auto keys = start("exec", "< " + terminal_->name());
     ASSERT_TRUE(keys->waitForError("keys go to")) << keys->error();
     keys->kill(signal);
     EXPECT_EQ(keys->wait(), 0) << keys->error();
@@ -104,10 +73,10 @@ TEST_F(Keyboard, LeavesTheTerminalAsItWasAtASignal) {
 }
 
 TEST_F(Keyboard, EndsAtCtrlC) {
-  const termios before = terminal_.settings();
-  const auto keys = start("setsid --ctty --wait", "< " + terminal_.name());
+  const termios before = terminal_->settings();
+  const auto keys = start("setsid --ctty --wait", "< " + terminal_->name());
   ASSERT_TRUE(keys->waitForError("keys go to")) << keys->error();
-  terminal_.type("\x03");
+  terminal_->type("\x03");
   EXPECT_EQ(keys->wait(), 0) << keys->error();
   expectAsBefore(before);
 }

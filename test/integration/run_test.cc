@@ -51,6 +51,20 @@ TEST(Run, SaysInOneLineWhatItRuns) {
       << outcome.error;
 }
 
+TEST(Run, PutsARobotInUrdfOnTheGround) {
+  const TempFolder folder;
+  const auto file = folder.write(
+      "ball.urdf",
+      "<robot name='ball'><origin xyz='0 0 2'/><link name='l'><inertial><mass value='1'/><inertia ixx='1' ixy='0' "
+      "ixz='0' "
+      "iyy='1' iyz='0' izz='1'/></inertial><collision><geometry><sphere radius='0.5'/></geometry></collision></link>"
+      "</robot>");
+  const auto process = startWorld(file.string());
+  const Outcome pose = runToEnd({"topic", "-et", "/world/default/dynamic_pose/info", "-n", "1"});
+  EXPECT_EQ(pose.exitCode, 0) << pose.error;
+  EXPECT_NE(pose.output.find("name: \"ball\""), std::string::npos) << pose.output;
+}
+
 TEST(Run, SaysNothingAtLevel0) {
   const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-v", "0", "--iterations", "1"});
   EXPECT_EQ(outcome.exitCode, 0);

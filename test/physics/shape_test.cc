@@ -41,6 +41,17 @@ TEST(LinkShape, RestsAtItsOwnHalfHeight) {
   EXPECT_NEAR(restingHeight(lying), 0.3, 1e-5);
 }
 
+TEST(LinkShape, RestsAsACapsuleOrAnEllipsoid) {
+  description::Link standing = makeLink("link", {0, 0, 0.61}, 1, {0.01, 0.01, 0.01});
+  addCollision(standing, description::Ellipsoid{{1, 1, 0.6}});
+  EXPECT_NEAR(restingHeight(standing), 0.6, 1e-4);
+
+  description::Link lying = makeLink("link", {0, 0, 0.21}, 1, {0.01, 0.01, 0.01});
+  addCollision(lying, description::Capsule{0.2, 0.6});
+  lying.collisions[0].X_LinkCollision.rotation = fromRollPitchYaw(M_PI / 2, 0, 0);
+  EXPECT_NEAR(restingHeight(lying), 0.2, 1e-4);
+}
+
 TEST(LinkShape, PutsEachCollisionWhereTheLinkHasIt) {
   // two feet below a link whose centre of mass lies off its origin
   description::Link link = makeLink("link", {0, 0, 0.51}, 1, {0.02, 0.03, 0.04});
@@ -56,8 +67,9 @@ TEST(LinkShape, LeavesOutWhatItCannotBuild) {
   description::Link link = makeLink("link", {0, 0, 0}, 1, {1, 1, 1});
   addCollision(link, description::OtherGeometry{"mesh"});
   addCollision(link, description::Empty{});
-  EXPECT_TRUE(LinkShape(link, Pose()).empty());
-  EXPECT_NE(LinkShape(link, Pose()).root(), nullptr);
+  addCollision(link, description::Mesh{});
+  EXPECT_TRUE(LinkShape(link, Pose(), true).empty());
+  EXPECT_NE(LinkShape(link, Pose(), true).root(), nullptr);
 }
 
 }  // namespace

@@ -22,6 +22,21 @@ TEST(Geometry, ReadsTheFourShapes) {
   EXPECT_TRUE(std::holds_alternative<description::Empty>(collisions.at(4).geometry));
 }
 
+TEST(Geometry, ReadsCapsulesAndEllipsoids) {
+  const Loaded loaded = loadLink(
+      "<collision name='a'><geometry><capsule><radius>2</radius><length>3</length></capsule></geometry></collision>"
+      "<collision name='b'><geometry><capsule/></geometry></collision>"
+      "<collision name='c'><geometry><ellipsoid><radii>1 2 3</radii></ellipsoid></geometry></collision>\n"
+      "<collision name='d'><geometry><ellipsoid><radii>1 -2 3</radii></ellipsoid></geometry></collision>");
+  EXPECT_EQ(loaded.messages,
+            Messages{"t.sdf:5:42: error: <radii> is '1 -2 3', which is not three finite numbers above zero"});
+  const auto& collisions = loaded.model().links.at(0).collisions;
+  EXPECT_EQ(std::get<description::Capsule>(collisions.at(0).geometry).radius, 2);
+  EXPECT_EQ(std::get<description::Capsule>(collisions.at(0).geometry).length, 3);
+  EXPECT_EQ(std::get<description::Capsule>(collisions.at(1).geometry).radius, 0.5);
+  EXPECT_EQ(std::get<description::Ellipsoid>(collisions.at(2).geometry).radii, Vector3(1, 2, 3));
+}
+
 TEST(Geometry, HasTheDefaultsOfTheFormat) {
   const Loaded loaded = loadLink(
       "<visual name='b'><geometry><box/></geometry></visual>"
@@ -34,16 +49,15 @@ TEST(Geometry, HasTheDefaultsOfTheFormat) {
 
 TEST(Geometry, SaysWhichShapesWillNotCollide) {
   const Loaded loaded = loadLink(
-      "<collision name='c'><geometry><mesh><uri>x</uri></mesh></geometry></collision>\n"
-      "<collision name='d'><geometry><ellipsoid/></geometry></collision>\n"
-      "<visual name='v'><geometry><mesh><uri>x</uri></mesh></geometry></visual>");
+      "<collision name='c'><geometry><polyline/></geometry></collision>\n"
+      "<collision name='d'><geometry><image/></geometry></collision>\n"
+      "<visual name='v'><geometry><polyline/></geometry></visual>");
   EXPECT_EQ(
       loaded.messages,
-      (Messages{
-          "t.sdf:4:1: warning: collision 'c' has a mesh, which is not simulated yet: it will not collide",
-          "t.sdf:5:1: warning: collision 'd' has an ellipsoid, which is not simulated yet: it will not collide"}));
+      (Messages{"t.sdf:4:1: warning: collision 'c' has a polyline, which is not simulated yet: it will not collide",
+                "t.sdf:5:1: warning: collision 'd' has an image, which is not simulated yet: it will not collide"}));
   const auto& link = loaded.model().links.at(0);
-  EXPECT_EQ(std::get<description::OtherGeometry>(link.collisions.at(0).geometry).kind, "mesh");
+  EXPECT_EQ(std::get<description::OtherGeometry>(link.collisions.at(0).geometry).kind, "polyline");
 }
 
 TEST(Geometry, RefusesSizesThatNothingHas) {

@@ -36,8 +36,8 @@ TEST(Loader, ReadsAllWorldsOfAFile) {
 }
 
 TEST(Loader, SaysWhatTheFileIsInstead) {
-  EXPECT_EQ(load("<robot name='r'/>").messages,
-            Messages{"t.sdf:1:1: error: the file begins with <robot>, not with <sdf> | URDF is not supported yet"});
+  EXPECT_EQ(load("<svg/>").messages,
+            Messages{"t.sdf:1:1: error: the file begins with <svg>, not with <sdf> or <robot>"});
   EXPECT_EQ(load("<sdf version='1.9'/>").messages,
             Messages{"t.sdf:1:1: error: there is no <world> and no <model> in this file"});
 }

@@ -28,6 +28,19 @@ constexpr std::string_view kSample = R"(<?xml version="1.0"?>
 <upper>1.79769e+308</upper></limit></axis></joint><plugin filename="f.so" name="n"><![CDATA[<x>]]> a &amp; b</plugin>
 </model></world></sdf>)";
 
+/// A robot in URDF, likewise.
+constexpr std::string_view kRobot = R"(<robot name="r"><origin xyz="0 0 1"/><material name="m"><color rgba="1 0 0 1"/>
+</material><link name="a"><inertial><origin xyz="1 0 0" rpy="0 1 0"/><mass value="2"/>
+<inertia ixx="1" ixy="0.1" ixz="0" iyy="1" iyz="0" izz="1"/></inertial><visual><geometry><box size="1 2 3"/></geometry>
+<material name="m"/></visual></link><link name="b"><inertial><mass value="2"/>
+<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial><collision name="c"><geometry>
+<cylinder radius="1" length="2"/></geometry></collision></link><link name="c"/><link name="world"/>
+<joint name="w" type="fixed"><parent link="world"/><child link="a"/></joint>
+<joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 1 0"/><limit lower="-1" upper="1"
+effort="1" velocity="1"/><mimic joint="k"/></joint><joint name="k" type="fixed"><parent link="b"/><child link="c"/></joint>
+<gazebo reference="c"><mu1>1</mu1><sensor name="s" type="imu"><pose>0 0 1 0 0 0</pose></sensor></gazebo>
+<gazebo><plugin filename="f" name="n"/></gazebo></robot>)";
+
 /// Changes, swaps, cuts and repeats parts of `text`.
 std::string mutated(std::string text, std::mt19937& random) {
   constexpr std::string_view kInteresting = "<>/\"'=&!-?[]: \n\t0123456789.eE+-nainf_ab\xC3\xFF";
@@ -76,6 +89,15 @@ TEST(Mutation, OfASampleIsLoadedOrRefused) {
   const Loaded sound = load(kSample);
   EXPECT_EQ(sound.messages, Messages{"t.sdf:10:67: warning: sensor type 'imu' is not simulated yet"});
   loadMutations(std::string(kSample), 3000, random);
+}
+
+TEST(Mutation, OfARobotIsLoadedOrRefused) {
+  std::mt19937 random(4);
+  EXPECT_EQ(load(kRobot).messages,
+            (Messages{"t.sdf:9:26: warning: joint 'j' mimics joint 'k', which is not simulated yet | it moves on its "
+                      "own, as in Fortress",
+                      "t.sdf:10:35: warning: sensor type 'imu' is not simulated yet"}));
+  loadMutations(std::string(kRobot), 3000, random);
 }
 
 TEST(Mutation, OfFortressWorldsIsLoadedOrRefused) {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <variant>
+
+#include "assets/mesh_file.hh"
+#include "description/triangle_mesh.hh"
+
+namespace pongsim::assets {
+
+/// Meshes by their files, each of which is read once.
+class MeshStore {
+ public:
+  using Found = std::variant<std::shared_ptr<const description::TriangleMesh>, Problem>;
+
+  /// @param submesh Name of the one part that is wanted; empty: all parts as one.
+  /// @param isCentered The part's bounding box gets its centre in the origin. Of no effect on the whole.
+  /// @return The same mesh for the same question.
+  Found find(const std::filesystem::path& file, const std::string& submesh, bool isCentered);
+
+ private:
+  using Parts = std::variant<std::vector<MeshPart>, Problem>;
+
+  std::map<std::filesystem::path, Parts> files_;
+  std::map<std::tuple<std::filesystem::path, std::string, bool>, Found> meshes_;
+};
+
+}  // namespace pongsim::assets

@@ -1,0 +1,31 @@
+#include "sdf/asset_file.hh"
+
+#include <optional>
+
+#include "sdf/includes.hh"
+
+namespace pongsim::sdf {
+
+void AssetFile::warn(const assets::Problem& problem, Context& context) const {
+  context.diagnostics.warning(position, kind + " '" + path.string() + "' " + problem.text + effect, problem.hint);
+}
+
+AssetFile findAsset(const Element& shape, const std::string& kind, const std::string& owner, bool isCollision,
+                    Context& context) {
+  const std::string effect = ": " + owner + (isCollision ? " will not collide" : " will not be seen");
+  const Element* uri = shape.child("uri");
+  if (uri == nullptr || uri->text.empty()) {
+    context.diagnostics.error(shape.position, "the " + kind + " of " + owner + " has no <uri>",
+                              "write <uri>model://NAME/FILE</uri>");
+    return {{}, {}, kind, shape.position, effect};
+  }
+  Diagnostics found;
+  const std::optional<std::filesystem::path> path =
+      context.includes.findAsset(uri->text, context.folder, uri->position, found);
+  for (const Diagnostic& diagnostic : found.all()) {
+    context.diagnostics.warning(diagnostic.position, kind + ' ' + diagnostic.message + effect, diagnostic.hint);
+  }
+  return {uri->text, path.value_or(std::filesystem::path()), kind, uri->position, effect};
+}
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "assets/problem.hh"
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+
+namespace pongsim::sdf {
+
+/// The file that a shape is made of.
+struct AssetFile {
+  /// As it stands in the file.
+  std::string uri;
+  /// Empty where it is not there.
+  std::filesystem::path path;
+  /// For warnings: what it is, where it is named, and what follows if it is of no use.
+  std::string kind;
+  SourcePosition position;
+  std::string effect;
+
+  /// Warns that the file is of no use.
+  void warn(const assets::Problem& problem, Context& context) const;
+};
+
+/// Finds what the `<uri>` of a shape names. A file that is not there is a warning, no `<uri>` an error.
+/// @param kind "mesh"
+/// @param owner "collision 'c' of link 'l'"
+AssetFile findAsset(const Element& shape, const std::string& kind, const std::string& owner, bool isCollision,
+                    Context& context);
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,46 @@
+#include "sdf/mesh_reader.hh"
+
+#include <variant>
+
+#include "sdf/asset_file.hh"
+#include "sdf/includes.hh"
+#include "sdf/values.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+void readSubmesh(const Element& element, description::Mesh& mesh, Context& context) {
+  const Element* submesh = element.child("submesh");
+  if (submesh == nullptr) return;
+  mesh.submesh = childText(*submesh, "name");
+  mesh.isCentered = readFlag(*submesh, "center", mesh.isCentered, context);
+  if (mesh.submesh.empty()) {
+    context.diagnostics.warning(submesh->position, "<submesh> has no <name>: the whole mesh is taken");
+  }
+}
+
+}  // namespace
+
+description::Mesh readMesh(const Element& element, const std::string& owner, bool isCollision, Context& context) {
+  description::Mesh mesh;
+  mesh.scale = readVector(element, "scale", mesh.scale, context);
+  if (mesh.scale.cwiseAbs().minCoeff() == 0) {
+    context.diagnostics.error(element.child("scale")->position, "the mesh of " + owner + " has a scale of zero");
+  }
+  readSubmesh(element, mesh, context);
+  const AssetFile asset = findAsset(element, "mesh", owner, isCollision, context);
+  mesh.uri = asset.uri;
+  mesh.file = asset.path;
+  if (asset.path.empty() || !isCollision) return mesh;
+
+  const assets::MeshStore::Found found = context.includes.meshes().find(mesh.file, mesh.submesh, mesh.isCentered);
+  if (const auto* problem = std::get_if<assets::Problem>(&found)) {
+    asset.warn(*problem, context);
+  } else {
+    mesh.triangles = std::get<0>(found);
+  }
+  return mesh;
+}
+
+}  // namespace pongsim::sdf

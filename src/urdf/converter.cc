@@ -1,0 +1,91 @@
+#include "urdf/converter.hh"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parse_number.hh"
+#include "urdf/build.hh"
+#include "urdf/extensions.hh"
+#include "urdf/joint_elements.hh"
+#include "urdf/link_elements.hh"
+#include "urdf/lumping.hh"
+#include "urdf/robot.hh"
+#include "urdf/robot_check.hh"
+#include "urdf/structure_check.hh"
+#include "urdf/urdfdom.hh"
+
+namespace pongsim::urdf {
+
+namespace {
+
+/// @return By link whether it is made: links without mass are not, nor what hangs on them, as in Fortress.
+std::vector<bool> findMade(const Robot& robot, Diagnostics& diagnostics) {
+  std::vector<bool> isMade(robot.links.size(), true);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const Link& link = robot.links[i];
+    if (link.lumpedInto || (i == 0 && link.name == "world")) continue;
+    if (link.joint && !isMade[link.joint->parent]) {
+      isMade[i] = false;
+    } else if (!link.inertial || !(link.inertial->mass > 0)) {
+      isMade[i] = false;
+      const bool hasZero = link.inertial.has_value();
+      diagnostics.warning(hasZero ? link.inertial->position : link.xml->position,
+                          "link '" + link.name + (hasZero ? "' has a mass that is not above zero" : "' has no mass") +
+                              ": it is left out, and so are its joint and all that hangs on it",
+                          "give it an <inertial> with a mass");
+    }
+  }
+  return isMade;
+}
+
+Vector3 readOrigin(const Element& origin, std::string_view name) {
+  const std::optional<std::vector<double>> values = base::parseDoubles(origin.attributeOr(name, "0 0 0"));
+  return values && values->size() == 3 ? Vector3((*values)[0], (*values)[1], (*values)[2]) : Vector3::Zero();
+}
+
+/// Where the robot as a whole is: Fortress knows an <origin> of the robot, though URDF does not.
+void addRobotPose(const Element& robot, Element& model) {
+  const Element* origin = robot.child("origin");
+  if (origin == nullptr) return;
+  const Vector3 rpy = readOrigin(*origin, "rpy");
+  addPose(model, {readOrigin(*origin, "xyz"), fromRollPitchYaw(rpy.x(), rpy.y(), rpy.z())}, origin->position);
+}
+
+Element modelOf(const Robot& robot, const Extensions& extensions, Diagnostics& diagnostics) {
+  Element model = makeElement("model", robot.xml->position);
+  setAttribute(model, "name", robot.xml->attributeOr("name", ""), robot.xml->attribute("name")->position);
+  addRobotPose(*robot.xml, model);
+  const std::vector<bool> isMade = findMade(robot, diagnostics);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const Link& link = robot.links[i];
+    if (!isMade[i] || link.lumpedInto || (i == 0 && link.name == "world")) continue;
+    if (link.joint) addJoint(robot, link, extensions, model, diagnostics);
+    addLink(robot, link, extensions, model);
+  }
+  for (const Link& link : robot.links) {
+    if (link.lumpedInto && isMade[link.lumpedInto->link]) addFrames(robot, link, model);
+  }
+  extensions.addToModel(model);
+  return model;
+}
+
+}  // namespace
+
+std::optional<Element> toSdf(const Element& robot, Diagnostics& diagnostics) {
+  const bool isSound = checkRobot(robot, diagnostics);
+  if (!checkStructure(robot, diagnostics) || !isSound) return std::nullopt;
+  const ::urdf::ModelInterfaceSharedPtr model = readWithUrdfdom(robot, diagnostics);
+  if (model == nullptr) return std::nullopt;
+
+  const Extensions extensions(robot);
+  extensions.check(diagnostics);
+  Robot values = robotFrom(*model, robot);
+  lumpFixedJoints(values, extensions);
+  Element sdf = makeElement("sdf", robot.position);
+  setAttribute(sdf, "version", "1.7", robot.position);
+  sdf.children.push_back(modelOf(values, extensions, diagnostics));
+  return sdf;
+}
+
+}  // namespace pongsim::urdf

@@ -1,0 +1,107 @@
+#include "urdf/joint_elements.hh"
+
+#include <utility>
+
+#include "urdf/build.hh"
+
+namespace pongsim::urdf {
+
+namespace {
+
+/// @return SDF's type; empty where the joint leaves the link free.
+std::string typeOf(const ::urdf::Joint& joint) {
+  switch (joint.type) {
+    case ::urdf::Joint::REVOLUTE:
+    case ::urdf::Joint::CONTINUOUS:
+      return "revolute";
+    case ::urdf::Joint::PRISMATIC:
+      return "prismatic";
+    case ::urdf::Joint::FIXED:
+      return "fixed";
+    default:
+      return {};
+  }
+}
+
+void addLimits(const Joint& joint, Element& axis, Diagnostics& diagnostics) {
+  const ::urdf::Joint& urdf = *joint.urdf;
+  if (urdf.limits == nullptr) return;
+  const SourcePosition& position = positionIn(*joint.xml, "limit");
+  Element& limit = addChild(axis, "limit", position);
+  if (urdf.type != ::urdf::Joint::CONTINUOUS) {
+    double lower = urdf.limits->lower, upper = urdf.limits->upper;
+    if (lower > upper) {
+      diagnostics.warning(position, "the lower limit of joint '" + urdf.name + "' is above its upper limit",
+                          "they change places, as in Fortress");
+      std::swap(lower, upper);
+    }
+    addChild(limit, "lower", position, textOf(lower));
+    addChild(limit, "upper", position, textOf(upper));
+  }
+  addChild(limit, "effort", position, textOf(urdf.limits->effort));
+  addChild(limit, "velocity", position, textOf(urdf.limits->velocity));
+}
+
+void addAxis(const Joint& joint, Element& element, Diagnostics& diagnostics) {
+  const ::urdf::Joint& urdf = *joint.urdf;
+  const SourcePosition& position = positionIn(*joint.xml, "axis");
+  Element& axis = addChild(element, "axis", position);
+  addChild(axis, "xyz", position, textOf(Vector3(urdf.axis.x, urdf.axis.y, urdf.axis.z)));
+  addLimits(joint, axis, diagnostics);
+  if (urdf.dynamics == nullptr) return;
+  const SourcePosition& dynamicsPosition = positionIn(*joint.xml, "dynamics");
+  Element& dynamics = addChild(axis, "dynamics", dynamicsPosition);
+  addChild(dynamics, "damping", dynamicsPosition, textOf(urdf.dynamics->damping));
+  addChild(dynamics, "friction", dynamicsPosition, textOf(urdf.dynamics->friction));
+}
+
+/// A fixed joint that an old extension keeps: one that can turn, and not at all.
+void addLockedAxis(const SourcePosition& position, Element& element) {
+  Element& axis = addChild(element, "axis", position);
+  addChild(axis, "xyz", position, "0 0 1");
+  Element& limit = addChild(axis, "limit", position);
+  addChild(limit, "lower", position, "0");
+  addChild(limit, "upper", position, "0");
+}
+
+void warnOfWhatIsNotSimulated(const Joint& joint, Diagnostics& diagnostics) {
+  const std::string label = "joint '" + joint.urdf->name + "'";
+  if (joint.urdf->mimic != nullptr) {
+    diagnostics.warning(positionIn(*joint.xml, "mimic"),
+                        label + " mimics joint '" + joint.urdf->mimic->joint_name + "', which is not simulated yet",
+                        "it moves on its own, as in Fortress");
+  }
+  if (joint.urdf->type == ::urdf::Joint::PLANAR) {
+    diagnostics.warning(joint.xml->position, label + " is planar, which is not simulated: its link moves freely");
+  }
+}
+
+}  // namespace
+
+void addJoint(const Robot& robot, const Link& link, const Extensions& extensions, Element& model,
+              Diagnostics& diagnostics) {
+  const Joint& joint = *link.joint;
+  const std::string& name = joint.urdf->name;
+  warnOfWhatIsNotSimulated(joint, diagnostics);
+  std::string type = typeOf(*joint.urdf);
+  if (type.empty()) return;
+  const bool isLocked = type == "fixed" && extensions.fixingOf(name) == Extensions::Fixing::kTurnedRevolute;
+  if (isLocked) type = "revolute";
+
+  const SourcePosition& position = joint.xml->position;
+  Element& element = addChild(model, "joint", position);
+  setAttribute(element, "name", name, position);
+  setAttribute(element, "type", type, position);
+  const std::string& parent = robot.links[joint.parent].name;
+  addPose(element, joint.X_ParentJoint, positionIn(*joint.xml, "origin"), parent == "world" ? "__model__" : parent);
+  addChild(element, "parent", positionIn(*joint.xml, "parent"), parent);
+  addChild(element, "child", positionIn(*joint.xml, "child"), link.name);
+  if (isLocked) {
+    addLockedAxis(position, element);
+  } else if (type != "fixed") {
+    addAxis(joint, element, diagnostics);
+  }
+  extensions.addToJoint(name, element);
+}
+
+}  // namespace pongsim::urdf

@@ -1,0 +1,142 @@
+#include "urdf/link_elements.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "urdf/build.hh"
+
+namespace pongsim::urdf {
+
+namespace {
+
+/// @return What Fortress calls the part: "base_fixed_joint_lump__lidar_collision_1".
+std::string nameOf(const Part& part, const Link& link, std::string_view kind, std::size_t number) {
+  std::string name = (part.name.empty() ? part.ownLink : part.name) + '_' + std::string(kind);
+  if (number > 0) name += '_' + std::to_string(number);
+  return name.starts_with(link.name) ? name : link.name + "_fixed_joint_lump__" + name;
+}
+
+void addGeometry(const Part& part, Element& parent) {
+  const SourcePosition& position = positionIn(*part.xml, "geometry");
+  Element& geometry = addChild(parent, "geometry", position);
+  if (const auto* box = dynamic_cast<const ::urdf::Box*>(part.geometry.get())) {
+    addChild(addChild(geometry, "box", position), "size", position,
+             textOf(Vector3(box->dim.x, box->dim.y, box->dim.z)));
+  } else if (const auto* cylinder = dynamic_cast<const ::urdf::Cylinder*>(part.geometry.get())) {
+    Element& shape = addChild(geometry, "cylinder", position);
+    addChild(shape, "radius", position, textOf(cylinder->radius));
+    addChild(shape, "length", position, textOf(cylinder->length));
+  } else if (const auto* sphere = dynamic_cast<const ::urdf::Sphere*>(part.geometry.get())) {
+    addChild(addChild(geometry, "sphere", position), "radius", position, textOf(sphere->radius));
+  } else if (const auto* mesh = dynamic_cast<const ::urdf::Mesh*>(part.geometry.get())) {
+    Element& shape = addChild(geometry, "mesh", position);
+    addChild(shape, "uri", position, mesh->filename);
+    addChild(shape, "scale", position, textOf(Vector3(mesh->scale.x, mesh->scale.y, mesh->scale.z)));
+  }
+}
+
+/// urdfdom's colours are floats, whose digits end here.
+double rounded(double channel) { return std::round(channel * 1e6) / 1e6; }
+
+/// The colour of a material, as bright as Fortress makes it, unless an extension has said another one.
+void addColor(const ::urdf::Color& color, const SourcePosition& position, Element& visual) {
+  Element& material = childOrNew(visual, "material", position);
+  if (material.child("diffuse") != nullptr || material.child("ambient") != nullptr) return;
+  std::string text;
+  for (const float channel : {color.r, color.g, color.b})
+    text += textOf(rounded(std::clamp(channel / 0.8, 0.0, 1.0))) + ' ';
+  text += textOf(rounded(color.a));
+  addChild(material, "diffuse", position, text);
+  addChild(material, "ambient", position, text);
+}
+
+/// Adds the collisions and visuals of one link.
+class PartsWriter {
+ public:
+  PartsWriter(const Link& target, const Extensions& extensions, Element& element)
+      : target_(target), extensions_(extensions), element_(element) {}
+
+  void addCollisions(const Link& source, const Pose& X_TargetSource) {
+    for (const Part& part : source.collisions) {
+      Element& collision = addPart(part, "collision", collisionCount_++, X_TargetSource);
+      extensions_.addToCollision(part.ownLink, collision);
+    }
+  }
+  void addVisuals(const Link& source, const Pose& X_TargetSource) {
+    for (const Part& part : source.visuals) {
+      Element& visual = addPart(part, "visual", visualCount_++, X_TargetSource);
+      extensions_.addToVisual(part.ownLink, visual);
+      if (part.material != nullptr) addColor(part.material->color, positionIn(*part.xml, "material"), visual);
+    }
+  }
+
+ private:
+  Element& addPart(const Part& part, std::string_view kind, std::size_t number, const Pose& X_TargetSource) {
+    Element& element = addChild(element_, kind, part.xml->position);
+    setAttribute(element, "name", nameOf(part, target_, kind, number), part.xml->position);
+    addPose(element, X_TargetSource * part.X_LinkPart, positionIn(*part.xml, "origin"));
+    addGeometry(part, element);
+    return element;
+  }
+
+  const Link& target_;
+  const Extensions& extensions_;
+  Element& element_;
+  std::size_t collisionCount_ = 0;
+  std::size_t visualCount_ = 0;
+};
+
+void addInertial(const Inertial& inertial, Element& link) {
+  const SourcePosition& position = inertial.position;
+  Element& element = addChild(link, "inertial", position);
+  addPose(element, {inertial.com, Quaternion::Identity()}, position);
+  addChild(element, "mass", position, textOf(inertial.mass));
+  Element& inertia = addChild(element, "inertia", position);
+  const Matrix3& m = inertial.moments;
+  addChild(inertia, "ixx", position, textOf(m(0, 0)));
+  addChild(inertia, "ixy", position, textOf(m(0, 1)));
+  addChild(inertia, "ixz", position, textOf(m(0, 2)));
+  addChild(inertia, "iyy", position, textOf(m(1, 1)));
+  addChild(inertia, "iyz", position, textOf(m(1, 2)));
+  addChild(inertia, "izz", position, textOf(m(2, 2)));
+}
+
+}  // namespace
+
+void addLink(const Robot& robot, const Link& link, const Extensions& extensions, Element& model) {
+  Element& element = addChild(model, "link", link.xml->position);
+  setAttribute(element, "name", link.name, link.xml->position);
+  if (link.joint) {
+    const SourcePosition& position = positionIn(*link.joint->xml, "origin");
+    const auto type = link.joint->urdf->type;
+    if (type == ::urdf::Joint::FLOATING || type == ::urdf::Joint::PLANAR) {
+      const std::string& parent = robot.links[link.joint->parent].name;
+      addPose(element, link.joint->X_ParentJoint, position, parent == "world" ? "__model__" : parent);
+    } else {
+      addPose(element, Pose(), position, link.joint->urdf->name);
+    }
+  }
+  if (link.inertial) addInertial(*link.inertial, element);
+
+  PartsWriter parts(link, extensions, element);
+  parts.addCollisions(link, Pose());
+  for (const Lumped& lumped : link.lumped) parts.addCollisions(robot.links[lumped.link], lumped.X_TargetLink);
+  parts.addVisuals(link, Pose());
+  for (const Lumped& lumped : link.lumped) parts.addVisuals(robot.links[lumped.link], lumped.X_TargetLink);
+  extensions.addToLink(link.name, element);
+  for (const Lumped& lumped : link.lumped) extensions.addToLink(robot.links[lumped.link].name, element);
+}
+
+void addFrames(const Robot& robot, const Link& link, Element& model) {
+  const std::string& joint = link.joint->urdf->name;
+  Element& jointFrame = addChild(model, "frame", link.joint->xml->position);
+  setAttribute(jointFrame, "name", joint, link.joint->xml->position);
+  setAttribute(jointFrame, "attached_to", robot.links[link.joint->parent].name, link.joint->xml->position);
+  addPose(jointFrame, link.joint->X_ParentJoint, positionIn(*link.joint->xml, "origin"));
+  Element& linkFrame = addChild(model, "frame", link.xml->position);
+  setAttribute(linkFrame, "name", link.name, link.xml->position);
+  setAttribute(linkFrame, "attached_to", joint, link.xml->position);
+}
+
+}  // namespace pongsim::urdf

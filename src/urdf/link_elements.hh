@@ -1,0 +1,15 @@
+#pragma once
+
+#include "pongsim/element.hh"
+#include "urdf/extensions.hh"
+#include "urdf/robot.hh"
+
+namespace pongsim::urdf {
+
+/// Adds a `<link>` to the model, with all that has become part of it.
+void addLink(const Robot& robot, const Link& link, const Extensions& extensions, Element& model);
+
+/// Adds two `<frame>` to the model for a link that has become part of another one: where its joint was, and itself.
+void addFrames(const Robot& robot, const Link& link, Element& model);
+
+}  // namespace pongsim::urdf

@@ -1,0 +1,101 @@
+#include "urdf/robot.hh"
+
+#include <string_view>
+#include <unordered_map>
+
+namespace pongsim::urdf {
+
+namespace {
+
+Pose poseFrom(const ::urdf::Pose& pose) {
+  return {{pose.position.x, pose.position.y, pose.position.z},
+          Quaternion(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z).normalized()};
+}
+
+std::optional<Inertial> inertialFrom(const ::urdf::Link& link, const Element& xml) {
+  if (link.inertial == nullptr) return std::nullopt;
+  const ::urdf::Inertial& given = *link.inertial;
+  const Pose X_LinkCom = poseFrom(given.origin);
+  Inertial inertial;
+  inertial.mass = given.mass;
+  inertial.com = X_LinkCom.position;
+  inertial.moments << given.ixx, given.ixy, given.ixz, given.ixy, given.iyy, given.iyz, given.ixz, given.iyz, given.izz;
+  if (!X_LinkCom.rotation.vec().isZero(0)) {
+    const Matrix3 rotation = X_LinkCom.rotation.toRotationMatrix();
+    inertial.moments = rotation * inertial.moments * rotation.transpose();
+  }
+  inertial.position = positionIn(xml, "inertial");
+  return inertial;
+}
+
+/// urdfdom's parts come in the order of the file.
+template <class UrdfPart>
+Part partFrom(const UrdfPart& part, const std::string& link, const Element* xml) {
+  return {part.name, link, xml, poseFrom(part.origin), part.geometry, nullptr};
+}
+
+Link linkFrom(const ::urdf::Link& given, const Element& xml) {
+  Link link;
+  link.name = given.name;
+  link.xml = &xml;
+  link.inertial = inertialFrom(given, xml);
+  const std::vector<const Element*> collisions = xml.childrenNamed("collision");
+  for (std::size_t i = 0; i < given.collision_array.size(); ++i) {
+    link.collisions.push_back(partFrom(*given.collision_array[i], link.name, collisions.at(i)));
+  }
+  const std::vector<const Element*> visuals = xml.childrenNamed("visual");
+  for (std::size_t i = 0; i < given.visual_array.size(); ++i) {
+    link.visuals.push_back(partFrom(*given.visual_array[i], link.name, visuals.at(i)));
+    link.visuals.back().material = given.visual_array[i]->material;
+  }
+  return link;
+}
+
+/// Where the parts of a robot stand, by their names.
+using PartsByName = std::unordered_map<std::string_view, const Element*>;
+
+PartsByName partsNamed(const Element& robot, std::string_view kind) {
+  PartsByName parts;
+  for (const Element& part : robot.children) {
+    if (part.name == kind) parts.emplace(part.attribute("name")->value, &part);
+  }
+  return parts;
+}
+
+class Reader {
+ public:
+  Reader(const Element& xml, Robot& robot)
+      : robot_(robot), links_(partsNamed(xml, "link")), joints_(partsNamed(xml, "joint")) {}
+
+  void read(const ::urdf::Link& link, std::optional<Joint> joint) {
+    const std::size_t index = robot_.links.size();
+    robot_.links.push_back(linkFrom(link, *links_.at(link.name)));
+    robot_.links.back().joint = std::move(joint);
+    for (const ::urdf::LinkSharedPtr& child : link.child_links) {
+      const ::urdf::JointSharedPtr& between = child->parent_joint;
+      read(*child,
+           Joint{joints_.at(between->name), between, index, poseFrom(between->parent_to_joint_origin_transform)});
+    }
+  }
+
+ private:
+  Robot& robot_;
+  PartsByName links_;
+  PartsByName joints_;
+};
+
+}  // namespace
+
+Robot robotFrom(const ::urdf::ModelInterface& model, const Element& xml) {
+  Robot robot;
+  robot.xml = &xml;
+  Reader(xml, robot).read(*model.getRoot(), std::nullopt);
+  return robot;
+}
+
+const SourcePosition& positionIn(const Element& part, std::string_view child) {
+  const Element* found = part.child(child);
+  return found != nullptr ? found->position : part.position;
+}
+
+}  // namespace pongsim::urdf

@@ -1,0 +1,54 @@
+#include "assets/gray_image.hh"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/png_file.hh"
+#include "support/temp_folder.hh"
+
+namespace pongsim::assets {
+namespace {
+
+TEST(GrayImage, HasItsPixelsFromTheTop) {
+  const test::TempFolder folder;
+  const auto found = readGrayImage(folder.write("a.png", test::grayPng(3, {0, 10, 20, 30, 128, 255})));
+  const auto* image = std::get_if<GrayImage>(&found);
+  ASSERT_NE(image, nullptr) << std::get<Problem>(found).text;
+  EXPECT_EQ(image->width, 3U);
+  EXPECT_EQ(image->height, 2U);
+  EXPECT_EQ(image->at(2, 0), 20);
+  EXPECT_EQ(image->at(1, 1), 128);
+}
+
+TEST(GrayImage, SaysWhyAFileIsNotRead) {
+  const test::TempFolder folder;
+  const auto problemOf = [](const std::filesystem::path& file) {
+    const auto found = readGrayImage(file);
+    const auto* problem = std::get_if<Problem>(&found);
+    return problem != nullptr ? problem->text : "(none)";
+  };
+  EXPECT_TRUE(problemOf(folder.path() / "none.png").starts_with("can't be read as a PNG image: "));
+  EXPECT_TRUE(problemOf(folder.write("a.png", "no image")).starts_with("can't be read as a PNG image: "));
+  std::string huge = test::grayPng(1, {0});
+  huge[18] = 100;
+  EXPECT_NE(problemOf(folder.write("b.png", huge)), "(none)");
+}
+
+TEST(GrayImage, BearsBrokenFiles) {
+  const test::TempFolder folder;
+  std::mt19937 random(1);
+  const std::string sound = test::grayPng(8, std::vector<std::uint8_t>(64, 100));
+  for (int i = 0; i < 300; ++i) {
+    std::string broken = sound;
+    broken[random() % broken.size()] = static_cast<char>(random() & 0xFFU);
+    if (i % 3 == 0) broken.resize(random() % broken.size());
+    const auto found = readGrayImage(folder.write("m.png", broken));
+    if (const auto* image = std::get_if<GrayImage>(&found)) {
+      EXPECT_EQ(image->pixels.size(), image->width * image->height);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pongsim::assets
