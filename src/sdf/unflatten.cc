@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -87,6 +89,7 @@ bool isModelFrame(const Element& element) {
 
 void unflatten(Element& model, Context& context) {
   std::vector<Element> inner;
+  std::unordered_map<std::string, std::size_t> indexOfName;
   for (Element& part : model.children) {
     const std::string name(innerModel(part));
     if (name.empty()) continue;
@@ -95,19 +98,19 @@ void unflatten(Element& model, Context& context) {
                                                    " deep in the name of a " + part.name);
       continue;
     }
-    auto found = std::ranges::find(inner, name, [](const Element& each) { return each.attributes.front().value; });
-    if (found == inner.end()) {
+    const auto [found, isNew] = indexOfName.try_emplace(name, inner.size());
+    if (isNew) {
       Element& added = inner.emplace_back();
       added.name = "model";
       added.attributes.push_back({"name", name, part.attribute("name")->position});
       added.position = part.position;
-      found = std::prev(inner.end());
     }
     PrefixRemover(name).removeFrom(part);
+    Element& target = inner[found->second];
     if (isModelFrame(part)) {
-      takeModelFrame(part, *found);
+      takeModelFrame(part, target);
     } else {
-      found->children.push_back(std::move(part));
+      target.children.push_back(std::move(part));
     }
     // what has gone
     part.name.clear();
