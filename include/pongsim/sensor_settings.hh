@@ -39,7 +39,7 @@ struct ImuSettings {
   /// What the orientation is measured in: "ENU", "NED", "NWU", "CUSTOM" or one that Fortress takes and ignores; empty:
   /// the sensor's own orientation at the start.
   std::string localization;
-  /// With "CUSTOM": orientation in the world frame of what the orientation is measured in.
+  /// With "CUSTOM": orientation of what the orientation is measured in, in the world frame turned by its heading.
   Quaternion customRotation = Quaternion::Identity();
   bool operator==(const ImuSettings&) const = default;
 };

@@ -18,10 +18,10 @@ constexpr double kQuarterTurn = std::numbers::pi / 2;
 
 /// @return Orientation in the world of what a sensor's orientation is measured in.
 Quaternion referenceOf(const Sensor& sensor, const ImuSettings& settings, const World& world) {
-  if (settings.localization == "CUSTOM") return settings.customRotation;
   // the world's frame is ENU, turned by its heading
   const Quaternion heading = fromRollPitchYaw(0, 0, world.heading());
   if (settings.localization == "ENU") return heading;
+  if (settings.localization == "CUSTOM") return heading * settings.customRotation;
   if (settings.localization == "NED") return heading * fromRollPitchYaw(kHalfTurn, 0, kQuarterTurn);
   if (settings.localization == "NWU") return heading * fromRollPitchYaw(0, 0, kQuarterTurn);
   return sensor.pose().rotation;

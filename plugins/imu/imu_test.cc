@@ -118,8 +118,8 @@ TEST_F(ImuTest, TellsItsOrientationInTheFrameThatTheFileAsksFor) {
       {"<localization>NWU</localization>", fromRollPitchYaw(0, 0, -half / 2 - 0.1)},
       {"<localization>NED</localization>",
        fromRollPitchYaw(half, 0, half / 2).conjugate() * fromRollPitchYaw(0, 0, -0.1)},
-      {"<localization>CUSTOM</localization><custom_rpy parent_frame='world'>0 0 1</custom_rpy>",
-       fromRollPitchYaw(0, 0, -1)}};
+      {"<localization>CUSTOM</localization><custom_rpy parent_frame='world'>0.5 0 0</custom_rpy>",
+       fromRollPitchYaw(-0.5, 0, 0) * fromRollPitchYaw(0, 0, -0.1)}};
   for (const auto& [frame, expected] : frames) {
     start({.gravity = "0 0 0",
            .environment = "<spherical_coordinates><heading_deg>5.729577951308232</heading_deg></spherical_coordinates>",

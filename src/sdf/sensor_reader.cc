@@ -26,14 +26,19 @@ std::string joined(std::initializer_list<std::string_view> words) {
 void readReferenceFrame(const Element& element, ImuSettings& settings, Context& context) {
   settings.localization = childText(element, "localization");
   if (settings.localization.empty()) settings.localization = "CUSTOM";
+  if (settings.localization != "CUSTOM") return;
   const Element* rpy = element.child("custom_rpy");
-  if (rpy == nullptr) return;
-  const Vector3 angles = readVector(element, "custom_rpy", Vector3::Zero(), context);
-  settings.customRotation = fromRollPitchYaw(angles.x(), angles.y(), angles.z());
-  const std::string parent = rpy->attributeOr("parent_frame", "");
-  if (!parent.empty() && parent != "world") {
-    context.diagnostics.warning(rpy->attribute("parent_frame")->position,
-                                "<custom_rpy> is measured in the world, not in '" + parent + "'");
+  const bool isInWorld = rpy != nullptr && rpy->attributeOr("parent_frame", "") == "world";
+  if (isInWorld) {
+    const Vector3 angles = readVector(element, "custom_rpy", Vector3::Zero(), context);
+    settings.customRotation = fromRollPitchYaw(angles.x(), angles.y(), angles.z());
+    return;
+  }
+  // as in Fortress
+  settings.localization.clear();
+  if (rpy != nullptr) {
+    context.diagnostics.warning(rpy->position, "<custom_rpy> counts with parent_frame=\"world\" only",
+                                "the orientation is measured from the one at the start instead");
   }
 }
 

@@ -48,10 +48,12 @@ TEST(Sensor, ReadsAnImu) {
 }
 
 TEST(Sensor, WarnsOfAnImuWhoseFrameIsMeasuredElsewhere) {
-  EXPECT_EQ(loadLink("<sensor name='s' type='imu'><imu><orientation_reference_frame>\n"
-                     "<custom_rpy parent_frame='l'>0 0 1</custom_rpy></orientation_reference_frame></imu></sensor>")
-                .messages,
-            Messages{"t.sdf:5:13: warning: <custom_rpy> is measured in the world, not in 'l'"});
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='imu'><imu><orientation_reference_frame>\n"
+      "<custom_rpy>0 0 1</custom_rpy></orientation_reference_frame></imu></sensor>");
+  EXPECT_EQ(loaded.messages, Messages{"t.sdf:5:1: warning: <custom_rpy> counts with parent_frame=\"world\" only | the "
+                                      "orientation is measured from the one at the start instead"});
+  EXPECT_EQ(std::get<ImuSettings>(sensorOf(loaded).settings).localization, "");
 }
 
 TEST(Sensor, ReadsAContactSensor) {
