@@ -2,6 +2,7 @@
 
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace pongsim::urdf {
 
@@ -67,18 +68,30 @@ class Reader {
   Reader(const Element& xml, Robot& robot)
       : robot_(robot), links_(partsNamed(xml, "link")), joints_(partsNamed(xml, "joint")) {}
 
-  void read(const ::urdf::Link& link, std::optional<Joint> joint) {
-    const std::size_t index = robot_.links.size();
-    robot_.links.push_back(linkFrom(link, *links_.at(link.name)));
-    robot_.links.back().joint = std::move(joint);
-    for (const ::urdf::LinkSharedPtr& child : link.child_links) {
-      const ::urdf::JointSharedPtr& between = child->parent_joint;
-      read(*child,
-           Joint{joints_.at(between->name), between, index, poseFrom(between->parent_to_joint_origin_transform)});
+  void read(const ::urdf::Link& root) {
+    // not by recursion: a chain of links may be long
+    std::vector<Next> stack{{&root, std::nullopt}};
+    while (!stack.empty()) {
+      Next next = std::move(stack.back());
+      stack.pop_back();
+      const std::size_t index = robot_.links.size();
+      robot_.links.push_back(linkFrom(*next.link, *links_.at(next.link->name)));
+      robot_.links.back().joint = std::move(next.joint);
+      const auto& children = next.link->child_links;
+      for (auto child = children.rbegin(); child != children.rend(); ++child) {
+        const ::urdf::JointSharedPtr& joint = (*child)->parent_joint;
+        stack.push_back({child->get(), Joint{joints_.at(joint->name), joint, index,
+                                             poseFrom(joint->parent_to_joint_origin_transform)}});
+      }
     }
   }
 
  private:
+  struct Next {
+    const ::urdf::Link* link;
+    std::optional<Joint> joint;
+  };
+
   Robot& robot_;
   PartsByName links_;
   PartsByName joints_;
@@ -89,7 +102,7 @@ class Reader {
 Robot robotFrom(const ::urdf::ModelInterface& model, const Element& xml) {
   Robot robot;
   robot.xml = &xml;
-  Reader(xml, robot).read(*model.getRoot(), std::nullopt);
+  Reader(xml, robot).read(*model.getRoot());
   return robot;
 }
 

@@ -12,7 +12,7 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// Far beyond any robot, and far below what the recursion over a tree can bear.
+/// Far beyond any robot, and far below what urdfdom can bear, which takes a tree down by recursion.
 constexpr std::size_t kMostLinks = 5000;
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
