@@ -26,7 +26,6 @@ class Body {
   const btRigidBody& rigid() const { return rigid_; }
   world::Slot link() const { return link_; }
   bool moves() const { return moves_; }
-  const LinkShape& shape() const { return shape_; }
   bool collides() const { return !shape_.empty(); }
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }

@@ -1,9 +1,11 @@
 #include "physics/contact_list.hh"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "physics/convert.hh"
 
@@ -11,12 +13,10 @@ namespace pongsim::physics {
 
 namespace {
 
-/// @return The id of the collision whose part of the body's shape has that number.
-CollisionId collisionOf(const btCollisionObject& object, int part, const std::deque<Body>& bodies,
-                        const world::Entities& entities) {
+/// @param number Of the collision in its link, which `combineSurfacesAsFortress` has put into the point.
+CollisionId collisionOf(const btCollisionObject& object, int number, const world::Entities& entities) {
   const auto link = static_cast<world::Slot>(object.getUserIndex());
-  const std::size_t collision = bodies[link].shape().collisionOfPart(part);
-  return entities.collisions()[entities.links()[link].firstCollision + collision].id;
+  return entities.collisions()[entities.links()[link].firstCollision + static_cast<std::size_t>(number)].id;
 }
 
 Contact contactAt(const btManifoldPoint& point, double dt) {
@@ -41,7 +41,7 @@ bool comesFirst(const Contact& a, const Contact& b) {
 
 }  // namespace
 
-void listContacts(btDispatcher& dispatcher, const std::deque<Body>& bodies, const world::Entities& entities, double dt,
+void listContacts(btDispatcher& dispatcher, const world::Entities& entities, double dt,
                   std::vector<Contact>& contacts) {
   contacts.clear();
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
@@ -51,8 +51,8 @@ void listContacts(btDispatcher& dispatcher, const std::deque<Body>& bodies, cons
       // Bullet keeps points that are near, too
       if (point.getDistance() > 0 && point.m_appliedImpulse <= 0) continue;
       Contact contact = contactAt(point, dt);
-      contact.collision1 = collisionOf(*manifold.getBody0(), point.m_index0, bodies, entities);
-      contact.collision2 = collisionOf(*manifold.getBody1(), point.m_index1, bodies, entities);
+      contact.collision1 = collisionOf(*manifold.getBody0(), point.m_index0, entities);
+      contact.collision2 = collisionOf(*manifold.getBody1(), point.m_index1, entities);
       if (contact.collision2 < contact.collision1) {
         std::swap(contact.collision1, contact.collision2);
         contact.normal = -contact.normal;

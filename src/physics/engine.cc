@@ -119,7 +119,7 @@ Engine::Reaction Engine::jointReaction(world::Slot joint) {
 }
 
 void Engine::contacts(std::vector<Contact>& contacts) const {
-  listContacts(*parts_->world.bullet().getDispatcher(), parts_->bodies, parts_->entities, parts_->dt, contacts);
+  listContacts(*parts_->world.bullet().getDispatcher(), parts_->entities, parts_->dt, contacts);
 }
 
 void Engine::step(Time dt, world::State& state) {

@@ -85,7 +85,7 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool
     if (shape == nullptr) continue;
     shape->setUserPointer(const_cast<description::Surface*>(&collision.surface));
     parts_.push_back(shape);
-    collisionOfPart_.push_back(i);
+    shape->setUserIndex(static_cast<int>(i));
     poses.push_back(X_BodyPart);
   }
 

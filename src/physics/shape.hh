@@ -2,7 +2,6 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -13,7 +12,7 @@
 namespace pongsim::physics {
 
 /// What a link collides with: all its collisions as one Bullet shape. Each part's user pointer is the
-/// `description::Surface` of its collision.
+/// `description::Surface` of its collision, its user index the number of that collision in the link.
 class LinkShape {
  public:
   /// Shapes of kinds that are not built yet are left out.
@@ -24,18 +23,12 @@ class LinkShape {
   bool empty() const { return parts_.empty(); }
   /// @return The whole; an empty shape where there is nothing to collide with.
   btCollisionShape* root() const { return root_; }
-  /// @param part Its number in the compound; where there is one part only, any number is it.
-  /// @return The number of the part's collision in the link.
-  std::size_t collisionOfPart(int part) const {
-    return collisionOfPart_.size() == 1 ? collisionOfPart_[0] : collisionOfPart_.at(static_cast<std::size_t>(part));
-  }
 
  private:
   std::vector<std::unique_ptr<TriangleSurface>> surfaces_;
   std::vector<std::unique_ptr<btCollisionShape>> owned_;
   /// Some of the above each.
   std::vector<btCollisionShape*> parts_;
-  std::vector<std::size_t> collisionOfPart_;
   std::unique_ptr<btCollisionShape> holder_;
   btCollisionShape* root_ = nullptr;
 };

@@ -13,25 +13,32 @@ namespace pongsim::physics {
 
 namespace {
 
-/// @return The surface of the part that is in touch, also where it is a part of a compound, or a triangle of a part.
-const description::Surface* surfaceOf(const btCollisionObjectWrapper* wrapper) {
+/// @return The shape of the part that is in touch, also where it is a part of a compound, or a triangle of a part; null
+/// for one that is not ours.
+const btCollisionShape* partOf(const btCollisionObjectWrapper* wrapper) {
   for (; wrapper != nullptr; wrapper = wrapper->m_parent) {
-    const void* const surface = wrapper->getCollisionShape()->getUserPointer();
-    if (surface != nullptr) return static_cast<const description::Surface*>(surface);
+    if (wrapper->getCollisionShape()->getUserPointer() != nullptr) return wrapper->getCollisionShape();
   }
   return nullptr;
 }
 
+const description::Surface& surfaceOf(const btCollisionShape& part) {
+  return *static_cast<const description::Surface*>(part.getUserPointer());
+}
+
 bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, int /*partA*/, int /*indexA*/,
              const btCollisionObjectWrapper* wrapperB, int partB, int indexB) {
-  const description::Surface* a = surfaceOf(wrapperA);
-  const description::Surface* b = surfaceOf(wrapperB);
+  const btCollisionShape* a = partOf(wrapperA);
+  const btCollisionShape* b = partOf(wrapperB);
   if (a == nullptr || b == nullptr) return false;
   if (wrapperB->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE) {
     btAdjustInternalEdgeContacts(point, wrapperB, wrapperA, partB, indexB, BT_TRIANGLE_CONCAVE_DOUBLE_SIDED);
   }
-  point.m_combinedFriction = std::min(a->mu, b->mu);
-  point.m_combinedRestitution = a->restitution * b->restitution;
+  point.m_combinedFriction = std::min(surfaceOf(*a).mu, surfaceOf(*b).mu);
+  point.m_combinedRestitution = surfaceOf(*a).restitution * surfaceOf(*b).restitution;
+  // which collisions of their links; Bullet leaves the number of a triangle here, or none
+  point.m_index0 = a->getUserIndex();
+  point.m_index1 = b->getUserIndex();
   return true;
 }
 

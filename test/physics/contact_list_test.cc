@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <memory>
+
 #include "physics/rig.hh"
 
 namespace pongsim::physics {
@@ -79,6 +82,41 @@ TEST(ContactList, TellsThePartsApartWhereBothHaveSeveral) {
     const std::size_t side = contact.position.x() < 0 ? 0 : 1;
     EXPECT_EQ(contact.collision1, rig.entities.collisions()[side].id);
     EXPECT_EQ(contact.collision2, rig.entities.collisions()[2 + side].id);
+  }
+}
+
+// a post beside a field of eight triangles: a triangle's number must not pass for a collision's
+TEST(ContactList, NamesAMeshAmongOtherParts) {
+  description::TriangleMesh field;
+  for (const double y : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
+    for (const double x : {-1.0, 1.0}) field.vertices.emplace_back(x, y, 0);
+  }
+  for (std::uint32_t row = 0; row < 4; ++row) {
+    const std::uint32_t first = 2 * row;
+    field.triangles.push_back({first, first + 1, first + 3});
+    field.triangles.push_back({first, first + 3, first + 2});
+  }
+  description::Mesh mesh;
+  mesh.triangles = std::make_shared<description::TriangleMesh>(field);
+  description::Link ground;
+  ground.name = "ground";
+  test::addCollision(ground, description::Box{{0.2, 0.2, 2}});
+  ground.collisions[0].X_LinkCollision.position = {5, 0, 0};
+  test::addCollision(ground, mesh);
+  description::Model below = test::makeModel("ground", {ground});
+  below.isStatic = true;
+  description::Link ball = test::makeLink("ball", {0.3, 1.4, 0.1}, 1, {0.004, 0.004, 0.004});
+  test::addCollision(ball, description::Sphere{0.1});
+  description::World world;
+  world.models = {below, test::makeModel("ball", {ball})};
+  test::Rig rig(world);
+  rig.step(200);
+  std::vector<Contact> contacts;
+  rig.engine.contacts(contacts);
+  ASSERT_FALSE(contacts.empty());
+  for (const Contact& contact : contacts) {
+    EXPECT_EQ(contact.collision1, rig.entities.collisions()[1].id);
+    EXPECT_EQ(contact.collision2, rig.entities.collisions()[2].id);
   }
 }
 
