@@ -54,12 +54,16 @@ class PONGSIM_API System {
   virtual void update(const StepInfo&) {}
   /// After the physics: the place to read the state and to publish.
   virtual void postUpdate(const StepInfo&) {}
-  /// The world was set back to its start.
+  /// The world was set back to its start, its random numbers too. Comes after `worldChanged` where both do.
   virtual void reset() {}
+  /// Models or joints have come or gone. The place to look for what is new, and to let go of handles whose `exists`
+  /// says no: a system that asks them for more (`Gone`) rests until the next reset. The systems of a model that is
+  /// removed go with it and are not called.
+  virtual void worldChanged() {}
 };
 
 /// Version of what a system library and pongsim agree on. A library with another one is not loaded.
-inline constexpr std::uint32_t kAbiVersion = 1;
+inline constexpr std::uint32_t kAbiVersion = 2;
 
 /// One system of a library.
 struct SystemEntry {

@@ -54,6 +54,24 @@ DynamicsWorld::DynamicsWorld(const Settings& settings)
   info.m_minimumSolverBatchSize = 1;
 }
 
+void DynamicsWorld::moved(btRigidBody& body) {
+  if (body.getBroadphaseProxy() == nullptr) return;
+  world_->updateSingleAabb(&body);
+  broadphase_.getOverlappingPairCache()->cleanProxyFromPairs(body.getBroadphaseProxy(), &dispatcher_);
+}
+
+void DynamicsWorld::separate(btRigidBody& a, btRigidBody& b) {
+  if (a.getBroadphaseProxy() == nullptr || b.getBroadphaseProxy() == nullptr) return;
+  broadphase_.getOverlappingPairCache()->removeOverlappingPair(a.getBroadphaseProxy(), b.getBroadphaseProxy(),
+                                                               &dispatcher_);
+}
+
+void DynamicsWorld::findPairsOf(btRigidBody& body) {
+  btBroadphaseProxy* proxy = body.getBroadphaseProxy();
+  if (proxy == nullptr) return;
+  broadphase_.setAabbForceUpdate(proxy, proxy->m_aabbMin, proxy->m_aabbMax, &dispatcher_);
+}
+
 void DynamicsWorld::step(double dt) {
   forgetRolledContacts(dt);
   world_->stepSimulation(dt, 0);

@@ -19,6 +19,15 @@ class DynamicsWorld {
 
   btDiscreteDynamicsWorld& bullet() { return *world_; }
 
+  /// Forgets what touches the body, which is somewhere else now, and finds what it may touch there.
+  void moved(btRigidBody& body);
+
+  /// Forgets that the two may touch, and what they touched.
+  void separate(btRigidBody& a, btRigidBody& b);
+
+  /// Finds what the body may touch now that the filter says otherwise than before.
+  void findPairsOf(btRigidBody& body);
+
   /// One step of exactly `dt` [s].
   void step(double dt);
 

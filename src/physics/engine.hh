@@ -51,6 +51,23 @@ class Engine {
   /// smaller one first.
   void contacts(std::vector<Contact>& contacts) const;
 
+  /// Makes the bodies and joints of what has come into `entities` since the last call, where they are at the start.
+  /// @throws std::invalid_argument as the constructor does; nothing is changed then.
+  void grow();
+
+  /// Lets go of what has gone from `entities`. The descriptions of that must live until then.
+  void remove(const world::Removal& removal);
+
+  /// Makes everything anew from `entities`, as at the start.
+  void reset();
+
+  /// @param gravity World frame [m/s^2], from the next step on.
+  void setGravity(const Vector3& gravity);
+
+  /// Puts a link, also one that does not move, somewhere else; what touched it there is forgotten. Velocities stay, and
+  /// joints are not looked at.
+  void setLinkPose(world::Slot link, const Pose& X_WorldLink);
+
   /// Makes one step of length `dt` and writes what has moved into `state`. Allocates nothing once contacts have
   /// settled.
   /// @throws std::runtime_error naming a link whose motion has become infinite or not a number.
