@@ -89,6 +89,27 @@ void Body::setVelocity(const Vector3& linear, const Vector3& angular) {
   rigid_.setAngularVelocity(toBullet(angular));
 }
 
+void Body::transfer(StateArchive& archive) {
+  // the matrix itself: a quaternion made of it is another by a bit
+  btTransform transform = rigid_.getWorldTransform();
+  transferVector(archive, transform.getOrigin());
+  for (int row = 0; row < 3; ++row) transferVector(archive, transform.getBasis()[row]);
+  btVector3 linear = rigid_.getLinearVelocity();
+  btVector3 angular = rigid_.getAngularVelocity();
+  btVector3 force = rigid_.getTotalForce();
+  btVector3 torque = rigid_.getTotalTorque();
+  for (btVector3* vector : {&linear, &angular, &force, &torque}) transferVector(archive, *vector);
+  if (!archive.isGiving()) return;
+  rigid_.setWorldTransform(transform);
+  rigid_.setInterpolationWorldTransform(transform);
+  rigid_.updateInertiaTensor();
+  rigid_.setLinearVelocity(linear);
+  rigid_.setAngularVelocity(angular);
+  rigid_.clearForces();
+  rigid_.applyCentralForce(force);
+  rigid_.applyTorque(torque);
+}
+
 bool Body::read(world::LinkState& state) const {
   state.X_WorldLink = fromBullet(rigid_.getWorldTransform()) * X_BodyLink_;
   state.w_WorldLink = fromBullet(rigid_.getAngularVelocity());

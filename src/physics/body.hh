@@ -4,6 +4,7 @@
 
 #include "physics/mass.hh"
 #include "physics/shape.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -43,6 +44,9 @@ class Body {
 
   /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], world frame.
   void setVelocity(const Vector3& linear, const Vector3& angular);
+
+  /// All that it remembers from step to step.
+  void transfer(StateArchive& archive);
 
   /// Writes where the link is and how fast.
   /// @return Whether all of it is finite and within reason.

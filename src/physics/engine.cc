@@ -52,7 +52,6 @@ struct Engine::Parts {
 };
 
 Engine::Parts::~Parts() {
-  for (const auto& joint : joints) world.bullet().removeConstraint(joint.get());
   for (const auto& body : bodies) {
     if (body->rigid().getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&body->rigid());
   }
@@ -79,17 +78,13 @@ void Engine::Parts::addJoints() {
     const description::Joint& description = *record.description;
     joints.push_back(std::make_unique<Joint>(description, end(record.parentLink, description.X_ParentJoint),
                                              end(record.childLink, description.X_ChildJoint)));
-    Joint& joint = *joints.back();
-    const bool holdsSomething = joint.getRigidBodyA().getInvMass() > 0 || joint.getRigidBodyB().getInvMass() > 0;
-    if (holdsSomething) world.bullet().addConstraint(&joint);
-    world.separate(joint.getRigidBodyA(), joint.getRigidBodyB());
+    world.separate(joints.back()->getRigidBodyA(), joints.back()->getRigidBodyB());
   }
 }
 
 void Engine::Parts::remove(const world::Removal& removal) {
   std::vector<btRigidBody*> freed;
   for (const world::Slot slot : removal.joints) {
-    world.bullet().removeConstraint(joints[slot].get());
     freed.push_back(&joints[slot]->getRigidBodyA());
     freed.push_back(&joints[slot]->getRigidBodyB());
   }
@@ -109,10 +104,19 @@ void Engine::Parts::remove(const world::Removal& removal) {
 
 void Engine::Parts::renumber() {
   moving.clear();
+  std::vector<btRigidBody*> movingRigid;
   for (world::Slot link = 0; link < bodies.size(); ++link) {
     bodies[link]->setLink(link);
-    if (bodies[link]->moves()) moving.push_back(bodies[link].get());
+    if (!bodies[link]->moves()) continue;
+    moving.push_back(bodies[link].get());
+    movingRigid.push_back(&bodies[link]->rigid());
   }
+  std::vector<btTypedConstraint*> holding;
+  for (const auto& joint : joints) {
+    const bool holdsSomething = joint->getRigidBodyA().getInvMass() > 0 || joint->getRigidBodyB().getInvMass() > 0;
+    if (holdsSomething) holding.push_back(joint.get());
+  }
+  world.bullet().setMembers(std::move(movingRigid), std::move(holding));
 }
 
 JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
@@ -188,6 +192,17 @@ void Engine::setLinkPose(world::Slot link, const Pose& X_WorldLink) {
   Body& body = *parts_->bodies[link];
   body.setPose(X_WorldLink);
   parts_->world.moved(body.rigid());
+}
+
+void Engine::transfer(StateArchive& archive) {
+  if (archive.isGiving()) reset();
+  archive(parts_->dt);
+  for (const auto& body : parts_->bodies) body->transfer(archive);
+  for (const auto& joint : parts_->joints) joint->transfer(archive);
+  if (archive.isGiving()) {
+    for (const auto& body : parts_->bodies) parts_->world.moved(body->rigid());
+  }
+  parts_->world.transferContacts(archive);
 }
 
 void Engine::step(Time dt, world::State& state) {

@@ -5,6 +5,7 @@
 
 #include "physics/settings.hh"
 #include "pongsim/contact.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -67,6 +68,11 @@ class Engine {
   /// Puts a link, also one that does not move, somewhere else; what touched it there is forgotten. Velocities stay, and
   /// joints are not looked at.
   void setLinkPose(world::Slot link, const Pose& X_WorldLink);
+
+  /// Takes all that bodies, joints and contacts remember into `archive`, or makes everything anew and gives it that
+  /// back, so that the next steps have the bits that they would have had. Gravity and what `entities` and
+  /// `world::State` hold are not in it.
+  void transfer(StateArchive& archive);
 
   /// Makes one step of length `dt` and writes what has moved into `state`. Allocates nothing once contacts have
   /// settled.
