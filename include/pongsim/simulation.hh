@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -97,6 +99,15 @@ class PONGSIM_API Simulation {
   /// were then. Models inserted and joints made since go, removed ones come back with their systems; the other systems'
   /// `reset` is called. What is wrong with the systems that come back is added to `diagnostics`.
   void reset(Diagnostics& diagnostics);
+
+  /// @return All that the next steps depend on: time, poses, velocities, joints and what drives them, points of contact
+  /// with their forces, step size, gravity, random streams, and what the systems remember, as far as they tell it
+  /// (`System::transfer`). Messages on their way are not in it.
+  std::vector<std::byte> saveState();
+
+  /// Puts the world into a saved state, from which it goes on with the bits with which the saved one did. It must be
+  /// the same world with the same seed, models, systems and joints; one that has been changed since is refused.
+  std::optional<std::string> restoreState(std::span<const std::byte> state);
 
   static constexpr Time kLongestStep = std::chrono::seconds(1);
 

@@ -11,6 +11,7 @@
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
 #include "pongsim/random.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -60,6 +61,10 @@ class PONGSIM_API System {
   /// says no: a system that asks them for more (`Gone`) rests until the next reset. The systems of a model that is
   /// removed go with it and are not called.
   virtual void worldChanged() {}
+  /// Takes what the system remembers from step to step into `archive`, or gives it back from there. One that remembers
+  /// something and does not tell it goes on as it is where a state is restored. The random stream of its context needs
+  /// not be told, copies of it do (`Random::transfer`).
+  virtual void transfer(StateArchive&) {}
 };
 
 /// Version of what a system library and pongsim agree on. A library with another one is not loaded.

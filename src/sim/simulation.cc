@@ -14,6 +14,7 @@
 #include "sdf/loader.hh"
 #include "sim/access.hh"
 #include "sim/editor.hh"
+#include "sim/saved_state.hh"
 #include "sim/system_set.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -35,6 +36,7 @@ struct Simulation::Parts {
   static std::unique_ptr<Simulation> make(sdf::Root root, const SimulationOptions& options, Diagnostics& diagnostics);
 
   std::optional<Model> insert(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
+  sim::SystemSet* systemSet() { return systems ? &*systems : nullptr; }
   void announceChanges() {
     if (systems) systems->announceChanges();
   }
@@ -235,6 +237,12 @@ std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
 void Simulation::reset(Diagnostics& diagnostics) {
   sim::Editor(parts_->access).reset();
   if (parts_->systems) parts_->systems->reset(diagnostics);
+}
+
+std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }
+
+std::optional<std::string> Simulation::restoreState(std::span<const std::byte> state) {
+  return sim::restoreState(state, parts_->access, parts_->systemSet());
 }
 
 World Simulation::world() { return World(parts_->access); }

@@ -128,6 +128,18 @@ void SystemSet::reset(Diagnostics& diagnostics) {
   forEach([](System& system) { system.reset(); });
 }
 
+void SystemSet::transfer(StateArchive& archive) {
+  for (Slot& slot : slots_) {
+    slot.random.transfer(archive);
+    archive(slot.rests);
+    slot.system->transfer(archive);
+  }
+}
+
+void SystemSet::addTo(base::Hash& hash) const {
+  for (const Slot& slot : slots_) hash.add(slot.stream);
+}
+
 /// As they were loaded at the start: the world's, then each model's.
 void SystemSet::putInOrder() {
   const auto place = [this](const Slot& slot) {

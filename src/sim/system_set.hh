@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/hash.hh"
 #include "description/plugin.hh"
 #include "plugin/loader.hh"
 #include "pongsim/diagnostic.hh"
@@ -45,6 +46,12 @@ class SystemSet {
   /// Sets the systems back, after the world was. Those of models that have come back are made and configured anew,
   /// those of models that have gone end.
   void reset(Diagnostics& diagnostics);
+
+  /// What the systems remember, with their random streams.
+  void transfer(StateArchive& archive);
+
+  /// Adds which systems there are.
+  void addTo(base::Hash& hash) const;
 
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);

@@ -35,6 +35,23 @@ void State::remove(const Removal& removal) {
   eraseSlots(joints, removal.joints);
 }
 
+void transfer(StateArchive& archive, State& state) {
+  archive(state.time);
+  archive(state.iterations);
+  archive(state.gravity);
+  archive(state.stepSize);
+  archive(state.realTimeFactor);
+  for (LinkState& link : state.links) {
+    archive(link.X_WorldLink);
+    archive(link.v_WorldLink);
+    archive(link.w_WorldLink);
+  }
+  for (JointState& joint : state.joints) {
+    archive(joint.position);
+    archive(joint.velocity);
+  }
+}
+
 Pose modelPose(const Entities& entities, const State& state, Slot model) {
   const ModelRecord& record = entities.models()[model];
   if (record.canonicalLink == kNoSlot) return record.X_CanonicalModel;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 
@@ -43,6 +44,9 @@ struct State {
   std::vector<LinkState> links;
   std::vector<JointState> joints;
 };
+
+/// All of a state whose arrays have the right size already.
+void transfer(StateArchive& archive, State& state);
 
 /// @return Pose of the model frame in the world frame: the model moves with its canonical link.
 Pose modelPose(const Entities& entities, const State& state, Slot model);
