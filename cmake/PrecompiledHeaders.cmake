@@ -13,6 +13,10 @@ if(BUILD_TESTING)
   add_library(pongsim_test_settings INTERFACE)
   target_compile_options(pongsim_test_settings INTERFACE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(pongsim_test_settings INTERFACE pongsim_settings)
+  if(PONGSIM_UNITY_BUILD)
+    # GCC takes the file of a fixture in an anonymous namespace for a header, since it is included.
+    target_compile_options(pongsim_test_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
 
   add_library(pongsim_test_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
   target_link_libraries(pongsim_test_precompiled PRIVATE pongsim_test_settings Eigen3::Eigen GTest::gtest)

@@ -6,6 +6,7 @@ function(pongsim_layer name)
   target_include_directories(pongsim_${name} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src)
   target_link_libraries(pongsim_${name} PUBLIC Eigen3::Eigen PRIVATE pongsim_settings ${arg_USES})
   target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_precompiled)
+  set_target_properties(pongsim_${name} PROPERTIES UNITY_BUILD ${PONGSIM_UNITY_BUILD})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS pongsim_${name})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS_USE ${arg_USES})
 endfunction()
@@ -38,7 +39,8 @@ function(pongsim_test name)
   endif()
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test
-                                           POSITION_INDEPENDENT_CODE OFF)
+                                           POSITION_INDEPENDENT_CODE OFF
+                                           UNITY_BUILD ${PONGSIM_UNITY_BUILD})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} pongsim_test_support pongsim_test_settings
                                         GTest::gtest_main ${arg_USES})
   target_precompile_headers(${name} REUSE_FROM pongsim_test_precompiled)
@@ -46,9 +48,10 @@ function(pongsim_test name)
 endfunction()
 
 # pongsim_plugin_test(NAME SOURCES ... [USES third-party targets ...])
-# Tests of a system: see the installed API only, and find the systems of this build.
+# Tests of a system: see the installed API only. All go into one program, systems_test, which is quicker to build.
 function(pongsim_plugin_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
-  pongsim_test(plugin-${name}-test SOURCES ${arg_SOURCES} LINKS pongsim USES ${arg_USES})
-  add_dependencies(plugin-${name}-test pongsim-${name}-system)
+  list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGIN_TESTS ${arg_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGIN_TESTS_USE ${arg_USES})
 endfunction()

@@ -25,7 +25,7 @@ namespace pongsim::cli {
 
 namespace {
 
-struct Options {
+struct KeyOptions {
   std::string topic = "/keyboard/keypress";
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
 };
@@ -35,7 +35,7 @@ constexpr int kSequenceMs = 50;
 
 class Keyboard {
  public:
-  explicit Keyboard(const Options& options)
+  explicit Keyboard(const KeyOptions& options)
       : options_(options), publisher_(transport_.node().advertise(options.topic, "ignition.msgs.Int32")) {}
   ~Keyboard() { close(stop_); }
   Keyboard(const Keyboard&) = delete;
@@ -48,7 +48,7 @@ class Keyboard {
   void send(const std::vector<Key>& keys);
   bool findListener(bool isTerminal);
 
-  const Options& options_;
+  const KeyOptions& options_;
   // before the transport, whose threads inherit the signals' mask
   StopSignal signal_;
   int stop_ = eventfd(0, EFD_CLOEXEC);
@@ -122,7 +122,7 @@ void Keyboard::send(const std::vector<Key>& keys) {
 }  // namespace
 
 void addKeyCommand(CLI::App& program, Work& work) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<KeyOptions>();
   CLI::App* command =
       program.add_subcommand("key", "Use the terminal as a keyboard: publish the keys that are pressed");
   command->set_help_flag("-h,--help", "Print this and end");

@@ -15,7 +15,7 @@ namespace pongsim::cli {
 namespace {
 
 /// The command line as it was given.
-struct Given {
+struct MsgCommandLine {
   bool list = false;
   std::optional<std::string> infoType, templateType;
 };
@@ -26,7 +26,7 @@ int listTypes() {
   return print(text) ? kDone : kFailed;
 }
 
-Work workFor(const Given& given) {
+Work workFor(const MsgCommandLine& given) {
   if (int{given.list} + int{given.infoType.has_value()} + int{given.templateType.has_value()} != 1) {
     throw UsageError(given.list || given.infoType ? "one thing at a time" : "nothing to do given",
                      "one of --list, --info TYPE and --template TYPE");
@@ -41,7 +41,7 @@ Work workFor(const Given& given) {
 }  // namespace
 
 void addMsgCommand(CLI::App& program, Work& work) {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<MsgCommandLine>();
   CLI::App* command = program.add_subcommand("msg", "List message types, print how one is made up");
   command->set_help_flag("-h,--help", "Print this and end");
   command->add_flag("-l,--list", given->list, "Print the message types, sorted")->disable_flag_override();

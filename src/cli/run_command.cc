@@ -20,7 +20,7 @@ namespace pongsim::cli {
 
 namespace {
 
-struct Options {
+struct RunCommandOptions {
   std::string world;
   sim::RunOptions run;
   bool runAtOnce = false;
@@ -36,7 +36,7 @@ std::string shortNumber(double value) {
   return text;
 }
 
-std::string describe(Simulation& simulation, const sim::RunOptions& options) {
+std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   World world = simulation.world();
   const std::size_t models = world.models().size();
   std::string text = "world '" + std::string(world.name()) + "': " + std::to_string(models) +
@@ -52,7 +52,7 @@ std::string describe(Simulation& simulation, const sim::RunOptions& options) {
   return text + (options.paused ? ", paused" : "");
 }
 
-int runWorld(const Options& options) {
+int runWorld(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
   StopSignal signal;
   Transport transport;
@@ -66,7 +66,7 @@ int runWorld(const Options& options) {
     return kFailed;
   }
 
-  if (options.verbosity != LogLevel::kNone) say(describe(*simulation, options.run));
+  if (options.verbosity != LogLevel::kNone) say(startLine(*simulation, options.run));
   sim::Runner runner(*simulation, options.run);
   signal.onStop([&runner] { runner.stop(); });
   runner.run();
@@ -78,7 +78,7 @@ int runWorld(const Options& options) {
   return print(line) ? kDone : kFailed;
 }
 
-void checkAndSchedule(const Options& options, Work& work) {
+void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   if (options.world.empty()) throw UsageError("no world file given", "pongsim run WORLD");
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
   work = [&options] { return runWorld(options); };
@@ -87,7 +87,7 @@ void checkAndSchedule(const Options& options, Work& work) {
 }  // namespace
 
 void addRunCommand(CLI::App& program, Work& work) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = program.add_subcommand("run", "Simulate a world until SIGINT or SIGTERM");
   command->set_help_flag("-h,--help", "Print this and end");
   command

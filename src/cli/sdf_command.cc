@@ -17,7 +17,7 @@ namespace pongsim::cli {
 
 namespace {
 
-struct Options {
+struct SdfOptions {
   std::vector<std::string> files;
   bool check = false;
   bool strict = false;
@@ -40,7 +40,7 @@ Diagnostics diagnosticsOf(const std::string& file, bool strict) {
   return errors;
 }
 
-int check(const Options& options) {
+int check(const SdfOptions& options) {
   bool areValid = true;
   std::string text;
   std::vector<Diagnostic> all;
@@ -80,14 +80,14 @@ sdf::FrameGraphKind graphKind(const std::string& name) {
   throw UsageError("'" + name + "' is not a kind of graph", "the kinds are frame and pose");
 }
 
-Work describeWork(const Options& options) {
+Work describeWork(const SdfOptions& options) {
   const std::variant<sdf::NamedPart, sdf::NoPart> found = sdf::findPart(*options.element);
   if (const auto* none = std::get_if<sdf::NoPart>(&found)) throw UsageError(none->message, none->hint);
   if (!options.files.empty()) throw UsageError("--describe takes no file");
   return [text = describe(std::get<sdf::NamedPart>(found))] { return print(text) ? kDone : kFailed; };
 }
 
-Work workFor(const Options& options) {
+Work workFor(const SdfOptions& options) {
   const int tasks = static_cast<int>(options.check) + static_cast<int>(options.print) +
                     static_cast<int>(options.graph.has_value()) + static_cast<int>(options.element.has_value());
   if (tasks == 0) throw UsageError("nothing to do", "pongsim sdf --help lists what there is");
@@ -107,7 +107,7 @@ Work workFor(const Options& options) {
 }  // namespace
 
 void addSdfCommand(CLI::App& program, Work& work) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SdfOptions>();
   CLI::App* command = program.add_subcommand("sdf", "Look into world and model files, and what they may hold");
   command->set_help_flag("-h,--help", "Print this and end");
   command->add_option("FILE", options->files, "World or model files")->type_name("");

@@ -17,12 +17,12 @@ namespace pongsim::cli {
 namespace {
 
 /// The command line as it was given.
-struct Given {
+struct ServiceCommandLine {
   bool list = false, info = false;
   std::optional<std::string> service, requestType, replyType, timeout, text;
 };
 
-Work callWork(const Given& given) {
+Work callWork(const ServiceCommandLine& given) {
   CallOptions options;
   options.service = serviceOption(*given.service);
   options.text = *given.text;
@@ -35,7 +35,7 @@ Work callWork(const Given& given) {
   return [options] { return callService(options); };
 }
 
-Work workFor(const Given& given) {
+Work workFor(const ServiceCommandLine& given) {
   const int actions = int{given.list} + int{given.info} + int{given.text.has_value()};
   if (actions != 1) {
     throw UsageError(actions == 0 ? "nothing to do given" : "one thing at a time",
@@ -60,7 +60,7 @@ Work workFor(const Given& given) {
 }  // namespace
 
 void addServiceCommand(CLI::App& program, Work& work) {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<ServiceCommandLine>();
   CLI::App* command = program.add_subcommand("service", "List services, call one");
   command->set_help_flag("-h,--help", "Print this and end");
   const auto add = [command](const char* names, const char* value, const char* description,

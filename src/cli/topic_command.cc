@@ -22,7 +22,7 @@ namespace pongsim::cli {
 namespace {
 
 /// The command line as it was given.
-struct Given {
+struct TopicCommandLine {
   std::string action;
   bool list = false, info = false, echo = false, hz = false, bw = false, json = false, csv = false, verbose = false;
   std::optional<std::string> topic, type, text, file, count, duration, timeout, rate;
@@ -30,7 +30,7 @@ struct Given {
 };
 
 /// @throws UsageError where an option is given that means nothing to the action.
-void refuseOthers(const Given& given, std::string_view action) {
+void refuseOthers(const TopicCommandLine& given, std::string_view action) {
   const struct {
     const char* option;
     bool isGiven;
@@ -59,7 +59,7 @@ std::chrono::nanoseconds seconds(std::string_view option, const std::string& tex
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(value));
 }
 
-ReadOptions readOptions(const Given& given) {
+ReadOptions readOptions(const TopicCommandLine& given) {
   ReadOptions options;
   options.topic = topicOption(*given.topic);
   if (given.count && given.duration) throw UsageError("options '-n' and '-d' exclude each other");
@@ -69,7 +69,7 @@ ReadOptions readOptions(const Given& given) {
   return options;
 }
 
-Work echoWork(const Given& given) {
+Work echoWork(const TopicCommandLine& given) {
   EchoOptions options;
   options.read = readOptions(given);
   if (given.json && (given.csv || !given.fields.empty())) {
@@ -89,7 +89,7 @@ std::string textOf(const std::string& file) {
   return text;
 }
 
-Work publishWork(const Given& given) {
+Work publishWork(const TopicCommandLine& given) {
   if (!given.type) throw UsageError("'-p' needs the message's type", "pongsim topic -t TOPIC -m TYPE -p TEXT");
   if (given.text && given.file) throw UsageError("options '-p' and '--file' exclude each other");
   PublishOptions options;
@@ -109,7 +109,7 @@ Work publishWork(const Given& given) {
   return [options] { return publish(options); };
 }
 
-Work waitWork(const Given& given) {
+Work waitWork(const TopicCommandLine& given) {
   if (given.fields.size() > 1) throw UsageError("'wait' takes one condition");
   std::optional<FieldCondition> condition;
   if (!given.fields.empty()) condition = FieldCondition::parse(given.fields.front());
@@ -118,7 +118,7 @@ Work waitWork(const Given& given) {
   return [options, condition] { return waitForMessage(options, condition); };
 }
 
-Work workFor(const Given& given) {
+Work workFor(const TopicCommandLine& given) {
   if (!given.action.empty() && given.action != "wait") {
     throw UsageError("unexpected argument '" + given.action + "'", "the only word that may stand there is wait");
   }
@@ -151,7 +151,7 @@ Work workFor(const Given& given) {
 }  // namespace
 
 void addTopicCommand(CLI::App& program, Work& work) {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<TopicCommandLine>();
   CLI::App* command = program.add_subcommand("topic", "List topics, print what they carry, publish a message");
   command->set_help_flag("-h,--help", "Print this and end");
   const auto add = [command](const char* names, const char* value, const char* description,

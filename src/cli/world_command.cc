@@ -19,7 +19,7 @@ namespace pongsim::cli {
 namespace {
 
 /// The command line as it was given.
-struct Given {
+struct WorldCommandLine {
   std::string action;
   std::optional<std::string> steps, world, lines, timeout;
 };
@@ -39,7 +39,7 @@ WorldAction actionOf(const std::string& word) {
   throw UsageError("unknown action '" + word + "'", nearest.empty() ? "one of pause, play, step, stats" : nearest);
 }
 
-Work workFor(const Given& given) {
+Work workFor(const WorldCommandLine& given) {
   WorldOptions options;
   if (given.action.empty()) throw UsageError("nothing to do given", "one of pause, play, step, stats");
   options.action = actionOf(given.action);
@@ -64,7 +64,7 @@ Work workFor(const Given& given) {
 }  // namespace
 
 void addWorldCommand(CLI::App& program, Work& work) {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<WorldCommandLine>();
   CLI::App* command = program.add_subcommand("world", "Pause a running world, step it, tell how it goes");
   command->set_help_flag("-h,--help", "Print this and end");
   const auto add = [command](const char* names, const char* value, const char* description,

@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How long a wait may last before the rest of the world is looked at.
-constexpr std::chrono::milliseconds kLongestWait{20};
+constexpr std::chrono::milliseconds kLongestDispatch{20};
 
 constexpr std::string_view kBefore = "/world/", kAfter = "/control";
 
@@ -90,7 +90,7 @@ bool WorldControl::findWorld() {
     worlds = worldsOf(transport_.discoverServices(kDiscoveryTime));
     const bool found = wanted.empty() ? !worlds.empty() : std::ranges::count(worlds, wanted) > 0;
     if (found || signal_.stopped() || Clock::now() >= deadline) break;
-    transport_.dispatchFor(kLongestWait);
+    transport_.dispatchFor(kLongestDispatch);
   }
   if (worlds.empty()) {
     fail("no world runs", "start one with pongsim run WORLD");
@@ -135,7 +135,7 @@ bool WorldControl::waitForStatus(Done done) {
         over = done();
       });
   while (!over && !signal_.stopped() && !outputIsClosed()) {
-    transport_.dispatchFor(kLongestWait);
+    transport_.dispatchFor(kLongestDispatch);
     if (over || Clock::now() - lastHeard < std::max<Clock::duration>(options_.timeout, kDiscoveryTime)) {
       continue;
     }

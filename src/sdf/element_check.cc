@@ -42,13 +42,11 @@ const Schema::Part* knownPart(std::string_view name, std::span<const Schema::Par
 /// @param label "<mass>" or "attribute 'id'"
 void checkType(std::string_view type, const std::string& text, const std::string& label, const SourcePosition& position,
                Context& context) {
-  constexpr std::size_t kLongestQuote = 60;
   const std::optional<WrongValue> wrong = checkValue(type, text);
   if (!wrong) return;
-  const std::string quote = text.size() > kLongestQuote ? text.substr(0, kLongestQuote) + "..." : text;
   const bool isError = wrong->severity == Severity::kError;
   context.diagnostics.add({wrong->severity, position,
-                           label + " is '" + quote + "', which is not " + std::string(wrong->expected),
+                           label + " is '" + quoted(text) + "', which is not " + std::string(wrong->expected),
                            isError ? "" : "Fortress takes as much of it as it can"});
 }
 

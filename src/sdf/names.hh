@@ -10,6 +10,9 @@
 
 namespace pongsim::sdf {
 
+/// Between a nested model and its part, as in `arm::hand::finger`.
+inline constexpr std::string_view kNameSeparator = "::";
+
 /// Reads the attribute `name`.
 /// @param owner Whose part it is, for the message: "model 'robot'"; may be empty.
 /// @return An empty text, and an error added, where there is none or it is a name that the format keeps for itself.

@@ -7,7 +7,7 @@ namespace {
 
 using enum Use;
 
-constexpr SchemaRow kRows[] = {
+constexpr SchemaRow kCameraRows[] = {
     {"camera", "", "", '1', 0, 0, kPassed, "These elements are specific to camera sensors."},
     {"camera@name", "string", "", '0', 3, 0, kPassed, "An optional name for the camera."},
     {"camera.box_type", "string", "2d", '0', 9, 0, kPassed,
@@ -128,6 +128,6 @@ constexpr SchemaRow kRows[] = {
 
 }  // namespace
 
-std::span<const SchemaRow> cameraRows() { return kRows; }
+std::span<const SchemaRow> cameraRows() { return kCameraRows; }
 
 }  // namespace pongsim::sdf

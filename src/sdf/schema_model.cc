@@ -7,7 +7,7 @@ namespace {
 
 using enum Use;
 
-constexpr SchemaRow kRows[] = {
+constexpr SchemaRow kModelRows[] = {
     {"actor", "", "", '1', 0, 0, kPassed,
      "A special kind of model which can have a scripted motion. This includes both global waypoint type animations and "
      "skeleton animations."},
@@ -408,6 +408,6 @@ constexpr SchemaRow kRows[] = {
 
 }  // namespace
 
-std::span<const SchemaRow> modelRows() { return kRows; }
+std::span<const SchemaRow> modelRows() { return kModelRows; }
 
 }  // namespace pongsim::sdf

@@ -7,7 +7,7 @@ namespace {
 
 using enum Use;
 
-constexpr SchemaRow kRows[] = {
+constexpr SchemaRow kSensorRows[] = {
     {"air_pressure", "", "", '1', 6, 0, kRead, "These elements are specific to an air pressure sensor."},
     {"air_pressure.pressure", "", "", '0', 6, 0, kRead, "Noise parameters for the pressure data."},
     {"air_pressure.pressure.noise", "+noise", "", '0', 6, 0, kRead, ""},
@@ -339,6 +339,6 @@ constexpr SchemaRow kRows[] = {
 
 }  // namespace
 
-std::span<const SchemaRow> sensorRows() { return kRows; }
+std::span<const SchemaRow> sensorRows() { return kSensorRows; }
 
 }  // namespace pongsim::sdf

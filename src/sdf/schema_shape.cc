@@ -7,7 +7,7 @@ namespace {
 
 using enum Use;
 
-constexpr SchemaRow kRows[] = {
+constexpr SchemaRow kShapeRows[] = {
     {"box", "", "", '1', 4, 0, kRead, "Box shape"},
     {"box.size", "vector3", "1 1 1", '1', 2, 0, kRead,
      "The three side lengths of the box. The origin of the box is in its geometric center (inside the center of the "
@@ -314,6 +314,6 @@ constexpr SchemaRow kRows[] = {
 
 }  // namespace
 
-std::span<const SchemaRow> shapeRows() { return kRows; }
+std::span<const SchemaRow> shapeRows() { return kShapeRows; }
 
 }  // namespace pongsim::sdf

@@ -7,7 +7,7 @@ namespace {
 
 using enum Use;
 
-constexpr SchemaRow kRows[] = {
+constexpr SchemaRow kWorldRows[] = {
     {"atmosphere", "", "", '1', 6, 0, kRead,
      "The atmosphere tag specifies the type and properties of the atmosphere model."},
     {"atmosphere@type", "string", "adiabatic", '1', 6, 0, kPassed,
@@ -398,6 +398,6 @@ constexpr SchemaRow kRows[] = {
 
 }  // namespace
 
-std::span<const SchemaRow> worldRows() { return kRows; }
+std::span<const SchemaRow> worldRows() { return kWorldRows; }
 
 }  // namespace pongsim::sdf

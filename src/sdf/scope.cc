@@ -4,12 +4,12 @@
 
 #include "base/nearest_word.hh"
 #include "sdf/frame_graph.hh"
+#include "sdf/names.hh"
 
 namespace pongsim::sdf {
 
 namespace {
 
-constexpr std::string_view kSeparator = "::";
 // A longer cycle is told in part.
 constexpr std::size_t kLongestCycleTold = 8;
 
@@ -27,7 +27,7 @@ std::string_view kindName(FrameKind kind) {
 }
 
 std::string joined(const std::string& model, const std::string& link) {
-  return link.empty() ? std::string() : model + std::string(kSeparator) + link;
+  return link.empty() ? std::string() : model + std::string(kNameSeparator) + link;
 }
 
 }  // namespace
@@ -76,10 +76,10 @@ std::optional<Scope::Reference> Scope::lookUp(std::string_view path) const {
     return Reference{local->second, std::nullopt};
   }
   // The model's name may hold the separator itself, in files from before SDF 1.8.
-  for (std::size_t at = path.find(kSeparator); at != std::string_view::npos; at = path.find(kSeparator, at + 1)) {
+  for (std::size_t at = path.find(kNameSeparator); at != std::string_view::npos; at = path.find(kNameSeparator, at + 1)) {
     const auto model = entryOfName_.find(std::string(path.substr(0, at)));
     if (model == entryOfName_.end() || entries_[model->second].inside == nullptr) continue;
-    std::optional<Found> inside = entries_[model->second].inside->find(path.substr(at + kSeparator.size()));
+    std::optional<Found> inside = entries_[model->second].inside->find(path.substr(at + kNameSeparator.size()));
     if (!inside) continue;
     inside->link = joined(entries_[model->second].name, inside->link);
     return Reference{model->second, std::move(inside)};

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "sdf/includes.hh"
+#include "sdf/names.hh"
 
 namespace pongsim::sdf {
 
 namespace {
 
-constexpr std::string_view kSeparator = "::";
 constexpr std::string_view kModelFrame = "__model__";
 
 Element::Attribute* attributeOf(Element& element, std::string_view name) {
@@ -30,21 +30,21 @@ std::string_view innerModel(const Element& part) {
   const Element::Attribute* name = part.attribute("name");
   if (name == nullptr) return {};
   const std::string_view text = name->value;
-  const std::size_t end = text.find(kSeparator);
+  const std::size_t end = text.find(kNameSeparator);
   return end == std::string_view::npos ? std::string_view() : text.substr(0, end);
 }
 
 /// @return Whether the name is one of too many models within each other.
 bool isTooDeep(std::string_view name) {
   int depth = 0;
-  for (std::size_t at = name.find(kSeparator); at != name.npos; at = name.find(kSeparator, at + 2)) ++depth;
+  for (std::size_t at = name.find(kNameSeparator); at != name.npos; at = name.find(kNameSeparator, at + 2)) ++depth;
   return depth > Includes::kDeepestModel;
 }
 
 /// Takes the model's name away from the names in the part, for it stands in that model from now on.
 class PrefixRemover {
  public:
-  explicit PrefixRemover(std::string_view model) : prefix_(std::string(model) + std::string(kSeparator)) {}
+  explicit PrefixRemover(std::string_view model) : prefix_(std::string(model) + std::string(kNameSeparator)) {}
 
   void removeFrom(Element& part) const {
     constexpr std::array<std::string_view, 4> kAttributes{"name", "attached_to", "canonical_link", "placement_frame"};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "base/parse_number.hh"
@@ -85,6 +86,11 @@ std::optional<WrongValue> checkValue(std::string_view type, std::string_view tex
       words.size() >= found->least &&
       std::ranges::all_of(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(found->least), beginsWithNumber);
   return WrongValue{areRead ? Severity::kWarning : Severity::kError, found->expected};
+}
+
+std::string quoted(const std::string& text) {
+  constexpr std::size_t kLongest = 60;
+  return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
 }
 
 }  // namespace pongsim::sdf

@@ -20,4 +20,7 @@ struct WrongValue {
 /// @return Nothing where the text is of that type, or empty, which stands for the default.
 std::optional<WrongValue> checkValue(std::string_view type, std::string_view text);
 
+/// The text as a message quotes it: shortened where it is long.
+std::string quoted(const std::string& text);
+
 }  // namespace pongsim::sdf

@@ -7,20 +7,18 @@
 #include <vector>
 
 #include "base/parse_number.hh"
+#include "sdf/value_check.hh"
 
 namespace pongsim::sdf {
 
 namespace {
 
 constexpr double kUnlimited = 1e16;
-constexpr std::size_t kLongestQuote = 60;
 
 /// Adds "<mass> is 'x', which is not a number".
 void complain(const Element& element, std::string_view expected, Context& context, std::string hint = {}) {
-  std::string text = element.text.substr(0, kLongestQuote);
-  if (text.size() < element.text.size()) text += "...";
   context.diagnostics.error(element.position,
-                            "<" + element.name + "> is '" + text + "', which is not " + std::string(expected),
+                            "<" + element.name + "> is '" + quoted(element.text) + "', which is not " + std::string(expected),
                             std::move(hint));
 }
 

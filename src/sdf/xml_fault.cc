@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view kWhiteSpace = " \t\r\n\f\v";
 // One less than tinyxml2's limit, which counts the document itself.
 constexpr std::size_t kDeepest = 98;
-constexpr std::size_t kLongestQuote = 40;
+constexpr std::size_t kLongestName = 40;
 
 bool isNameStart(char letter) {
   const auto byte = static_cast<unsigned char>(letter);
@@ -133,7 +133,7 @@ class FaultFinder {
     const std::string_view name = readName();
     if (name.empty())
       return fail(begin, "'" + std::string(1, text_[at_]) + "' stands where an attribute should be" + inTag);
-    const std::string label = "attribute '" + std::string(name.substr(0, kLongestQuote)) + "'";
+    const std::string label = "attribute '" + std::string(name.substr(0, kLongestName)) + "'";
     skipWhiteSpace();
     if (at_ >= text_.size() || text_[at_] != '=') return fail(begin, label + inTag + " has no value");
     ++at_;

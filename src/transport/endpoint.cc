@@ -25,7 +25,7 @@ using eprosima::fastrtps::TopicAttributes;
 
 // What waits in a writer for a slow reader: so many messages, or so many bytes once there are two of them.
 constexpr std::size_t kKeptMessages = 1000;
-constexpr std::size_t kKeptBytes = 32 << 20;
+constexpr std::size_t kHistoryBytes = 32 << 20;
 
 // Repairs a lost packet at once, the way being short: loopback loses one only where a receiver's buffer is full.
 const eprosima::fastrtps::Duration_t kHeartbeatPeriod{0, 5'000'000};
@@ -118,7 +118,7 @@ void Writer::write(std::size_t messageSize, const std::function<void(std::span<s
 void Writer::makeRoomFor(std::size_t bytes) {
   const std::size_t limit = keepsLast_ ? 1 : kKeptMessages;
   rtps::CacheChange_t* oldest = nullptr;
-  while (history_.getHistorySize() >= limit || (keptBytes_ + bytes > kKeptBytes && history_.getHistorySize() > 1)) {
+  while (history_.getHistorySize() >= limit || (keptBytes_ + bytes > kHistoryBytes && history_.getHistorySize() > 1)) {
     if (!history_.get_min_change(&oldest)) return;
     keptBytes_ -= oldest->serializedPayload.length;
     history_.remove_min_change();

@@ -10,7 +10,7 @@ namespace pongsim::transport {
 namespace {
 
 // Buffers beyond this much are not kept for later.
-constexpr std::size_t kKeptBytes = 32 << 20;
+constexpr std::size_t kSpareBytes = 32 << 20;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Buffer* BufferPool::take() {
 
 void BufferPool::giveBack(Buffer* buffer) {
   if (--buffer->users > 0) return;
-  if (freeBytes_ + buffer->bytes.capacity() <= kKeptBytes) {
+  if (freeBytes_ + buffer->bytes.capacity() <= kSpareBytes) {
     freeBytes_ += buffer->bytes.capacity();
     free_.push_back(buffer);
     return;

@@ -72,16 +72,14 @@ class Reader {
     // not by recursion: a chain of links may be long
     std::vector<Next> stack{{&root, std::nullopt}};
     while (!stack.empty()) {
-      Next next = std::move(stack.back());
+      const Next next = stack.back();
       stack.pop_back();
       const std::size_t index = robot_.links.size();
       robot_.links.push_back(linkFrom(*next.link, *links_.at(next.link->name)));
-      robot_.links.back().joint = std::move(next.joint);
+      if (next.parent) robot_.links.back().joint = jointTo(*next.link, *next.parent);
       const auto& children = next.link->child_links;
       for (auto child = children.rbegin(); child != children.rend(); ++child) {
-        const ::urdf::JointSharedPtr& joint = (*child)->parent_joint;
-        stack.push_back({child->get(), Joint{joints_.at(joint->name), joint, index,
-                                             poseFrom(joint->parent_to_joint_origin_transform)}});
+        stack.push_back({child->get(), index});
       }
     }
   }
@@ -89,8 +87,14 @@ class Reader {
  private:
   struct Next {
     const ::urdf::Link* link;
-    std::optional<Joint> joint;
+    /// Index of the parent link, of which the root has none.
+    std::optional<std::size_t> parent;
   };
+
+  Joint jointTo(const ::urdf::Link& link, std::size_t parent) const {
+    const ::urdf::JointSharedPtr& joint = link.parent_joint;
+    return {joints_.at(joint->name), joint, parent, poseFrom(joint->parent_to_joint_origin_transform)};
+  }
 
   Robot& robot_;
   PartsByName links_;

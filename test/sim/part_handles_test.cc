@@ -9,7 +9,7 @@
 namespace pongsim {
 namespace {
 
-constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>
+constexpr const char* kWorldOfParts = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>
   <model name="outer"><pose>1 2 3 0 0 0</pose>
     <link name="base"><inertial><mass>2</mass></inertial>
       <visual name="look"><pose>0 0 4 0 0 0</pose><geometry><sphere/></geometry></visual>
@@ -30,7 +30,7 @@ class PartHandlesTest : public testing::Test {
  protected:
   PartHandlesTest() {
     Diagnostics diagnostics;
-    simulation_ = Simulation::fromText(kWorld, "world.sdf", {}, diagnostics);
+    simulation_ = Simulation::fromText(kWorldOfParts, "world.sdf", {}, diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
   }
   Model outer() { return simulation_->world().model("outer").value(); }

@@ -27,7 +27,7 @@ class SensorTopicTest : public testing::Test {
     subscription_ = node.subscribe("/t", "ignition.msgs.Int32", [](const Message&) {});
   }
 
-  StepInfo at(int milliseconds) const { return {std::chrono::milliseconds(milliseconds), Time(1), 1, false}; }
+  StepInfo at(int count) const { return {std::chrono::milliseconds(count), Time(1), 1, false}; }
 
   /// @return How many messages are due in the milliseconds after `from` up to `to`.
   int dueBetween(int from, int to) {
