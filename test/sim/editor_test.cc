@@ -16,7 +16,7 @@
 namespace pongsim {
 namespace {
 
-constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w">
+constexpr const char* kChangedWorld = R"(<sdf version="1.9"><world name="w">
   <model name="ground"><static>true</static><link name="link">
     <collision name="c"><geometry><plane/></geometry></collision></link></model>
   <model name="table"><static>true</static><pose>5 0 0 0 0 0</pose><link name="link"><pose>0 0 0.5 0 0 0</pose>
@@ -33,7 +33,7 @@ constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w">
     <joint name="root" type="fixed"><parent>world</parent><child>pole</child></joint></model>
   <light name="sun" type="directional"/></world></sdf>)";
 
-constexpr const char* kBox = R"(<sdf version="1.9"><model name="box"><pose>2 0 3 0 0 0</pose>
+constexpr const char* kBoxModel = R"(<sdf version="1.9"><model name="box"><pose>2 0 3 0 0 0</pose>
   <link name="body"><inertial><mass>1</mass></inertial>
     <collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision></link></model></sdf>)";
 
@@ -43,7 +43,7 @@ class ChangedWorld : public testing::Test {
 
   static std::unique_ptr<Simulation> make() {
     Diagnostics diagnostics;
-    auto simulation = Simulation::fromText(kWorld, "world.sdf", {.loadSystems = false}, diagnostics);
+    auto simulation = Simulation::fromText(kChangedWorld, "world.sdf", {.loadSystems = false}, diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
     return simulation;
   }
@@ -71,7 +71,7 @@ class ChangedWorld : public testing::Test {
 
 TEST_F(ChangedWorld, TakesAModelInThatFallsAndTouches) {
   simulation_->step(100);
-  const std::optional<Model> box = insert(kBox);
+  const std::optional<Model> box = insert(kBoxModel);
   ASSERT_TRUE(box);
   EXPECT_EQ(box->pose().position, Vector3(2, 0, 3));
   simulation_->step(2000);
@@ -86,7 +86,7 @@ TEST_F(ChangedWorld, TakesAModelInThatFallsAndTouches) {
 }
 
 TEST_F(ChangedWorld, TakesNameAndPoseFromTheCaller) {
-  const auto box = insert(kBox, {.name = "crate", .pose = Pose{{7, 0, 1}, Quaternion(2, 0, 0, 0)}});
+  const auto box = insert(kBoxModel, {.name = "crate", .pose = Pose{{7, 0, 1}, Quaternion(2, 0, 0, 0)}});
   ASSERT_TRUE(box);
   EXPECT_EQ(box->name(), "crate");
   EXPECT_EQ(box->pose().position, Vector3(7, 0, 1));
@@ -94,20 +94,20 @@ TEST_F(ChangedWorld, TakesNameAndPoseFromTheCaller) {
 }
 
 TEST_F(ChangedWorld, RefusesANameThatIsTakenOrRenames) {
-  ASSERT_TRUE(insert(kBox));
-  EXPECT_NE(refusal(kBox).find("there is a 'box' in the world already"), std::string::npos);
-  EXPECT_NE(refusal(kBox, {.name = "sun"}).find("there is a 'sun'"), std::string::npos);
-  EXPECT_EQ(insert(kBox, {.allowRenaming = true})->name(), "box_0");
-  EXPECT_EQ(insert(kBox, {.allowRenaming = true})->name(), "box_1");
+  ASSERT_TRUE(insert(kBoxModel));
+  EXPECT_NE(refusal(kBoxModel).find("there is a 'box' in the world already"), std::string::npos);
+  EXPECT_NE(refusal(kBoxModel, {.name = "sun"}).find("there is a 'sun'"), std::string::npos);
+  EXPECT_EQ(insert(kBoxModel, {.allowRenaming = true})->name(), "box_0");
+  EXPECT_EQ(insert(kBoxModel, {.allowRenaming = true})->name(), "box_1");
 }
 
 TEST_F(ChangedWorld, RefusesWhatIsNoModel) {
   const std::uint64_t before = simulation_->stateHash();
   EXPECT_NE(refusal("<sdf version='1.9'><model name='m'/></sdf>").find("model 'm'"), std::string::npos);
   EXPECT_NE(refusal("<sdf version='1.9'><world name='m'/></sdf>").find("no model to insert"), std::string::npos);
-  EXPECT_NE(refusal(kBox, {.name = "a::b"}).find("'::'"), std::string::npos);
+  EXPECT_NE(refusal(kBoxModel, {.name = "a::b"}).find("'::'"), std::string::npos);
   const Pose nowhere{{std::numeric_limits<double>::quiet_NaN(), 0, 0}, Quaternion::Identity()};
-  EXPECT_NE(refusal(kBox, {.pose = nowhere}).find("not finite"), std::string::npos);
+  EXPECT_NE(refusal(kBoxModel, {.pose = nowhere}).find("not finite"), std::string::npos);
   EXPECT_EQ(simulation_->stateHash(), before);
   EXPECT_FALSE(world().model("box"));
 }
@@ -188,7 +188,7 @@ TEST_F(ChangedWorld, HoldsTwoLinksTogetherUntilTheyAreDetached) {
 }
 
 TEST_F(ChangedWorld, LetsAttachedLinksTouchAgainOnceDetached) {
-  const auto box = insert(kBox, {.pose = Pose{{0, 0, 2}, Quaternion::Identity()}});
+  const auto box = insert(kBoxModel, {.pose = Pose{{0, 0, 2}, Quaternion::Identity()}});
   simulation_->step(1000);
   Link body = box->link("body").value();
   ASSERT_NEAR(body.pose().position.z(), 1.5, 2e-3);
@@ -223,7 +223,7 @@ TEST_F(ChangedWorld, FallsAsGravitySays) {
   EXPECT_NEAR(model("ball").link("skin")->linearVelocity().z(), 0.2, 1e-9);
   EXPECT_EQ(world().setGravity({0, 0, std::numeric_limits<double>::infinity()}), "gravity is not finite");
   // what comes later falls alike
-  EXPECT_TRUE(insert(kBox));
+  EXPECT_TRUE(insert(kBoxModel));
   simulation_->step();
   EXPECT_NEAR(model("box").link("body")->linearVelocity().z(), 0.002, 1e-9);
 }
@@ -248,7 +248,7 @@ TEST_F(ChangedWorld, GoesBackToTheFirstBit) {
   const Model ball = model("ball");
   const Link lower = model("arm").link("lower").value();
 
-  insert(kBox);
+  insert(kBoxModel);
   const Model box = model("box");
   EXPECT_EQ(simulation_->remove(ball), std::nullopt);
   world().setGravity({1, 0, 0});
@@ -275,7 +275,7 @@ TEST_F(ChangedWorld, ChangesAlikeInEachRun) {
     for (int i = 0; i < 5; ++i) {
       simulation->step(100);
       const Pose pose{{0.1 * i, 0, 3.0 + i}, Quaternion::Identity()};
-      simulation->insertText(kBox, "box.sdf", {.pose = pose, .allowRenaming = true}, diagnostics);
+      simulation->insertText(kBoxModel, "box.sdf", {.pose = pose, .allowRenaming = true}, diagnostics);
     }
     simulation->step(300);
     simulation->remove(*simulation->world().model("box_0"));
