@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "pongsim/contact.hh"
 #include "pongsim/export.hh"
+#include "pongsim/outcome.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -19,14 +21,31 @@ class SystemSet;
 
 class Collision;
 class Link;
+class Simulation;
 class Model;
 class Sensor;
 class Visual;
+
+/// Thrown by a handle to something that is not there any more: its model or its joint was removed. A handle can be
+/// asked first (`exists`). Handles of what was there at the start lead to it again after a reset.
+class PONGSIM_API Gone : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What becomes of the velocities of what is put somewhere else.
+enum class AfterMove {
+  /// They turn with it: seen from the model they stay what they are, as in Fortress.
+  kKeepVelocity,
+  kStop,
+};
 
 /// A way to one link of a running world. A copy is the same link; it must not outlive its `Simulation`.
 class PONGSIM_API Link {
  public:
   LinkId id() const { return id_; }
+  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  bool exists() const;
   /// @return Its name in the model.
   std::string_view name() const;
   /// @return Pose of the link frame in the world frame.
@@ -41,6 +60,9 @@ class PONGSIM_API Link {
   /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s] at once, both in the world
   /// frame; does nothing to a link that does not move. One that is not finite is refused with a warning.
   void setVelocity(const Vector3& linear, const Vector3& angular);
+  /// Puts the link somewhere else, between two steps. A link that a joint holds is refused.
+  /// @return Why not, or nothing.
+  std::optional<std::string> setPose(const Pose& X_WorldLink, AfterMove after = AfterMove::kKeepVelocity);
   /// @return The model that it belongs to.
   Model model() const;
   /// @return Its name with the models that hold it: "outer::inner::link".
@@ -54,6 +76,7 @@ class PONGSIM_API Link {
   friend class Joint;
   friend class Model;
   friend class Sensor;
+  friend class World;
   Link(sim::Access& access, LinkId id) : access_(&access), id_(id) {}
   sim::Access* access_;
   LinkId id_;
@@ -63,6 +86,8 @@ class PONGSIM_API Link {
 class PONGSIM_API Collision {
  public:
   CollisionId id() const { return id_; }
+  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  bool exists() const;
   /// @return Its name in the link.
   std::string_view name() const;
   /// @return Its name with all that holds it but the world: "model::link::collision".
@@ -115,6 +140,8 @@ struct JointAxisInfo {
 class PONGSIM_API Joint {
  public:
   JointId id() const { return id_; }
+  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  bool exists() const;
   /// @return Its name in the model.
   std::string_view name() const;
   /// @return Number of axes that have a position: 0 (fixed, ball) or 1 (revolute, prismatic).
@@ -147,6 +174,7 @@ class PONGSIM_API Joint {
  private:
   friend class Model;
   friend class Sensor;
+  friend class World;
   Joint(sim::Access& access, JointId id) : access_(&access), id_(id) {}
   sim::Access* access_;
   JointId id_;
@@ -156,6 +184,8 @@ class PONGSIM_API Joint {
 class PONGSIM_API Model {
  public:
   ModelId id() const { return id_; }
+  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  bool exists() const;
   /// @return Its own name, without the models it is nested in.
   std::string_view name() const;
   /// @return Its name with the models it is nested in: "outer::inner".
@@ -177,9 +207,14 @@ class PONGSIM_API Model {
   /// frame. All links of the model, of nested ones too, take part in the change, so that the joints' velocities stay
   /// what they are. One that is not finite is refused with a warning.
   void setVelocity(const Vector3& linear, const Vector3& angular);
+  /// Puts the model frame somewhere else, between two steps, with all links of the model and of nested ones: they keep
+  /// their places in it. Static models can be moved, too. One that a joint holds to something outside of it is refused.
+  /// @return Why not, or nothing.
+  std::optional<std::string> setPose(const Pose& X_WorldModel, AfterMove after = AfterMove::kKeepVelocity);
 
  private:
   friend class Link;
+  friend class Simulation;
   friend class World;
   friend class sim::SystemSet;
   Model(sim::Access& access, ModelId id) : access_(&access), id_(id) {}
@@ -196,11 +231,17 @@ class PONGSIM_API World {
   WorldId id() const;
   /// @return Gravity in the world frame [m/s^2].
   Vector3 gravity() const;
-  /// @return The models at the top level, in the order of the file.
+  /// Sets the gravity from the next step on [m/s^2].
+  /// @return Why not, or nothing.
+  std::optional<std::string> setGravity(const Vector3& gravity);
+  /// @return The models at the top level, in the order of the file; those inserted later follow.
   std::vector<Model> models() const;
   /// @param name A model's name, nested ones as "outer::inner".
   std::optional<Model> model(std::string_view name) const;
-  /// @return The collision of that id, if there is one.
+  /// @return What has that id, if it is there; likewise below.
+  std::optional<Model> model(ModelId id) const;
+  std::optional<Link> link(LinkId id) const;
+  std::optional<Joint> joint(JointId id) const;
   std::optional<Collision> collision(CollisionId id) const;
   /// @param type As the file has it: "imu".
   /// @return The sensors of that type in the order of the file.
@@ -208,6 +249,14 @@ class PONGSIM_API World {
   /// Replaces `contacts` by the points where collisions touched in the last step; those of one pair of collisions
   /// follow each other.
   void contacts(std::vector<Contact>& contacts) const;
+  /// Makes a fixed joint that holds the child to the parent as they are now, from the next step on. While it is there
+  /// the two do not touch each other.
+  /// @param name Empty: one of its own.
+  /// @return The joint, which belongs to no model, or why not.
+  Outcome<Joint> attach(const Link& parent, const Link& child, std::string_view name = {});
+  /// Removes a joint, one made by `attach` or one of the file.
+  /// @return Why not, or nothing.
+  std::optional<std::string> detach(const Joint& joint);
   /// @return Magnetic field in the world frame [T].
   Vector3 magneticField() const;
   /// @return `<heading_deg>` of the world's spherical coordinates [rad].

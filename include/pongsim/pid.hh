@@ -4,6 +4,7 @@
 
 #include "pongsim/element.hh"
 #include "pongsim/export.hh"
+#include "pongsim/state_archive.hh"
 
 namespace pongsim {
 
@@ -38,6 +39,11 @@ class PONGSIM_API Pid {
   void reset() {
     integral_ = 0;
     lastError_ = 0;
+  }
+
+  void transfer(StateArchive& archive) {
+    archive(integral_);
+    archive(lastError_);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "pongsim/export.hh"
+#include "pongsim/state_archive.hh"
 
 namespace pongsim {
 
@@ -23,6 +24,14 @@ class PONGSIM_API Random {
 
   /// @return A number of the normal distribution, by Marsaglia's polar method.
   double normal(double mean, double standardDeviation);
+
+  /// Where it is in its stream.
+  void transfer(StateArchive& archive) {
+    archive(state_);
+    archive(increment_);
+    archive(spare_);
+    archive(hasSpare_);
+  }
 
  private:
   std::uint32_t next();

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "pongsim/state_archive.hh"
+
 namespace pongsim {
 
 /// Mean of the last `kLength` values.
@@ -21,6 +23,12 @@ class RollingMean {
     double sum = 0;
     for (std::size_t i = 0; i < count_; ++i) sum += values_[i];
     return count_ > 0 ? sum / static_cast<double>(count_) : 0;
+  }
+
+  void transfer(StateArchive& archive) {
+    for (double& value : values_) archive(value);
+    archive(next_);
+    archive(count_);
   }
 
  private:

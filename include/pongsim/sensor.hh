@@ -21,6 +21,8 @@ namespace pongsim {
 class PONGSIM_API Sensor {
  public:
   SensorId id() const { return id_; }
+  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  bool exists() const;
   std::string_view name() const;
   /// @return Its type as the file has it: "imu".
   std::string_view type() const;

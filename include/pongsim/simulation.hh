@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +29,17 @@ struct SimulationOptions {
   bool loadSystems = true;
   /// Where the systems' topics go; null keeps them within this simulation. Must outlive it.
   Transport* transport = nullptr;
+};
+
+/// How a model comes into a world that runs.
+struct InsertOptions {
+  /// In place of the name that the file gives it; empty: that one.
+  std::string name = {};
+  /// Pose of the model frame in the world, in place of the one in the file.
+  std::optional<Pose> pose = std::nullopt;
+  /// Where a model or a light has the name already, take the first of NAME_0, NAME_1 and so on that is free, as in
+  /// Fortress, in place of refusing.
+  bool allowRenaming = false;
 };
 
 /// One world, from its file, with its bodies and systems. Belongs to one thread at a time.
@@ -52,12 +66,50 @@ class PONGSIM_API Simulation {
   /// @return Simulated time since the start.
   Time time() const;
   std::uint64_t iterations() const;
-  /// @return Length of a step, `<max_step_size>` of the world.
+  /// @return Length of a step: `<max_step_size>` of the world unless it was changed.
   Time stepSize() const;
-  /// @return Simulated seconds a second that the world asks for; 0 means as many as possible.
+  /// @return Simulated seconds a second that the world asks for, unless that was changed; 0 means as many as possible.
   double realTimeFactor() const;
 
   World world();
+
+  // What follows changes the world between two steps. What is refused changes nothing.
+
+  /// Inserts the first model of a file, with the systems that its plugins ask for, where its poses say or as `options`
+  /// do. What is wrong is added to `diagnostics`.
+  /// @return The model; nothing if there was an error.
+  std::optional<Model> insertFile(const std::filesystem::path& file, const InsertOptions& options,
+                                  Diagnostics& diagnostics);
+  /// As `insertFile`, from text; `name` stands in the messages.
+  std::optional<Model> insertText(std::string_view text, std::string_view name, const InsertOptions& options,
+                                  Diagnostics& diagnostics);
+
+  /// Removes a model of the top level with all that is in it, its systems, and the joints that hold on to it. Handles
+  /// to all that throw `Gone` from then on.
+  /// @return Why not, or nothing; likewise below.
+  std::optional<std::string> remove(const Model& model);
+
+  /// @param size Above zero and up to `kLongestStep`.
+  std::optional<std::string> setStepSize(Time size);
+
+  /// @param factor Simulated seconds a second; 0 means as many as possible.
+  std::optional<std::string> setRealTimeFactor(double factor);
+
+  /// Sets the world back to its start: time zero, every bit of the state, step size, gravity and random numbers as they
+  /// were then. Models inserted and joints made since go, removed ones come back with their systems; the other systems'
+  /// `reset` is called. What is wrong with the systems that come back is added to `diagnostics`.
+  void reset(Diagnostics& diagnostics);
+
+  /// @return All that the next steps depend on: time, poses, velocities, joints and what drives them, points of contact
+  /// with their forces, step size, gravity, random streams, and what the systems remember, as far as they tell it
+  /// (`System::transfer`). Messages on their way are not in it.
+  std::vector<std::byte> saveState();
+
+  /// Puts the world into a saved state, from which it goes on with the bits with which the saved one did. It must be
+  /// the same world with the same seed, models, systems and joints; one that has been changed since is refused.
+  std::optional<std::string> restoreState(std::span<const std::byte> state);
+
+  static constexpr Time kLongestStep = std::chrono::seconds(1);
 
   /// @return A number made of all bits of the state (time, poses, velocities, joints): equal for two runs of the
   /// same world with the same seed and inputs, different in practice for any two that differ.

@@ -11,6 +11,7 @@
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
 #include "pongsim/random.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -54,12 +55,20 @@ class PONGSIM_API System {
   virtual void update(const StepInfo&) {}
   /// After the physics: the place to read the state and to publish.
   virtual void postUpdate(const StepInfo&) {}
-  /// The world was set back to its start.
+  /// The world was set back to its start, its random numbers too. Comes after `worldChanged` where both do.
   virtual void reset() {}
+  /// Models or joints have come or gone. The place to look for what is new, and to let go of handles whose `exists`
+  /// says no: a system that asks them for more (`Gone`) rests until the next reset. The systems of a model that is
+  /// removed go with it and are not called.
+  virtual void worldChanged() {}
+  /// Takes what the system remembers from step to step into `archive`, or gives it back from there. One that remembers
+  /// something and does not tell it goes on as it is where a state is restored. The random stream of its context needs
+  /// not be told, copies of it do (`Random::transfer`).
+  virtual void transfer(StateArchive&) {}
 };
 
 /// Version of what a system library and pongsim agree on. A library with another one is not loaded.
-inline constexpr std::uint32_t kAbiVersion = 1;
+inline constexpr std::uint32_t kAbiVersion = 2;
 
 /// One system of a library.
 struct SystemEntry {

@@ -60,7 +60,7 @@ class PairMessage {
 /// One sensor: the collisions that it watches, and where it speaks.
 class ContactSensor {
  public:
-  ContactSensor(const Sensor& sensor, Node& node, const Logger& log) {
+  ContactSensor(const Sensor& sensor, Node& node, const Logger& log) : sensor_(sensor) {
     for (const std::string& name : sensor.settings<ContactSettings>()->collisions) {
       const std::vector<Collision> all = sensor.link().collisions();
       const auto found =
@@ -74,6 +74,8 @@ class ContactSensor {
     }
     publisher_ = node.advertise<ignition::msgs::Contacts>(cleanTopic(sensor.topic(kSuffix)));
   }
+
+  const Sensor& sensor() const { return sensor_; }
 
   bool hasListeners() const { return !watched_.empty() && publisher_.hasSubscribers(); }
 
@@ -102,6 +104,7 @@ class ContactSensor {
     }
   }
 
+  Sensor sensor_;
   std::vector<CollisionId> watched_;
   Publisher publisher_;
 };
@@ -111,15 +114,17 @@ class ContactSystem : public System {
  public:
   void configure(const SystemContext& context) override {
     world_ = &context.world;
-    for (const Sensor& sensor : context.world.sensors("contact")) {
-      try {
-        sensors_.emplace_back(sensor, context.node, context.log);
-      } catch (const std::invalid_argument& error) {
-        throw Error({Severity::kError,
-                     sensor.sdf().position,
-                     "sensor '" + sensor.scopedName() + "' can't speak: " + error.what(),
-                     {}});
-      }
+    node_ = &context.node;
+    log_ = &context.log;
+    worldChanged();
+  }
+
+  void worldChanged() override {
+    std::erase_if(sensors_, [](const ContactSensor& sensor) { return !sensor.sensor().exists(); });
+    for (const Sensor& sensor : world_->sensors("contact")) {
+      const bool isKnown =
+          std::ranges::any_of(sensors_, [&](const ContactSensor& known) { return known.sensor().id() == sensor.id(); });
+      if (!isKnown) add(sensor);
     }
   }
 
@@ -133,7 +138,20 @@ class ContactSystem : public System {
   }
 
  private:
+  void add(const Sensor& sensor) {
+    try {
+      sensors_.emplace_back(sensor, *node_, *log_);
+    } catch (const std::invalid_argument& error) {
+      throw Error({Severity::kError,
+                   sensor.sdf().position,
+                   "sensor '" + sensor.scopedName() + "' can't speak: " + error.what(),
+                   {}});
+    }
+  }
+
   World* world_ = nullptr;
+  Node* node_ = nullptr;
+  const Logger* log_ = nullptr;
   std::vector<ContactSensor> sensors_;
   std::vector<Contact> contacts_;
 };

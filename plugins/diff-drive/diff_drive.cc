@@ -132,6 +132,16 @@ class DiffDrive : public System {
     lastPublished_ = Time::zero();
   }
 
+  void transfer(StateArchive& archive) override {
+    odometry_->transfer(archive);
+    linearLimiter_.transfer(archive);
+    angularLimiter_.transfer(archive);
+    archive(targetLinear_);
+    archive(targetAngular_);
+    archive(enabled_);
+    archive(lastPublished_);
+  }
+
  private:
   void openTopics(const Element& sdf, const std::string& prefix, Node& node) {
     const auto topic = [&](std::string_view parameter, const char* fallback) {

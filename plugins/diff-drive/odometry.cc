@@ -39,4 +39,11 @@ void Odometry::update(double leftAngle, double rightAngle, double dt) {
   angular_.add(turn / dt);
 }
 
+void Odometry::transfer(StateArchive& archive) {
+  for (double* value : {&x_, &y_, &heading_, &lastLeft_, &lastRight_}) archive(*value);
+  archive(started_);
+  linear_.transfer(archive);
+  angular_.transfer(archive);
+}
+
 }  // namespace pongsim

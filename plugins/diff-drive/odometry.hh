@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pongsim/rolling_mean.hh"
+#include "pongsim/state_archive.hh"
 
 namespace pongsim {
 
@@ -18,6 +19,8 @@ class Odometry {
   void update(double leftAngle, double rightAngle, double dt);
 
   void reset() { *this = Odometry(separation_, radius_); }
+
+  void transfer(StateArchive& archive);
 
   /// Position [m] and heading [rad] since the start.
   double x() const { return x_; }

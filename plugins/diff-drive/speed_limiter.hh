@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "pongsim/state_archive.hh"
+
 namespace pongsim {
 
 /// Bounds of a velocity and of its first two derivatives [m/s, m/s^2, m/s^3, or rad]; infinite at the start.
@@ -26,6 +28,11 @@ class SpeedLimiter {
   double limit(double wanted, double dt);
 
   void reset() { last_ = beforeLast_ = 0; }
+
+  void transfer(StateArchive& archive) {
+    archive(last_);
+    archive(beforeLast_);
+  }
 
  private:
   SpeedLimits limits_;

@@ -45,6 +45,11 @@ class JointController : public System {
     target_ = initialTarget_;
   }
 
+  void transfer(StateArchive& archive) override {
+    pid_.transfer(archive);
+    archive(target_);
+  }
+
  private:
   void receive(double target) {
     if (std::isfinite(target)) {

@@ -59,6 +59,11 @@ class JointPositionController : public System {
     target_ = initialTarget_;
   }
 
+  void transfer(StateArchive& archive) override {
+    pid_.transfer(archive);
+    archive(target_);
+  }
+
  private:
   void receive(double target) {
     if (std::isfinite(target)) {

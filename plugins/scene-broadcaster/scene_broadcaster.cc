@@ -31,10 +31,13 @@ void setStamp(Time time, ignition::msgs::Time& message) {
 /// as Fortress orders them.
 class PoseTopic {
  public:
-  /// Starts with a list of models that does not change from then on.
-  void open(Node& node, const std::string& topic, std::vector<Model> models) {
-    publisher_ = node.advertise<ignition::msgs::Pose_V>(topic);
+  void open(Node& node, const std::string& topic) { publisher_ = node.advertise<ignition::msgs::Pose_V>(topic); }
+
+  /// Sets of which models it tells from now on.
+  void tellOf(std::vector<Model> models) {
     models_ = std::move(models);
+    links_.clear();
+    message_.Clear();
     for (const Model& model : models_) add(model.name(), model.id().value);
     for (const Model& model : models_) {
       for (const Link& link : model.links()) {
@@ -86,12 +89,11 @@ class SceneBroadcaster : public System {
     }
     period_ = fromSeconds(std::min(1 / rate, 1e9));
 
-    std::vector<Model> all = context.world.models();
-    std::vector<Model> moving;
-    std::ranges::copy_if(all, std::back_inserter(moving), [](const Model& model) { return !model.isStatic(); });
     const std::string prefix = cleanTopic("/world/" + std::string(context.world.name()));
-    all_.open(context.node, prefix + "/pose/info", std::move(all));
-    moving_.open(context.node, prefix + "/dynamic_pose/info", std::move(moving));
+    all_.open(context.node, prefix + "/pose/info");
+    moving_.open(context.node, prefix + "/dynamic_pose/info");
+    world_ = &context.world;
+    worldChanged();
   }
 
   void postUpdate(const StepInfo& info) override {
@@ -104,7 +106,16 @@ class SceneBroadcaster : public System {
 
   void reset() override { due_ = Time::zero(); }
 
+  void worldChanged() override {
+    std::vector<Model> all = world_->models();
+    std::vector<Model> moving;
+    std::ranges::copy_if(all, std::back_inserter(moving), [](const Model& model) { return !model.isStatic(); });
+    all_.tellOf(std::move(all));
+    moving_.tellOf(std::move(moving));
+  }
+
  private:
+  World* world_ = nullptr;
   Time period_{0};
   Time due_{0};
   PoseTopic all_;

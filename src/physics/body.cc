@@ -39,15 +39,14 @@ Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gra
 Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity)
     : link_(link),
       moves_(isMoving(record)),
+      hasGravity_(record.description->gravity),
       X_LinkBody_(mass.X_LinkBody),
       X_BodyLink_(X_LinkBody_.inverse()),
       shape_(*record.description, X_BodyLink_, moves_),
       rigid_(constructionInfo(mass, shape_.root())) {
   const description::Link& description = *record.description;
-  rigid_.setWorldTransform(toBullet(record.X_WorldLinkStart * X_LinkBody_));
-  rigid_.setInterpolationWorldTransform(rigid_.getWorldTransform());
-  rigid_.updateInertiaTensor();
-  rigid_.setUserIndex(static_cast<int>(link));
+  setPose(record.X_WorldLinkStart);
+  setLink(link);
   int flags = rigid_.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK;
   if (!record.isStatic && description.kinematic) {
     flags = (flags & ~btCollisionObject::CF_STATIC_OBJECT) | btCollisionObject::CF_KINEMATIC_OBJECT;
@@ -59,7 +58,22 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
   rigid_.setActivationState(DISABLE_DEACTIVATION);
   rigid_.setDamping(description.linearDamping, description.angularDamping);
   rigid_.setFlags(BT_DISABLE_WORLD_GRAVITY | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
-  if (description.gravity) rigid_.setGravity(toBullet(gravity));
+  setGravity(gravity);
+}
+
+void Body::setLink(world::Slot link) {
+  link_ = link;
+  rigid_.setUserIndex(static_cast<int>(link));
+}
+
+void Body::setGravity(const Vector3& gravity) {
+  if (moves_ && hasGravity_) rigid_.setGravity(toBullet(gravity));
+}
+
+void Body::setPose(const Pose& X_WorldLink) {
+  rigid_.setWorldTransform(toBullet(X_WorldLink * X_LinkBody_));
+  rigid_.setInterpolationWorldTransform(rigid_.getWorldTransform());
+  rigid_.updateInertiaTensor();
 }
 
 void Body::addWrench(const Vector3& force, const Vector3& torque) {
@@ -73,6 +87,27 @@ void Body::setVelocity(const Vector3& linear, const Vector3& angular) {
   const Vector3 linkToCom = -fromBullet(rigid_.getWorldTransform().getBasis() * toBullet(X_BodyLink_.position));
   rigid_.setLinearVelocity(toBullet(linear + angular.cross(linkToCom)));
   rigid_.setAngularVelocity(toBullet(angular));
+}
+
+void Body::transfer(StateArchive& archive) {
+  // the matrix itself: a quaternion made of it is another by a bit
+  btTransform transform = rigid_.getWorldTransform();
+  transferVector(archive, transform.getOrigin());
+  for (int row = 0; row < 3; ++row) transferVector(archive, transform.getBasis()[row]);
+  btVector3 linear = rigid_.getLinearVelocity();
+  btVector3 angular = rigid_.getAngularVelocity();
+  btVector3 force = rigid_.getTotalForce();
+  btVector3 torque = rigid_.getTotalTorque();
+  for (btVector3* vector : {&linear, &angular, &force, &torque}) transferVector(archive, *vector);
+  if (!archive.isGiving()) return;
+  rigid_.setWorldTransform(transform);
+  rigid_.setInterpolationWorldTransform(transform);
+  rigid_.updateInertiaTensor();
+  rigid_.setLinearVelocity(linear);
+  rigid_.setAngularVelocity(angular);
+  rigid_.clearForces();
+  rigid_.applyCentralForce(force);
+  rigid_.applyTorque(torque);
 }
 
 bool Body::read(world::LinkState& state) const {

@@ -4,6 +4,7 @@
 
 #include "physics/mass.hh"
 #include "physics/shape.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -25,16 +26,27 @@ class Body {
   btRigidBody& rigid() { return rigid_; }
   const btRigidBody& rigid() const { return rigid_; }
   world::Slot link() const { return link_; }
+  /// The link has another slot now.
+  void setLink(world::Slot link);
   bool moves() const { return moves_; }
   bool collides() const { return !shape_.empty(); }
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
+
+  /// @param gravity World frame [m/s^2]; nothing to a link without `<gravity>`.
+  void setGravity(const Vector3& gravity);
+
+  /// Sets where the link is. Its velocity stays.
+  void setPose(const Pose& X_WorldLink);
 
   /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
   void addWrench(const Vector3& force, const Vector3& torque);
 
   /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], world frame.
   void setVelocity(const Vector3& linear, const Vector3& angular);
+
+  /// All that it remembers from step to step.
+  void transfer(StateArchive& archive);
 
   /// Writes where the link is and how fast.
   /// @return Whether all of it is finite and within reason.
@@ -45,6 +57,7 @@ class Body {
 
   world::Slot link_;
   bool moves_;
+  bool hasGravity_;
   Pose X_LinkBody_;
   Pose X_BodyLink_;
   LinkShape shape_;

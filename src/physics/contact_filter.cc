@@ -21,8 +21,11 @@ world::Slot slotOf(const btBroadphaseProxy* proxy) {
 
 }  // namespace
 
-ContactFilter::ContactFilter(const world::Entities& entities) : entities_(entities) {
-  for (const world::JointRecord& joint : entities.joints()) {
+ContactFilter::ContactFilter(const world::Entities& entities) : entities_(entities) { update(); }
+
+void ContactFilter::update() {
+  jointed_.clear();
+  for (const world::JointRecord& joint : entities_.joints()) {
     if (joint.parentLink == world::kNoSlot || joint.childLink == world::kNoSlot) continue;
     jointed_.push_back(std::minmax(joint.parentLink, joint.childLink));
   }

@@ -16,6 +16,9 @@ class ContactFilter final : public btOverlapFilterCallback {
  public:
   explicit ContactFilter(const world::Entities& entities);
 
+  /// To be called when joints or links have come or gone.
+  void update();
+
   bool mayTouch(world::Slot a, world::Slot b) const;
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
 

@@ -2,6 +2,7 @@
 
 #include <LinearMath/btTransform.h>
 
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::physics {
@@ -13,5 +14,9 @@ inline btTransform toBullet(const Pose& X) { return btTransform(toBullet(X.rotat
 inline Vector3 fromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 inline Quaternion fromBullet(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 inline Pose fromBullet(const btTransform& X) { return {fromBullet(X.getOrigin()), fromBullet(X.getRotation())}; }
+
+inline void transferVector(StateArchive& archive, btVector3& vector) {
+  for (int i = 0; i < 3; ++i) archive(vector[i]);
+}
 
 }  // namespace pongsim::physics

@@ -5,6 +5,7 @@
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 
 #include "physics/group_solver.hh"
+#include "physics/manifold_state.hh"
 
 namespace pongsim::physics {
 
@@ -31,7 +32,7 @@ std::unique_ptr<btConstraintSolver> makeSolver(const Settings& settings) {
 DynamicsWorld::DynamicsWorld(const Settings& settings)
     : dispatcher_(&configuration_),
       solver_(makeSolver(settings)),
-      world_(std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, solver_.get(), &configuration_)) {
+      world_(std::make_unique<GroupedWorld>(&dispatcher_, &broadphase_, solver_.get(), &configuration_)) {
   // a body on a plane finds all its corners in one step instead of one a step
   configuration_.setPlaneConvexMultipointIterations(4, 4);
 
@@ -50,8 +51,30 @@ DynamicsWorld::DynamicsWorld(const Settings& settings)
   info.m_splitImpulse = 1;
   info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;
   info.m_restitutionVelocityThreshold = 0.1;
-  // each group of bodies that touch is solved alone: its result does not depend on who else is in the world
-  info.m_minimumSolverBatchSize = 1;
+}
+
+void DynamicsWorld::moved(btRigidBody& body) {
+  if (body.getBroadphaseProxy() == nullptr) return;
+  world_->updateSingleAabb(&body);
+  broadphase_.getOverlappingPairCache()->cleanProxyFromPairs(body.getBroadphaseProxy(), &dispatcher_);
+}
+
+void DynamicsWorld::separate(btRigidBody& a, btRigidBody& b) {
+  if (a.getBroadphaseProxy() == nullptr || b.getBroadphaseProxy() == nullptr) return;
+  broadphase_.getOverlappingPairCache()->removeOverlappingPair(a.getBroadphaseProxy(), b.getBroadphaseProxy(),
+                                                               &dispatcher_);
+}
+
+void DynamicsWorld::findPairsOf(btRigidBody& body) {
+  btBroadphaseProxy* proxy = body.getBroadphaseProxy();
+  if (proxy == nullptr) return;
+  broadphase_.setAabbForceUpdate(proxy, proxy->m_aabbMin, proxy->m_aabbMax, &dispatcher_);
+}
+
+void DynamicsWorld::transferContacts(StateArchive& archive) {
+  // what algorithms and manifolds there must be follows from where the bodies are
+  if (archive.isGiving()) world_->performDiscreteCollisionDetection();
+  transferManifolds(archive, dispatcher_);
 }
 
 void DynamicsWorld::step(double dt) {

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
-#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
-#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <memory>
 
+#include "physics/dispatcher.hh"
+#include "physics/grouped_world.hh"
 #include "physics/settings.hh"
+#include "pongsim/state_archive.hh"
 
 namespace pongsim::physics {
 
@@ -17,7 +18,19 @@ class DynamicsWorld {
  public:
   explicit DynamicsWorld(const Settings& settings);
 
-  btDiscreteDynamicsWorld& bullet() { return *world_; }
+  GroupedWorld& bullet() { return *world_; }
+
+  /// Forgets what touches the body, which is somewhere else now, and finds what it may touch there.
+  void moved(btRigidBody& body);
+
+  /// Forgets that the two may touch, and what they touched.
+  void separate(btRigidBody& a, btRigidBody& b);
+
+  /// Finds what the body may touch now that the filter says otherwise than before.
+  void findPairsOf(btRigidBody& body);
+
+  /// Takes the points at which bodies touch, or puts them in place of those that it finds where the bodies are now.
+  void transferContacts(StateArchive& archive);
 
   /// One step of exactly `dt` [s].
   void step(double dt);
@@ -26,10 +39,10 @@ class DynamicsWorld {
   void forgetRolledContacts(double dt);
 
   btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_;
+  Dispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   std::unique_ptr<btConstraintSolver> solver_;
-  std::unique_ptr<btDiscreteDynamicsWorld> world_;
+  std::unique_ptr<GroupedWorld> world_;
 };
 
 }  // namespace pongsim::physics

@@ -1,8 +1,8 @@
 #include "physics/engine.hh"
 
-#include <deque>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "physics/body.hh"
 #include "physics/contact_filter.hh"
@@ -15,70 +15,121 @@
 namespace pongsim::physics {
 
 struct Engine::Parts {
-  Parts(const world::Entities& entitiesOfWorld, const Settings& settings)
+  Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld)
       : entities(entitiesOfWorld),
+        settings(settingsOfWorld),
+        gravity(entities.description().gravity),
         filter(entities),
         world(settings),
-        anchor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)) {}
+        anchor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)) {
+    world.bullet().getPairCache()->setOverlapFilterCallback(&filter);
+    grow();
+  }
   ~Parts();
 
-  void addBodies();
+  void grow();
   void addJoints();
+  void remove(const world::Removal& removal);
+  void renumber();
   JointEnd end(world::Slot link, const Pose& X_LinkJoint);
   Joint& axisJoint(world::Slot slot);
   [[noreturn]] void reportExplosion(world::Slot link) const;
 
   const world::Entities& entities;
-  const ContactFilter filter;
+  const Settings settings;
+  Vector3 gravity;
+  ContactFilter filter;
   DynamicsWorld world;
   /// What joints to the world hold on to.
   btRigidBody anchor;
   /// One a link, in the order of their slots.
-  std::deque<Body> bodies;
+  std::vector<std::unique_ptr<Body>> bodies;
   std::vector<Body*> moving;
   /// One a joint, in the order of their slots.
-  std::deque<Joint> joints;
+  std::vector<std::unique_ptr<Joint>> joints;
   /// Length of the last step [s].
   double dt = 1;
 };
 
 Engine::Parts::~Parts() {
-  for (Joint& joint : joints) world.bullet().removeConstraint(&joint);
-  for (Body& body : bodies) {
-    if (body.rigid().getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&body.rigid());
+  for (const auto& body : bodies) {
+    if (body->rigid().getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&body->rigid());
   }
 }
 
-void Engine::Parts::addBodies() {
-  world.bullet().getPairCache()->setOverlapFilterCallback(const_cast<ContactFilter*>(&filter));
-  for (world::Slot link = 0; link < entities.links().size(); ++link) {
-    Body& body = bodies.emplace_back(entities, link, entities.description().gravity);
-    if (body.moves()) moving.push_back(&body);
-    if (body.moves() || body.collides()) world.bullet().addRigidBody(&body.rigid());
+void Engine::Parts::grow() {
+  std::vector<std::unique_ptr<Body>> newBodies;
+  for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
+    newBodies.push_back(std::make_unique<Body>(entities, link, gravity));
   }
+  // before a body comes: who may touch it is asked then
+  filter.update();
+  for (auto& body : newBodies) {
+    if (body->moves() || body->collides()) world.bullet().addRigidBody(&body->rigid());
+    bodies.push_back(std::move(body));
+  }
+  addJoints();
+  renumber();
 }
 
 void Engine::Parts::addJoints() {
-  for (const world::JointRecord& record : entities.joints()) {
+  for (world::Slot slot = joints.size(); slot < entities.joints().size(); ++slot) {
+    const world::JointRecord& record = entities.joints()[slot];
     const description::Joint& description = *record.description;
-    Joint& joint = joints.emplace_back(description, end(record.parentLink, description.X_ParentJoint),
-                                       end(record.childLink, description.X_ChildJoint));
-    const bool holdsSomething = joint.getRigidBodyA().getInvMass() > 0 || joint.getRigidBodyB().getInvMass() > 0;
-    if (holdsSomething) world.bullet().addConstraint(&joint);
+    joints.push_back(std::make_unique<Joint>(description, end(record.parentLink, description.X_ParentJoint),
+                                             end(record.childLink, description.X_ChildJoint)));
+    world.separate(joints.back()->getRigidBodyA(), joints.back()->getRigidBodyB());
   }
+}
+
+void Engine::Parts::remove(const world::Removal& removal) {
+  std::vector<btRigidBody*> freed;
+  for (const world::Slot slot : removal.joints) {
+    freed.push_back(&joints[slot]->getRigidBodyA());
+    freed.push_back(&joints[slot]->getRigidBodyB());
+  }
+  for (const world::Slot slot : removal.links) {
+    btRigidBody& rigid = bodies[slot]->rigid();
+    if (rigid.getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&rigid);
+  }
+  world::eraseSlots(joints, removal.joints);
+  // a body that has gone has no place in the broad phase any more, and must live until that has been looked at
+  std::vector<std::unique_ptr<Body>> gone;
+  for (const world::Slot slot : removal.links) gone.push_back(std::move(bodies[slot]));
+  world::eraseSlots(bodies, removal.links);
+  renumber();
+  filter.update();
+  for (btRigidBody* body : freed) world.findPairsOf(*body);
+}
+
+void Engine::Parts::renumber() {
+  moving.clear();
+  std::vector<btRigidBody*> movingRigid;
+  for (world::Slot link = 0; link < bodies.size(); ++link) {
+    bodies[link]->setLink(link);
+    if (!bodies[link]->moves()) continue;
+    moving.push_back(bodies[link].get());
+    movingRigid.push_back(&bodies[link]->rigid());
+  }
+  std::vector<btTypedConstraint*> holding;
+  for (const auto& joint : joints) {
+    const bool holdsSomething = joint->getRigidBodyA().getInvMass() > 0 || joint->getRigidBodyB().getInvMass() > 0;
+    if (holdsSomething) holding.push_back(joint.get());
+  }
+  world.bullet().setMembers(std::move(movingRigid), std::move(holding));
 }
 
 JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
   if (link == world::kNoSlot) return {&anchor, toBullet(X_LinkJoint), false};
-  Body& body = bodies[link];
+  Body& body = *bodies[link];
   return {&body.rigid(), toBullet(body.X_LinkBody().inverse() * X_LinkJoint), body.moves()};
 }
 
 Joint& Engine::Parts::axisJoint(world::Slot slot) {
-  if (slot >= joints.size() || !joints[slot].hasAxis()) {
+  if (slot >= joints.size() || !joints[slot]->hasAxis()) {
     throw std::invalid_argument("only a revolute, continuous or prismatic joint can be commanded");
   }
-  return joints[slot];
+  return *joints[slot];
 }
 
 void Engine::Parts::reportExplosion(world::Slot link) const {
@@ -90,8 +141,6 @@ void Engine::Parts::reportExplosion(world::Slot link) const {
 Engine::Engine(const world::Entities& entities, const Settings& settings)
     : parts_(std::make_unique<Parts>(entities, settings)) {
   combineSurfacesAsFortress();
-  parts_->addBodies();
-  parts_->addJoints();
 }
 
 Engine::~Engine() = default;
@@ -103,18 +152,18 @@ void Engine::setJointVelocityTarget(world::Slot joint, double velocity) {
 void Engine::addJointForce(world::Slot joint, double force) { parts_->axisJoint(joint).addForce(force); }
 
 void Engine::addLinkWrench(world::Slot link, const Vector3& force, const Vector3& torque) {
-  parts_->bodies[link].addWrench(force, torque);
+  parts_->bodies[link]->addWrench(force, torque);
 }
 
 bool Engine::setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular) {
-  if (!parts_->bodies[link].moves()) return false;
-  parts_->bodies[link].setVelocity(linear, angular);
+  if (!parts_->bodies[link]->moves()) return false;
+  parts_->bodies[link]->setVelocity(linear, angular);
   return true;
 }
 
 Engine::Reaction Engine::jointReaction(world::Slot joint) {
   Reaction reaction;
-  parts_->joints[joint].readReaction(reaction.force, reaction.torque);
+  parts_->joints[joint]->readReaction(reaction.force, reaction.torque);
   return reaction;
 }
 
@@ -122,17 +171,51 @@ void Engine::contacts(std::vector<Contact>& contacts) const {
   listContacts(*parts_->world.bullet().getDispatcher(), parts_->entities, parts_->dt, contacts);
 }
 
+void Engine::grow() { parts_->grow(); }
+
+void Engine::remove(const world::Removal& removal) { parts_->remove(removal); }
+
+void Engine::reset() {
+  // by and by: two of them take twice the memory
+  const world::Entities& entities = parts_->entities;
+  const Settings settings = parts_->settings;
+  parts_.reset();
+  parts_ = std::make_unique<Parts>(entities, settings);
+}
+
+void Engine::setGravity(const Vector3& gravity) {
+  parts_->gravity = gravity;
+  for (Body* body : parts_->moving) body->setGravity(gravity);
+}
+
+void Engine::setLinkPose(world::Slot link, const Pose& X_WorldLink) {
+  Body& body = *parts_->bodies[link];
+  body.setPose(X_WorldLink);
+  parts_->world.moved(body.rigid());
+}
+
+void Engine::transfer(StateArchive& archive) {
+  if (archive.isGiving()) reset();
+  archive(parts_->dt);
+  for (const auto& body : parts_->bodies) body->transfer(archive);
+  for (const auto& joint : parts_->joints) joint->transfer(archive);
+  if (archive.isGiving()) {
+    for (const auto& body : parts_->bodies) parts_->world.moved(body->rigid());
+  }
+  parts_->world.transferContacts(archive);
+}
+
 void Engine::step(Time dt, world::State& state) {
   const double seconds = toSeconds(dt);
   parts_->dt = seconds;
-  for (Joint& joint : parts_->joints) joint.prepare(seconds);
+  for (const auto& joint : parts_->joints) joint->prepare(seconds);
   parts_->world.step(seconds);
   for (const Body* body : parts_->moving) {
     if (!body->read(state.links[body->link()])) parts_->reportExplosion(body->link());
   }
   for (world::Slot i = 0; i < parts_->joints.size(); ++i) {
-    parts_->joints[i].update();
-    state.joints[i] = parts_->joints[i].state();
+    parts_->joints[i]->update();
+    state.joints[i] = parts_->joints[i]->state();
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "physics/settings.hh"
 #include "pongsim/contact.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -50,6 +51,28 @@ class Engine {
   /// Replaces `contacts` by the points at which bodies touched in the last step, ordered by their collisions' ids, the
   /// smaller one first.
   void contacts(std::vector<Contact>& contacts) const;
+
+  /// Makes the bodies and joints of what has come into `entities` since the last call, where they are at the start.
+  /// @throws std::invalid_argument as the constructor does; nothing is changed then.
+  void grow();
+
+  /// Lets go of what has gone from `entities`. The descriptions of that must live until then.
+  void remove(const world::Removal& removal);
+
+  /// Makes everything anew from `entities`, as at the start.
+  void reset();
+
+  /// @param gravity World frame [m/s^2], from the next step on.
+  void setGravity(const Vector3& gravity);
+
+  /// Puts a link, also one that does not move, somewhere else; what touched it there is forgotten. Velocities stay, and
+  /// joints are not looked at.
+  void setLinkPose(world::Slot link, const Pose& X_WorldLink);
+
+  /// Takes all that bodies, joints and contacts remember into `archive`, or makes everything anew and gives it that
+  /// back, so that the next steps have the bits that they would have had. Gravity and what `entities` and
+  /// `world::State` hold are not in it.
+  void transfer(StateArchive& archive);
 
   /// Makes one step of length `dt` and writes what has moved into `state`. Allocates nothing once contacts have
   /// settled.

@@ -174,6 +174,25 @@ void Joint::readReaction(Vector3& force, Vector3& torque) {
   torque = fromBullet(t);
 }
 
+void Joint::transfer(StateArchive& archive) {
+  bool hasTarget = velocityTarget_.has_value();
+  archive(hasTarget);
+  if (archive.isGiving()) velocityTarget_ = hasTarget ? std::optional(0.0) : std::nullopt;
+  if (hasTarget) archive(*velocityTarget_);
+  archive(force_);
+  archive(state_.position);
+  archive(state_.velocity);
+
+  bool isMeasured = getJointFeedback() != nullptr;
+  archive(isMeasured);
+  if (archive.isGiving()) setJointFeedback(isMeasured ? &feedback_ : nullptr);
+  archive(appliedForce_);
+  for (btVector3* vector : {&feedback_.m_appliedForceBodyA, &feedback_.m_appliedTorqueBodyA,
+                            &feedback_.m_appliedForceBodyB, &feedback_.m_appliedTorqueBodyB, &childArm_, &stepAxis_}) {
+    transferVector(archive, *vector);
+  }
+}
+
 void Joint::update() {
   if (!hasAxis()) return;
   const Frames now = frames();

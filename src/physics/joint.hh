@@ -6,6 +6,7 @@
 
 #include "description/joint.hh"
 #include "physics/body.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/state.hh"
 
@@ -42,6 +43,9 @@ class Joint final : public btTypedConstraint {
   void readReaction(Vector3& force, Vector3& torque);
 
   const world::JointState& state() const { return state_; }
+
+  /// All that it remembers from step to step.
+  void transfer(StateArchive& archive);
 
   void getInfo1(btConstraintInfo1* info) override;
   void getInfo2(btConstraintInfo2* info) override;
@@ -89,11 +93,11 @@ class Joint final : public btTypedConstraint {
     double highestImpulse = 0;
   };
   /// What the solver's rows did, once that has been asked for; with the force along the axis, which is none of them.
-  btJointFeedback feedback_;
+  btJointFeedback feedback_{};
   double appliedForce_ = 0;
   /// Where the rows met, seen from the child's centre of mass, and the axis; world frame.
-  btVector3 childArm_;
-  btVector3 stepAxis_;
+  btVector3 childArm_{0, 0, 0};
+  btVector3 stepAxis_{0, 0, 0};
   AxisRow motor_;
   AxisRow limit_;
 };

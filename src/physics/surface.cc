@@ -11,16 +11,14 @@
 
 namespace pongsim::physics {
 
-namespace {
-
-/// @return The shape of the part that is in touch, also where it is a part of a compound, or a triangle of a part; null
-/// for one that is not ours.
 const btCollisionShape* partOf(const btCollisionObjectWrapper* wrapper) {
   for (; wrapper != nullptr; wrapper = wrapper->m_parent) {
     if (wrapper->getCollisionShape()->getUserPointer() != nullptr) return wrapper->getCollisionShape();
   }
   return nullptr;
 }
+
+namespace {
 
 const description::Surface& surfaceOf(const btCollisionShape& part) {
   return *static_cast<const description::Surface*>(part.getUserPointer());

@@ -1,6 +1,13 @@
 #pragma once
 
+struct btCollisionObjectWrapper;
+class btCollisionShape;
+
 namespace pongsim::physics {
+
+/// @return The shape of the collision that is in touch, also where it is a part of a compound, or where a triangle of
+/// it is; null where none of ours is.
+const btCollisionShape* partOf(const btCollisionObjectWrapper* wrapper);
 
 /// Makes Bullet ask us how two surfaces act on each other. Bullet keeps this in one place for the whole process; any
 /// number of engines may call it, at any time.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include "physics/engine.hh"
+#include "pongsim/handles.hh"
 #include "pongsim/log.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -14,6 +17,26 @@ class Access {
   world::State& state;
   physics::Engine& engine;
   Logger log{"commands"};
+  /// Models or joints have come or gone, and the systems do not know yet.
+  bool hasChanged = false;
 };
+
+inline const char* kindOf(ModelId) { return "model"; }
+inline const char* kindOf(LinkId) { return "link"; }
+inline const char* kindOf(JointId) { return "joint"; }
+inline const char* kindOf(CollisionId) { return "collision"; }
+inline const char* kindOf(SensorId) { return "sensor"; }
+
+/// @return The slot of what a handle leads to.
+/// @throws Gone if it is not there any more.
+template <class Id>
+world::Slot slotOf(const Access& access, Id id) {
+  const world::Slot slot = access.entities.slot(id);
+  if (slot == world::kNoSlot) {
+    throw Gone(std::string("the ") + kindOf(id) + " with the id " + std::to_string(id.value) +
+               " is not there any more");
+  }
+  return slot;
+}
 
 }  // namespace pongsim::sim

@@ -3,21 +3,24 @@
 #include <cmath>
 
 #include "sim/access.hh"
+#include "sim/editor.hh"
 
 namespace pongsim {
 
 namespace {
 
+using sim::slotOf;
+
 const world::LinkRecord& record(const sim::Access& access, LinkId id) {
-  return access.entities.links()[access.entities.slot(id)];
+  return access.entities.links()[slotOf(access, id)];
 }
 
 const world::JointRecord& record(const sim::Access& access, JointId id) {
-  return access.entities.joints()[access.entities.slot(id)];
+  return access.entities.joints()[slotOf(access, id)];
 }
 
 const world::ModelRecord& record(const sim::Access& access, ModelId id) {
-  return access.entities.models()[access.entities.slot(id)];
+  return access.entities.models()[slotOf(access, id)];
 }
 
 /// @return Whether the joint can take `value` for the axis; else it has warned.
@@ -35,20 +38,22 @@ bool canCommand(const sim::Access& access, const Joint& joint, double value, int
 
 }  // namespace
 
+bool Link::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
+
 std::string_view Link::name() const { return record(*access_, id_).description->name; }
 
-Pose Link::pose() const { return access_->state.links[access_->entities.slot(id_)].X_WorldLink; }
+Pose Link::pose() const { return access_->state.links[slotOf(*access_, id_)].X_WorldLink; }
 
-Vector3 Link::linearVelocity() const { return access_->state.links[access_->entities.slot(id_)].v_WorldLink; }
+Vector3 Link::linearVelocity() const { return access_->state.links[slotOf(*access_, id_)].v_WorldLink; }
 
-Vector3 Link::angularVelocity() const { return access_->state.links[access_->entities.slot(id_)].w_WorldLink; }
+Vector3 Link::angularVelocity() const { return access_->state.links[slotOf(*access_, id_)].w_WorldLink; }
 
 void Link::addWrench(const Vector3& force, const Vector3& torque) {
   if (!force.allFinite() || !torque.allFinite()) {
     access_->log.warning("link '" + std::string(name()) + "' was given a wrench that is not finite");
     return;
   }
-  access_->engine.addLinkWrench(access_->entities.slot(id_), force, torque);
+  access_->engine.addLinkWrench(slotOf(*access_, id_), force, torque);
 }
 
 void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
@@ -56,36 +61,38 @@ void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
     access_->log.warning("link '" + std::string(name()) + "' was given a velocity that is not finite");
     return;
   }
-  const world::Slot slot = access_->entities.slot(id_);
+  const world::Slot slot = slotOf(*access_, id_);
   if (!access_->engine.setLinkVelocity(slot, linear, angular)) return;
   access_->state.links[slot].v_WorldLink = linear;
   access_->state.links[slot].w_WorldLink = angular;
+}
+
+std::optional<std::string> Link::setPose(const Pose& X_WorldLink, AfterMove after) {
+  return sim::Editor(*access_).setLinkPose(slotOf(*access_, id_), X_WorldLink, after);
 }
 
 Model Link::model() const { return Model(*access_, access_->entities.models()[record(*access_, id_).model].id); }
 
 std::string Link::scopedName() const { return model().scopedName() + "::" + std::string(name()); }
 
+bool Joint::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
+
 std::string_view Joint::name() const { return record(*access_, id_).description->name; }
 
 int Joint::axisCount() const { return static_cast<int>(record(*access_, id_).description->axes.size()); }
 
-double Joint::position(int axis) const {
-  return axis == 0 ? access_->state.joints[access_->entities.slot(id_)].position : 0;
-}
+double Joint::position(int axis) const { return axis == 0 ? access_->state.joints[slotOf(*access_, id_)].position : 0; }
 
-double Joint::velocity(int axis) const {
-  return axis == 0 ? access_->state.joints[access_->entities.slot(id_)].velocity : 0;
-}
+double Joint::velocity(int axis) const { return axis == 0 ? access_->state.joints[slotOf(*access_, id_)].velocity : 0; }
 
 void Joint::setVelocityTarget(double velocity, int axis) {
   if (!canCommand(*access_, *this, velocity, axis)) return;
-  access_->engine.setJointVelocityTarget(access_->entities.slot(id_), velocity);
+  access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity);
 }
 
 void Joint::addForce(double force, int axis) {
   if (!canCommand(*access_, *this, force, axis)) return;
-  access_->engine.addJointForce(access_->entities.slot(id_), force);
+  access_->engine.addJointForce(slotOf(*access_, id_), force);
 }
 
 std::string_view Joint::type() const { return description::name(record(*access_, id_).description->type); }
@@ -101,7 +108,7 @@ Link Joint::child() const { return Link(*access_, access_->entities.links()[reco
 Pose Joint::poseInChild() const { return record(*access_, id_).description->X_ChildJoint; }
 
 Wrench Joint::reaction() const {
-  const physics::Engine::Reaction reaction = access_->engine.jointReaction(access_->entities.slot(id_));
+  const physics::Engine::Reaction reaction = access_->engine.jointReaction(slotOf(*access_, id_));
   return {reaction.force, reaction.torque};
 }
 
@@ -110,11 +117,13 @@ JointAxisInfo Joint::axisInfo(int axis) const {
   return {found.xyz, found.lower, found.upper, found.effort, found.velocity, found.damping};
 }
 
+bool Model::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
+
 std::string_view Model::name() const { return record(*access_, id_).description->name; }
 
 std::string Model::scopedName() const { return record(*access_, id_).scopedName; }
 
-Pose Model::pose() const { return world::modelPose(access_->entities, access_->state, access_->entities.slot(id_)); }
+Pose Model::pose() const { return world::modelPose(access_->entities, access_->state, slotOf(*access_, id_)); }
 
 bool Model::isStatic() const { return record(*access_, id_).isStatic; }
 
@@ -141,13 +150,13 @@ std::vector<Joint> Model::joints() const {
 }
 
 std::optional<Link> Model::link(std::string_view name) const {
-  const world::Slot slot = access_->entities.findLink(access_->entities.slot(id_), name);
+  const world::Slot slot = access_->entities.findLink(slotOf(*access_, id_), name);
   if (slot == world::kNoSlot) return std::nullopt;
   return Link(*access_, access_->entities.links()[slot].id);
 }
 
 std::optional<Joint> Model::joint(std::string_view name) const {
-  const world::Slot slot = access_->entities.findJoint(access_->entities.slot(id_), name);
+  const world::Slot slot = access_->entities.findJoint(slotOf(*access_, id_), name);
   if (slot == world::kNoSlot) return std::nullopt;
   return Joint(*access_, access_->entities.joints()[slot].id);
 }
@@ -187,11 +196,21 @@ void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const V
   for (Model& inner : models()) inner.changeVelocity(origin, linear, angular);
 }
 
+std::optional<std::string> Model::setPose(const Pose& X_WorldModel, AfterMove after) {
+  return sim::Editor(*access_).setPose(slotOf(*access_, id_), X_WorldModel, after);
+}
+
 std::string_view World::name() const { return access_->entities.description().name; }
 
 WorldId World::id() const { return access_->entities.worldId(); }
 
-Vector3 World::gravity() const { return access_->entities.description().gravity; }
+Vector3 World::gravity() const { return access_->state.gravity; }
+
+std::optional<std::string> World::setGravity(const Vector3& gravity) {
+  if (!gravity.allFinite()) return "gravity is not finite";
+  sim::Editor(*access_).setGravity(gravity);
+  return std::nullopt;
+}
 
 std::vector<Model> World::models() const {
   std::vector<Model> handles;
@@ -205,6 +224,39 @@ std::optional<Model> World::model(std::string_view name) const {
   const world::Slot slot = access_->entities.findModel(name);
   if (slot == world::kNoSlot) return std::nullopt;
   return Model(*access_, access_->entities.models()[slot].id);
+}
+
+std::optional<Model> World::model(ModelId id) const {
+  if (access_->entities.slot(id) == world::kNoSlot) return std::nullopt;
+  return Model(*access_, id);
+}
+
+std::optional<Link> World::link(LinkId id) const {
+  if (access_->entities.slot(id) == world::kNoSlot) return std::nullopt;
+  return Link(*access_, id);
+}
+
+std::optional<Joint> World::joint(JointId id) const {
+  if (access_->entities.slot(id) == world::kNoSlot) return std::nullopt;
+  return Joint(*access_, id);
+}
+
+Outcome<Joint> World::attach(const Link& parent, const Link& child, std::string_view name) {
+  for (const Link& link : {parent, child}) {
+    if (!link.exists()) {
+      return {std::nullopt, "the link with the id " + std::to_string(link.id().value) + " is not there any more"};
+    }
+  }
+  if (parent.id() == child.id()) return {std::nullopt, "a link can't be attached to itself"};
+  const world::Slot slot =
+      sim::Editor(*access_).attach(slotOf(*access_, parent.id()), slotOf(*access_, child.id()), std::string(name));
+  return {Joint(*access_, access_->entities.joints()[slot].id), {}};
+}
+
+std::optional<std::string> World::detach(const Joint& joint) {
+  if (!joint.exists()) return "the joint is not there any more";
+  sim::Editor(*access_).detach(slotOf(*access_, joint.id()));
+  return std::nullopt;
 }
 
 void World::contacts(std::vector<Contact>& contacts) const { access_->engine.contacts(contacts); }

@@ -5,12 +5,14 @@ namespace pongsim {
 
 namespace {
 
+using sim::slotOf;
+
 const world::CollisionRecord& record(const sim::Access& access, CollisionId id) {
-  return access.entities.collisions()[access.entities.slot(id)];
+  return access.entities.collisions()[slotOf(access, id)];
 }
 
 const world::SensorRecord& record(const sim::Access& access, SensorId id) {
-  return access.entities.sensors()[access.entities.slot(id)];
+  return access.entities.sensors()[slotOf(access, id)];
 }
 
 /// @return "/model/outer/model/inner"
@@ -22,6 +24,8 @@ std::string modelTopic(const world::Entities& entities, world::Slot model) {
 
 }  // namespace
 
+bool Collision::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
+
 std::string_view Collision::name() const { return record(*access_, id_).description->name; }
 
 std::string Collision::scopedName() const { return link().scopedName() + "::" + std::string(name()); }
@@ -29,6 +33,8 @@ std::string Collision::scopedName() const { return link().scopedName() + "::" + 
 Link Collision::link() const { return Link(*access_, access_->entities.links()[record(*access_, id_).link].id); }
 
 Pose Collision::poseInLink() const { return record(*access_, id_).description->X_LinkCollision; }
+
+bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
 
 std::string_view Sensor::name() const { return record(*access_, id_).description->name; }
 
@@ -110,7 +116,7 @@ std::vector<Sensor> World::sensors(std::string_view type) const {
 
 std::vector<Collision> Link::collisions() const {
   std::vector<Collision> handles;
-  const world::Slot slot = access_->entities.slot(id_);
+  const world::Slot slot = slotOf(*access_, id_);
   for (const world::CollisionRecord& collision : access_->entities.collisions()) {
     if (collision.link == slot) handles.push_back(Collision(*access_, collision.id));
   }
@@ -119,8 +125,7 @@ std::vector<Collision> Link::collisions() const {
 
 std::vector<Visual> Link::visuals() const {
   std::vector<Visual> visuals;
-  for (const description::Visual& visual :
-       access_->entities.links()[access_->entities.slot(id_)].description->visuals) {
+  for (const description::Visual& visual : access_->entities.links()[slotOf(*access_, id_)].description->visuals) {
     visuals.emplace_back(visual.name, visual.X_LinkVisual);
   }
   return visuals;
@@ -128,7 +133,7 @@ std::vector<Visual> Link::visuals() const {
 
 std::vector<Sensor> Link::sensors() const {
   std::vector<Sensor> handles;
-  const world::Slot slot = access_->entities.slot(id_);
+  const world::Slot slot = slotOf(*access_, id_);
   for (const world::SensorRecord& sensor : access_->entities.sensors()) {
     if (sensor.link == slot) handles.push_back(Sensor(*access_, sensor.id));
   }
@@ -137,7 +142,7 @@ std::vector<Sensor> Link::sensors() const {
 
 std::vector<Sensor> Joint::sensors() const {
   std::vector<Sensor> handles;
-  const world::Slot slot = access_->entities.slot(id_);
+  const world::Slot slot = slotOf(*access_, id_);
   for (const world::SensorRecord& sensor : access_->entities.sensors()) {
     if (sensor.joint == slot) handles.push_back(Sensor(*access_, sensor.id));
   }

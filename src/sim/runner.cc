@@ -58,7 +58,7 @@ struct Runner::Parts {
   Parts(Simulation& s, const RunOptions& o, std::function<void()> stop)
       : simulation(s),
         iterations(o.iterations.value_or(std::numeric_limits<std::uint64_t>::max())),
-        period(stepPeriod(s, o)),
+        options(o),
         status(s.transport(), std::string(s.world().name())),
         control(o.paused),
         services(s, control, std::move(stop)) {}
@@ -75,7 +75,7 @@ struct Runner::Parts {
 
   Simulation& simulation;
   const std::uint64_t iterations;
-  const Clock::duration period;
+  const RunOptions options;
   StatusPublisher status;
   RunControl control;
   RunServices services;
@@ -130,8 +130,9 @@ void Runner::runSteps() {
     parts.factor.sample(now, parts.simulation.time());
     parts.publishStatus(now);
 
-    if (parts.period == Clock::duration::zero()) continue;
-    due = std::max(due + parts.period, now - kLargestDebt);
+    const Clock::duration period = stepPeriod(parts.simulation, parts.options);
+    if (period == Clock::duration::zero()) continue;
+    due = std::max(due + period, now - kLargestDebt);
     while (now < due && !stopping_.load()) {
       sleepUntil(std::min(due, now + kLongestWait));
       now = Clock::now();

@@ -1,8 +1,10 @@
 #include "pongsim/simulation.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -11,6 +13,8 @@
 #include "physics/engine.hh"
 #include "sdf/loader.hh"
 #include "sim/access.hh"
+#include "sim/editor.hh"
+#include "sim/saved_state.hh"
 #include "sim/system_set.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -30,6 +34,12 @@ struct Simulation::Parts {
 
   /// @return The simulation of the file's first world; null, with the reason in `diagnostics`, if it can't run.
   static std::unique_ptr<Simulation> make(sdf::Root root, const SimulationOptions& options, Diagnostics& diagnostics);
+
+  std::optional<Model> insert(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
+  sim::SystemSet* systemSet() { return systems ? &*systems : nullptr; }
+  void announceChanges() {
+    if (systems) systems->announceChanges();
+  }
 
   StepInfo nextStep(Time dt) const {
     const bool paused = dt == Time::zero();
@@ -90,6 +100,51 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
   return std::unique_ptr<Simulation>(new Simulation(std::move(parts)));
 }
 
+std::optional<Model> Simulation::Parts::insert(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : root.unsimulated.all()) diagnostics.add(diagnostic);
+  if (diagnostics.hasErrors()) return std::nullopt;
+  if (root.models.empty()) {
+    diagnostics.error({}, "there is no model to insert", "it must stand directly in <sdf>");
+    return std::nullopt;
+  }
+  auto model = std::make_shared<description::Model>(std::move(root.models.front()));
+  for (std::size_t i = 1; i < root.models.size(); ++i) {
+    diagnostics.warning(root.models[i].position, "model '" + root.models[i].name + "' is left out: the first model, '" +
+                                                     model->name + "', is inserted");
+  }
+  if (!options.name.empty()) model->name = options.name;
+  if (options.pose) model->X_ParentModel = *options.pose;
+  sim::Editor editor(access);
+  if (options.allowRenaming) model->name = editor.freeName(model->name);
+  const SourcePosition position = model->position;
+  if (!editor.isFree(model->name)) {
+    diagnostics.error(position, "there is a '" + model->name + "' in the world already");
+  } else if (model->name.find("::") != std::string::npos) {
+    diagnostics.error(position, "the name '" + model->name + "' has '::' in it, which stands between names");
+  } else if (!sim::isSound(model->X_ParentModel)) {
+    diagnostics.error(position, "the pose of '" + model->name + "' is not finite");
+  }
+  if (diagnostics.hasErrors()) return std::nullopt;
+  model->X_ParentModel.rotation.normalize();
+
+  world::Slot slot = world::kNoSlot;
+  try {
+    slot = editor.insert(std::move(model));
+  } catch (const std::invalid_argument& error) {
+    diagnostics.error(position, error.what());
+    return std::nullopt;
+  }
+  const Model inserted(access, entities.models()[slot].id);
+  if (systems) systems->load(slot, diagnostics);
+  if (diagnostics.hasErrors()) {
+    systems->unload(editor.remove(slot));
+    access.hasChanged = false;
+    return std::nullopt;
+  }
+  announceChanges();
+  return inserted;
+}
+
 std::unique_ptr<Simulation> Simulation::fromFile(const std::filesystem::path& file, const SimulationOptions& options,
                                                  Diagnostics& diagnostics) {
   return Parts::make(sdf::loadFile(file, diagnostics), options, diagnostics);
@@ -135,9 +190,62 @@ Time Simulation::time() const { return parts_->state.time; }
 
 std::uint64_t Simulation::iterations() const { return parts_->state.iterations; }
 
-Time Simulation::stepSize() const { return parts_->description.physics.maxStepSize; }
+Time Simulation::stepSize() const { return parts_->state.stepSize; }
 
-double Simulation::realTimeFactor() const { return parts_->description.physics.realTimeFactor; }
+double Simulation::realTimeFactor() const { return parts_->state.realTimeFactor; }
+
+std::optional<Model> Simulation::insertFile(const std::filesystem::path& file, const InsertOptions& options,
+                                            Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<Model> model = parts_->insert(sdf::loadFile(file, found), options, found);
+  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+  return model;
+}
+
+std::optional<Model> Simulation::insertText(std::string_view text, std::string_view name, const InsertOptions& options,
+                                            Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<Model> model = parts_->insert(sdf::loadText(text, name, found), options, found);
+  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+  return model;
+}
+
+std::optional<std::string> Simulation::remove(const Model& model) {
+  const world::Slot slot = parts_->entities.slot(model.id());
+  if (slot == world::kNoSlot) return "the model is not there any more";
+  const world::ModelRecord& record = parts_->entities.models()[slot];
+  if (record.parent != world::kNoSlot) {
+    return "model '" + record.scopedName + "' is a part of '" + parts_->entities.models()[record.parent].scopedName +
+           "' and can't be removed alone";
+  }
+  const std::vector<ModelId> gone = sim::Editor(parts_->access).remove(slot);
+  if (parts_->systems) parts_->systems->unload(gone);
+  parts_->announceChanges();
+  return std::nullopt;
+}
+
+std::optional<std::string> Simulation::setStepSize(Time size) {
+  if (size <= Time::zero() || size > kLongestStep) return "a step must be longer than zero and at most a second";
+  parts_->state.stepSize = size;
+  return std::nullopt;
+}
+
+std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
+  if (!(factor >= 0) || !std::isfinite(factor)) return "a real-time factor must be a number from zero up";
+  parts_->state.realTimeFactor = factor;
+  return std::nullopt;
+}
+
+void Simulation::reset(Diagnostics& diagnostics) {
+  sim::Editor(parts_->access).reset();
+  if (parts_->systems) parts_->systems->reset(diagnostics);
+}
+
+std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }
+
+std::optional<std::string> Simulation::restoreState(std::span<const std::byte> state) {
+  return sim::restoreState(state, parts_->access, parts_->systemSet());
+}
 
 World Simulation::world() { return World(parts_->access); }
 

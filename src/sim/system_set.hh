@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/hash.hh"
 #include "description/plugin.hh"
 #include "plugin/loader.hh"
 #include "pongsim/diagnostic.hh"
@@ -32,6 +34,25 @@ class SystemSet {
   /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.
   bool wantsPhysics() const { return wantsPhysics_; }
 
+  /// Makes and configures the systems of a model that was inserted, and of those nested in it.
+  void load(world::Slot model, Diagnostics& diagnostics);
+
+  /// Ends the systems of models that have gone.
+  void unload(const std::vector<ModelId>& models);
+
+  /// Tells the systems that the world has changed, if it has since they were told.
+  void announceChanges();
+
+  /// Sets the systems back, after the world was. Those of models that have come back are made and configured anew,
+  /// those of models that have gone end.
+  void reset(Diagnostics& diagnostics);
+
+  /// What the systems remember, with their random streams.
+  void transfer(StateArchive& archive);
+
+  /// Adds which systems there are.
+  void addTo(base::Hash& hash) const;
+
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);
   void postUpdate(const StepInfo& info);
@@ -39,23 +60,39 @@ class SystemSet {
  private:
   /// A system with what its context refers to.
   struct Slot {
+    /// 0 for a system of the world.
+    ModelId model;
+    /// Which plugin of the model or of the world.
+    std::size_t number;
+    std::string stream;
     Logger log;
     Random random;
     Node node;
     std::unique_ptr<System> system;
+    /// It has used a handle to what is gone, and is not called until the next reset.
+    bool rests = false;
   };
 
   void loadWorldPlugins(const description::World& world, Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
-  void add(const description::Plugin& plugin, std::optional<world::Slot> model, Diagnostics& diagnostics);
+  void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
+  void add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
+           Diagnostics& diagnostics);
+  void putInOrder();
+  static void rest(Slot& slot, const std::exception& reason);
+  template <class Call>
+  void forEach(Call call);
 
   Access& access_;
   Transport& transport_;
   std::uint64_t seed_;
   World world_;
+  const description::Plugin defaultSceneBroadcaster_;
   bool wantsPhysics_ = true;
   // The libraries must be there until the systems are gone.
   plugin::Loader loader_;
+  /// Models whose systems have ended: they come back with them.
+  std::vector<ModelId> unloaded_;
   // Contexts point into the slots.
   std::list<Slot> slots_;
 };

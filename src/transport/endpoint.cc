@@ -104,6 +104,7 @@ std::optional<ParticipantId> Writer::newestReader() const {
 void Writer::write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill) {
   const std::size_t size = payloadSize(messageSize);
   const std::lock_guard lock(writer_->getMutex());
+  removeDelivered();
   makeRoomFor(size);
   rtps::CacheChange_t* change = writer_->new_change([size] { return static_cast<std::uint32_t>(size); }, rtps::ALIVE);
   if (change == nullptr) return;
@@ -115,14 +116,26 @@ void Writer::write(std::size_t messageSize, const std::function<void(std::span<s
   history_.add_change(change);
 }
 
+// Not when DDS tells that all have it: in Fast DDS 2.9 that may be in the middle of letting go of a reader, with locks
+// held that the sending thread takes the other way round (Fast-DDS pull request 3468).
+void Writer::removeDelivered() {
+  if (keepsLast_) return;
+  rtps::CacheChange_t* oldest = nullptr;
+  while (history_.get_min_change(&oldest) && writer_->is_acked_by_all(oldest)) removeOldest(*oldest);
+}
+
 void Writer::makeRoomFor(std::size_t bytes) {
   const std::size_t limit = keepsLast_ ? 1 : kKeptMessages;
   rtps::CacheChange_t* oldest = nullptr;
   while (history_.getHistorySize() >= limit || (keptBytes_ + bytes > kHistoryBytes && history_.getHistorySize() > 1)) {
     if (!history_.get_min_change(&oldest)) return;
-    keptBytes_ -= oldest->serializedPayload.length;
-    history_.remove_min_change();
+    removeOldest(*oldest);
   }
+}
+
+void Writer::removeOldest(const rtps::CacheChange_t& oldest) {
+  keptBytes_ -= oldest.serializedPayload.length;
+  history_.remove_min_change();
 }
 
 bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
@@ -146,12 +159,6 @@ void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
     readers_ = static_cast<int>(readersOf_.size());
   }
   if (readersChanged_) readersChanged_();
-}
-
-void Writer::onWriterChangeReceivedByAll(rtps::RTPSWriter*, rtps::CacheChange_t* change) {
-  if (keepsLast_) return;
-  keptBytes_ -= change->serializedPayload.length;
-  history_.remove_change_g(change);
 }
 
 Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received)

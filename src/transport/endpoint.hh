@@ -60,8 +60,9 @@ class Writer : private rtps::WriterListener {
 
  private:
   void onWriterMatched(rtps::RTPSWriter* writer, rtps::MatchingInfo& info) override;
-  void onWriterChangeReceivedByAll(rtps::RTPSWriter* writer, rtps::CacheChange_t* change) override;
+  void removeDelivered();
   void makeRoomFor(std::size_t bytes);
+  void removeOldest(const rtps::CacheChange_t& oldest);
 
   using rtps::WriterListener::onWriterMatched;
 

@@ -1,6 +1,8 @@
 #include "world/entities.hh"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace pongsim::world {
 
@@ -29,9 +31,13 @@ std::string join(std::string_view outer, std::string_view inner) {
 
 }  // namespace
 
-Entities::Entities(const description::World& world) : description_(&world), worldId_{nextId()} {
-  for (const description::Model& model : world.models) topLevelModels_.push_back(addModel(model, kNoSlot, Pose()));
-  for (const description::Joint& joint : world.joints) addJoint(joint, kNoSlot);
+Entities::Entities(const description::World& world) : description_(&world), worldId_{nextId()} { addAll(); }
+
+void Entities::addAll() {
+  for (const description::Model& model : description_->models) {
+    topLevelModels_.push_back(addModel(model, kNoSlot, Pose()));
+  }
+  for (const description::Joint& joint : description_->joints) addJoint(joint, kNoSlot);
 }
 
 Slot Entities::addModel(const description::Model& description, Slot parent, const Pose& X_WorldParent) {
@@ -99,7 +105,7 @@ void Entities::addJoint(const description::Joint& description, Slot model) {
   };
   const Slot slot = joints_.size();
   joints_.push_back(
-      {JointId{nextId()}, &description, model, linkNamed(description.parent), linkNamed(description.child)});
+      {JointId{nextId()}, nullptr, &description, model, linkNamed(description.parent), linkNamed(description.child)});
   slotOfId_.emplace(joints_.back().id.value, slot);
   if (model != kNoSlot) models_[model].joints.push_back(slot);
   addSensors(description.sensors, kNoSlot, slot);
@@ -110,6 +116,147 @@ void Entities::addSensors(const std::vector<description::Sensor>& sensors, Slot 
     sensors_.push_back({SensorId{nextId()}, &sensor, link, joint});
     slotOfId_.emplace(sensors_.back().id.value, sensors_.size() - 1);
   }
+}
+
+Slot Entities::insertModel(std::shared_ptr<const description::Model> model) {
+  const Entities before = *this;
+  try {
+    const Slot slot = addModel(*model, kNoSlot, Pose());
+    models_[slot].owner = std::move(model);
+    topLevelModels_.push_back(slot);
+    return slot;
+  } catch (const std::invalid_argument&) {
+    *this = before;
+    throw;
+  }
+}
+
+Slot Entities::insertJoint(std::shared_ptr<const description::Joint> joint) {
+  addJoint(*joint, kNoSlot);
+  joints_.back().owner = std::move(joint);
+  return joints_.size() - 1;
+}
+
+Removal Entities::removeModel(Slot model) {
+  Removal removal;
+  std::vector<Slot> models;
+  collectModels(model, models);
+  std::ranges::sort(models);
+  for (const Slot each : models) {
+    removal.models.push_back(models_[each].id);
+    removal.links.insert(removal.links.end(), models_[each].links.begin(), models_[each].links.end());
+  }
+  std::ranges::sort(removal.links);
+  const auto goes = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::binary_search(slots, slot); };
+  for (Slot slot = 0; slot < joints_.size(); ++slot) {
+    const JointRecord& joint = joints_[slot];
+    if (goes(models, joint.model) || goes(removal.links, joint.parentLink) || goes(removal.links, joint.childLink)) {
+      removal.joints.push_back(slot);
+    }
+  }
+  removal.descriptions = models_[model].owner;
+  remove(models, removal);
+  return removal;
+}
+
+Removal Entities::removeJoint(Slot joint) {
+  Removal removal;
+  removal.joints = {joint};
+  removal.descriptions = joints_[joint].owner;
+  remove({}, removal);
+  return removal;
+}
+
+void Entities::collectModels(Slot model, std::vector<Slot>& models) const {
+  models.push_back(model);
+  for (const Slot inner : models_[model].models) collectModels(inner, models);
+}
+
+std::vector<Slot> Entities::allLinks(Slot model) const {
+  std::vector<Slot> models;
+  collectModels(model, models);
+  std::vector<Slot> links;
+  for (const Slot each : models) links.insert(links.end(), models_[each].links.begin(), models_[each].links.end());
+  return links;
+}
+
+void Entities::reset() {
+  Entities start(*description_);
+  start.lastId_ = std::max(start.lastId_, lastId_);
+  *this = std::move(start);
+}
+
+namespace {
+
+/// The slot that is `old` once these slots have gone.
+Slot movedUp(Slot old, const std::vector<Slot>& gone) {
+  if (old == kNoSlot) return kNoSlot;
+  const auto before = std::ranges::lower_bound(gone, old);
+  return old - static_cast<Slot>(before - gone.begin());
+}
+
+/// Likewise for a list of slots, some of which may have gone.
+void moveUp(std::vector<Slot>& slots, const std::vector<Slot>& gone) {
+  std::erase_if(slots, [&](Slot slot) { return std::ranges::binary_search(gone, slot); });
+  for (Slot& slot : slots) slot = movedUp(slot, gone);
+}
+
+}  // namespace
+
+void Entities::remove(const std::vector<Slot>& models, const Removal& removal) {
+  std::vector<Slot> collisions;
+  std::vector<Slot> sensors;
+  const auto goes = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::binary_search(slots, slot); };
+  for (Slot slot = 0; slot < collisions_.size(); ++slot) {
+    if (goes(removal.links, collisions_[slot].link)) collisions.push_back(slot);
+  }
+  for (Slot slot = 0; slot < sensors_.size(); ++slot) {
+    if (goes(removal.links, sensors_[slot].link) || goes(removal.joints, sensors_[slot].joint)) sensors.push_back(slot);
+  }
+  for (LinkRecord& link : links_) link.firstCollision = movedUp(link.firstCollision, collisions);
+  eraseSlots(models_, models);
+  eraseSlots(links_, removal.links);
+  eraseSlots(joints_, removal.joints);
+  eraseSlots(collisions_, collisions);
+  eraseSlots(sensors_, sensors);
+  renumber(models, removal);
+  index();
+}
+
+void Entities::renumber(const std::vector<Slot>& models, const Removal& removal) {
+  moveUp(topLevelModels_, models);
+  for (ModelRecord& model : models_) {
+    model.parent = movedUp(model.parent, models);
+    model.canonicalLink = movedUp(model.canonicalLink, removal.links);
+    moveUp(model.links, removal.links);
+    moveUp(model.joints, removal.joints);
+    moveUp(model.models, models);
+  }
+  for (LinkRecord& link : links_) link.model = movedUp(link.model, models);
+  for (JointRecord& joint : joints_) {
+    joint.model = movedUp(joint.model, models);
+    joint.parentLink = movedUp(joint.parentLink, removal.links);
+    joint.childLink = movedUp(joint.childLink, removal.links);
+  }
+  for (CollisionRecord& collision : collisions_) collision.link = movedUp(collision.link, removal.links);
+  for (SensorRecord& sensor : sensors_) {
+    sensor.link = movedUp(sensor.link, removal.links);
+    sensor.joint = movedUp(sensor.joint, removal.joints);
+  }
+}
+
+void Entities::index() {
+  slotOfId_.clear();
+  modelOfName_.clear();
+  const auto add = [this](const auto& records) {
+    for (Slot slot = 0; slot < records.size(); ++slot) slotOfId_.emplace(records[slot].id.value, slot);
+  };
+  add(models_);
+  add(links_);
+  add(joints_);
+  add(collisions_);
+  add(sensors_);
+  for (Slot slot = 0; slot < models_.size(); ++slot) modelOfName_.emplace(models_[slot].scopedName, slot);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,8 @@ struct LinkRecord {
 
 struct JointRecord {
   JointId id;
+  /// Keeps the description of a joint that was made while running.
+  std::shared_ptr<const description::Joint> owner = nullptr;
   const description::Joint* description = nullptr;
   /// `kNoSlot` for a joint of the world itself.
   Slot model = kNoSlot;
@@ -57,6 +60,8 @@ struct SensorRecord {
 
 struct ModelRecord {
   ModelId id;
+  /// Keeps the description of a model that was inserted while running; the models in it have none.
+  std::shared_ptr<const description::Model> owner = nullptr;
   const description::Model* description = nullptr;
   /// `kNoSlot` for a model at the top level.
   Slot parent = kNoSlot;
@@ -72,12 +77,37 @@ struct ModelRecord {
   std::vector<Slot> models;
 };
 
+/// What has gone: the slots that it had, in ascending order. Its descriptions live as long as this.
+struct Removal {
+  std::vector<Slot> links;
+  std::vector<Slot> joints;
+  std::vector<ModelId> models;
+  std::shared_ptr<const void> descriptions;
+};
+
+/// Takes the entries of these slots, in ascending order, out of an array; those behind move up.
+template <class Array>
+void eraseSlots(Array& array, const std::vector<Slot>& slots) {
+  std::size_t gone = 0;
+  std::size_t kept = 0;
+  for (Slot slot = 0; slot < array.size(); ++slot) {
+    if (gone < slots.size() && slots[gone] == slot) {
+      ++gone;
+      continue;
+    }
+    if (kept != slot) array[kept] = std::move(array[slot]);
+    ++kept;
+  }
+  array.erase(array.begin() + static_cast<std::ptrdiff_t>(kept), array.end());
+}
+
 /// Who is there: the models, links and joints of a world with their ids, names and places in the arrays. Made from
 /// a description, which must outlive it.
 ///
 /// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it
 /// has visuals, by its collisions and by its sensors), the models in it and its joints (each followed by its sensors);
-/// last the world's own joints. All of a kind take their slots in the same order.
+/// last the world's own joints. All of a kind take their slots in the same order; what comes later takes the last ones,
+/// and where something goes, those behind it move up.
 class Entities {
  public:
   /// @throws std::invalid_argument if a joint or a model names a link that isn't there.
@@ -110,14 +140,42 @@ class Entities {
   /// @param name Link as the world sees it: "model::link".
   Slot findLink(std::string_view name) const;
 
+  /// Adds a model at the top level, with the links, models and joints in it.
+  /// @param model Its name must be free.
+  /// @throws std::invalid_argument as the constructor does; nothing is added then.
+  /// @return Its slot.
+  Slot insertModel(std::shared_ptr<const description::Model> model);
+
+  /// Adds a joint of the world itself, between links as the world names them.
+  /// @throws std::invalid_argument as the constructor does; nothing is added then.
+  Slot insertJoint(std::shared_ptr<const description::Joint> joint);
+
+  /// Removes a model of the top level with all that is in it, and the joints that hold on to its links.
+  Removal removeModel(Slot model);
+  Removal removeJoint(Slot joint);
+
+  /// Back to what the description says. Who is in it has the ids of the start again; no other id is used a second time.
+  void reset();
+
+  /// Sets the pose of a model that has no link.
+  void setPose(Slot model, const Pose& X_WorldModel) { models_[model].X_CanonicalModel = X_WorldModel; }
+
+  /// @return The links of a model and of those nested in it.
+  std::vector<Slot> allLinks(Slot model) const;
+
   /// @return An id that nothing has had in this run.
   std::uint64_t nextId() { return ++lastId_; }
 
  private:
+  void addAll();
   Slot addModel(const description::Model& description, Slot parent, const Pose& X_WorldParent);
   void addLinks(Slot model, const Pose& X_WorldModel);
   void addJoint(const description::Joint& description, Slot model);
   void addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint);
+  void collectModels(Slot model, std::vector<Slot>& models) const;
+  void remove(const std::vector<Slot>& models, const Removal& removal);
+  void renumber(const std::vector<Slot>& models, const Removal& removal);
+  void index();
 
   const description::World* description_;
   std::uint64_t lastId_ = 0;

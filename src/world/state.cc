@@ -16,8 +16,40 @@ void add(base::Hash& hash, const Quaternion& rotation) {
 
 }  // namespace
 
-State::State(const Entities& entities) : links(entities.links().size()), joints(entities.joints().size()) {
-  for (Slot link = 0; link < links.size(); ++link) links[link].X_WorldLink = entities.links()[link].X_WorldLinkStart;
+State::State(const Entities& entities)
+    : gravity(entities.description().gravity),
+      stepSize(entities.description().physics.maxStepSize),
+      realTimeFactor(entities.description().physics.realTimeFactor) {
+  grow(entities);
+}
+
+void State::grow(const Entities& entities) {
+  for (Slot link = links.size(); link < entities.links().size(); ++link) {
+    links.emplace_back().X_WorldLink = entities.links()[link].X_WorldLinkStart;
+  }
+  joints.resize(entities.joints().size());
+}
+
+void State::remove(const Removal& removal) {
+  eraseSlots(links, removal.links);
+  eraseSlots(joints, removal.joints);
+}
+
+void transfer(StateArchive& archive, State& state) {
+  archive(state.time);
+  archive(state.iterations);
+  archive(state.gravity);
+  archive(state.stepSize);
+  archive(state.realTimeFactor);
+  for (LinkState& link : state.links) {
+    archive(link.X_WorldLink);
+    archive(link.v_WorldLink);
+    archive(link.w_WorldLink);
+  }
+  for (JointState& joint : state.joints) {
+    archive(joint.position);
+    archive(joint.velocity);
+  }
 }
 
 Pose modelPose(const Entities& entities, const State& state, Slot model) {

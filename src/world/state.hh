@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 
@@ -29,11 +30,23 @@ struct State {
   /// The state at the start.
   explicit State(const Entities& entities);
 
+  /// Gives what has come into `entities` its place, where it is at the start.
+  void grow(const Entities& entities);
+  void remove(const Removal& removal);
+
   Time time{0};
   std::uint64_t iterations = 0;
+  /// World frame [m/s^2]. This and the next two are what the description says until they are changed.
+  Vector3 gravity;
+  Time stepSize;
+  /// Simulated seconds a second; 0 means as many as possible.
+  double realTimeFactor;
   std::vector<LinkState> links;
   std::vector<JointState> joints;
 };
+
+/// All of a state whose arrays have the right size already.
+void transfer(StateArchive& archive, State& state);
 
 /// @return Pose of the model frame in the world frame: the model moves with its canonical link.
 Pose modelPose(const Entities& entities, const State& state, Slot model);

@@ -9,13 +9,13 @@ namespace {
 
 using test::Rig;
 
-// a tower of boxes; each of its faces has four points of contact, so twelve rows
+// a tower of boxes that touch from the start; each of its faces has four points of contact, so twelve rows
 description::World tower(int height) {
   const Vector3 size(0.4, 0.4, 0.2);
   description::World world;
   world.models = {test::makeGround()};
   for (int i = 0; i < height; ++i) {
-    description::Link link = test::makeLink("link", {0, 0, 0.1 + 0.2 * i}, 1, test::boxMoments(1, size));
+    description::Link link = test::makeLink("link", {0, 0, 0.0999 + 0.1999 * i}, 1, test::boxMoments(1, size));
     test::addCollision(link, description::Box{size});
     world.models.push_back(test::makeModel("box" + std::to_string(i), {link}));
   }

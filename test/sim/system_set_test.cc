@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
+#include <ignition/msgs/double.pb.h>
+#include <ignition/msgs/pose_v.pb.h>
 
+#include <memory>
 #include <string>
 
 #include "pongsim/simulation.hh"
@@ -71,6 +74,103 @@ TEST(SystemSet, ReportsAllPluginsThatAreNotThereAtOnce) {
   int errors = 0;
   for (const Diagnostic& diagnostic : diagnostics.all()) errors += diagnostic.severity == Severity::kError ? 1 : 0;
   EXPECT_EQ(errors, 2);
+}
+
+// what a world's systems are told of, and with it the systems of its models
+class ChangingSystems : public testing::Test {
+ protected:
+  static constexpr const char* kSpinner = R"(<sdf version="1.9"><model name="spinner">
+    <link name="hub"><inertial><mass>1</mass></inertial></link>
+    <joint name="root" type="revolute"><parent>world</parent><child>hub</child><axis><xyz>0 0 1</xyz></axis></joint>
+    <plugin filename="ignition-gazebo-joint-controller-system" name="ignition::gazebo::systems::JointController">
+      <joint_name>root</joint_name></plugin>
+    <plugin filename="ignition-gazebo-joint-state-publisher-system"
+            name="ignition::gazebo::systems::JointStatePublisher"/></model></sdf>)";
+  static constexpr const char* kTopic = "/model/spinner/joint/root/cmd_vel";
+
+  ChangingSystems() {
+    Diagnostics diagnostics;
+    std::string model = kSpinner;
+    model = model.substr(model.find("<model"), model.rfind("</sdf>") - model.find("<model"));
+    simulation_ = Simulation::fromText(
+        "<sdf version='1.9'><world name='w'><plugin filename='ignition-gazebo-physics-system' "
+        "name='ignition::gazebo::systems::Physics'/><plugin filename='ignition-gazebo-scene-broadcaster-system' "
+        "name='ignition::gazebo::systems::SceneBroadcaster'/>" +
+            model + "</world></sdf>",
+        "world.sdf", {}, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+    poses_ = simulation_->transport().node().subscribe<ignition::msgs::Pose_V>(
+        "/world/w/pose/info", [this](const ignition::msgs::Pose_V& message) {
+          models_.clear();
+          for (const ignition::msgs::Pose& pose : message.pose()) models_ += pose.name() + " ";
+        });
+    speed_ = simulation_->transport().node().advertise<ignition::msgs::Double>(kTopic);
+  }
+
+  Model spinner() { return simulation_->world().model("spinner").value(); }
+  void command(double speed) {
+    ignition::msgs::Double message;
+    message.set_data(speed);
+    speed_.publish(message);
+  }
+  void step() { simulation_->step(20); }
+  void reset() {
+    Diagnostics diagnostics;
+    simulation_->reset(diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  }
+
+  std::unique_ptr<Simulation> simulation_;
+  std::string models_;
+  Subscription poses_;
+  Publisher speed_;
+};
+
+TEST_F(ChangingSystems, GoWithTheirModelAndComeWithIt) {
+  EXPECT_TRUE(speed_.hasSubscribers());
+  EXPECT_EQ(simulation_->remove(spinner()), std::nullopt);
+  EXPECT_FALSE(speed_.hasSubscribers());
+  step();
+  EXPECT_EQ(models_, "");
+
+  Diagnostics diagnostics;
+  ASSERT_TRUE(simulation_->insertText(kSpinner, "spinner.sdf", {}, diagnostics));
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_TRUE(speed_.hasSubscribers());
+  command(3);
+  step();
+  EXPECT_NEAR(spinner().joint("root")->velocity(), 3, 1e-6);
+  EXPECT_EQ(models_, "spinner hub ");
+}
+
+TEST_F(ChangingSystems, AreWhatTheyWereAfterAReset) {
+  command(3);
+  step();
+  const std::uint64_t first = simulation_->stateHash();
+  reset();
+  command(3);
+  step();
+  EXPECT_EQ(simulation_->stateHash(), first);
+
+  EXPECT_EQ(simulation_->remove(spinner()), std::nullopt);
+  step();
+  reset();
+  EXPECT_TRUE(speed_.hasSubscribers());
+  command(3);
+  step();
+  EXPECT_EQ(simulation_->stateHash(), first);
+  EXPECT_EQ(models_, "spinner hub ");
+}
+
+TEST_F(ChangingSystems, OfAModelThatCanNotBeHadLeaveNothingBehind) {
+  Diagnostics diagnostics;
+  const std::string text = R"(<sdf version="1.9"><model name="m"><link name="l"/>
+    <plugin filename="no-such-system" name="a"/></model></sdf>)";
+  EXPECT_FALSE(simulation_->insertText(text, "m.sdf", {}, diagnostics));
+  EXPECT_TRUE(diagnostics.hasErrors());
+  EXPECT_FALSE(simulation_->world().model("m"));
+  step();
+  EXPECT_EQ(models_, "spinner hub ");
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <vector>
+
 namespace pongsim::world {
 namespace {
 
@@ -135,6 +138,114 @@ TEST(Entities, RefusesAJointToALinkThatIsNotThere) {
   description::World world = nestedWorld();
   world.joints[0].child = "lone::nothing";
   EXPECT_THROW(Entities{world}, std::invalid_argument);
+}
+
+// every record leads to what it led to, whatever slots have gone
+void expectWhole(const Entities& entities) {
+  for (Slot slot = 0; slot < entities.models().size(); ++slot) {
+    const ModelRecord& model = entities.models()[slot];
+    EXPECT_EQ(entities.findModel(model.scopedName), slot);
+    for (const Slot link : model.links) EXPECT_EQ(entities.links()[link].model, slot);
+    for (const Slot joint : model.joints) EXPECT_EQ(entities.joints()[joint].model, slot);
+    for (const Slot inner : model.models) EXPECT_EQ(entities.models()[inner].parent, slot);
+  }
+  for (Slot slot = 0; slot < entities.collisions().size(); ++slot) {
+    const LinkRecord& link = entities.links()[entities.collisions()[slot].link];
+    EXPECT_EQ(&link.description->collisions[slot - link.firstCollision], entities.collisions()[slot].description);
+    EXPECT_EQ(entities.slot(entities.collisions()[slot].id), slot);
+  }
+}
+
+TEST(Entities, LetAModelGoWithItsPartsAndTheJointsThatHoldIt) {
+  description::World world = nestedWorld();
+  world.models[0].links[0].sensors.resize(1);
+  world.models[1].links[0].collisions.resize(2);
+  world.models[1].links[0].sensors.resize(1);
+  Entities entities(world);
+  const JointId bridge = entities.joints()[1].id;
+  const LinkId base = entities.links()[entities.findLink("lone::base")].id;
+  const SensorId sensor = entities.sensors()[1].id;
+
+  const Removal removal = entities.removeModel(entities.findModel("outer"));
+  EXPECT_EQ(removal.links, (std::vector<Slot>{0, 1, 2}));
+  EXPECT_EQ(removal.joints, (std::vector<Slot>{0, 1}));
+  EXPECT_EQ(removal.models.size(), 2U);
+  EXPECT_EQ(entities.slot(bridge), kNoSlot);
+  EXPECT_EQ(entities.findModel("outer::inner"), kNoSlot);
+  EXPECT_EQ(entities.slot(base), 0U);
+  EXPECT_EQ(entities.slot(sensor), 0U);
+  EXPECT_EQ(entities.sensors()[0].link, 0U);
+  EXPECT_EQ(entities.topLevelModels(), (std::vector<Slot>{0}));
+  expectWhole(entities);
+}
+
+TEST(Entities, TakeAModelInAtTheEnd) {
+  const description::World world = nestedWorld();
+  Entities entities(world);
+  auto model = std::make_shared<description::Model>(world.models[0]);
+  model->name = "third";
+  const std::uint64_t lastId = entities.nextId();
+  const Slot slot = entities.insertModel(model);
+  EXPECT_EQ(slot, 3U);
+  EXPECT_GT(entities.models()[slot].id.value, lastId);
+  EXPECT_EQ(entities.topLevelModels().back(), slot);
+  EXPECT_EQ(entities.joints().back().childLink, entities.findLink("third::inner::tip"));
+  expectWhole(entities);
+
+  const std::weak_ptr<const description::Model> watched = model;
+  model.reset();
+  EXPECT_FALSE(watched.expired());
+  {
+    const Removal removal = entities.removeModel(slot);
+    EXPECT_FALSE(watched.expired());
+  }
+  EXPECT_TRUE(watched.expired());
+  expectWhole(entities);
+}
+
+TEST(Entities, StayAsTheyAreWhereAModelCanNotBe) {
+  const description::World world = nestedWorld();
+  Entities entities(world);
+  auto model = std::make_shared<description::Model>(world.models[0]);
+  model->name = "third";
+  model->joints[0].child = "nobody";
+  EXPECT_THROW(entities.insertModel(model), std::invalid_argument);
+  EXPECT_EQ(entities.models().size(), 3U);
+  EXPECT_EQ(entities.findModel("third"), kNoSlot);
+  expectWhole(entities);
+}
+
+TEST(Entities, GoBackToTheStartWithTheIdsOfTheStart) {
+  const description::World world = nestedWorld();
+  Entities entities(world);
+  const ModelId lone = entities.models()[entities.findModel("lone")].id;
+  auto model = std::make_shared<description::Model>(world.models[1]);
+  model->name = "third";
+  entities.insertModel(model);
+  entities.removeModel(entities.findModel("lone"));
+  const std::uint64_t lastId = entities.nextId();
+  entities.reset();
+  EXPECT_EQ(entities.models()[entities.findModel("lone")].id, lone);
+  EXPECT_EQ(entities.findModel("third"), kNoSlot);
+  EXPECT_GT(entities.nextId(), lastId);
+  expectWhole(entities);
+}
+
+TEST(Entities, MakeAndLoseJointsOfTheWorld) {
+  const description::World world = nestedWorld();
+  Entities entities(world);
+  auto joint = std::make_shared<description::Joint>();
+  joint->name = "rope";
+  joint->parent = "outer::base";
+  joint->child = "lone::base";
+  const Slot slot = entities.insertJoint(joint);
+  EXPECT_EQ(entities.findJoint(kNoSlot, "rope"), slot);
+  EXPECT_EQ(entities.joints()[slot].childLink, entities.findLink("lone::base"));
+  const JointId id = entities.joints()[slot].id;
+  entities.removeJoint(0);
+  EXPECT_EQ(entities.slot(id), slot - 1);
+  EXPECT_TRUE(entities.models()[entities.findModel("outer")].joints.empty());
+  expectWhole(entities);
 }
 
 }  // namespace

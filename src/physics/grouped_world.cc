@@ -1,0 +1,147 @@
+#include "physics/grouped_world.hh"
+
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace pongsim::physics {
+
+namespace {
+
+// of bodies that forces do not move; for others it is the place in the array
+constexpr int kNoMember = -1;
+
+int memberOf(const btCollisionObject& object) { return object.getIslandTag(); }
+
+template <class T>
+T* dataOf(std::vector<T>& array, std::size_t first) {
+  return array.empty() ? nullptr : array.data() + first;
+}
+
+int countOf(std::size_t first, std::size_t end) { return static_cast<int>(end - first); }
+
+}  // namespace
+
+void GroupedWorld::setMembers(std::vector<btRigidBody*> bodies, std::vector<btTypedConstraint*> joints) {
+  bodies_ = std::move(bodies);
+  joints_ = std::move(joints);
+  const btCollisionObjectArray& objects = getCollisionObjectArray();
+  for (int i = 0; i < objects.size(); ++i) objects[i]->setIslandTag(kNoMember);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->setIslandTag(static_cast<int>(i));
+}
+
+void GroupedWorld::solveConstraints(btContactSolverInfo& info) {
+  collectTouches();
+  uniteBodies();
+  countMembers();
+  sortByGroup();
+  m_constraintSolver->prepareSolve(getNumCollisionObjects(), static_cast<int>(touches_.size()));
+  for (std::size_t i = 0; i + 1 < groups_.size(); ++i) {
+    const Group& first = groups_[i];
+    const Group& end = groups_[i + 1];
+    m_constraintSolver->solveGroup(dataOf(bodiesByGroup_, first.bodies), countOf(first.bodies, end.bodies),
+                                   dataOf(manifoldsByGroup_, first.manifolds), countOf(first.manifolds, end.manifolds),
+                                   dataOf(jointsByGroup_, first.joints), countOf(first.joints, end.joints), info,
+                                   getDebugDrawer(), getDispatcher());
+  }
+  m_constraintSolver->allSolved(info, getDebugDrawer());
+}
+
+void GroupedWorld::collectTouches() {
+  touches_.clear();
+  btDispatcher& dispatcher = *getDispatcher();
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+    if (manifold->getNumContacts() == 0) continue;
+    const btCollisionObject& a = *manifold->getBody0();
+    const btCollisionObject& b = *manifold->getBody1();
+    if (memberOf(a) == kNoMember && memberOf(b) == kNoMember) continue;
+    auto slotA = static_cast<std::uint32_t>(a.getUserIndex());
+    auto slotB = static_cast<std::uint32_t>(b.getUserIndex());
+    auto partA = static_cast<std::uint32_t>(manifold->m_companionIdA);
+    auto partB = static_cast<std::uint32_t>(manifold->m_companionIdB);
+    if (slotB < slotA) {
+      std::swap(slotA, slotB);
+      std::swap(partA, partB);
+    }
+    touches_.push_back({std::uint64_t{slotA} << 32U | slotB, std::uint64_t{partA} << 32U | partB, manifold});
+  }
+  std::ranges::sort(
+      touches_, [](const Touch& a, const Touch& b) { return std::tie(a.links, a.parts) < std::tie(b.links, b.parts); });
+}
+
+std::size_t GroupedWorld::rootOf(std::size_t body) {
+  while (parents_[body] != body) {
+    parents_[body] = parents_[parents_[body]];
+    body = parents_[body];
+  }
+  return body;
+}
+
+void GroupedWorld::unite(const btCollisionObject& a, const btCollisionObject& b) {
+  if (memberOf(a) == kNoMember || memberOf(b) == kNoMember) return;
+  const std::size_t rootA = rootOf(static_cast<std::size_t>(memberOf(a)));
+  const std::size_t rootB = rootOf(static_cast<std::size_t>(memberOf(b)));
+  parents_[std::max(rootA, rootB)] = std::min(rootA, rootB);
+}
+
+std::size_t GroupedWorld::groupOf(const btCollisionObject& a, const btCollisionObject& b) const {
+  return groupOfBody_[static_cast<std::size_t>(memberOf(a) != kNoMember ? memberOf(a) : memberOf(b))];
+}
+
+std::size_t GroupedWorld::groupOf(const btPersistentManifold& manifold) const {
+  return groupOf(*manifold.getBody0(), *manifold.getBody1());
+}
+
+std::size_t GroupedWorld::groupOf(const btTypedConstraint& joint) const {
+  return groupOf(joint.getRigidBodyA(), joint.getRigidBodyB());
+}
+
+void GroupedWorld::uniteBodies() {
+  parents_.resize(bodies_.size());
+  for (std::size_t i = 0; i < parents_.size(); ++i) parents_[i] = i;
+  for (const Touch& touch : touches_) unite(*touch.manifold->getBody0(), *touch.manifold->getBody1());
+  for (const btTypedConstraint* joint : joints_) unite(joint->getRigidBodyA(), joint->getRigidBodyB());
+}
+
+void GroupedWorld::countMembers() {
+  // a root stands before the others of its group
+  groups_.clear();
+  groupOfBody_.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const std::size_t root = rootOf(i);
+    if (root == i) groups_.emplace_back();
+    groupOfBody_[i] = root == i ? groups_.size() - 1 : groupOfBody_[root];
+    ++groups_[groupOfBody_[i]].bodies;
+  }
+  for (const Touch& touch : touches_) ++groups_[groupOf(*touch.manifold)].manifolds;
+  for (const btTypedConstraint* joint : joints_) ++groups_[groupOf(*joint)].joints;
+
+  // from how many to where they begin
+  Group sum;
+  groups_.emplace_back();
+  for (Group& group : groups_) {
+    const Group count = std::exchange(group, sum);
+    sum = {sum.bodies + count.bodies, sum.manifolds + count.manifolds, sum.joints + count.joints};
+  }
+}
+
+void GroupedWorld::sortByGroup() {
+  next_ = groups_;
+  bodiesByGroup_.resize(bodies_.size());
+  manifoldsByGroup_.resize(touches_.size());
+  jointsByGroup_.resize(joints_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodiesByGroup_[next_[groupOfBody_[i]].bodies++] = bodies_[i];
+  for (const Touch& touch : touches_) {
+    manifoldsByGroup_[next_[groupOf(*touch.manifold)].manifolds++] = touch.manifold;
+  }
+  for (btTypedConstraint* joint : joints_) jointsByGroup_[next_[groupOf(*joint)].joints++] = joint;
+}
+
+}  // namespace pongsim::physics

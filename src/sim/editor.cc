@@ -1,0 +1,136 @@
+#include "sim/editor.hh"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace pongsim::sim {
+
+bool isSound(const Pose& pose) {
+  return pose.position.allFinite() && pose.rotation.coeffs().allFinite() && pose.rotation.norm() > 1e-6;
+}
+
+bool Editor::isFree(std::string_view name) const {
+  return access_.entities.findModel(name) == world::kNoSlot &&
+         std::ranges::none_of(access_.entities.description().lights,
+                              [&](const description::Light& light) { return light.name == name; });
+}
+
+std::string Editor::freeName(const std::string& name) const {
+  std::string free = name;
+  for (int number = 0; !isFree(free); ++number) free = name + "_" + std::to_string(number);
+  return free;
+}
+
+world::Slot Editor::insert(std::shared_ptr<const description::Model> model) {
+  const world::Slot slot = access_.entities.insertModel(std::move(model));
+  try {
+    access_.engine.grow();
+  } catch (...) {
+    access_.entities.removeModel(slot);
+    throw;
+  }
+  access_.state.grow(access_.entities);
+  access_.hasChanged = true;
+  return slot;
+}
+
+std::vector<ModelId> Editor::remove(world::Slot model) {
+  const world::Removal removal = access_.entities.removeModel(model);
+  access_.engine.remove(removal);
+  access_.state.remove(removal);
+  access_.hasChanged = true;
+  return removal.models;
+}
+
+const world::JointRecord* Editor::holder(const std::vector<world::Slot>& links) const {
+  const auto isOf = [&](world::Slot link) { return std::ranges::binary_search(links, link); };
+  const auto found = std::ranges::find_if(access_.entities.joints(), [&](const world::JointRecord& joint) {
+    return isOf(joint.parentLink) != isOf(joint.childLink);
+  });
+  return found == access_.entities.joints().end() ? nullptr : &*found;
+}
+
+void Editor::move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after) {
+  for (const world::Slot link : links) {
+    world::LinkState& state = access_.state.links[link];
+    state.X_WorldLink = X_NewOld * state.X_WorldLink;
+    const bool stops = after == AfterMove::kStop;
+    state.v_WorldLink = stops ? Vector3::Zero() : Vector3(X_NewOld.rotation * state.v_WorldLink);
+    state.w_WorldLink = stops ? Vector3::Zero() : Vector3(X_NewOld.rotation * state.w_WorldLink);
+    access_.engine.setLinkPose(link, state.X_WorldLink);
+    access_.engine.setLinkVelocity(link, state.v_WorldLink, state.w_WorldLink);
+  }
+}
+
+std::optional<std::string> Editor::setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after) {
+  if (!isSound(X_WorldModel)) return "the pose is not finite";
+  const Pose X_WorldNew{X_WorldModel.position, X_WorldModel.rotation.normalized()};
+  std::vector<world::Slot> links = access_.entities.allLinks(model);
+  std::ranges::sort(links);
+  if (links.empty()) {
+    access_.entities.setPose(model, X_WorldNew);
+    return std::nullopt;
+  }
+  if (const world::JointRecord* joint = holder(links)) {
+    return "model '" + access_.entities.models()[model].scopedName + "' is held by joint '" + joint->description->name +
+           "'";
+  }
+  move(links, X_WorldNew * world::modelPose(access_.entities, access_.state, model).inverse(), after);
+  return std::nullopt;
+}
+
+std::optional<std::string> Editor::setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after) {
+  if (!isSound(X_WorldLink)) return "the pose is not finite";
+  if (const world::JointRecord* joint = holder({link})) {
+    return "link '" + access_.entities.links()[link].description->name + "' is held by joint '" +
+           joint->description->name + "'";
+  }
+  const Pose X_WorldNew{X_WorldLink.position, X_WorldLink.rotation.normalized()};
+  move({link}, X_WorldNew * access_.state.links[link].X_WorldLink.inverse(), after);
+  return std::nullopt;
+}
+
+world::Slot Editor::attach(world::Slot parent, world::Slot child, std::string name) {
+  const auto scopedName = [&](world::Slot link) {
+    const world::LinkRecord& record = access_.entities.links()[link];
+    return access_.entities.models()[record.model].scopedName + "::" + record.description->name;
+  };
+  auto joint = std::make_shared<description::Joint>();
+  for (int number = 0; name.empty(); ++number) {
+    std::string candidate = "attachment_" + std::to_string(number);
+    if (access_.entities.findJoint(world::kNoSlot, candidate) == world::kNoSlot) name = std::move(candidate);
+  }
+  joint->name = std::move(name);
+  joint->type = description::JointType::kFixed;
+  joint->parent = scopedName(parent);
+  joint->child = scopedName(child);
+  const std::vector<world::LinkState>& links = access_.state.links;
+  joint->X_ParentJoint = links[parent].X_WorldLink.inverse() * links[child].X_WorldLink;
+  const world::Slot slot = access_.entities.insertJoint(std::move(joint));
+  access_.engine.grow();
+  access_.state.grow(access_.entities);
+  access_.hasChanged = true;
+  return slot;
+}
+
+void Editor::detach(world::Slot joint) {
+  const world::Removal removal = access_.entities.removeJoint(joint);
+  access_.engine.remove(removal);
+  access_.state.remove(removal);
+  access_.hasChanged = true;
+}
+
+void Editor::setGravity(const Vector3& gravity) {
+  access_.state.gravity = gravity;
+  access_.engine.setGravity(gravity);
+}
+
+void Editor::reset() {
+  access_.entities.reset();
+  access_.state = world::State(access_.entities);
+  access_.engine.reset();
+  access_.hasChanged = true;
+}
+
+}  // namespace pongsim::sim

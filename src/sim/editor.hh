@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "description/joint.hh"
+#include "description/model.hh"
+#include "pongsim/handles.hh"
+#include "sim/access.hh"
+
+namespace pongsim::sim {
+
+/// Changes who is in a world and where, between two steps: entities, state and engine together. What is refused
+/// changes nothing.
+class Editor {
+ public:
+  explicit Editor(Access& access) : access_(access) {}
+
+  /// @return `name` if no model or light at the top level has it, else the first of `name`_0, `name`_1 and so on that
+  /// is free, as in Fortress.
+  std::string freeName(const std::string& name) const;
+  bool isFree(std::string_view name) const;
+
+  /// @param model Its name must be free.
+  /// @throws std::invalid_argument if it can't be simulated; nothing is changed then.
+  /// @return Its slot.
+  world::Slot insert(std::shared_ptr<const description::Model> model);
+
+  /// @param model At the top level.
+  /// @return Who has gone: the model and those nested in it.
+  std::vector<ModelId> remove(world::Slot model);
+
+  /// @return Why not, or nothing.
+  std::optional<std::string> setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after);
+  std::optional<std::string> setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after);
+
+  /// Makes a fixed joint of the world itself that holds the child to the parent as they are.
+  /// @param name Empty: one that is free.
+  world::Slot attach(world::Slot parent, world::Slot child, std::string name);
+  void detach(world::Slot joint);
+
+  void setGravity(const Vector3& gravity);
+
+  /// Back to the start.
+  void reset();
+
+ private:
+  /// @return The joint that holds some of these links, in ascending order, to something else; null if there is none.
+  const world::JointRecord* holder(const std::vector<world::Slot>& links) const;
+  void move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after);
+
+  Access& access_;
+};
+
+/// @return Whether all of it is finite and its rotation not zero.
+bool isSound(const Pose& pose);
+
+}  // namespace pongsim::sim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/access.hh"
+#include "sim/system_set.hh"
+
+namespace pongsim::sim {
+
+// The bytes: "pongsim1", a number made of who is in the world, a number made of the rest, and the rest.
+
+/// @param systems Null where there are none.
+std::vector<std::byte> saveState(Access& access, SystemSet* systems);
+
+/// @return Why not, or nothing. What is refused changes nothing.
+std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet* systems);
+
+}  // namespace pongsim::sim

@@ -1,0 +1,67 @@
+#include "physics/grouped_world.hh"
+
+#include <gtest/gtest.h>
+
+#include "physics/rig.hh"
+
+namespace pongsim::physics {
+namespace {
+
+description::Model boxAt(const std::string& name, double x, double z) {
+  const Vector3 size(0.4, 0.4, 0.2);
+  description::Link link = test::makeLink("link", {x, 0, z}, 1, test::boxMoments(1, size));
+  test::addCollision(link, description::Box{size});
+  return test::makeModel(name, {link});
+}
+
+// two piles and a pair of boxes that a joint connects; `between` comes before what stands in the second pile
+description::World piles(const std::vector<description::Model>& between) {
+  description::World world;
+  world.models = {test::makeGround(), boxAt("a0", 0, 0.1), boxAt("a1", 0.05, 0.3)};
+  for (const description::Model& model : between) world.models.push_back(model);
+  for (const auto& model : {boxAt("b0", 5, 0.1), boxAt("b1", 5.05, 0.3)}) world.models.push_back(model);
+  return world;
+}
+
+TEST(GroupedWorld, GivesAGroupTheSameBitsWhoeverElseIsThere) {
+  test::Rig alone(piles({}));
+  test::Rig amongOthers(piles({boxAt("c0", 10, 0.1), boxAt("c1", 10, 0.31), boxAt("c2", 10, 0.52)}));
+  alone.step(500);
+  amongOthers.step(500);
+  for (const char* link : {"a0::link", "a1::link", "b0::link", "b1::link"}) {
+    EXPECT_EQ(alone.link(link).X_WorldLink, amongOthers.link(link).X_WorldLink) << link;
+    EXPECT_EQ(alone.link(link).v_WorldLink, amongOthers.link(link).v_WorldLink) << link;
+  }
+}
+
+TEST(GroupedWorld, GivesTheSameBitsWhateverHasBeenThere) {
+  const description::World world = piles({boxAt("c0", 10, 0.1)});
+  world::Entities entities(world);
+  world::State state(entities);
+  Engine engine(entities);
+  // before the first step, so that what is left begins where it would without
+  const world::Removal removal = entities.removeModel(entities.findModel("c0"));
+  engine.remove(removal);
+  state.remove(removal);
+  test::Rig never(piles({}));
+  for (int i = 0; i < 500; ++i) engine.step(test::Rig::kStep, state);
+  never.step(500);
+  for (world::Slot link = 0; link < state.links.size(); ++link) {
+    EXPECT_EQ(state.links[link].X_WorldLink, never.state.links[link].X_WorldLink) << link;
+  }
+}
+
+TEST(GroupedWorld, SolvesJointsBetweenModelsWithBoth) {
+  description::World world = piles({});
+  description::Joint joint =
+      test::makeJoint("rope", description::JointType::kFixed, "a0::link", "b0::link", test::at(5, 0, 0), Pose());
+  world.joints = {joint};
+  test::Rig rig(std::move(world));
+  rig.engine.setLinkVelocity(1, {1, 0, 0}, {0, 0, 0});
+  rig.step(1);
+  EXPECT_NEAR(rig.link("b0::link").v_WorldLink.x(), rig.link("a0::link").v_WorldLink.x(), 1e-6);
+  EXPECT_GT(rig.link("b0::link").v_WorldLink.x(), 0.1);
+}
+
+}  // namespace
+}  // namespace pongsim::physics

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "pongsim/simulation.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim {
+namespace {
+
+std::string courtFile() { return (test::projectFolder() / "worlds/pong_world.sdf").string(); }
+
+std::unique_ptr<Simulation> court(const SimulationOptions& options = {}) {
+  Diagnostics diagnostics;
+  auto simulation = Simulation::fromFile(courtFile(), options, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  return simulation;
+}
+
+void press(Simulation& simulation, int key) {
+  Publisher keys = simulation.transport().node().advertise("/keyboard/keypress", "ignition.msgs.Int32");
+  const MessagePointer message = newMessage("ignition.msgs.Int32");
+  ASSERT_FALSE(parseMessage("data: " + std::to_string(key), *message).has_value());
+  keys.publish(*message);
+}
+
+/// Forward, then in a bend until it stands against a wall.
+std::uint64_t driveOn(Simulation& simulation) {
+  press(simulation, 16777235);
+  simulation.step(1500);
+  press(simulation, 16777234);
+  simulation.step(1500);
+  return simulation.stateHash();
+}
+
+TEST(SavedState, GivesOneHashInTenRunsAfterAResetAndFromASave) {
+  std::set<std::uint64_t> hashes;
+  for (int i = 0; i < 10; ++i) {
+    const auto simulation = court();
+    ASSERT_NE(simulation, nullptr);
+    simulation->step(500);
+    hashes.insert(driveOn(*simulation));
+  }
+  const auto simulation = court();
+  simulation->step(500);
+  const std::vector<std::byte> state = simulation->saveState();
+  hashes.insert(driveOn(*simulation));
+
+  Diagnostics diagnostics;
+  simulation->reset(diagnostics);
+  simulation->step(500);
+  hashes.insert(driveOn(*simulation));
+
+  EXPECT_EQ(simulation->restoreState(state), std::nullopt);
+  EXPECT_EQ(simulation->time(), std::chrono::milliseconds(500));
+  hashes.insert(driveOn(*simulation));
+
+  const auto other = court();
+  EXPECT_EQ(other->restoreState(state), std::nullopt);
+  hashes.insert(driveOn(*other));
+  EXPECT_EQ(hashes.size(), 1U);
+}
+
+TEST(SavedState, IsTheSameOnThreadsOfTheirOwn) {
+  const auto alone = court();
+  const std::uint64_t expected = driveOn(*alone);
+  std::vector<std::uint64_t> hashes(4);
+  std::vector<std::thread> threads;
+  for (std::uint64_t& hash : hashes) {
+    threads.emplace_back([&hash] {
+      const auto simulation = court();
+      hash = driveOn(*simulation);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, expected);
+}
+
+TEST(SavedState, KeepsWhatWasChangedWhileRunning) {
+  const auto simulation = court({.loadSystems = false});
+  simulation->world().setGravity({0, 0, -1});
+  simulation->setStepSize(std::chrono::milliseconds(2));
+  simulation->step(10);
+  const std::vector<std::byte> state = simulation->saveState();
+  const auto other = court({.loadSystems = false});
+  EXPECT_EQ(other->restoreState(state), std::nullopt);
+  EXPECT_EQ(other->stepSize(), std::chrono::milliseconds(2));
+  EXPECT_EQ(other->world().gravity(), Vector3(0, 0, -1));
+  simulation->step(500);
+  other->step(500);
+  EXPECT_EQ(simulation->stateHash(), other->stateHash());
+}
+
+TEST(SavedState, IsRefusedWhereItDoesNotFit) {
+  const auto simulation = court({.loadSystems = false});
+  simulation->step(100);
+  std::vector<std::byte> state = simulation->saveState();
+  const std::uint64_t hash = simulation->stateHash();
+  const auto refusal = [&](const std::vector<std::byte>& bytes) {
+    return simulation->restoreState(bytes).value_or("taken");
+  };
+  EXPECT_EQ(refusal({}), "that is no saved state");
+  EXPECT_EQ(refusal(std::vector<std::byte>(100)), "that is no saved state of this version of pongsim");
+  EXPECT_EQ(refusal(std::vector<std::byte>(state.begin(), state.end() - 1)), "the saved state is damaged");
+  std::vector<std::byte> damaged = state;
+  damaged[100] ^= std::byte{1};
+  EXPECT_EQ(refusal(damaged), "the saved state is damaged");
+  const std::string otherWorld =
+      "the saved state is one of another world, or other models, joints or systems were there";
+  EXPECT_EQ(refusal(court()->saveState()), otherWorld);
+  EXPECT_EQ(simulation->stateHash(), hash);
+  EXPECT_EQ(simulation->remove(*simulation->world().model("pong_bot")), std::nullopt);
+  EXPECT_EQ(refusal(state), otherWorld);
+}
+
+}  // namespace
+}  // namespace pongsim
