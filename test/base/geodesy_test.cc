@@ -16,7 +16,9 @@ TEST(TangentPlane, HasItsOriginWhereItIs) {
     EXPECT_NEAR(found.latitude, latitude * kDegree, 1e-12);
     EXPECT_NEAR(found.altitude, 250, 1e-6);
     // the pole has all longitudes
-    if (latitude < 90) EXPECT_NEAR(found.longitude, 1, 1e-9);
+    if (latitude < 90) {
+      EXPECT_NEAR(found.longitude, 1, 1e-9);
+    }
   }
 }
 

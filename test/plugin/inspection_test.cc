@@ -14,12 +14,12 @@
 namespace pongsim::plugin {
 namespace {
 
-std::filesystem::path testLibrary(const std::string& name) {
+std::filesystem::path inspectedLibrary(const std::string& name) {
   return std::filesystem::path(PONGSIM_TEST_PLUGINS) / ("libpongsim-" + name + "-system.so");
 }
 
 TEST(Inspection, TellsOfClassesAndWhatTheySay) {
-  const auto looked = Inspection::of(testLibrary("counting"));
+  const auto looked = Inspection::of(inspectedLibrary("counting"));
   ASSERT_TRUE(std::holds_alternative<Inspection>(looked));
   const auto& classes = std::get<Inspection>(looked).classes();
   ASSERT_EQ(classes.size(), 1U);
@@ -30,7 +30,7 @@ TEST(Inspection, TellsOfClassesAndWhatTheySay) {
 }
 
 TEST(Inspection, SaysWhyALibraryCannotBeUsed) {
-  const auto ancient = Inspection::of(testLibrary("ancient"));
+  const auto ancient = Inspection::of(inspectedLibrary("ancient"));
   ASSERT_TRUE(std::holds_alternative<std::string>(ancient));
   EXPECT_NE(std::get<std::string>(ancient).find("it was built for version 0"), std::string::npos);
 }
@@ -38,7 +38,7 @@ TEST(Inspection, SaysWhyALibraryCannotBeUsed) {
 TEST(FindLibrary, TakesTheNamesThatWorldsUse) {
   const std::vector<std::filesystem::path> path = {"/nowhere", PONGSIM_TEST_PLUGINS};
   for (const char* name : {"counting", "ignition-gazebo-counting-system", "libpongsim-counting-system.so"}) {
-    EXPECT_EQ(findLibrary(path, name), testLibrary("counting")) << name;
+    EXPECT_EQ(findLibrary(path, name), inspectedLibrary("counting")) << name;
   }
   EXPECT_EQ(findLibrary(path, "no-such"), std::nullopt);
 }
@@ -49,8 +49,8 @@ TEST(LibrariesIn, NamesEachSystemOnceWhereAWorldFindsIt) {
   const std::vector<std::filesystem::path> all = librariesIn({folder.path(), PONGSIM_TEST_PLUGINS});
   ASSERT_FALSE(all.empty());
   EXPECT_EQ(all[0], first);
-  EXPECT_EQ(std::count(all.begin(), all.end(), testLibrary("counting")), 0);
-  EXPECT_EQ(std::count(all.begin(), all.end(), testLibrary("empty")), 1);
+  EXPECT_EQ(std::count(all.begin(), all.end(), inspectedLibrary("counting")), 0);
+  EXPECT_EQ(std::count(all.begin(), all.end(), inspectedLibrary("empty")), 1);
 }
 
 }  // namespace
