@@ -100,8 +100,9 @@ struct LidarSettings {
 
 /// `<navsat>` or `<gps>`
 struct NavSatSettings {
-  /// [m]
+  /// [degrees], as in Fortress.
   NoiseSettings horizontalPosition;
+  /// [m]
   NoiseSettings verticalPosition;
   /// [m/s]
   NoiseSettings horizontalVelocity;

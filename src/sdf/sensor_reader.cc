@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -123,6 +124,10 @@ LogicalCameraSettings readLogicalCamera(const Element* element, const std::strin
   settings.far = readPositive(*element, "far", settings.far, context);
   settings.horizontalFov = readPositive(*element, "horizontal_fov", settings.horizontalFov, context);
   settings.aspectRatio = readPositive(*element, "aspect_ratio", settings.aspectRatio, context);
+  if (settings.horizontalFov >= std::numbers::pi) {
+    context.diagnostics.error(element->child("horizontal_fov")->position,
+                              "<horizontal_fov> must be below half a turn (3.1416)");
+  }
   if (settings.near >= settings.far) {
     context.diagnostics.error(element->position, label + " sees nothing: <near> is not below <far>");
   }
@@ -179,10 +184,10 @@ constexpr auto kSensorTypes = std::to_array<TypeRow>({
     {"gpu_ray", "lidar", "ray", false},
     {"imu", "imu", "", true},
     {"lidar", "lidar", "ray", false},
-    {"logical_camera", "logical_camera", "", false},
+    {"logical_camera", "logical_camera", "", true},
     {"magnetometer", "magnetometer", "", true},
     {"multicamera", "camera", "", false},
-    {"navsat", "navsat", "gps", false},
+    {"navsat", "navsat", "gps", true},
     {"ray", "lidar", "ray", false},
     {"rfid", "rfid", "", false},
     {"rfidtag", "rfidtag", "", false},
