@@ -1,13 +1,12 @@
 #include "sim/edit_services.hh"
 
-#include <filesystem>
 #include <optional>
-#include <utility>
 
 #include "base/nearest_word.hh"
 #include "msgs/control_messages.hh"
 #include "pongsim/log.hh"
 #include "pongsim/simulation.hh"
+#include "sim/diagnostic_log.hh"
 
 namespace pongsim::sim {
 
@@ -16,23 +15,6 @@ namespace {
 const Logger& editLog() {
   static const Logger log("world");
   return log;
-}
-
-/// Tells all of it in the run's messages.
-/// @return The first error, for who asked.
-std::string report(const Diagnostics& diagnostics) {
-  std::string first = "it cannot be made";
-  bool isFirst = true;
-  for (const Diagnostic& diagnostic : diagnostics.all()) {
-    const std::string text = format(diagnostic);
-    if (diagnostic.severity != Severity::kError) {
-      editLog().warning(text);
-      continue;
-    }
-    editLog().error(text);
-    if (std::exchange(isFirst, false)) first = text.substr(0, text.find('\n'));
-  }
-  return first;
 }
 
 }  // namespace
@@ -66,7 +48,7 @@ std::optional<std::string> EditServices::insert(const msgs::EntityFactory& asked
   const std::optional<Model> model = asked.text.empty()
                                          ? simulation_.insertFile(asked.file, options, diagnostics)
                                          : simulation_.insertText(asked.text, "sdf", options, diagnostics);
-  const std::string error = report(diagnostics);
+  const std::string error = logDiagnostics(diagnostics, editLog());
   if (!model) return error;
   inserted.push_back(*model);
   return std::nullopt;

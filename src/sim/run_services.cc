@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "pongsim/simulation.hh"
+#include "sim/diagnostic_log.hh"
 
 namespace pongsim::sim {
 
@@ -35,7 +36,7 @@ ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
   if (!isReset) return true;
   Diagnostics diagnostics;
   simulation_.reset(diagnostics);
-  for (const Diagnostic& diagnostic : diagnostics.all()) log_.warning(format(diagnostic));
+  logDiagnostics(diagnostics, log_);
   return true;
 }
 

@@ -67,8 +67,11 @@ ParticipantId participantId(const rtps::GuidPrefix_t& prefix) {
   return id;
 }
 
-Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std::function<void()> readersChanged)
+Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract,
+               std::function<void()> readersChanged)
     : own_(participantId(participant.getGuid().guidPrefix)),
+      outbox_(outbox),
+      topic_(contract.topic),
       keepsLast_(contract.keepsLast),
       readersChanged_(std::move(readersChanged)),
       history_(historyAttributes()) {
@@ -76,7 +79,8 @@ Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std
   attributes.endpoint.topicKind = rtps::NO_KEY;
   attributes.endpoint.reliabilityKind = rtps::RELIABLE;
   attributes.endpoint.durabilityKind = durability(contract);
-  attributes.mode = rtps::ASYNCHRONOUS_WRITER;
+  // sends on the outbox's thread
+  attributes.mode = rtps::SYNCHRONOUS_WRITER;
   attributes.times.initialHeartbeatDelay = kAtOnce;
   attributes.times.heartbeatPeriod = kHeartbeatPeriod;
   attributes.times.nackResponseDelay = kAtOnce;
@@ -89,7 +93,10 @@ Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std
   }
 }
 
-Writer::~Writer() { rtps::RTPSDomain::removeRTPSWriter(writer_); }
+Writer::~Writer() {
+  outbox_.flush(*this);
+  rtps::RTPSDomain::removeRTPSWriter(writer_);
+}
 
 bool Writer::hasReaderOf(const ParticipantId& participant) const {
   const std::lock_guard lock(readersMutex_);
@@ -102,7 +109,12 @@ std::optional<ParticipantId> Writer::newestReader() const {
 }
 
 void Writer::write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill) {
-  const std::size_t size = payloadSize(messageSize);
+  outbox_.add(*this, payloadSize(messageSize),
+              [&](std::span<std::byte> sample) { fill(framePayload(sample, messageSize)); });
+}
+
+void Writer::send(std::span<const std::byte> sample) {
+  const std::size_t size = sample.size();
   const std::lock_guard lock(writer_->getMutex());
   removeDelivered();
   makeRoomFor(size);
@@ -110,8 +122,7 @@ void Writer::write(std::size_t messageSize, const std::function<void(std::span<s
   if (change == nullptr) return;
   change->serializedPayload.encapsulation = CDR_LE;
   change->serializedPayload.length = static_cast<std::uint32_t>(size);
-  const std::span<std::byte> payload(reinterpret_cast<std::byte*>(change->serializedPayload.data), size);
-  fill(framePayload(payload, messageSize));
+  std::ranges::copy(sample, reinterpret_cast<std::byte*>(change->serializedPayload.data));
   keptBytes_ += size;
   history_.add_change(change);
 }
@@ -139,6 +150,7 @@ void Writer::removeOldest(const rtps::CacheChange_t& oldest) {
 }
 
 bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
+  outbox_.flush(*this);
   const auto bounded = std::min<std::chrono::nanoseconds>(timeout, std::chrono::hours(24 * 365));
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(bounded);
   const std::chrono::nanoseconds rest = bounded - seconds;
