@@ -38,7 +38,7 @@ TEST(Completion, OffersCommandsAndOptions) {
 
 TEST(Completion, OffersFilesTypesAndTopics) {
   EXPECT_EQ(offered({"pongsim", "run", "worlds/pong_w"}), Words{"worlds/pong_world.sdf"});
-  EXPECT_EQ(offered({"pongsim", "topic", "-m", "ignition.msgs.Odom"}), Words{"ignition.msgs.Odometry"});
+  EXPECT_EQ(offered({"pongsim", "topic", "-m", "ignition.msgs.FluidP"}), Words{"ignition.msgs.FluidPressure"});
   const auto world = startServedWorld("pong_world.sdf");
   EXPECT_EQ(offered({"pongsim", "topic", "-t", "/cmd"}), Words{"/cmd_vel"});
   EXPECT_EQ(offered({"pongsim", "service", "-s", "/world/pong_world/con"}), Words{"/world/pong_world/control"});
