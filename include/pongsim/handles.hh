@@ -144,7 +144,8 @@ class PONGSIM_API Joint {
   bool exists() const;
   /// @return Its name in the model.
   std::string_view name() const;
-  /// @return Number of axes that have a position: 0 (fixed, ball) or 1 (revolute, prismatic).
+  /// @return Number of axes that have a position: 0 (fixed, ball), 1 (revolute, continuous, prismatic, screw) or 2
+  /// (universal, revolute2).
   int axisCount() const;
   /// @return Position of the axis since the start: angle [rad], not wrapped, or travel [m].
   double position(int axis = 0) const;

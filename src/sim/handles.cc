@@ -81,18 +81,24 @@ std::string_view Joint::name() const { return record(*access_, id_).description-
 
 int Joint::axisCount() const { return static_cast<int>(record(*access_, id_).description->axes.size()); }
 
-double Joint::position(int axis) const { return axis == 0 ? access_->state.joints[slotOf(*access_, id_)].position : 0; }
+double Joint::position(int axis) const {
+  const world::JointState& state = access_->state.joints[slotOf(*access_, id_)];
+  return axis == 0 ? state.position : axis == 1 ? state.position2 : 0;
+}
 
-double Joint::velocity(int axis) const { return axis == 0 ? access_->state.joints[slotOf(*access_, id_)].velocity : 0; }
+double Joint::velocity(int axis) const {
+  const world::JointState& state = access_->state.joints[slotOf(*access_, id_)];
+  return axis == 0 ? state.velocity : axis == 1 ? state.velocity2 : 0;
+}
 
 void Joint::setVelocityTarget(double velocity, int axis) {
   if (!canCommand(*access_, *this, velocity, axis)) return;
-  access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity);
+  access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity, static_cast<std::size_t>(axis));
 }
 
 void Joint::addForce(double force, int axis) {
   if (!canCommand(*access_, *this, force, axis)) return;
-  access_->engine.addJointForce(slotOf(*access_, id_), force);
+  access_->engine.addJointForce(slotOf(*access_, id_), force, static_cast<std::size_t>(axis));
 }
 
 std::string_view Joint::type() const { return description::name(record(*access_, id_).description->type); }

@@ -14,7 +14,7 @@ using test::makeLink;
 using test::makeModel;
 using test::Rig;
 
-constexpr double kGravity = 9.8;
+constexpr double kSurfaceGravity = 9.8;
 
 // a block on a slope about y; the slope's friction is above any that the block has
 Rig blockOnSlope(double angle, double mu, double mass = 2) {
@@ -25,7 +25,7 @@ Rig blockOnSlope(double angle, double mu, double mass = 2) {
   description::Model block = makeModel("block", {link});
   block.X_ParentModel.rotation = tilt;
   description::World world;
-  world.gravity = {0, 0, -kGravity};
+  world.gravity = {0, 0, -kSurfaceGravity};
   world.models = {test::makeGround(5, tilt * Vector3::UnitZ()), block};
   return Rig(std::move(world));
 }
@@ -47,7 +47,7 @@ TEST(Surface, LetsABlockSlideAboveTheFrictionAngleByCoulombsLaw) {
   const double angle = std::atan(0.7);
   Rig rig = blockOnSlope(angle, 0.5);
   rig.step(1000);
-  const double acceleration = kGravity * (std::sin(angle) - 0.5 * std::cos(angle));
+  const double acceleration = kSurfaceGravity * (std::sin(angle) - 0.5 * std::cos(angle));
   EXPECT_NEAR(rig.link("block::link").v_WorldLink.norm(), acceleration, 0.01 * acceleration);
 }
 
