@@ -211,6 +211,7 @@ void Engine::step(Time dt, world::State& state) {
   const double seconds = toSeconds(dt);
   parts_->dt = seconds;
   for (const auto& joint : parts_->joints) joint->prepare(seconds);
+  for (Body* body : parts_->moving) body->addGyroscopicTorque(seconds);
   parts_->world.step(seconds);
   for (const Body* body : parts_->moving) {
     if (!body->read(state.links[body->link()])) parts_->reportExplosion(body->link());
