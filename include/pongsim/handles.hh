@@ -9,6 +9,7 @@
 
 #include "pongsim/contact.hh"
 #include "pongsim/export.hh"
+#include "pongsim/geodesy.hh"
 #include "pongsim/outcome.hh"
 #include "pongsim/types.hh"
 
@@ -25,6 +26,16 @@ class Simulation;
 class Model;
 class Sensor;
 class Visual;
+
+/// What a file says of a link's mass.
+struct MassInfo {
+  /// [kg]
+  double mass = 0;
+  /// Centre of mass in the link frame [m].
+  Vector3 center = Vector3::Zero();
+  /// Inertia tensor about the centre of mass, in the axes of the link [kg m^2].
+  Matrix3 inertia = Matrix3::Zero();
+};
 
 /// Thrown by a handle to something that is not there any more: its model or its joint was removed. A handle can be
 /// asked first (`exists`). Handles of what was there at the start lead to it again after a reset.
@@ -60,6 +71,8 @@ class PONGSIM_API Link {
   /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s] at once, both in the world
   /// frame; does nothing to a link that does not move. One that is not finite is refused with a warning.
   void setVelocity(const Vector3& linear, const Vector3& angular);
+  /// @return Its mass, and how it is spread; never changes.
+  MassInfo mass() const;
   /// Puts the link somewhere else, between two steps. A link that a joint holds is refused.
   /// @return Why not, or nothing.
   std::optional<std::string> setPose(const Pose& X_WorldLink, AfterMove after = AfterMove::kKeepVelocity);
@@ -262,6 +275,8 @@ class PONGSIM_API World {
   Vector3 magneticField() const;
   /// @return `<heading_deg>` of the world's spherical coordinates [rad].
   double heading() const;
+  /// @return Where on the earth the world is, `<spherical_coordinates>`; nothing where the file does not say it.
+  std::optional<TangentPlane> tangentPlane() const;
 
  private:
   sim::Access* access_;

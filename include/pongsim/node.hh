@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -90,9 +91,27 @@ PONGSIM_API std::optional<std::string> topicNameError(std::string_view name);
 /// `:=` and `//` are removed.
 PONGSIM_API std::string cleanTopic(std::string_view text);
 
+/// Stands around the calls that messages and requests make, to see to what goes wrong in them.
+class PONGSIM_API CallGuard {
+ public:
+  virtual ~CallGuard();
+  /// Before each call.
+  /// @return Whether to make it.
+  virtual bool enter() = 0;
+  /// After each call.
+  virtual void leave() = 0;
+  /// Where the call has thrown, before `leave`.
+  virtual void failed(const std::exception& error) = 0;
+  /// A topic is advertised.
+  virtual void advertised(std::string_view topic, std::string_view type) = 0;
+};
+
 /// Speaks on topics and to services. A copy speaks through the same transport.
 class PONGSIM_API Node {
  public:
+  /// @return A node whose subscriptions and services are called with `guard` around them, which must outlive them.
+  Node guardedBy(CallGuard& guard) const;
+
   /// @param topic Relative names get a leading slash.
   /// @throws std::invalid_argument for a bad name or an unknown type.
   Publisher advertise(std::string_view topic, std::string_view type);
@@ -142,6 +161,7 @@ class PONGSIM_API Node {
   friend class Transport;
   explicit Node(transport::Bus& bus) : bus_(&bus) {}
   transport::Bus* bus_;
+  CallGuard* guard_ = nullptr;
 };
 
 struct TransportOptions {

@@ -1,38 +1,36 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pongsim/element.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
-#include "pongsim/system.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
 
-// What systems often ask of their parameters. All throw an Error that names the place in the file.
+// What systems often make of their parameters. All throw an Error that names the place in the file.
 
 /// @throws Error with that text and, if it is not empty, that line of help.
 [[noreturn]] PONGSIM_API void refuse(const Element& where, std::string message, std::string hint = {});
 
-/// @return The model that the plugin stands in.
-/// @param system For the error: "JointController".
-PONGSIM_API Model requiredModel(const SystemContext& context, std::string_view system);
-
-/// @return The text of a parameter that must be there.
+/// @return The text of an element that must be there.
 PONGSIM_API std::string requiredText(const Element& sdf, std::string_view name);
 
 /// @return The joint that a parameter names. It must have an axis that can be commanded.
 PONGSIM_API Joint requiredJoint(const Element& sdf, std::string_view name, const Model& model);
 
-/// Reads how often something is to happen [1/s].
-/// @return The time between two of them; zero, which means each step, for a rate that is not above zero.
-PONGSIM_API Time periodParameter(const Element& sdf, std::string_view name, double fallback);
+/// @return The joints that all parameters of that name name, at least one.
+PONGSIM_API std::vector<Joint> requiredJoints(const Element& sdf, std::string_view name, const Model& model);
 
-/// @return A parameter's topic, cleaned; `fallback` where there is none.
-PONGSIM_API std::string topicParameter(const Element& sdf, std::string_view name, std::string_view fallback);
+/// @param rate How often something is to happen [1/s].
+/// @return The time between two of them; zero, which means each step, for a rate that is not above zero.
+PONGSIM_API Time periodOf(double rate);
+
+/// @return The topic that a parameter names, cleaned; `fallback` where it is empty.
+PONGSIM_API std::string topicOr(std::string_view named, std::string_view fallback);
 
 /// Tells when something is due that happens at a rate of simulated time.
 class PONGSIM_API Schedule {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "pongsim/element.hh"
+#include "pongsim/declaration.hh"
 #include "pongsim/export.hh"
 #include "pongsim/state_archive.hh"
 
@@ -21,10 +21,11 @@ struct PidSettings {
   double commandOffset = 0;
 };
 
-/// Reads `<p_gain>`, `<i_gain>`, `<d_gain>`, `<i_min>`, `<i_max>`, `<cmd_min>`, `<cmd_max>` and `<cmd_offset>`, each
-/// with `prefix` before its name, with the settings given as defaults.
-/// @throws Error naming the position of what is no finite number.
-PONGSIM_API PidSettings readPidSettings(const Element& sdf, const PidSettings& defaults, std::string_view prefix = {});
+/// Adds the parameters `<p_gain>`, `<i_gain>`, `<d_gain>`, `<i_min>`, `<i_max>`, `<cmd_min>`, `<cmd_max>` and
+/// `<cmd_offset>`, each with `prefix` before its name. What stands in `settings` is the default.
+/// @param unit Of the command: "N m".
+PONGSIM_API void declarePid(Declaration& declaration, PidSettings& settings, std::string_view unit,
+                            std::string_view prefix = {});
 
 /// A controller with a proportional, an integral and a derivative term, as ignition-math's PID.
 class PONGSIM_API Pid {

@@ -88,8 +88,33 @@ struct ForceTorqueSettings {
   bool operator==(const ForceTorqueSettings&) const = default;
 };
 
+/// `<navsat>`
+struct NavSatSettings {
+  /// [degrees], as in Fortress.
+  NoiseSettings horizontalPosition;
+  /// [m]
+  NoiseSettings verticalPosition;
+  /// [m/s]
+  NoiseSettings horizontalVelocity;
+  NoiseSettings verticalVelocity;
+  bool operator==(const NavSatSettings&) const = default;
+};
+
+/// `<logical_camera>`: a pyramid along the sensor's x axis, without its top.
+struct LogicalCameraSettings {
+  /// From where to where it sees [m].
+  double near = 0;
+  double far = 1;
+  /// Width by height.
+  double aspectRatio = 1;
+  /// [rad]
+  double horizontalFov = 1;
+  bool operator==(const LogicalCameraSettings&) const = default;
+};
+
 /// What the element of a sensor's own type says.
-using SensorSettings = std::variant<std::monostate, ImuSettings, ContactSettings, AltimeterSettings,
-                                    AirPressureSettings, MagnetometerSettings, ForceTorqueSettings>;
+using SensorSettings =
+    std::variant<std::monostate, ImuSettings, ContactSettings, AltimeterSettings, AirPressureSettings,
+                 MagnetometerSettings, ForceTorqueSettings, NavSatSettings, LogicalCameraSettings>;
 
 }  // namespace pongsim

@@ -27,6 +27,9 @@ struct SimulationOptions {
   std::uint64_t seed = 0;
   /// Load the systems that the world's plugins ask for; without them there are bodies, joints and gravity only.
   bool loadSystems = true;
+  /// A system that throws, or gives a command that makes no sense, ends the step with an exception that names it, in
+  /// place of being switched off.
+  bool strict = false;
   /// Where the systems' topics go; null keeps them within this simulation. Must outlive it.
   Transport* transport = nullptr;
 };
@@ -58,6 +61,7 @@ class PONGSIM_API Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Makes `count` steps: hands over the messages that have come, calls the systems, moves the bodies.
+  /// @throws std::runtime_error naming a system that has failed, where the options say so.
   void step(std::uint64_t count = 1);
 
   /// Does what a step does but moves nothing: hands over the messages and calls the systems with `dt` zero.

@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "pongsim/declaration.hh"
+#include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
@@ -27,6 +29,8 @@ struct StepInfo {
   bool paused = false;
 };
 
+class System;
+
 /// What a system is given when it starts. All references live as long as the system.
 struct SystemContext {
   /// The `<plugin>` element, with its parameters below it.
@@ -37,6 +41,10 @@ struct SystemContext {
   Node& node;
   const Logger& log;
   Random& random;
+  /// For what is wrong with the file and does no harm. There during `configure` only.
+  Diagnostics& diagnostics;
+  /// The systems that the file names before this one. There during `configure` only.
+  std::span<System* const> before;
 };
 
 /// A part of the simulation that a world's `<plugin>` element asks for. All functions are called on the
@@ -45,8 +53,13 @@ class PONGSIM_API System {
  public:
   virtual ~System();
 
-  /// Reads the parameters and finds the joints, topics and so on. Called once, with all models there.
-  /// @throws Error for a parameter that can't be used; the system is then left out with a warning.
+  /// Says what the system is, and binds its parameters to members. Called once and first, also where nothing is
+  /// simulated. The parameters are read then; where one can't be used, or the `<plugin>` stands in the wrong place, the
+  /// system is left out with a warning.
+  virtual void declare(Declaration&) {}
+
+  /// Finds the joints, topics and so on. Called once, with all models there, the parameters in their members.
+  /// @throws Error for what can't be had; the system is then left out with a warning.
   virtual void configure(const SystemContext& context) = 0;
 
   /// Before the physics: the place for commands. Messages have been handed over just before.

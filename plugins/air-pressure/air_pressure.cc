@@ -1,13 +1,9 @@
 #include <ignition/msgs/fluid_pressure.pb.h>
 
 #include <cmath>
-#include <list>
-#include <string>
 
-#include "pongsim/fields.hh"
 #include "pongsim/noise.hh"
-#include "pongsim/sensor.hh"
-#include "pongsim/system.hh"
+#include "pongsim/sensor_system.hh"
 
 namespace pongsim {
 
@@ -31,63 +27,30 @@ double pressureAt(double height) {
   return kPressure * std::exp(exponent * std::log(kTemperature / temperature));
 }
 
-/// One sensor: what it measures, and where it speaks.
-class AirPressureSensor {
- public:
-  AirPressureSensor(const Sensor& sensor, const World&, Node& node, Random random)
-      : sensor_(sensor),
-        topic_(sensor, "/air_pressure", "ignition.msgs.FluidPressure", node),
-        noise_(sensor.settings<AirPressureSettings>()->pressure, random.split("pressure")) {
-    setHeaderValue("frame_id", topic_.frameName(), *message_.mutable_header());
-  }
+struct AirPressureSensor {
+  using Message = ignition::msgs::FluidPressure;
+  static constexpr const char* kType = "air_pressure";
+  static constexpr const char* kSuffix = "/air_pressure";
+  static constexpr const char* kText = "Publishes the pressure of the air at the world's air pressure sensors.";
 
-  void update(const StepInfo& info) {
-    if (!topic_.isDue(info)) return;
-    const double dt = topic_.sinceLast(info);
-    setStamp(info.time, *message_.mutable_header());
-    setHeaderValue("seq", std::to_string(topic_.count()), *message_.mutable_header());
-    measure(dt);
-    topic_.publish(message_);
-  }
-
-  void reset() { topic_.reset(); }
-
- private:
-  /// @param dt Time since the last message [s].
-  void measure(double dt) {
-    const NoiseSettings& settings = sensor_.settings<AirPressureSettings>()->pressure;
-    message_.set_pressure(noise_.apply(pressureAt(sensor_.pose().position.z()), dt));
+  AirPressureSensor(const Sensor& sensor, const World&, Random random, Message& message)
+      : sensor_(sensor), noise_(sensor.settings<AirPressureSettings>()->pressure, random.split("pressure")) {
+    const NoiseSettings& settings = sensor.settings<AirPressureSettings>()->pressure;
     // the root of a deviation is no variance, but what Fortress sends
     const bool isNoisy = settings.type != NoiseSettings::Type::kNone;
-    message_.set_variance(isNoisy ? std::sqrt(settings.standardDeviation) : 0);
+    message.set_variance(isNoisy ? std::sqrt(settings.standardDeviation) : 0);
   }
 
-  Sensor sensor_;
-  SensorTopic topic_;
-  Noise noise_;
-  ignition::msgs::FluidPressure message_;
-};
-
-/// Publishes the pressure of the air at the world's air pressure sensors.
-class AirPressure : public System {
- public:
-  void configure(const SystemContext& context) override {
-    for (const Sensor& sensor : context.world.sensors("air_pressure")) {
-      sensors_.emplace_back(sensor, context.world, context.node, context.random.split(sensor.scopedName()));
-    }
-  }
-
-  void postUpdate(const StepInfo& info) override {
-    for (AirPressureSensor& sensor : sensors_) sensor.update(info);
-  }
-
-  void reset() override {
-    for (AirPressureSensor& sensor : sensors_) sensor.reset();
+  void measure(double dt, Message& message) {
+    message.set_pressure(noise_.apply(pressureAt(sensor_.pose().position.z()), dt));
   }
 
  private:
-  std::list<AirPressureSensor> sensors_;
+  Sensor sensor_;
+  Noise noise_;
 };
+
+using AirPressure = SensorSystem<AirPressureSensor>;
 
 }  // namespace
 

@@ -14,8 +14,15 @@ namespace {
 /// Applies the force that it is told to a joint, until it is told another.
 class ApplyJointForce : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Applies the force that it is told to a joint, until it is told another.",
+                   Declaration::Place::kModel);
+    declaration.parameter("joint_name", &jointName_, "", "joint of the model, with one axis").required();
+    declaration.subscribes("/model/M/joint/J/cmd_force", "ignition.msgs.Double", "force [N] or torque [N m]");
+  }
+
   void configure(const SystemContext& context) override {
-    const Model model = requiredModel(context, "ApplyJointForce");
+    const Model& model = *context.model;
     joint_ = requiredJoint(context.sdf, "joint_name", model);
     log_ = &context.log;
     const std::string topic =
@@ -39,6 +46,7 @@ class ApplyJointForce : public System {
     }
   }
 
+  std::string jointName_;
   std::optional<Joint> joint_;
   double force_ = 0;
   const Logger* log_ = nullptr;

@@ -1,4 +1,5 @@
 #include <ignition/msgs/entity.pb.h>
+#include <ignition/msgs/entity_wrench.pb.h>
 
 #include <algorithm>
 #include <optional>
@@ -23,23 +24,46 @@ std::optional<Link> linkNamed(const World& world, const std::string& name) {
 /// Applies wrenches to links that the file names, in every step.
 class ApplyLinkWrench : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Applies wrenches to links.", Declaration::Place::kWorld);
+    declaration.element("persistent",
+                        "a wrench in each step: `<entity_name>` (as model::link), `<entity_type>` (link, or model for "
+                        "its canonical link), `<force>` [N] and `<torque>` [N m] in the world frame");
+    declaration.parameter("topic", &topic_, "", "wrenches for one step").otherwise("/world/W/wrench");
+    declaration.parameter("topic_persistent", &persistentTopic_, "", "wrenches that stay")
+        .otherwise("/world/W/wrench/persistent");
+    declaration.parameter("topic_clear", &clearTopic_, "", "ends those that stay").otherwise("/world/W/wrench/clear");
+    declaration.parameter("verbose", &verbose_, "", "says at level 3 what is applied and cleared");
+    declaration.subscribes("<topic>", "ignition.msgs.EntityWrench", "a wrench for one step");
+    declaration.subscribes("<topic_persistent>", "ignition.msgs.EntityWrench", "a wrench from now on");
+    declaration.subscribes("<topic_clear>", "ignition.msgs.Entity", "ends the wrenches on a link or a model");
+  }
+
   void configure(const SystemContext& context) override {
-    if (context.model) refuse(context.sdf, "ApplyLinkWrench must stand in the <world>");
     world_ = &context.world;
     log_ = &context.log;
     for (const Element* element : context.sdf.childrenNamed("persistent")) addWrench(*element);
     initial_ = wrenches_;
-    const std::string topic = "/world/" + std::string(world_->name()) + "/wrench/clear";
-    clear_ = context.node.subscribe<ignition::msgs::Entity>(topicParameter(context.sdf, "topic_clear", topic),
+    const std::string topic = "/world/" + std::string(world_->name()) + "/wrench";
+    once_ = context.node.subscribe<ignition::msgs::EntityWrench>(
+        topicOr(topic_, topic), [this](const auto& message) { receive(message, onceWrenches_); });
+    persistent_ = context.node.subscribe<ignition::msgs::EntityWrench>(
+        topicOr(persistentTopic_, topic + "/persistent"), [this](const auto& message) { receive(message, wrenches_); });
+    clear_ = context.node.subscribe<ignition::msgs::Entity>(topicOr(clearTopic_, topic + "/clear"),
                                                             [this](const auto& entity) { clear(entity); });
   }
 
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     for (LinkWrench& wrench : wrenches_) wrench.link.addWrench(wrench.wrench.force, wrench.wrench.torque);
+    for (LinkWrench& wrench : onceWrenches_) wrench.link.addWrench(wrench.wrench.force, wrench.wrench.torque);
+    onceWrenches_.clear();
   }
 
-  void reset() override { wrenches_ = initial_; }
+  void reset() override {
+    wrenches_ = initial_;
+    onceWrenches_.clear();
+  }
 
  private:
   struct LinkWrench {
@@ -67,21 +91,59 @@ class ApplyLinkWrench : public System {
     return model ? model->canonicalLink() : std::nullopt;
   }
 
-  /// Ends all wrenches on the link or the model.
-  void clear(const ignition::msgs::Entity& entity) {
-    const auto isMeant = [&](const LinkWrench& wrench) {
-      if (entity.id() != 0)
-        return wrench.link.id().value == entity.id() || wrench.link.model().id().value == entity.id();
-      const std::optional<Link> link = find(entity.name(), entity.type() == ignition::msgs::Entity::MODEL);
-      return link && link->id() == wrench.link.id();
-    };
-    if (std::erase_if(wrenches_, isMeant) == 0) log_->warning("there is no wrench to clear on '" + entity.name() + "'");
+  /// @return The link that a message means, or the canonical link of the model that it does.
+  std::optional<Link> find(const ignition::msgs::Entity& entity) const {
+    if (entity.id() == 0) return find(entity.name(), entity.type() == ignition::msgs::Entity::MODEL);
+    std::vector<Model> models = world_->models();
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      // a copy, for the list grows
+      const Model model = models[i];
+      if (model.id().value == entity.id()) return model.canonicalLink();
+      for (const Link& link : model.links()) {
+        if (link.id().value == entity.id()) return link;
+      }
+      for (const Model& inner : model.models()) models.push_back(inner);
+    }
+    return std::nullopt;
   }
 
+  /// Adds the wrench that a message asks for to `wrenches`.
+  void receive(const ignition::msgs::EntityWrench& message, std::vector<LinkWrench>& wrenches) {
+    const std::string name =
+        message.entity().id() != 0 ? std::to_string(message.entity().id()) : "'" + message.entity().name() + "'";
+    const std::optional<Link> link = find(message.entity());
+    if (!link) return log_->warning("there is no link or model " + name + " to apply a wrench to");
+    const auto vector = [](const ignition::msgs::Vector3d& v) { return Vector3(v.x(), v.y(), v.z()); };
+    const Wrench wrench{vector(message.wrench().force()), vector(message.wrench().torque())};
+    if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {
+      return log_->warning("a wrench that is not finite was ignored");
+    }
+    if (message.wrench().has_force_offset() && !vector(message.wrench().force_offset()).isZero()) {
+      log_->warning("a force acts at the link's origin: its offset is ignored, as in Fortress");
+    }
+    if (verbose_) log_->info("a wrench acts on " + link->scopedName());
+    wrenches.push_back({*link, wrench});
+  }
+
+  /// Ends all wrenches on the link or the model.
+  void clear(const ignition::msgs::Entity& entity) {
+    const std::optional<Link> link = find(entity);
+    const auto isMeant = [&](const LinkWrench& wrench) { return link && link->id() == wrench.link.id(); };
+    const std::size_t count = std::erase_if(wrenches_, isMeant);
+    if (count == 0) return log_->warning("there is no wrench to clear on '" + entity.name() + "'");
+    if (verbose_) log_->info(std::to_string(count) + " wrenches on " + link->scopedName() + " are cleared");
+  }
+
+  std::string topic_, persistentTopic_, clearTopic_;
+  bool verbose_ = true;
   World* world_ = nullptr;
   const Logger* log_ = nullptr;
   std::vector<LinkWrench> initial_;
   std::vector<LinkWrench> wrenches_;
+  /// For the next step only.
+  std::vector<LinkWrench> onceWrenches_;
+  Subscription once_;
+  Subscription persistent_;
   Subscription clear_;
 };
 

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/entity.pb.h>
+#include <ignition/msgs/entity_wrench.pb.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,47 @@ TEST(ApplyLinkWrench, EndsWhatIsCleared) {
   world.tell("/world/w/wrench/clear", entity);
   world.step(100);
   EXPECT_NEAR(world.model("m").canonicalLink()->linearVelocity().x(), 0.2, 1e-6);
+}
+
+ignition::msgs::EntityWrench pull(const std::string& name, ignition::msgs::Entity::Type type, double force) {
+  ignition::msgs::EntityWrench message;
+  message.mutable_entity()->set_name(name);
+  message.mutable_entity()->set_type(type);
+  message.mutable_wrench()->mutable_force()->set_x(force);
+  return message;
+}
+
+TEST(ApplyLinkWrench, AppliesAMessageForOneStep) {
+  RunningWorld world(worldWith(""));
+  world.tell("/world/w/wrench", pull("m", ignition::msgs::Entity::MODEL, 2000));
+  world.tell("/world/w/wrench", pull("m::body", ignition::msgs::Entity::LINK, 2000));
+  world.step(100);
+  // 4 kN on 2 kg for 1 ms
+  EXPECT_NEAR(world.model("m").canonicalLink()->linearVelocity().x(), 2, 1e-6);
+}
+
+TEST(ApplyLinkWrench, AppliesAMessageUntilItIsCleared) {
+  RunningWorld world(worldWith("<topic_persistent>pull</topic_persistent>"));
+  auto message = pull("", ignition::msgs::Entity::NONE, 4);
+  message.mutable_entity()->set_id(world.model("m").id().value);
+  world.tell("/pull", message);
+  world.step(100);
+  EXPECT_NEAR(world.model("m").canonicalLink()->linearVelocity().x(), 0.2, 1e-6);
+  world.tell("/world/w/wrench/clear", message.entity());
+  world.step(100);
+  EXPECT_NEAR(world.model("m").canonicalLink()->linearVelocity().x(), 0.2, 1e-6);
+}
+
+TEST(ApplyLinkWrench, IgnoresMessagesThatMakeNoSense) {
+  RunningWorld world(worldWith(""));
+  testing::internal::CaptureStderr();
+  world.tell("/world/w/wrench", pull("k", ignition::msgs::Entity::MODEL, 1));
+  world.tell("/world/w/wrench", pull("m", ignition::msgs::Entity::MODEL, std::numeric_limits<double>::infinity()));
+  world.step(10);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("there is no link or model 'k' to apply a wrench to"), std::string::npos) << said;
+  EXPECT_NE(said.find("a wrench that is not finite was ignored"), std::string::npos) << said;
+  EXPECT_EQ(world.model("m").canonicalLink()->linearVelocity().x(), 0);
 }
 
 TEST(ApplyLinkWrench, IsLeftOutWithTheReason) {

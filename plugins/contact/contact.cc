@@ -60,7 +60,7 @@ class PairMessage {
 /// One sensor: the collisions that it watches, and where it speaks.
 class ContactSensor {
  public:
-  ContactSensor(const Sensor& sensor, Node& node, const Logger& log) : sensor_(sensor) {
+  ContactSensor(const Sensor& sensor, Node& node, Diagnostics& diagnostics) : sensor_(sensor) {
     for (const std::string& name : sensor.settings<ContactSettings>()->collisions) {
       const std::vector<Collision> all = sensor.link().collisions();
       const auto found =
@@ -68,8 +68,8 @@ class ContactSensor {
       if (found != all.end()) {
         watched_.push_back(found->id());
       } else {
-        log.warning("line " + std::to_string(sensor.sdf().position.line) + ": sensor '" + sensor.scopedName() +
-                    "' names collision '" + name + "', which link '" + sensor.link().scopedName() + "' has not");
+        diagnostics.warning(sensor.sdf().position, "sensor '" + sensor.scopedName() + "' names collision '" + name +
+                                                       "', which link '" + sensor.link().scopedName() + "' has not");
       }
     }
     publisher_ = node.advertise<ignition::msgs::Contacts>(cleanTopic(sensor.topic(kSuffix)));
@@ -112,20 +112,24 @@ class ContactSensor {
 /// Publishes what the world's contact sensors touch.
 class ContactSystem : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Publishes what the world's contact sensors touch.", Declaration::Place::kWorld);
+    declaration.publishes("/world/W/model/M/link/L/sensor/S/contact", "ignition.msgs.Contacts",
+                          "in each step with a touch; `<contact><topic>` in the `<sensor>` names another");
+  }
+
   void configure(const SystemContext& context) override {
     world_ = &context.world;
     node_ = &context.node;
     log_ = &context.log;
-    worldChanged();
+    addSensors(context.diagnostics);
   }
 
   void worldChanged() override {
     std::erase_if(sensors_, [](const ContactSensor& sensor) { return !sensor.sensor().exists(); });
-    for (const Sensor& sensor : world_->sensors("contact")) {
-      const bool isKnown =
-          std::ranges::any_of(sensors_, [&](const ContactSensor& known) { return known.sensor().id() == sensor.id(); });
-      if (!isKnown) add(sensor);
-    }
+    Diagnostics diagnostics;
+    addSensors(diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) log_->warning(format(diagnostic));
   }
 
   void postUpdate(const StepInfo& info) override {
@@ -138,14 +142,16 @@ class ContactSystem : public System {
   }
 
  private:
-  void add(const Sensor& sensor) {
-    try {
-      sensors_.emplace_back(sensor, *node_, *log_);
-    } catch (const std::invalid_argument& error) {
-      throw Error({Severity::kError,
-                   sensor.sdf().position,
-                   "sensor '" + sensor.scopedName() + "' can't speak: " + error.what(),
-                   {}});
+  void addSensors(Diagnostics& diagnostics) {
+    for (const Sensor& sensor : world_->sensors("contact")) {
+      const bool isKnown =
+          std::ranges::any_of(sensors_, [&](const ContactSensor& known) { return known.sensor().id() == sensor.id(); });
+      if (isKnown) continue;
+      try {
+        sensors_.emplace_back(sensor, *node_, diagnostics);
+      } catch (const std::invalid_argument& error) {
+        diagnostics.warning(sensor.sdf().position, "sensor '" + sensor.scopedName() + "' can't speak: " + error.what());
+      }
     }
   }
 

@@ -100,12 +100,12 @@ TEST_F(ContactTest, SaysNothingOfCollisionsThatItDoesNotWatch) {
 }
 
 TEST_F(ContactTest, WarnsOfACollisionThatIsNotThere) {
-  testing::internal::CaptureStderr();
-  load(worldWith("<collision>bottom</collision>", 0.5));
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("sensor 'plate::slab::feeler' names collision 'bottom', which link 'plate::slab' has not"),
-            std::string::npos)
-      << said;
+  Diagnostics diagnostics;
+  Simulation::fromText(worldWith("<collision>bottom</collision>", 0.5), "world.sdf", {}, diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all()[0].message,
+            "sensor 'plate::slab::feeler' names collision 'bottom', which link 'plate::slab' has not");
+  EXPECT_GT(diagnostics.all()[0].position.line, 0);
 }
 
 TEST_F(ContactTest, OfFortressExampleSpeaksOnItsTopic) {

@@ -177,6 +177,59 @@ TEST_F(DiffDriveTest, ListensToTheTopicThatTheWorldNames) {
   EXPECT_NEAR(wheelSpeed("right_wheel_joint"), 5, 1e-3);
 }
 
+TEST_F(DiffDriveTest, TurnsAllPairsOfWheels) {
+  // the casters become a second pair of wheels
+  std::string world = exampleWorld();
+  for (const char* caster : {"front_caster_joint", "rear_caster_joint"}) {
+    const std::string ball = std::string("<joint name=\"") + caster + "\" type=\"ball\">";
+    world = replaced(world, ball,
+                     std::string("<joint name=\"") + caster +
+                         "\" type=\"revolute\"><axis><xyz expressed_in='__model__'>0 1 0</xyz></axis>");
+  }
+  start(replaced(world, "<wheel_separation>",
+                 "<left_joint>front_caster_joint</left_joint><right_joint>rear_caster_joint</right_joint>"
+                 "<wheel_separation>"));
+  drive(0, 1);
+  simulation_->step(500);
+  EXPECT_NEAR(wheelSpeed("left_wheel_joint"), -2, 0.01);
+  EXPECT_NEAR(wheelSpeed("front_caster_joint"), -2, 0.01);
+  EXPECT_NEAR(wheelSpeed("rear_caster_joint"), 2, 0.01);
+}
+
+TEST_F(DiffDriveTest, LimitsJerk) {
+  start(replaced(exampleWorld(), "<max_linear_acceleration>2</max_linear_acceleration>",
+                 "<max_linear_jerk>4</max_linear_jerk>"));
+  drive(1, 0);
+  simulation_->step(500);
+  // 4 m/s^3 for half a second, wheels of 0.1 m
+  EXPECT_NEAR(wheelSpeed("left_wheel_joint"), 5, 0.1);
+}
+
+TEST_F(DiffDriveTest, LimitsBothMotionsByTheCommonNames) {
+  start(replaced(exampleWorld(), "<max_linear_velocity>1</max_linear_velocity>", "<max_velocity>0.3</max_velocity>"));
+  drive(1, 1);
+  simulation_->step(1000);
+  EXPECT_NEAR(wheelSpeed("left_wheel_joint"), (0.3 - 0.3 * 0.2) / 0.1, 0.01);
+  EXPECT_NEAR(wheelSpeed("right_wheel_joint"), (0.3 + 0.3 * 0.2) / 0.1, 0.01);
+}
+
+TEST_F(DiffDriveTest, SpeaksOnTheTopicsAndOfTheFramesThatTheWorldNames) {
+  start(replaced(
+      exampleWorld(), "<wheel_radius>",
+      "<odom_topic>my odom</odom_topic><tf_topic>my_tf</tf_topic><frame_id>map</frame_id>"
+      "<child_frame_id>base</child_frame_id><odom_publish_frequency>0</odom_publish_frequency><wheel_radius>"));
+  Node node = simulation_->transport().node();
+  odometry_ = node.subscribe<ignition::msgs::Odometry>("/my_odom",
+                                                       [this](const auto& message) { odometries_.push_back(message); });
+  tf_ = node.subscribe<ignition::msgs::Pose_V>("/my_tf", [this](const auto& message) { tfs_.push_back(message); });
+  simulation_->step(101);
+  ASSERT_EQ(odometries_.size(), 100U);
+  ASSERT_EQ(tfs_.size(), 100U);
+  EXPECT_EQ(odometries_[0].header().data(0).value(0), "map");
+  EXPECT_EQ(tfs_[0].pose(0).header().data(1).value(0), "base");
+  EXPECT_FALSE(odometries_[0].pose().has_header());
+}
+
 TEST_F(DiffDriveTest, DoesNothingWhilePaused) {
   start();
   drive(0.5, 0);

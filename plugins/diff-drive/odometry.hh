@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pongsim/planar_odometry.hh"
 #include "pongsim/rolling_mean.hh"
 #include "pongsim/state_archive.hh"
 
@@ -20,16 +21,9 @@ class Odometry {
 
   void reset() { *this = Odometry(separation_, radius_); }
 
-  void transfer(StateArchive& archive);
+  PlanarOdometry value() const { return {x_, y_, heading_, linear_.mean(), angular_.mean()}; }
 
-  /// Position [m] and heading [rad] since the start.
-  double x() const { return x_; }
-  double y() const { return y_; }
-  double heading() const { return heading_; }
-  /// Forward velocity [m/s].
-  double linearVelocity() const { return linear_.mean(); }
-  /// Velocity of turning, anticlockwise [rad/s].
-  double angularVelocity() const { return angular_.mean(); }
+  void transfer(StateArchive& archive);
 
  private:
   double separation_;

@@ -60,13 +60,12 @@ TEST(ForceTorque, MeasuresTheOtherWayRoundIfItIsTold) {
 }
 
 TEST(ForceTorque, WarnsOfASensorInALink) {
-  testing::internal::CaptureStderr();
-  RunningWorld world(std::string(
-      "<plugin filename='ignition-gazebo-forcetorque-system' name='ignition::gazebo::systems::ForceTorque'/>"
-      "<model name='m'><link name='l'><inertial><mass>1</mass></inertial><sensor name='s' type='force_torque'/></link>"
-      "</model>"));
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("a force-torque sensor belongs in a <joint>"),
-            std::string::npos);
+  EXPECT_EQ(
+      RunningWorld::complaintsAbout(
+          "<plugin filename='ignition-gazebo-forcetorque-system' name='ignition::gazebo::systems::ForceTorque'/><model "
+          "name='m'><link name='l'><inertial><mass>1</mass></inertial><sensor name='s' type='force_torque'/></link>"
+          "</model>"),
+      std::vector<std::string>{"sensor 'm::l::s' stands in a link"});
 }
 
 TEST(ForceTorque, OfFortressTestWorldCarriesTheWeightOnItsPlate) {

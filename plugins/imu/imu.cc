@@ -1,13 +1,9 @@
 #include <ignition/msgs/imu.pb.h>
 
-#include <list>
 #include <numbers>
-#include <string>
 
-#include "pongsim/fields.hh"
 #include "pongsim/noise.hh"
-#include "pongsim/sensor.hh"
-#include "pongsim/system.hh"
+#include "pongsim/sensor_system.hh"
 
 namespace pongsim {
 
@@ -27,83 +23,56 @@ Quaternion referenceOf(const Sensor& sensor, const ImuSettings& settings, const 
   return sensor.pose().rotation;
 }
 
-/// One sensor: what it measures, and where it speaks.
-class ImuSensor {
- public:
-  ImuSensor(const Sensor& sensor, const World& world, Node& node, Random random)
+struct ImuSensor {
+  using Message = ignition::msgs::IMU;
+  static constexpr const char* kType = "imu";
+  static constexpr const char* kSuffix = "/imu";
+  static constexpr const char* kText = "Publishes what the world's inertial measurement units measure.";
+
+  ImuSensor(const Sensor& sensor, const World& world, Random random, Message& message)
       : sensor_(sensor),
         settings_(*sensor.settings<ImuSettings>()),
-        topic_(sensor, "/imu", "ignition.msgs.IMU", node),
         accelerationNoise_(settings_.linearAcceleration, random),
         turnNoise_(settings_.angularVelocity, random),
         q_WorldReference_(referenceOf(sensor, settings_, world)),
+        gravity_(world.gravity()),
         lastVelocity_(sensor.linearVelocity()) {
-    message_.set_entity_name(sensor.scopedName());
-    setHeaderValue("frame_id", topic_.frameName(), *message_.mutable_header());
+    message.set_entity_name(sensor.scopedName());
   }
 
-  /// Called in each step, for an acceleration is the change of a velocity.
-  void update(const StepInfo& info, const Vector3& gravity) {
+  /// In each step, for an acceleration is the change of a velocity.
+  void observe(const StepInfo& info) {
     const Vector3 velocity = sensor_.linearVelocity();
-    if (topic_.isDue(info)) publish(info, (velocity - lastVelocity_) / toSeconds(info.dt) - gravity);
+    acceleration_ = (velocity - lastVelocity_) / toSeconds(info.dt) - gravity_;
     lastVelocity_ = velocity;
   }
 
-  void reset() {
-    topic_.reset();
-    lastVelocity_ = sensor_.linearVelocity();
-  }
-
- private:
-  /// @param acceleration What holds the sensor against gravity and moves it, world frame [m/s^2].
-  void publish(const StepInfo& info, const Vector3& acceleration) {
+  void measure(double dt, Message& message) {
     const Quaternion q_WorldSensor = sensor_.pose().rotation;
     const Quaternion q_SensorWorld = q_WorldSensor.conjugate();
-    const double dt = topic_.sinceLast(info);
-    setStamp(info.time, *message_.mutable_header());
-    setHeaderValue("seq", std::to_string(topic_.count()), *message_.mutable_header());
     if (settings_.enableOrientation) {
-      setRotation(q_WorldReference_.conjugate() * q_WorldSensor, *message_.mutable_orientation());
+      setRotation(q_WorldReference_.conjugate() * q_WorldSensor, *message.mutable_orientation());
     }
-    setVector(accelerationNoise_.apply(q_SensorWorld * acceleration, dt), *message_.mutable_linear_acceleration());
+    setVector(accelerationNoise_.apply(q_SensorWorld * acceleration_, dt), *message.mutable_linear_acceleration());
     setVector(turnNoise_.apply(q_SensorWorld * sensor_.link().angularVelocity(), dt),
-              *message_.mutable_angular_velocity());
-    topic_.publish(message_);
+              *message.mutable_angular_velocity());
   }
 
+  void reset() { lastVelocity_ = sensor_.linearVelocity(); }
+
+ private:
   Sensor sensor_;
   ImuSettings settings_;
-  SensorTopic topic_;
   Noise3 accelerationNoise_;
   Noise3 turnNoise_;
   Quaternion q_WorldReference_;
-  Vector3 lastVelocity_;
-  ignition::msgs::IMU message_;
-};
-
-/// Publishes what the world's inertial measurement units measure.
-class Imu : public System {
- public:
-  void configure(const SystemContext& context) override {
-    gravity_ = context.world.gravity();
-    for (const Sensor& sensor : context.world.sensors("imu")) {
-      sensors_.emplace_back(sensor, context.world, context.node, context.random.split(sensor.scopedName()));
-    }
-  }
-
-  void postUpdate(const StepInfo& info) override {
-    if (info.paused) return;
-    for (ImuSensor& sensor : sensors_) sensor.update(info, gravity_);
-  }
-
-  void reset() override {
-    for (ImuSensor& sensor : sensors_) sensor.reset();
-  }
-
- private:
   Vector3 gravity_;
-  std::list<ImuSensor> sensors_;
+  Vector3 lastVelocity_;
+  /// What holds the sensor against gravity and moves it, world frame [m/s^2].
+  Vector3 acceleration_ = Vector3::Zero();
 };
+
+using Imu = SensorSystem<ImuSensor>;
 
 }  // namespace
 

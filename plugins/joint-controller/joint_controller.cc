@@ -17,16 +17,24 @@ constexpr PidSettings kDefaults{.p = 1, .iMin = -1, .iMax = 1, .commandMin = -10
 /// Turns a joint at the velocity that it is told.
 class JointController : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Turns a joint at the velocity that it is told.", Declaration::Place::kModel);
+    declaration.parameter("joint_name", &jointName_, "", "joint of the model, with one axis").required();
+    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/joint/J/cmd_vel");
+    declaration.parameter("initial_velocity", &initialTarget_, "rad/s or m/s", "velocity until the first command");
+    declaration.parameter("use_force_commands", &usesForce_, "", "a PID pushes the joint towards the velocity");
+    declarePid(declaration, settings_, "N m or N");
+    declaration.subscribes("<topic>", "ignition.msgs.Double", "velocity [rad/s or m/s]");
+  }
+
   void configure(const SystemContext& context) override {
-    const Element& sdf = context.sdf;
-    const Model model = requiredModel(context, "JointController");
-    joint_ = requiredJoint(sdf, "joint_name", model);
+    const Model& model = *context.model;
+    joint_ = requiredJoint(context.sdf, "joint_name", model);
     log_ = &context.log;
-    usesForce_ = sdf.get("use_force_commands", false);
-    pid_ = Pid(readPidSettings(sdf, kDefaults));
-    initialTarget_ = target_ = sdf.get("initial_velocity", 0.0);
-    const std::string topic = topicParameter(
-        sdf, "topic", "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/cmd_vel");
+    pid_ = Pid(settings_);
+    target_ = initialTarget_;
+    const std::string topic =
+        topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/cmd_vel");
     command_ = context.node.subscribe<ignition::msgs::Double>(
         topic, [this](const ignition::msgs::Double& message) { receive(message.data()); });
   }
@@ -59,8 +67,11 @@ class JointController : public System {
     }
   }
 
-  std::optional<Joint> joint_;
+  std::string jointName_;
+  std::string topic_;
   bool usesForce_ = false;
+  PidSettings settings_ = kDefaults;
+  std::optional<Joint> joint_;
   Pid pid_;
   double initialTarget_ = 0;
   double target_ = 0;

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <ignition/msgs/double.pb.h>
 
 #include <limits>
 #include <string>
@@ -13,13 +12,7 @@ namespace {
 using test::RunningWorld;
 
 std::string worldWith(const std::string& parameters) {
-  return R"(<gravity>0 0 0</gravity><model name="m">
-    <link name="base"><inertial><mass>1</mass></inertial></link>
-    <link name="arm"><inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial></link>
-    <joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
-    <joint name="hinge" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint>
-    <plugin filename="ignition-gazebo-joint-controller-system" name="ignition::gazebo::systems::JointController">)" +
-         parameters + "</plugin></model>";
+  return test::hingeWith("joint-controller", "JointController", parameters);
 }
 
 constexpr const char* kJoint = "<joint_name>hinge</joint_name>";
@@ -27,17 +20,11 @@ constexpr const char* kTopic = "/model/m/joint/hinge/cmd_vel";
 
 double velocity(RunningWorld& world) { return world.model("m").joint("hinge")->velocity(); }
 
-ignition::msgs::Double number(double value) {
-  ignition::msgs::Double message;
-  message.set_data(value);
-  return message;
-}
-
 TEST(JointController, TurnsAtTheVelocityItIsTold) {
   RunningWorld world(worldWith(std::string(kJoint) + "<initial_velocity>2</initial_velocity>"));
   world.step(10);
   EXPECT_NEAR(velocity(world), 2, 1e-6);
-  world.tell(kTopic, number(-3));
+  world.tellNumber(kTopic, -3);
   world.step(10);
   EXPECT_NEAR(velocity(world), -3, 1e-6);
 }
@@ -45,7 +32,7 @@ TEST(JointController, TurnsAtTheVelocityItIsTold) {
 TEST(JointController, PushesTowardsTheVelocityIfItIsTold) {
   RunningWorld world(worldWith(std::string(kJoint) +
                                "<use_force_commands>true</use_force_commands><p_gain>0.2</p_gain><topic>cmd</topic>"));
-  world.tell("/cmd", number(4));
+  world.tellNumber("/cmd", 4);
   world.step(2);
   // 0.8 N m on 0.1 kg m^2 for two steps
   EXPECT_NEAR(velocity(world), 0.016, 1e-4);
@@ -56,7 +43,7 @@ TEST(JointController, PushesTowardsTheVelocityIfItIsTold) {
 TEST(JointController, IgnoresWhatIsNoVelocity) {
   RunningWorld world(worldWith(kJoint));
   testing::internal::CaptureStderr();
-  world.tell(kTopic, number(std::numeric_limits<double>::infinity()));
+  world.tellNumber(kTopic, std::numeric_limits<double>::infinity());
   world.step(10);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("not finite"), std::string::npos);
   EXPECT_NEAR(velocity(world), 0, 1e-9);

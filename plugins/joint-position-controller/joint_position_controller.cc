@@ -19,24 +19,35 @@ constexpr PidSettings kDefaults{
 /// Moves a joint to the position that it is told.
 class JointPositionController : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Moves a joint to the position that it is told.", Declaration::Place::kModel);
+    declaration.parameter("joint_name", &jointName_, "", "joint of the model, with one axis").required();
+    declaration.parameter("joint_index", &axis_, "", "axis of the joint").atLeast(0);
+    declaration.parameter("topic", &topic_, "", "where commands come from")
+        .otherwise("/model/M/joint/J/0/cmd_pos, with the index");
+    declaration.parameter("initial_position", &initialTarget_, "rad or m", "position until the first command");
+    declaration.parameter("use_velocity_commands", &usesVelocity_, "",
+                          "the joint moves at once, at `cmd_max` [rad/s or m/s] at most where that is given");
+    declarePid(declaration, settings_, "N m or N");
+    declaration.subscribes("<topic>", "ignition.msgs.Double", "position [rad or m]");
+  }
+
   void configure(const SystemContext& context) override {
     const Element& sdf = context.sdf;
-    const Model model = requiredModel(context, "JointPositionController");
+    const Model& model = *context.model;
     joint_ = requiredJoint(sdf, "joint_name", model);
     log_ = &context.log;
-    axis_ = sdf.get("joint_index", 0);
-    if (axis_ < 0 || axis_ >= joint_->axisCount()) {
+    if (axis_ >= joint_->axisCount()) {
       refuse(*sdf.child("joint_index"),
              "joint '" + std::string(joint_->name()) + "' has no axis " + std::to_string(axis_));
     }
-    pid_ = Pid(readPidSettings(sdf, kDefaults));
-    usesVelocity_ = sdf.get("use_velocity_commands", false);
-    largestVelocity_ = sdf.find<double>("cmd_max");
-    initialTarget_ = target_ = sdf.get("initial_position", 0.0);
+    pid_ = Pid(settings_);
+    // as Fortress, which counts it only where it is given
+    if (sdf.child("cmd_max") != nullptr) largestVelocity_ = settings_.commandMax;
+    target_ = initialTarget_;
     const std::string topic =
-        topicParameter(sdf, "topic",
-                       "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/" +
-                           std::to_string(axis_) + "/cmd_pos");
+        topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/" +
+                            std::to_string(axis_) + "/cmd_pos");
     command_ = context.node.subscribe<ignition::msgs::Double>(
         topic, [this](const ignition::msgs::Double& message) { receive(message.data()); });
   }
@@ -47,7 +58,6 @@ class JointPositionController : public System {
     const double error = joint_->position(axis_) - target_;
     if (!usesVelocity_) return joint_->addForce(pid_.update(error, dt), axis_);
     double velocity = -error / dt;
-    // as Fortress, which counts `<cmd_max>` only where it is given
     if (largestVelocity_ && std::abs(velocity) > *largestVelocity_) {
       velocity = std::copysign(*largestVelocity_, velocity);
     }
@@ -73,6 +83,9 @@ class JointPositionController : public System {
     }
   }
 
+  std::string jointName_;
+  std::string topic_;
+  PidSettings settings_ = kDefaults;
   std::optional<Joint> joint_;
   int axis_ = 0;
   Pid pid_;

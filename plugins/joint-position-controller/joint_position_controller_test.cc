@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <ignition/msgs/double.pb.h>
 
 #include <limits>
 #include <string>
@@ -14,14 +13,8 @@ namespace {
 using test::RunningWorld;
 
 std::string worldWith(const std::string& parameters) {
-  return R"(<gravity>0 0 0</gravity><model name="m">
-    <link name="base"><inertial><mass>1</mass></inertial></link>
-    <link name="arm"><inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial></link>
-    <joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
-    <joint name="hinge" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint>
-    <plugin filename="ignition-gazebo-joint-position-controller-system"
-            name="ignition::gazebo::systems::JointPositionController"><joint_name>hinge</joint_name>)" +
-         parameters + "</plugin></model>";
+  return test::hingeWith("joint-position-controller", "JointPositionController",
+                         "<joint_name>hinge</joint_name>" + parameters);
 }
 
 constexpr const char* kGains = "<p_gain>10</p_gain><i_gain>0</i_gain><d_gain>2</d_gain>";
@@ -29,17 +22,11 @@ constexpr const char* kTopic = "/model/m/joint/hinge/0/cmd_pos";
 
 double angle(RunningWorld& world) { return world.model("m").joint("hinge")->position(); }
 
-ignition::msgs::Double number(double value) {
-  ignition::msgs::Double message;
-  message.set_data(value);
-  return message;
-}
-
 TEST(JointPositionController, SettlesAtThePositionItIsTold) {
   RunningWorld world(worldWith(kGains));
   world.step(100);
   EXPECT_NEAR(angle(world), 0, 1e-9);
-  world.tell(kTopic, number(-1));
+  world.tellNumber(kTopic, -1);
   world.step(4000);
   EXPECT_NEAR(angle(world), -1, 1e-3);
   EXPECT_NEAR(world.model("m").joint("hinge")->velocity(), 0, 1e-3);
@@ -55,7 +42,7 @@ TEST(JointPositionController, PushesNoHarderThanItMay) {
   RunningWorld world(
       worldWith("<p_gain>10</p_gain><i_gain>0</i_gain><d_gain>0</d_gain><cmd_max>0.2</cmd_max>"
                 "<topic>cmd</topic>"));
-  world.tell("/cmd", number(1));
+  world.tellNumber("/cmd", 1);
   world.step(101);
   // 0.2 N m on 0.1 kg m^2 for 0.1 s
   EXPECT_NEAR(world.model("m").joint("hinge")->velocity(), 0.2, 0.005);
@@ -64,7 +51,7 @@ TEST(JointPositionController, PushesNoHarderThanItMay) {
 TEST(JointPositionController, MovesAtALimitedVelocityIfItIsTold) {
   RunningWorld world(
       worldWith("<use_velocity_commands>true</use_velocity_commands><cmd_max>0.5</cmd_max><cmd_min>-0.5</cmd_min>"));
-  world.tell(kTopic, number(1));
+  world.tellNumber(kTopic, 1);
   world.step(1000);
   EXPECT_NEAR(world.model("m").joint("hinge")->velocity(), 0.5, 1e-6);
   EXPECT_NEAR(angle(world), 0.5, 1e-3);
@@ -75,7 +62,7 @@ TEST(JointPositionController, MovesAtALimitedVelocityIfItIsTold) {
 TEST(JointPositionController, IgnoresWhatIsNoPosition) {
   RunningWorld world(worldWith(kGains));
   testing::internal::CaptureStderr();
-  world.tell(kTopic, number(std::numeric_limits<double>::quiet_NaN()));
+  world.tellNumber(kTopic, std::numeric_limits<double>::quiet_NaN());
   world.step(10);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("not finite"), std::string::npos);
   EXPECT_NEAR(angle(world), 0, 1e-9);
@@ -97,7 +84,7 @@ TEST(JointPositionController, OfFortressTestWorldSettles) {
   const auto worlds = test::fortressWorlds();
   if (!worlds) GTEST_SKIP() << "no worlds of Fortress here";
   RunningWorld world(*worlds / "test/joint_position_controller.sdf");
-  world.tell("/model/joint_position_controller_test/joint/j1/0/cmd_pos", number(1));
+  world.tellNumber("/model/joint_position_controller_test/joint/j1/0/cmd_pos", 1);
   world.step(1000);
   EXPECT_NEAR(world.model("joint_position_controller_test").joint("j1")->position(), 1, 0.1);
 }

@@ -15,26 +15,34 @@ namespace {
 /// Publishes where the joints of a model stand and how fast they move.
 class JointStatePublisher : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Publishes where the joints of a model stand and how fast they move.", Declaration::Place::kModel);
+    declaration.parameter("joint_name", &jointNames_, "", "joints of the model").otherwise("all of its own");
+    declaration.parameter("topic", &topic_, "", "where they go").otherwise("/world/W/model/M/joint_state");
+    declaration.parameter("update_rate", &rate_, "Hz", "messages a simulated second; 0: one every step");
+    declaration.publishes("<topic>", "ignition.msgs.Model", "the joints with their axes");
+  }
+
   void configure(const SystemContext& context) override {
     const Element& sdf = context.sdf;
-    model_ = requiredModel(context, "JointStatePublisher");
-    schedule_ = Schedule(periodParameter(sdf, "update_rate", 0));
+    model_ = *context.model;
+    schedule_ = Schedule(periodOf(rate_));
     for (const Element* element : sdf.childrenNamed("joint_name")) {
       const std::optional<Joint> joint = model_->joint(element->text);
       if (joint) {
         joints_.push_back(*joint);
       } else {
-        context.log.warning("line " + std::to_string(element->position.line) + ": <joint_name> '" + element->text +
-                            "' is no joint of model '" + std::string(model_->name()) + "'");
+        context.diagnostics.warning(element->position, "<joint_name> '" + element->text + "' is no joint of model '" +
+                                                           std::string(model_->name()) + "'");
       }
     }
-    if (sdf.child("joint_name") == nullptr) joints_ = model_->joints();
+    if (jointNames_.empty()) joints_ = model_->joints();
     std::string topic = "/joint_state";
     for (std::optional<Model> model = model_; model; model = model->parent()) {
       topic = "/model/" + std::string(model->name()) + topic;
     }
     topic = "/world/" + std::string(context.world.name()) + topic;
-    publisher_ = context.node.advertise<ignition::msgs::Model>(topicParameter(sdf, "topic", topic));
+    publisher_ = context.node.advertise<ignition::msgs::Model>(topicOr(topic_, topic));
     describe();
   }
 
@@ -76,6 +84,9 @@ class JointStatePublisher : public System {
     }
   }
 
+  std::vector<std::string> jointNames_;
+  std::string topic_;
+  double rate_ = 0;
   std::optional<Model> model_;
   std::vector<Joint> joints_;
   Schedule schedule_;

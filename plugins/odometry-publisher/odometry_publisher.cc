@@ -1,4 +1,5 @@
 #include <ignition/msgs/odometry.pb.h>
+#include <ignition/msgs/odometry_with_covariance.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
 #include <algorithm>
@@ -26,24 +27,45 @@ Vector3 anglesOf(const Quaternion& rotation) {
 /// Publishes where a model is and how fast, as the simulation knows it.
 class OdometryPublisher : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Publishes where a model is and how fast, as the simulation knows it.", Declaration::Place::kModel);
+    declaration.parameter("odom_frame", &frame_, "", "frame of the odometry, in the headers").otherwise("M/odom");
+    declaration.parameter("robot_base_frame", &childFrame_, "", "frame of the model, in the headers")
+        .otherwise("M/base_footprint");
+    declaration.parameter("odom_publish_frequency", &frequency_, "Hz",
+                          "messages a simulated second; 0: one every step");
+    declaration.parameter("odom_topic", &odometryTopic_, "", "where odometry goes").otherwise("/model/M/odometry");
+    declaration.parameter("odom_covariance_topic", &covarianceTopic_, "", "where odometry with covariance goes")
+        .otherwise("/model/M/odometry_with_covariance");
+    declaration.parameter("tf_topic", &tfTopic_, "", "where the pose goes").otherwise("/model/M/pose");
+    declaration.parameter("dimensions", &dimensions_, "", "2 leaves out height, roll and pitch; or 3")
+        .atLeast(2)
+        .atMost(3);
+    declaration.parameter("xyz_offset", &offset_, "m", "place of the base in the model");
+    declaration.parameter("rpy_offset", &angles_, "rad", "roll, pitch and yaw of the base in the model");
+    declaration.parameter("gaussian_noise", &noise_, "m/s and rad/s", "standard deviation of what falsifies velocities")
+        .atLeast(0);
+    declaration.publishes("<odom_topic>", "ignition.msgs.Odometry", "pose in the world and velocity in the base");
+    declaration.publishes("<odom_covariance_topic>", "ignition.msgs.OdometryWithCovariance",
+                          "the same, with the square of the noise as variances");
+    declaration.publishes("<tf_topic>", "ignition.msgs.Pose_V", "the same pose");
+  }
+
   void configure(const SystemContext& context) override {
-    const Element& sdf = context.sdf;
-    model_ = requiredModel(context, "OdometryPublisher");
+    model_ = *context.model;
     random_ = &context.random;
-    readGeometry(sdf);
-    noise_ = sdf.get("gaussian_noise", 0.0);
-    if (!(noise_ >= 0) || !std::isfinite(noise_)) {
-      refuse(*sdf.child("gaussian_noise"), "<gaussian_noise> must be a deviation from zero up");
-    }
-    schedule_ = Schedule(periodParameter(sdf, "odom_publish_frequency", 50));
+    isSpatial_ = dimensions_ == 3;
+    X_ModelBase_ = {offset_, fromRollPitchYaw(angles_.x(), angles_.y(), angles_.z())};
+    schedule_ = Schedule(periodOf(frequency_));
 
     const std::string name(model_->name());
-    frame_ = sdf.get<std::string>("odom_frame", name + "/odom");
-    childFrame_ = sdf.get<std::string>("robot_base_frame", name + "/base_footprint");
+    if (frame_.empty()) frame_ = name + "/odom";
+    if (childFrame_.empty()) childFrame_ = name + "/base_footprint";
     const std::string prefix = "/model/" + name;
-    odometry_ =
-        context.node.advertise<ignition::msgs::Odometry>(topicParameter(sdf, "odom_topic", prefix + "/odometry"));
-    tf_ = context.node.advertise<ignition::msgs::Pose_V>(topicParameter(sdf, "tf_topic", prefix + "/pose"));
+    odometry_ = context.node.advertise<ignition::msgs::Odometry>(topicOr(odometryTopic_, prefix + "/odometry"));
+    covariance_ = context.node.advertise<ignition::msgs::OdometryWithCovariance>(
+        topicOr(covarianceTopic_, prefix + "/odometry_with_covariance"));
+    tf_ = context.node.advertise<ignition::msgs::Pose_V>(topicOr(tfTopic_, prefix + "/pose"));
     last_ = basePose();
   }
 
@@ -53,7 +75,7 @@ class OdometryPublisher : public System {
     addVelocity(X_WorldBase, toSeconds(info.dt));
     last_ = X_WorldBase;
     if (!schedule_.isDue(info.time)) return;
-    if (odometry_.hasSubscribers()) publishOdometry(X_WorldBase, info.time);
+    if (odometry_.hasSubscribers() || covariance_.hasSubscribers()) publishOdometry(X_WorldBase, info.time);
     if (tf_.hasSubscribers()) publishTf(X_WorldBase, info.time);
   }
 
@@ -64,15 +86,6 @@ class OdometryPublisher : public System {
   }
 
  private:
-  void readGeometry(const Element& sdf) {
-    const int dimensions = sdf.get("dimensions", 2);
-    if (dimensions != 2 && dimensions != 3) refuse(*sdf.child("dimensions"), "<dimensions> must be 2 or 3");
-    isSpatial_ = dimensions == 3;
-    const Vector3 angles = sdf.get("rpy_offset", Vector3(0, 0, 0));
-    X_ModelBase_ = {sdf.get("xyz_offset", Vector3(0, 0, 0)), fromRollPitchYaw(angles.x(), angles.y(), angles.z())};
-    if (!X_ModelBase_.position.allFinite() || !angles.allFinite()) refuse(sdf, "the offset must be finite");
-  }
-
   Pose basePose() const { return model_->pose() * X_ModelBase_; }
 
   /// The change of pose in a step, in the axes of the base, as Fortress takes it.
@@ -103,6 +116,31 @@ class OdometryPublisher : public System {
     }
     twist.mutable_angular()->set_z(falsified(5));
     odometry_.publish(message_);
+    if (covariance_.hasSubscribers()) publishCovariance();
+  }
+
+  /// What has been published, with what is known of its error.
+  void publishCovariance() {
+    auto& pose = *covarianceMessage_.mutable_pose_with_covariance();
+    auto& twist = *covarianceMessage_.mutable_twist_with_covariance();
+    *covarianceMessage_.mutable_header() = message_.header();
+    *pose.mutable_pose() = message_.pose();
+    *twist.mutable_twist() = message_.twist();
+    if (pose.covariance().data_size() == 0) {
+      fillCovariance(*pose.mutable_covariance());
+      fillCovariance(*twist.mutable_covariance());
+    }
+    covariance_.publish(covarianceMessage_);
+  }
+
+  /// The variance in the diagonal of six rows of six, as Fortress has it, for the pose too.
+  void fillCovariance(ignition::msgs::Float_V& covariance) const {
+    constexpr int kSize = 6;
+    for (int row = 0; row < kSize; ++row) {
+      for (int column = 0; column < kSize; ++column) {
+        covariance.add_data(row == column ? static_cast<float>(noise_ * noise_) : 0.0F);
+      }
+    }
   }
 
   void publishTf(const Pose& X_WorldBase, Time time) {
@@ -125,13 +163,21 @@ class OdometryPublisher : public System {
     setRotation(X_WorldBase.rotation, *pose.mutable_orientation());
   }
 
+  std::string frame_;
+  std::string childFrame_;
+  double frequency_ = 50;
+  std::string odometryTopic_;
+  std::string covarianceTopic_;
+  std::string tfTopic_;
+  int dimensions_ = 2;
+  Vector3 offset_ = Vector3::Zero();
+  Vector3 angles_ = Vector3::Zero();
+  double noise_ = 0;
+
   std::optional<Model> model_;
   Pose X_ModelBase_;
   bool isSpatial_ = false;
-  double noise_ = 0;
   Random* random_ = nullptr;
-  std::string frame_;
-  std::string childFrame_;
 
   Schedule schedule_;
   Pose last_;
@@ -139,8 +185,10 @@ class OdometryPublisher : public System {
   std::array<RollingMean<10>, 6> velocity_;
 
   Publisher odometry_;
+  Publisher covariance_;
   Publisher tf_;
   ignition::msgs::Odometry message_;
+  ignition::msgs::OdometryWithCovariance covarianceMessage_;
   ignition::msgs::Pose_V tfMessage_;
 };
 

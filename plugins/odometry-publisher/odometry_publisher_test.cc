@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/odometry.pb.h>
+#include <ignition/msgs/odometry_with_covariance.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
 #include <cmath>
@@ -99,12 +100,28 @@ TEST_F(OdometryPublisherTest, AddsNoiseToVelocitiesOnly) {
   EXPECT_NEAR(odometry_.back().pose().position().x(), 5, 1e-9);
 }
 
+TEST(OdometryPublisherCovariance, IsTheSquareOfTheNoise) {
+  RunningWorld world(worldWith("<gaussian_noise>0.5</gaussian_noise>"));
+  std::vector<ignition::msgs::OdometryWithCovariance> messages;
+  world.listen("/model/m/odometry_with_covariance", messages);
+  world.step(100);
+  ASSERT_FALSE(messages.empty());
+  const ignition::msgs::OdometryWithCovariance& message = messages.back();
+  EXPECT_NEAR(message.pose_with_covariance().pose().position().x(), 5, 1e-9);
+  EXPECT_TRUE(message.header().has_stamp());
+  for (const auto* covariance :
+       {&message.pose_with_covariance().covariance(), &message.twist_with_covariance().covariance()}) {
+    ASSERT_EQ(covariance->data_size(), 36);
+    for (int i = 0; i < 36; ++i) EXPECT_EQ(covariance->data(i), i % 7 == 0 ? 0.25F : 0.0F) << i;
+  }
+}
+
 TEST(OdometryPublisherParameters, AreRefusedWithTheReason) {
   const std::string left = "odometry-publisher of m is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<dimensions>4</dimensions>")),
-            std::vector<std::string>{left + "<dimensions> must be 2 or 3"});
+            std::vector<std::string>{left + "<dimensions> must be a number of at most 3"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<gaussian_noise>-1</gaussian_noise>")),
-            std::vector<std::string>{left + "<gaussian_noise> must be a deviation from zero up"});
+            std::vector<std::string>{left + "<gaussian_noise> must be a number of at least zero"});
 }
 
 }  // namespace

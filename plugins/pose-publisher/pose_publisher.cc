@@ -34,14 +34,7 @@ struct Entry {
 
 /// What of a model is to be published.
 struct Choice {
-  explicit Choice(const Element& sdf)
-      : links(sdf.get("publish_link_pose", true)),
-        visuals(sdf.get("publish_visual_pose", false)),
-        collisions(sdf.get("publish_collision_pose", false)),
-        sensors(sdf.get("publish_sensor_pose", false)),
-        nestedModels(sdf.get("publish_nested_model_pose", false)),
-        model(sdf.get("publish_model_pose", nestedModels)) {}
-  bool links, visuals, collisions, sensors, nestedModels, model;
+  bool links = true, visuals = false, collisions = false, sensors = false, nestedModels = false, model = false;
 };
 
 /// One topic: a list of entities and how often their poses are published.
@@ -106,30 +99,48 @@ bool movesInModel(const Link& link, const Model& top) {
 /// Publishes the poses of a model's parts, each in the frame of what holds it.
 class PosePublisher : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Publishes the poses of a model's parts, each in the frame of what holds it.",
+                   Declaration::Place::kModel);
+    const auto add = [&](const char* name, bool& value, const char* text) -> Parameter& {
+      return declaration.parameter(name, &value, "", text);
+    };
+    add("publish_link_pose", choice_.links, "poses of links");
+    add("publish_visual_pose", choice_.visuals, "poses of visuals");
+    add("publish_collision_pose", choice_.collisions, "poses of collisions");
+    add("publish_sensor_pose", choice_.sensors, "poses of sensors");
+    add("publish_nested_model_pose", choice_.nestedModels, "poses of the models in the model");
+    add("publish_model_pose", choice_.model, "pose of the model itself, if those of nested ones too")
+        .otherwise("as publish_nested_model_pose");
+    add("use_pose_vector_msg", asVector_, "one Pose_V in place of a Pose for each part");
+    add("static_publisher", isSplit_, "what never moves in the model goes to a topic of its own");
+    declaration.parameter("update_frequency", &frequency_, "Hz", "messages a simulated second; -1: one every step");
+    declaration.parameter("static_update_frequency", &staticFrequency_, "Hz", "of what never moves")
+        .otherwise("update_frequency");
+    declaration.publishes("/model/M/pose", "ignition.msgs.Pose", "or ignition.msgs.Pose_V");
+    declaration.publishes("/model/M/pose_static", "ignition.msgs.Pose", "or ignition.msgs.Pose_V; if it is asked for");
+  }
+
   void configure(const SystemContext& context) override {
-    const Element& sdf = context.sdf;
-    const Model model = requiredModel(context, "PosePublisher");
+    const Model& model = *context.model;
     top_ = model;
-    isSplit_ = sdf.get("static_publisher", false);
-    const bool asVector = sdf.get("use_pose_vector_msg", false);
+    if (context.sdf.child("publish_model_pose") == nullptr) choice_.model = choice_.nestedModels;
     std::string topic = "/pose";
     for (std::optional<Model> holder = model; holder; holder = holder->parent()) {
       topic = "/model/" + std::string(holder->name()) + topic;
     }
-    moving_.open(context.node, cleanTopic(topic), asVector, periodParameter(sdf, "update_frequency", -1));
+    moving_.open(context.node, cleanTopic(topic), asVector_, periodOf(frequency_));
     if (isSplit_) {
-      const char* rate =
-          sdf.child("static_update_frequency") != nullptr ? "static_update_frequency" : "update_frequency";
-      still_.open(context.node, cleanTopic(topic + "_static"), asVector, periodParameter(sdf, rate, -1));
+      still_.open(context.node, cleanTopic(topic + "_static"), asVector_,
+                  periodOf(staticFrequency_.value_or(frequency_)));
     }
 
-    const Choice choice(sdf);
-    if (choice.model && choice.nestedModels) {
+    if (choice_.model && choice_.nestedModels) {
       const std::optional<Model> parent = model.parent();
       const std::string frame = parent ? parent->scopedName() : std::string(context.world.name());
       add({frame, model.scopedName(), model, std::nullopt, {}}, false);
     }
-    addParts(model, choice);
+    addParts(model);
   }
 
   void postUpdate(const StepInfo& info) override {
@@ -144,34 +155,38 @@ class PosePublisher : public System {
   }
 
  private:
-  void addParts(const Model& model, const Choice& choice) {
+  void addParts(const Model& model) {
     const std::string name = model.scopedName();
     for (const Link& link : model.links()) {
       const std::string linkName = link.scopedName();
-      if (choice.links) add({name, linkName, std::nullopt, link, {}}, isSplit_ && movesInModel(link, *top_));
+      if (choice_.links) add({name, linkName, std::nullopt, link, {}}, isSplit_ && movesInModel(link, *top_));
       const auto addFixed = [&](std::string_view part, const Pose& X_LinkPart) {
         add({linkName, linkName + "::" + std::string(part), std::nullopt, std::nullopt, X_LinkPart}, false);
       };
-      if (choice.visuals) {
+      if (choice_.visuals) {
         for (const Visual& visual : link.visuals()) addFixed(visual.name(), visual.poseInLink());
       }
-      if (choice.collisions) {
+      if (choice_.collisions) {
         for (const Collision& collision : link.collisions()) addFixed(collision.name(), collision.poseInLink());
       }
-      if (choice.sensors) {
+      if (choice_.sensors) {
         for (const Sensor& sensor : link.sensors()) addFixed(sensor.name(), sensor.poseInLink());
       }
     }
     for (const Model& inner : model.models()) {
-      if (choice.nestedModels) add({name, inner.scopedName(), inner, std::nullopt, {}}, false);
-      addParts(inner, choice);
+      if (choice_.nestedModels) add({name, inner.scopedName(), inner, std::nullopt, {}}, false);
+      addParts(inner);
     }
   }
 
   void add(Entry entry, bool moves) { (isSplit_ && !moves ? still_ : moving_).add(std::move(entry)); }
 
-  std::optional<Model> top_;
+  Choice choice_;
+  bool asVector_ = false;
   bool isSplit_ = false;
+  double frequency_ = -1;
+  std::optional<double> staticFrequency_;
+  std::optional<Model> top_;
   PoseTopic moving_;
   PoseTopic still_;
 };

@@ -1,31 +1,18 @@
 #include <ignition/msgs/pose_v.pb.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "pongsim/fields.hh"
+#include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
 namespace {
-
-void setPose(const Pose& pose, ignition::msgs::Pose& message) {
-  message.mutable_position()->set_x(pose.position.x());
-  message.mutable_position()->set_y(pose.position.y());
-  message.mutable_position()->set_z(pose.position.z());
-  message.mutable_orientation()->set_x(pose.rotation.x());
-  message.mutable_orientation()->set_y(pose.rotation.y());
-  message.mutable_orientation()->set_z(pose.rotation.z());
-  message.mutable_orientation()->set_w(pose.rotation.w());
-}
-
-void setStamp(Time time, ignition::msgs::Time& message) {
-  const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
-  message.set_sec(seconds.count());
-  message.set_nsec(static_cast<std::int32_t>((time - seconds).count()));
-}
 
 /// A topic with the poses of some models and of their links, each in the frame of what holds it: models before links,
 /// as Fortress orders them.
@@ -49,7 +36,7 @@ class PoseTopic {
 
   void publish(Time time) {
     if (!publisher_.hasSubscribers()) return;
-    setStamp(time, *message_.mutable_header()->mutable_stamp());
+    setStamp(time, *message_.mutable_header());
     int next = 0;
     for (const Model& model : models_) setPose(model.pose(), *message_.mutable_pose(next++));
     for (const auto& [model, link] : links_) {
@@ -79,15 +66,17 @@ class PoseTopic {
 /// Publishes where the models and links are.
 class SceneBroadcaster : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Publishes where the models and links are.", Declaration::Place::kWorld);
+    declaration.parameter("dynamic_pose_hertz", &rate_, "Hz", "messages a simulated second").above(0);
+    declaration.element("state_hertz", "rate of `/world/W/state`, which is not there");
+    declaration.publishes("/world/W/pose/info", "ignition.msgs.Pose_V",
+                          "models in the world and links in their models");
+    declaration.publishes("/world/W/dynamic_pose/info", "ignition.msgs.Pose_V", "the same of what is not static");
+  }
+
   void configure(const SystemContext& context) override {
-    const double rate = context.sdf.get("dynamic_pose_hertz", 60.0);
-    if (!(rate > 0)) {
-      throw Error({Severity::kError,
-                   context.sdf.child("dynamic_pose_hertz")->position,
-                   "<dynamic_pose_hertz> must be above zero",
-                   {}});
-    }
-    period_ = fromSeconds(std::min(1 / rate, 1e9));
+    period_ = periodOf(rate_);
 
     const std::string prefix = cleanTopic("/world/" + std::string(context.world.name()));
     all_.open(context.node, prefix + "/pose/info");
@@ -115,6 +104,7 @@ class SceneBroadcaster : public System {
   }
 
  private:
+  double rate_ = 60;
   World* world_ = nullptr;
   Time period_{0};
   Time due_{0};

@@ -2,24 +2,17 @@
 #include <ignition/msgs/empty.pb.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "pongsim/contact.hh"
+#include "pongsim/parameters.hh"
 #include "pongsim/sensor.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
 namespace {
-
-/// @return The text of a parameter that must be there.
-std::string required(const Element& sdf, std::string_view name) {
-  const std::string text = sdf.get<std::string>(name, "");
-  if (text.empty()) throw Error({Severity::kError, sdf.position, "no <" + std::string(name) + "> is given", {}});
-  return text;
-}
 
 /// @return "world/W/model/M/link/L/collision/C", which targets are searched in.
 std::string pathOf(const World& world, const Collision& collision) {
@@ -44,35 +37,41 @@ void forEachCollision(const std::vector<Model>& models, Take take) {
 /// Says once that the model has touched a target for some time.
 class TouchPlugin : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Says once that the model has touched a target for some time.", Declaration::Place::kModel);
+    declaration
+        .parameter("target", &target_, "", "part of the names of collisions, as world/W/model/M/link/L/collision/C")
+        .required();
+    declaration.parameter("time", &seconds_, "s", "how long the touch must last, and a little more")
+        .required()
+        .atLeast(0);
+    declaration.parameter("namespace", &space_, "", "first part of the names of topic and service").required();
+    declaration.parameter("enabled", &startsEnabled_, "", "whether it begins enabled");
+    declaration.publishes("/NAMESPACE/touched", "ignition.msgs.Boolean", "`true`; then the plugin is disabled");
+    declaration.serves("/NAMESPACE/enable", "ignition.msgs.Boolean", "ignition.msgs.Empty", "enables or disables it");
+  }
+
   void configure(const SystemContext& context) override {
     const Element& sdf = context.sdf;
-    if (!context.model) {
-      throw Error({Severity::kError, sdf.position, "TouchPlugin must stand in a <model>", {}});
-    }
     world_ = &context.world;
     node_ = &context.node;
-    const std::string target = required(sdf, "target");
-    required(sdf, "time");
-    const double time = sdf.find<double>("time").value();
-    if (!(time >= 0) || !std::isfinite(time)) {
-      throw Error({Severity::kError, sdf.child("time")->position, "<time> must be a time from zero up", {}});
-    }
-    time_ = fromSeconds(std::min(time, 1e9));
-    const std::string space = "/" + required(sdf, "namespace");
+    time_ = fromSeconds(std::min(seconds_, 1e9));
+    const std::string space = "/" + space_;
     topic_ = cleanTopic(space + "/touched");
 
     forEachCollision(context.world.models(), [&](const Collision& collision) {
-      if (pathOf(*world_, collision).find(target) != std::string::npos) targets_.push_back(collision.id());
+      if (pathOf(*world_, collision).find(target_) != std::string::npos) targets_.push_back(collision.id());
     });
-    if (targets_.empty()) context.log.warning("no collision of the world has '" + target + "' in its name");
+    if (targets_.empty()) {
+      context.diagnostics.warning(sdf.child("target")->position,
+                                  "no collision of the world has '" + target_ + "' in its name");
+    }
     watchContactSensors(*context.model);
     if (watched_.empty()) {
-      throw Error({Severity::kError, sdf.position,
-                   "model '" + context.model->scopedName() + "' has no contact sensor that names a collision",
-                   "a <sensor type=\"contact\"> in a link tells which collisions can touch"});
+      refuse(sdf, "model '" + context.model->scopedName() + "' has no contact sensor that names a collision",
+             "a <sensor type=\"contact\"> in a link tells which collisions can touch");
     }
 
-    startsEnabled_ = sdf.get("enabled", false);
     service_ = node_->serve<ignition::msgs::Boolean, ignition::msgs::Empty>(
         cleanTopic(space + "/enable"), [this](const ignition::msgs::Boolean& request, ignition::msgs::Empty&) {
           setEnabled(request.data());
@@ -130,6 +129,9 @@ class TouchPlugin : public System {
     if (enabled && !publisher_) publisher_ = node_->advertise<ignition::msgs::Boolean>(topic_);
   }
 
+  std::string target_;
+  double seconds_ = 0;
+  std::string space_;
   World* world_ = nullptr;
   Node* node_ = nullptr;
   std::vector<CollisionId> targets_;

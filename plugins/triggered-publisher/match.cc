@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pongsim/parameters.hh"
+
 namespace pongsim {
 
 namespace {
@@ -15,10 +17,6 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::util::DefaultFieldComparator;
 using google::protobuf::util::MessageDifferencer;
-
-[[noreturn]] void fail(const Element& element, std::string message, std::string hint = {}) {
-  throw Error({Severity::kError, element.position, std::move(message), std::move(hint)});
-}
 
 std::string fieldNames(const Descriptor& type) {
   std::string names;
@@ -65,11 +63,11 @@ Match::Match(const Element& element, const std::string& type) : wanted_(newMessa
     tolerance_ = -1;
   }
   if (!(tolerance_ >= 0))
-    fail(element, "the 'tol' of a <match> must be a number of at least zero, not '" + tolerance + "'");
+    refuse(element, "the 'tol' of a <match> must be a number of at least zero, not '" + tolerance + "'");
 
   const std::string logic = element.attributeOr("logic_type", "positive");
   if (logic != "positive" && logic != "negative") {
-    fail(element, "the 'logic_type' of a <match> is '" + logic + "'", "it can be 'positive' or 'negative'");
+    refuse(element, "the 'logic_type' of a <match> is '" + logic + "'", "it can be 'positive' or 'negative'");
   }
   negative_ = logic == "negative";
 
@@ -79,10 +77,10 @@ Match::Match(const Element& element, const std::string& type) : wanted_(newMessa
     text = nestedText(path_, text);
   }
   if (const std::optional<MessageError> error = parseMessage(text, *wanted_)) {
-    fail(element,
-         "the text of this <match> is no " + (path_.empty() ? type : "value of '" + path_.back()->full_name() + "'") +
-             ": " + error->message,
-         error->hint);
+    refuse(element,
+           "the text of this <match> is no " + (path_.empty() ? type : "value of '" + path_.back()->full_name() + "'") +
+               ": " + error->message,
+           error->hint);
   }
 }
 
@@ -96,15 +94,15 @@ void Match::findField(const Element& element, std::string_view path) {
     const std::size_t end = std::min(path.find('.'), path.size());
     const std::string name(path.substr(0, end));
     if (type == nullptr)
-      fail(element, "'" + path_.back()->full_name() + "' has no field '" + name + "': it is no message");
+      refuse(element, "'" + path_.back()->full_name() + "' has no field '" + name + "': it is no message");
     const FieldDescriptor* field = type->FindFieldByName(name);
     if (field == nullptr) {
-      fail(element, "field '" + name + "' is not in " + type->full_name(), "its fields are " + fieldNames(*type));
+      refuse(element, "field '" + name + "' is not in " + type->full_name(), "its fields are " + fieldNames(*type));
     }
     path_.push_back(field);
     if (end == path.size()) return;
     if (field->is_repeated()) {
-      fail(element, "field '" + name + "' of a <match> is repeated: only the last of a path may be");
+      refuse(element, "field '" + name + "' of a <match> is repeated: only the last of a path may be");
     }
     type = field->message_type();
     path.remove_prefix(end + 1);

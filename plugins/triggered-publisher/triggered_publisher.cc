@@ -1,75 +1,59 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "match.hh"
+#include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
+#include "service_caller.hh"
+#include "typed_name.hh"
 
 namespace pongsim {
 
 namespace {
 
-[[noreturn]] void fail(const Element& where, std::string message, std::string hint = {}) {
-  throw Error({Severity::kError, where.position, std::move(message), std::move(hint)});
-}
-
-/// Reads the `type` and `topic` of an `<input>` or `<output>`.
-struct TypedTopic {
-  explicit TypedTopic(const Element& element) : topic(required(element, "topic")) {
-    const std::string asked = required(element, "type");
-    const std::optional<std::string> found = messageTypeName(asked);
-    if (!found) {
-      const std::string nearest = nearestMessageType(asked);
-      fail(element, "'" + asked + "' is no message type", nearest.empty() ? "" : "did you mean '" + nearest + "'?");
-    }
-    type = *found;
-    topic = cleanTopic(topic);
-    if (const std::optional<std::string> error = topicNameError(topic)) {
-      fail(element, "'" + topic + "' is no topic: " + *error);
-    }
-  }
-
-  static std::string required(const Element& element, std::string_view attribute) {
-    const Element::Attribute* found = element.attribute(attribute);
-    if (found == nullptr || found->value.empty()) {
-      fail(element, "<" + element.name + "> has no '" + std::string(attribute) + "' attribute");
-    }
-    return found->value;
-  }
-
-  std::string topic;
-  std::string type;
-};
-
 /// Publishes messages given in the world's file whenever a message comes in that matches all of its conditions.
 class TriggeredPublisher : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Publishes messages given in the world's file whenever a message comes in that matches.",
+                   Declaration::Place::kAnywhere);
+    declaration.element(
+        "input",
+        "`type` and `topic` to listen to; one only. A `<match>` in it is a condition, and all must hold: "
+        "its text is a message, or with `field` (a path such as pose.position.x) the value of that "
+        "field; `tol` (1e-8) for numbers, `logic_type` (positive, negative)");
+    declaration.element("output", "`type` and `topic` to publish on, and a message's text; may be repeated");
+    declaration.element("service",
+                        "a service to call after that: `name`, `reqType`, `repType`, `reqMsg`, `timeout` [ms]; may be "
+                        "repeated");
+    declaration.parameter("delay_ms", &delayMs_, "ms", "simulated time to wait first").atLeast(0);
+    declaration.sharesTopics();
+  }
+
   void configure(const SystemContext& context) override {
     const Element& sdf = context.sdf;
     const Element* input = sdf.child("input");
-    if (input == nullptr) fail(sdf, "a TriggeredPublisher needs an <input>");
-    const TypedTopic source(*input);
-    for (const Element* match : input->childrenNamed("match")) {
-      if (match->text.empty()) fail(*match, "a <match> without text matches nothing");
-      matches_.emplace_back(*match, source.type);
-    }
-
-    for (const Element* output : sdf.childrenNamed("output")) addOutput(*output, context.node);
-    if (outputs_.empty()) fail(sdf, "a TriggeredPublisher needs an <output>");
-    if (const Element* service = sdf.child("service")) {
-      context.log.warning("line " + std::to_string(service->position.line) +
-                          ": <service> is not there yet: no service will be called");
-    }
-
-    const int delayMs = sdf.get("delay_ms", 0);
-    if (delayMs < 0) fail(*sdf.child("delay_ms"), "<delay_ms> must not be negative");
-    delay_ = std::chrono::milliseconds(delayMs);
+    if (input == nullptr) refuse(sdf, "a TriggeredPublisher needs an <input>");
+    source_ = typedName(*input, "topic", "type");
+    readMatches(*input, context.diagnostics);
+    for (const Element* output : sdf.childrenNamed("output")) addOutput(*output, context);
+    std::vector<ServiceCall> calls;
+    for (const Element* service : sdf.childrenNamed("service")) calls.emplace_back(*service);
+    if (outputs_.empty() && calls.empty()) refuse(sdf, "a TriggeredPublisher needs an <output> or a <service>");
+    if (!calls.empty()) services_ = std::make_unique<ServiceCaller>(std::move(calls), context.node, context.log);
+    delay_ = std::chrono::milliseconds(delayMs_);
+    checkForLoop(context);
     subscription_ =
-        context.node.subscribe(source.topic, source.type, [this](const Message& message) { receive(message); });
+        context.node.subscribe(source_.name, source_.type, [this](const Message& message) { receive(message); });
   }
 
   void preUpdate(const StepInfo& info) override {
@@ -88,21 +72,84 @@ class TriggeredPublisher : public System {
 
  private:
   struct Output {
+    TypedName target;
     Publisher publisher;
     MessagePointer message;
   };
+  /// A chain of systems of which each triggers the next.
+  struct Chain {
+    const TriggeredPublisher* end;
+    std::string topics;
+    Time delay;
+  };
 
-  void addOutput(const Element& element, Node& node) {
-    const TypedTopic target(element);
-    Output output{node.advertise(target.topic, target.type), newMessage(target.type)};
+  void readMatches(const Element& input, Diagnostics& diagnostics) {
+    const std::vector<const Element*> all = input.childrenNamed("match");
+    for (const Element* match : all) {
+      if (match->text.empty()) {
+        // as Fortress does, which does not say so
+        diagnostics.warning(match->position, "a <match> without text is no condition: it is left out");
+      } else {
+        matches_.emplace_back(*match, source_.type);
+      }
+    }
+    if (matches_.empty() && !all.empty()) refuse(input, "no <match> is left");
+  }
+
+  void addOutput(const Element& element, const SystemContext& context) {
+    const TypedName target = typedName(element, "topic", "type");
+    Output output{target, context.node.advertise(target.name, target.type), newMessage(target.type)};
     if (const std::optional<MessageError> error = parseMessage(element.text, *output.message)) {
-      fail(element, "the text of this <output> is no " + target.type + ": " + error->message, error->hint);
+      // as Fortress, which sends what it has read
+      context.diagnostics.warning(element.position,
+                                  "the text of this <output> is no " + target.type + ": " + error->message +
+                                      "; what stands before that is published",
+                                  error->hint);
     }
     outputs_.push_back(std::move(output));
   }
 
+  bool matches(const Message& message) const {
+    return std::ranges::all_of(matches_, [&](const Match& match) { return match.matches(message); });
+  }
+
+  bool isTriggeredBy(const Output& output) const {
+    return output.target.name == source_.name && output.target.type == source_.type && matches(*output.message);
+  }
+
+  /// What is published is known beforehand, and so is what it triggers: refuses to close a circle.
+  void checkForLoop(const SystemContext& context) const {
+    std::vector<const TriggeredPublisher*> others;
+    for (const System* system : context.before) {
+      if (const auto* other = dynamic_cast<const TriggeredPublisher*>(system)) others.push_back(other);
+    }
+    std::vector<Chain> chains = {{this, source_.name, delay_}};
+    while (!chains.empty()) {
+      const Chain chain = std::move(chains.back());
+      chains.pop_back();
+      for (const Output& output : chain.end->outputs_) {
+        const std::string topics = chain.topics + " -> " + output.target.name;
+        if (isTriggeredBy(output)) return reportLoop(topics, chain.delay, context);
+        std::erase_if(others, [&](const TriggeredPublisher* other) {
+          if (!other->isTriggeredBy(output)) return false;
+          chains.push_back({other, topics, chain.delay + other->delay_});
+          return true;
+        });
+      }
+    }
+  }
+
+  static void reportLoop(const std::string& topics, Time delay, const SystemContext& context) {
+    if (delay == Time::zero()) {
+      refuse(context.sdf, "what it publishes would trigger it again without end: " + topics,
+             "a <match> that its own messages do not meet, or a <delay_ms>, makes an end of that");
+    }
+    const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(delay).count();
+    context.log.info("triggers itself again after " + std::to_string(milliseconds) + " ms: " + topics);
+  }
+
   void receive(const Message& message) {
-    if (!std::ranges::all_of(matches_, [&](const Match& match) { return match.matches(message); })) return;
+    if (!matches(message)) return;
     if (delay_ == Time::zero()) {
       publish();
     } else {
@@ -112,10 +159,14 @@ class TriggeredPublisher : public System {
 
   void publish() {
     for (Output& output : outputs_) output.publisher.publish(*output.message);
+    if (services_) services_->call();
   }
 
+  int delayMs_ = 0;
+  TypedName source_;
   std::vector<Match> matches_;
   std::vector<Output> outputs_;
+  std::unique_ptr<ServiceCaller> services_;
   Time delay_{0};
   Time now_{0};
   /// When to publish, soonest first.

@@ -3,6 +3,7 @@
 #include <list>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
@@ -14,15 +15,25 @@ namespace {
 /// Gives a model, and links of it, the velocity that it is told, in every step.
 class VelocityControl : public System {
  public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Gives a model, and links of it, the velocity that it is told, in every step.",
+                   Declaration::Place::kModel);
+    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/cmd_vel");
+    declaration.parameter("initial_linear", &initial_.linear, "m/s", "velocity until the first command, model frame");
+    declaration.parameter("initial_angular", &initial_.angular, "rad/s", "the same of turning");
+    declaration.parameter("link_name", &linkNames_, "", "links that are commanded each by its own topic, too");
+    declaration.subscribes("<topic>", "ignition.msgs.Twist", "velocity of the model in its own frame [m/s, rad/s]");
+    declaration.subscribes("/model/M/link/L/cmd_vel", "ignition.msgs.Twist", "velocity of a link in its own frame");
+  }
+
   void configure(const SystemContext& context) override {
     const Element& sdf = context.sdf;
-    model_ = requiredModel(context, "VelocityControl");
+    model_ = *context.model;
     if (model_->parent()) refuse(sdf, "VelocityControl moves models at the top level only");
     log_ = &context.log;
-    initial_ = command_ = {sdf.get("initial_linear", Vector3(0, 0, 0)), sdf.get("initial_angular", Vector3(0, 0, 0))};
-    if (!isFinite(initial_)) refuse(sdf, "the initial velocity must be finite");
+    command_ = initial_;
     const std::string prefix = "/model/" + std::string(model_->name());
-    subscription_ = context.node.subscribe<ignition::msgs::Twist>(topicParameter(sdf, "topic", prefix + "/cmd_vel"),
+    subscription_ = context.node.subscribe<ignition::msgs::Twist>(topicOr(topic_, prefix + "/cmd_vel"),
                                                                   [this](const auto& twist) { read(twist, command_); });
     for (const Element* element : sdf.childrenNamed("link_name")) {
       const std::optional<Link> link = model_->link(element->text);
@@ -57,8 +68,8 @@ class VelocityControl : public System {
 
  private:
   struct Twist {
-    Vector3 linear;
-    Vector3 angular;
+    Vector3 linear = Vector3::Zero();
+    Vector3 angular = Vector3::Zero();
   };
   struct LinkCommand {
     Link link;
@@ -81,6 +92,8 @@ class VelocityControl : public System {
     return true;
   }
 
+  std::string topic_;
+  std::vector<std::string> linkNames_;
   std::optional<Model> model_;
   Twist initial_;
   Twist command_;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "pongsim/diagnostic.hh"
-
 namespace pongsim {
 
 namespace {
@@ -14,23 +12,19 @@ double clampIfBounded(double value, double min, double max) { return max < min ?
 
 }  // namespace
 
-PidSettings readPidSettings(const Element& sdf, const PidSettings& defaults, std::string_view prefix) {
-  const auto read = [&](const char* name, double fallback) {
-    const std::string full = std::string(prefix) + name;
-    const double value = sdf.get(full, fallback);
-    if (std::isfinite(value)) return value;
-    throw Error({Severity::kError, sdf.child(full)->position, "<" + full + "> must be a finite number", {}});
+void declarePid(Declaration& declaration, PidSettings& settings, std::string_view unit, std::string_view prefix) {
+  const std::string before(prefix), ofCommand(unit);
+  const auto add = [&](const char* name, double& value, const std::string& unitOfValue, const char* text) {
+    declaration.parameter(before + name, &value, unitOfValue, text);
   };
-  PidSettings settings;
-  settings.p = read("p_gain", defaults.p);
-  settings.i = read("i_gain", defaults.i);
-  settings.d = read("d_gain", defaults.d);
-  settings.iMin = read("i_min", defaults.iMin);
-  settings.iMax = read("i_max", defaults.iMax);
-  settings.commandMin = read("cmd_min", defaults.commandMin);
-  settings.commandMax = read("cmd_max", defaults.commandMax);
-  settings.commandOffset = read("cmd_offset", defaults.commandOffset);
-  return settings;
+  add("p_gain", settings.p, "", "proportional gain");
+  add("i_gain", settings.i, "", "integral gain");
+  add("d_gain", settings.d, "", "derivative gain");
+  add("i_min", settings.iMin, ofCommand, "least integral term; no bounds where it is above `i_max`");
+  add("i_max", settings.iMax, ofCommand, "largest integral term");
+  add("cmd_min", settings.commandMin, ofCommand, "least command; no bounds where it is above `cmd_max`");
+  add("cmd_max", settings.commandMax, ofCommand, "largest command");
+  add("cmd_offset", settings.commandOffset, ofCommand, "added to the command");
 }
 
 double Pid::update(double error, double dt) {

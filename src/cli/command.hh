@@ -21,6 +21,7 @@ void addTopicCommand(CLI::App& program, Work& work);
 void addServiceCommand(CLI::App& program, Work& work);
 void addWorldCommand(CLI::App& program, Work& work);
 void addKeyCommand(CLI::App& program, Work& work);
+void addPluginCommand(CLI::App& program, Work& work);
 void addMsgCommand(CLI::App& program, Work& work);
 
 }  // namespace pongsim::cli

@@ -63,6 +63,15 @@ void say(const Diagnostics& diagnostics, Severity least, Severity leastWithLine)
   }
 }
 
+Diagnostics asErrors(const Diagnostics& diagnostics) {
+  Diagnostics errors;
+  for (Diagnostic diagnostic : diagnostics.all()) {
+    diagnostic.severity = Severity::kError;
+    errors.add(std::move(diagnostic));
+  }
+  return errors;
+}
+
 std::string jsonOf(const std::vector<Diagnostic>& diagnostics) {
   Json all = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) {

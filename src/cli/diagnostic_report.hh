@@ -31,6 +31,9 @@ class SourceLines {
 /// @param leastWithLine What is at least this bad comes with the line of its file and a mark under it.
 void say(const Diagnostics& diagnostics, Severity least, Severity leastWithLine);
 
+/// @return The same with all warnings as errors, which `--strict` wants.
+Diagnostics asErrors(const Diagnostics& diagnostics);
+
 /// @return A line of JSON: an array of objects with the members "file", "line", "column" (those that are known),
 /// "severity"
 /// ("error" or "warning"), "message", "hint" (if there is one) and "includedFrom", an array of places.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/crash_report.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
@@ -27,6 +28,7 @@ struct RunCommandOptions {
   std::uint64_t seed = 0;
   LogLevel verbosity = LogLevel::kWarning;
   bool hash = false;
+  bool strict = false;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -54,13 +56,16 @@ std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
 
 int runWorld(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
+  base::reportCrashes();
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
   const std::unique_ptr<Simulation> simulation =
-      Simulation::fromFile(findWorldFile(options.world), {.seed = options.seed, .transport = &transport}, diagnostics);
+      Simulation::fromFile(findWorldFile(options.world),
+                           {.seed = options.seed, .strict = options.strict, .transport = &transport}, diagnostics);
+  if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
-  if (simulation == nullptr) {
+  if (simulation == nullptr || diagnostics.hasErrors()) {
     const auto errors = std::ranges::count(diagnostics.all(), Severity::kError, &Diagnostic::severity);
     say(std::to_string(errors) + (errors == 1 ? " error" : " errors"));
     return kFailed;
@@ -119,6 +124,8 @@ void addRunCommand(CLI::App& program, Work& work) {
       [options](const std::string& text) {
         options->verbosity = static_cast<LogLevel>(wholeNumber("-v", text, 0, 4));
       });
+  addFlag("--strict", options->strict,
+          "Take warnings about the file for errors, and end with exit code 1 where a system fails");
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
   command->footer(
       "Examples:\n"

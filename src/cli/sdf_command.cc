@@ -31,13 +31,7 @@ struct SdfOptions {
 Diagnostics diagnosticsOf(const std::string& file, bool strict) {
   Diagnostics found;
   sdf::loadFile(file, found);
-  if (!strict) return found;
-  Diagnostics errors;
-  for (Diagnostic diagnostic : found.all()) {
-    diagnostic.severity = Severity::kError;
-    errors.add(std::move(diagnostic));
-  }
-  return errors;
+  return strict ? asErrors(found) : found;
 }
 
 int check(const SdfOptions& options) {

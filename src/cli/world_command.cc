@@ -24,10 +24,13 @@ struct WorldCommandLine {
   std::optional<std::string> steps, world, lines, timeout;
 };
 
-constexpr std::array<std::pair<std::string_view, WorldAction>, 4> kActions{{{"pause", WorldAction::kPause},
+constexpr std::array<std::pair<std::string_view, WorldAction>, 5> kActions{{{"pause", WorldAction::kPause},
                                                                             {"play", WorldAction::kPlay},
                                                                             {"step", WorldAction::kStep},
+                                                                            {"reset", WorldAction::kReset},
                                                                             {"stats", WorldAction::kStats}}};
+
+constexpr const char* kActionList = "one of pause, play, step, reset, stats";
 
 WorldAction actionOf(const std::string& word) {
   std::array<std::string_view, kActions.size()> words;
@@ -36,12 +39,12 @@ WorldAction actionOf(const std::string& word) {
     words[i] = kActions[i].first;
   }
   const std::string nearest = base::didYouMean(word, words);
-  throw UsageError("unknown action '" + word + "'", nearest.empty() ? "one of pause, play, step, stats" : nearest);
+  throw UsageError("unknown action '" + word + "'", nearest.empty() ? kActionList : nearest);
 }
 
 Work workFor(const WorldCommandLine& given) {
   WorldOptions options;
-  if (given.action.empty()) throw UsageError("nothing to do given", "one of pause, play, step, stats");
+  if (given.action.empty()) throw UsageError("nothing to do given", kActionList);
   options.action = actionOf(given.action);
   if (given.steps && options.action != WorldAction::kStep) {
     throw UsageError("a number means nothing with '" + given.action + "'", "it goes with step");
@@ -65,7 +68,7 @@ Work workFor(const WorldCommandLine& given) {
 
 void addWorldCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<WorldCommandLine>();
-  CLI::App* command = program.add_subcommand("world", "Pause a running world, step it, tell how it goes");
+  CLI::App* command = program.add_subcommand("world", "Pause a running world, step it, reset it, tell how it goes");
   command->set_help_flag("-h,--help", "Print this and end");
   const auto add = [command](const char* names, const char* value, const char* description,
                              std::optional<std::string>& target) {
@@ -75,6 +78,7 @@ void addWorldCommand(CLI::App& program, Work& work) {
   command
       ->add_option("ACTION", given->action,
                    "pause, play, step (pauses, makes N steps and ends when they are made),\n"
+                   "reset (back to the first instant, and on from there, or paused if it was),\n"
                    "stats (a line each update, ten times a second)")
       ->type_name("");
   add("N", "", "With step: how many (1)", given->steps);
@@ -85,6 +89,7 @@ void addWorldCommand(CLI::App& program, Work& work) {
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf --paused &\n"
       "  pongsim world step 100\n"
+      "  pongsim world reset\n"
       "  pongsim world play\n"
       "  pongsim world stats -n 10");
   command->callback([given, &work] {

@@ -7,7 +7,7 @@
 
 namespace pongsim::cli {
 
-enum class WorldAction { kPause, kPlay, kStep, kStats };
+enum class WorldAction { kPause, kPlay, kStep, kReset, kStats };
 
 struct WorldOptions {
   WorldAction action = WorldAction::kStats;

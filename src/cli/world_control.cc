@@ -45,6 +45,7 @@ class WorldControl {
   bool findWorld();
   bool ask(const msgs::WorldControl& control);
   bool step();
+  bool reset();
   bool showStatistics();
   template <class Done>
   bool waitForStatus(Done done);
@@ -71,6 +72,9 @@ int WorldControl::run() {
         break;
       case WorldAction::kStep:
         step();
+        break;
+      case WorldAction::kReset:
+        reset();
         break;
       case WorldAction::kStats:
         showStatistics();
@@ -116,7 +120,8 @@ bool WorldControl::ask(const msgs::WorldControl& control) {
   if (!result) {
     fail(result.error);
   } else if (!msgs::boolean(*reply)) {
-    fail("world '" + world_ + "' refused; it says why in its own messages");
+    // not of ours, which say why
+    fail("world '" + world_ + "' refused");
   }
   return exitCode_ == kDone;
 }
@@ -150,6 +155,11 @@ bool WorldControl::step() {
   if (!ask({.pause = true}) || !waitForStatus([this] { return status_.paused; })) return false;
   const std::uint64_t end = status_.iterations + options_.steps;
   return ask({.pause = true, .steps = options_.steps}) && waitForStatus([&] { return status_.iterations >= end; });
+}
+
+/// As it was told last, running or paused, it is afterwards.
+bool WorldControl::reset() {
+  return waitForStatus([] { return true; }) && ask({.pause = status_.paused, .reset = msgs::Reset::kAll});
 }
 
 bool WorldControl::showStatistics() {

@@ -19,6 +19,8 @@ struct Atmosphere {
 
 /// `<spherical_coordinates>`: where on a planet the world is.
 struct SphericalCoordinates {
+  /// Whether the file says it.
+  bool isGiven = false;
   std::string surfaceModel = "EARTH_WGS84";
   std::string worldFrameOrientation = "ENU";
   /// Of the world's origin [rad].

@@ -19,7 +19,9 @@ WorldControl worldControl(const Message& message) {
   control.pause = asked.pause();
   control.steps = asked.step() ? std::max(asked.multi_step(), 1U) : asked.multi_step();
   if (asked.has_run_to_sim_time()) control.runTo = timeOf(asked.run_to_sim_time());
-  control.reset = asked.reset().all() || asked.reset().time_only() || asked.reset().model_only();
+  if (asked.reset().model_only()) control.reset = Reset::kModelsOnly;
+  if (asked.reset().time_only()) control.reset = Reset::kTimeOnly;
+  if (asked.reset().all()) control.reset = Reset::kAll;
   control.seed = asked.seed();
   return control;
 }
@@ -41,6 +43,7 @@ MessagePointer worldControlMessage(const WorldControl& control) {
   auto message = std::make_unique<ignition::msgs::WorldControl>();
   message->set_pause(control.pause);
   message->set_multi_step(control.steps);
+  if (control.reset == Reset::kAll) message->mutable_reset()->set_all(true);
   if (control.runTo) {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(*control.runTo);
     message->mutable_run_to_sim_time()->set_sec(seconds.count());

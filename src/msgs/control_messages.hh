@@ -9,6 +9,9 @@
 
 namespace pongsim::msgs {
 
+/// What `ignition.msgs.WorldReset` asks for.
+enum class Reset { kNone, kAll, kTimeOnly, kModelsOnly };
+
 /// What `ignition.msgs.WorldControl` asks for.
 struct WorldControl {
   bool pause = false;
@@ -16,7 +19,7 @@ struct WorldControl {
   std::uint32_t steps = 0;
   /// Pause at that simulated time.
   std::optional<Time> runTo = std::nullopt;
-  bool reset = false;
+  Reset reset = Reset::kNone;
   /// New seed; 0: none.
   std::uint32_t seed = 0;
 };
@@ -34,7 +37,7 @@ ServerControl serverControl(const Message& message);
 void setBoolean(bool value, Message& message);
 void addString(const std::string& value, Message& stringMsgV);
 
-/// @return `ignition.msgs.WorldControl` that asks for that; a `reset` or `seed` is left out.
+/// @return `ignition.msgs.WorldControl` that asks for that; of resets that of all, and no `seed`.
 MessagePointer worldControlMessage(const WorldControl& control);
 /// @return The value of an `ignition.msgs.Boolean`.
 bool boolean(const Message& message);

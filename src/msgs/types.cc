@@ -3,6 +3,7 @@
 #include <google/protobuf/message.h>
 #include <google/protobuf/stubs/logging.h>
 #include <ignition/msgs/empty.pb.h>
+#include <ignition/msgs/entity_wrench.pb.h>
 
 #include <algorithm>
 
@@ -36,9 +37,10 @@ std::string_view withoutPackage(std::string_view name) {
 }
 
 const protobuf::Descriptor* findType(std::string_view name) {
-  // The reference makes the linker keep the library whose static initialisers register all types.
+  // The calls make the linker keep the libraries whose static initialisers register all types.
   static const protobuf::DescriptorPool* const pool = [] {
-    (void)ignition::msgs::Empty::default_instance();
+    (void)ignition::msgs::Empty::descriptor();
+    (void)ignition::msgs::EntityWrench::descriptor();
     return protobuf::DescriptorPool::generated_pool();
   }();
   const protobuf::Descriptor* type =

@@ -5,7 +5,8 @@
 namespace pongsim::plugin {
 
 std::variant<std::unique_ptr<Library>, std::string> Library::open(const std::filesystem::path& file) {
-  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  // it stays when it is closed: message types that came with it can't be taken back, and not be added twice either
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (handle == nullptr) return std::string(dlerror());
   const auto* table = static_cast<const SystemTable*>(dlsym(handle, "pongsim_systems"));
   std::string reason;

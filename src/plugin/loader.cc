@@ -4,19 +4,18 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/nearest_word.hh"
 #include "plugin/fortress_systems.hh"
+#include "plugin/inspection.hh"
 #include "plugin/system_name.hh"
 
 namespace pongsim::plugin {
 
 namespace {
-
-/// @return The file's name of the library of a system of ours.
-std::string ownFileName(const std::string& name) { return "libpongsim-" + name + "-system.so"; }
 
 void appendFolders(const char* variable, std::vector<std::filesystem::path>& folders) {
   const char* value = std::getenv(variable);
@@ -77,21 +76,17 @@ std::unique_ptr<System> Loader::load(const description::Plugin& plugin, Diagnost
 const Library* Loader::library(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics) {
   const auto known = libraries_.find(name);
   if (known != libraries_.end()) return known->second.get();
-  for (const std::filesystem::path& folder : searchPath_) {
-    for (const std::string& fileName : {ownFileName(name), "lib" + name + ".so", name + ".so", plugin.filename}) {
-      const std::filesystem::path file = folder / fileName;
-      std::error_code ignored;
-      if (!std::filesystem::is_regular_file(file, ignored)) continue;
-      auto opened = Library::open(file);
-      if (auto* library = std::get_if<std::unique_ptr<Library>>(&opened)) {
-        return libraries_.emplace(name, std::move(*library)).first->second.get();
-      }
-      diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' can't be loaded from " + file.string() +
-                                                 ": " + std::get<std::string>(opened));
-      return nullptr;
-    }
+  const std::optional<std::filesystem::path> file = findLibrary(searchPath_, plugin.filename);
+  if (!file) {
+    reportNotFound(name, plugin, diagnostics);
+    return nullptr;
   }
-  reportNotFound(name, plugin, diagnostics);
+  auto opened = Library::open(*file);
+  if (auto* library = std::get_if<std::unique_ptr<Library>>(&opened)) {
+    return libraries_.emplace(name, std::move(*library)).first->second.get();
+  }
+  diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' can't be loaded from " + file->string() +
+                                             ": " + std::get<std::string>(opened));
   return nullptr;
 }
 
@@ -116,11 +111,8 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
 
 std::vector<std::string> Loader::availableSystems() const {
   std::vector<std::string> names;
-  for (const std::filesystem::path& folder : searchPath_) {
-    std::error_code ignored;
-    for (const auto& file : std::filesystem::directory_iterator(folder, ignored)) {
-      if (file.path().extension() == ".so") names.push_back(systemName(file.path().filename().string()));
-    }
+  for (const std::filesystem::path& file : librariesIn(searchPath_)) {
+    names.push_back(systemName(file.filename().string()));
   }
   return names;
 }

@@ -20,6 +20,7 @@ description::Atmosphere readAtmosphere(const Element& element, Context& context)
 
 description::SphericalCoordinates readSphericalCoordinates(const Element& element, Context& context) {
   description::SphericalCoordinates place;
+  place.isGiven = true;
   if (const std::string_view model = childText(element, "surface_model"); !model.empty()) place.surfaceModel = model;
   if (const std::string_view axes = childText(element, "world_frame_orientation"); !axes.empty()) {
     place.worldFrameOrientation = axes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -111,6 +112,35 @@ ForceTorqueSettings readForceTorque(const Element* element, Context& context) {
   return settings;
 }
 
+NavSatSettings readNavSat(const Element* element, Context& context) {
+  NavSatSettings settings;
+  if (element == nullptr) return settings;
+  const Element* position = element->child("position_sensing");
+  settings.horizontalPosition = readNoise(position, "horizontal", context);
+  settings.verticalPosition = readNoise(position, "vertical", context);
+  const Element* velocity = element->child("velocity_sensing");
+  settings.horizontalVelocity = readNoise(velocity, "horizontal", context);
+  settings.verticalVelocity = readNoise(velocity, "vertical", context);
+  return settings;
+}
+
+LogicalCameraSettings readLogicalCamera(const Element* element, Context& context) {
+  LogicalCameraSettings settings;
+  if (element == nullptr) return settings;
+  settings.near = readNotNegative(*element, "near", settings.near, context);
+  settings.far = readPositive(*element, "far", settings.far, context);
+  settings.aspectRatio = readPositive(*element, "aspect_ratio", settings.aspectRatio, context);
+  settings.horizontalFov = readPositive(*element, "horizontal_fov", settings.horizontalFov, context);
+  if (settings.horizontalFov >= std::numbers::pi) {
+    context.diagnostics.error(element->child("horizontal_fov")->position,
+                              "<horizontal_fov> must be below half a turn (3.1416)");
+  }
+  if (settings.far <= settings.near) {
+    context.diagnostics.error(element->position, "a logical camera sees nothing where <far> is not above <near>");
+  }
+  return settings;
+}
+
 /// Reads the element of the sensor's own type.
 SensorSettings readSettings(const Element& element, description::Sensor& sensor, Context& context) {
   const std::string& type = sensor.type;
@@ -119,6 +149,8 @@ SensorSettings readSettings(const Element& element, description::Sensor& sensor,
   if (type == "air_pressure") return readAirPressure(element.child("air_pressure"), context);
   if (type == "magnetometer") return MagnetometerSettings{readNoise3(element.child("magnetometer"), context)};
   if (type == "force_torque") return readForceTorque(element.child("force_torque"), context);
+  if (type == "navsat") return readNavSat(element.child("navsat"), context);
+  if (type == "logical_camera") return readLogicalCamera(element.child("logical_camera"), context);
   if (type == "contact") return readContact(element.child("contact"), labelOf(sensor), sensor, context);
   if (context.firstTime("sensor type " + type)) {
     context.unsimulated.warning(element.position, "sensor type '" + type + "' is not simulated yet");

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "physics/engine.hh"
 #include "pongsim/handles.hh"
@@ -17,6 +19,18 @@ class Access {
   world::State& state;
   physics::Engine& engine;
   Logger log{"commands"};
+  /// Whether a system runs now, and the first of its commands that made no sense.
+  bool inSystem = false;
+  std::optional<std::string> badCommand = std::nullopt;
+
+  /// A command can't be followed.
+  void refuse(std::string what) {
+    if (!inSystem) {
+      log.warning(what);
+    } else if (!badCommand) {
+      badCommand = std::move(what);
+    }
+  }
   /// Models or joints have come or gone, and the systems do not know yet.
   bool hasChanged = false;
 };

@@ -24,13 +24,13 @@ const world::ModelRecord& record(const sim::Access& access, ModelId id) {
 }
 
 /// @return Whether the joint can take `value` for the axis; else it has warned.
-bool canCommand(const sim::Access& access, const Joint& joint, double value, int axis) {
+bool canCommand(sim::Access& access, const Joint& joint, double value, int axis) {
   if (axis < 0 || axis >= joint.axisCount()) {
-    access.log.warning("joint '" + std::string(joint.name()) + "' has no axis " + std::to_string(axis) + " to command");
+    access.refuse("joint '" + std::string(joint.name()) + "' has no axis " + std::to_string(axis) + " to command");
     return false;
   }
   if (!std::isfinite(value)) {
-    access.log.warning("joint '" + std::string(joint.name()) + "' was given a command that is not a finite number");
+    access.refuse("joint '" + std::string(joint.name()) + "' was given a command that is not a finite number");
     return false;
   }
   return true;
@@ -50,7 +50,7 @@ Vector3 Link::angularVelocity() const { return access_->state.links[slotOf(*acce
 
 void Link::addWrench(const Vector3& force, const Vector3& torque) {
   if (!force.allFinite() || !torque.allFinite()) {
-    access_->log.warning("link '" + std::string(name()) + "' was given a wrench that is not finite");
+    access_->refuse("link '" + std::string(name()) + "' was given a wrench that is not finite");
     return;
   }
   access_->engine.addLinkWrench(slotOf(*access_, id_), force, torque);
@@ -58,13 +58,19 @@ void Link::addWrench(const Vector3& force, const Vector3& torque) {
 
 void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
   if (!linear.allFinite() || !angular.allFinite()) {
-    access_->log.warning("link '" + std::string(name()) + "' was given a velocity that is not finite");
+    access_->refuse("link '" + std::string(name()) + "' was given a velocity that is not finite");
     return;
   }
   const world::Slot slot = slotOf(*access_, id_);
   if (!access_->engine.setLinkVelocity(slot, linear, angular)) return;
   access_->state.links[slot].v_WorldLink = linear;
   access_->state.links[slot].w_WorldLink = angular;
+}
+
+MassInfo Link::mass() const {
+  const description::Inertial& inertial = record(*access_, id_).description->inertial;
+  const Matrix3 axes = inertial.X_LinkCom.rotation.toRotationMatrix();
+  return {inertial.mass, inertial.X_LinkCom.position, axes * inertial.moments * axes.transpose()};
 }
 
 std::optional<std::string> Link::setPose(const Pose& X_WorldLink, AfterMove after) {
@@ -185,7 +191,7 @@ void Model::setVelocity(const Vector3& linear, const Vector3& angular) {
   const std::optional<Link> canonical = canonicalLink();
   if (!canonical) return;
   if (!linear.allFinite() || !angular.allFinite()) {
-    access_->log.warning("model '" + scopedName() + "' was given a velocity that is not finite");
+    access_->refuse("model '" + scopedName() + "' was given a velocity that is not finite");
     return;
   }
   const Vector3 origin = pose().position;
@@ -270,5 +276,11 @@ void World::contacts(std::vector<Contact>& contacts) const { access_->engine.con
 Vector3 World::magneticField() const { return access_->entities.description().environment.magneticField; }
 
 double World::heading() const { return access_->entities.description().environment.sphericalCoordinates.heading; }
+
+std::optional<TangentPlane> World::tangentPlane() const {
+  const description::SphericalCoordinates& place = access_->entities.description().environment.sphericalCoordinates;
+  if (!place.isGiven) return std::nullopt;
+  return TangentPlane({place.latitude, place.longitude, place.elevation}, place.heading);
+}
 
 }  // namespace pongsim

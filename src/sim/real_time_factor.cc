@@ -5,6 +5,8 @@
 namespace pongsim::sim {
 
 void RealTimeFactor::sample(WallTime wall, Time simulated) {
+  // the world was reset
+  if (count_ > 0 && simulated < newest().simulated) restart();
   if (count_ > 0 && wall - newest().wall < kSpacing) return;
   samples_[next_] = {wall, simulated};
   next_ = (next_ + 1) % kCapacity;

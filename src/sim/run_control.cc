@@ -3,7 +3,9 @@
 namespace pongsim::sim {
 
 std::optional<std::string> RunControl::apply(const msgs::WorldControl& asked, Time now) {
-  if (asked.reset) return "a world cannot be reset; start it again";
+  if (asked.reset == msgs::Reset::kTimeOnly || asked.reset == msgs::Reset::kModelsOnly) {
+    return "only all of a world can be reset: reset {all: true}";
+  }
   if (asked.seed != 0) return "the seed is chosen at the start: pongsim run --seed N";
   paused_ = asked.pause;
   stepsLeft_ = asked.pause ? asked.steps : 0;

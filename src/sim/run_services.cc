@@ -3,20 +3,19 @@
 #include <utility>
 
 #include "pongsim/simulation.hh"
+#include "sim/diagnostic_log.hh"
 
 namespace pongsim::sim {
 
 RunServices::RunServices(Simulation& simulation, RunControl& control, std::function<void()> stop)
-    : simulation_(simulation),
-      control_(control),
-      stop_(std::move(stop)),
-      controlName_(cleanTopic("/world/" + std::string(simulation.world().name()) + "/control")) {
+    : simulation_(simulation), control_(control), stop_(std::move(stop)), edits_(simulation) {
   constexpr std::string_view kBoolean = "ignition.msgs.Boolean";
   Node node = simulation.transport().node();
+  const std::string controlName = cleanTopic("/world/" + std::string(simulation.world().name()) + "/control");
   worldControl_ =
-      node.serve(controlName_, "ignition.msgs.WorldControl", kBoolean, [this](const Message& request, Message& reply) {
-        msgs::setBoolean(controlWorld(msgs::worldControl(request)), reply);
-        return true;
+      node.serve(controlName, "ignition.msgs.WorldControl", kBoolean, [this](const Message& request, Message& reply) {
+        msgs::setBoolean(true, reply);
+        return controlWorld(msgs::worldControl(request));
       });
   worlds_ = node.serve("/gazebo/worlds", "ignition.msgs.Empty", "ignition.msgs.StringMsg_V",
                        [this](const Message&, Message& reply) {
@@ -25,22 +24,24 @@ RunServices::RunServices(Simulation& simulation, RunControl& control, std::funct
                        });
   serverControl_ = node.serve("/server_control", "ignition.msgs.ServerControl", kBoolean,
                               [this](const Message& request, Message& reply) {
-                                msgs::setBoolean(controlServer(msgs::serverControl(request)), reply);
-                                return true;
+                                msgs::setBoolean(true, reply);
+                                return controlServer(msgs::serverControl(request));
                               });
 }
 
-bool RunServices::controlWorld(const msgs::WorldControl& asked) {
-  const std::optional<std::string> refusal = control_.apply(asked, simulation_.time());
-  if (refusal) log_.warning(controlName_ + ": " + *refusal);
-  return !refusal;
+ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
+  const bool isReset = asked.reset == msgs::Reset::kAll;
+  const std::optional<std::string> refusal = control_.apply(asked, isReset ? Time::zero() : simulation_.time());
+  if (refusal) return ServiceAnswer::refused(*refusal);
+  if (!isReset) return true;
+  Diagnostics diagnostics;
+  simulation_.reset(diagnostics);
+  logDiagnostics(diagnostics, log_);
+  return true;
 }
 
-bool RunServices::controlServer(const msgs::ServerControl& asked) {
-  if (asked.more || !asked.stop) {
-    log_.warning("/server_control: only 'stop: true' can be done");
-    return false;
-  }
+ServiceAnswer RunServices::controlServer(const msgs::ServerControl& asked) {
+  if (asked.more || !asked.stop) return ServiceAnswer::refused("only 'stop: true' can be done");
   stop_();
   return true;
 }

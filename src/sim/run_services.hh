@@ -5,6 +5,7 @@
 
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
+#include "sim/edit_services.hh"
 #include "sim/run_control.hh"
 
 namespace pongsim {
@@ -13,25 +14,25 @@ class Simulation;
 
 namespace pongsim::sim {
 
-/// What others may ask of a run: `/world/W/control`, `/gazebo/worlds`, `/server_control`. Requests are met from within
-/// `Transport::dispatch`, and must be in between two steps.
+/// What others may ask of a run: `/world/W/control`, `/gazebo/worlds`, `/server_control`, and what `EditServices`
+/// offers. Requests are met from within `Transport::dispatch`, and must be in between two steps.
 class RunServices {
  public:
   /// @param stop Ends the run. All references must outlive it.
   RunServices(Simulation& simulation, RunControl& control, std::function<void()> stop);
 
  private:
-  bool controlWorld(const msgs::WorldControl& asked);
-  bool controlServer(const msgs::ServerControl& asked);
+  ServiceAnswer controlWorld(const msgs::WorldControl& asked);
+  ServiceAnswer controlServer(const msgs::ServerControl& asked);
 
   Simulation& simulation_;
   RunControl& control_;
   std::function<void()> stop_;
-  std::string controlName_;
   Logger log_{"run"};
   Service worldControl_;
   Service worlds_;
   Service serverControl_;
+  EditServices edits_;
 };
 
 }  // namespace pongsim::sim

@@ -91,7 +91,7 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
   description::World world = root.worlds.empty() ? worldAround(std::move(root)) : std::move(root.worlds.front());
   auto parts = std::make_unique<Parts>(std::move(world), options);
   if (options.loadSystems) {
-    parts->systems.emplace(parts->access, *parts->transport, options.seed);
+    parts->systems.emplace(parts->access, *parts->transport, options.seed, options.strict);
     parts->systems->load(parts->description, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }

@@ -1,7 +1,8 @@
 #include "sim/system_set.hh"
 
 #include <algorithm>
-#include <exception>
+#include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "plugin/system_name.hh"
@@ -24,10 +25,11 @@ description::Plugin defaultSceneBroadcaster() {
 
 }  // namespace
 
-SystemSet::SystemSet(Access& access, Transport& transport, std::uint64_t seed)
+SystemSet::SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict)
     : access_(access),
       transport_(transport),
       seed_(seed),
+      strict_(strict),
       world_(access),
       defaultSceneBroadcaster_(defaultSceneBroadcaster()) {}
 
@@ -50,7 +52,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& d
     if (name == kPhysics) {
       wantsPhysics_ = true;
     } else if (name == kUserCommands) {
-      Logger("plugins").info("user-commands is accepted; its services are not there yet");
+      Logger("plugins").info("user-commands is accepted: what there is of its services, every run offers");
     } else {
       add(plugin, i, std::nullopt, diagnostics);
     }
@@ -74,111 +76,119 @@ void SystemSet::loadOwnPlugins(world::Slot model, Diagnostics& diagnostics) {
 
 void SystemSet::add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
                     Diagnostics& diagnostics) {
-  std::unique_ptr<System> system = loader_.load(plugin, diagnostics);
+  std::unique_ptr<System> system;
+  {
+    const base::RunningPart running(plugin.filename.c_str(), "while it was loaded");
+    system = loader_.load(plugin, diagnostics);
+  }
   if (system == nullptr) return;
 
-  std::string speaker = plugin::systemName(plugin.filename);
+  std::string name = plugin::systemName(plugin.filename);
   std::optional<Model> handle;
   if (model) {
     const world::ModelRecord& record = access_.entities.models()[*model];
     handle = Model(access_, record.id);
-    speaker += " of " + record.scopedName;
+    name += " of " + record.scopedName;
   }
-  // The number keeps apart two systems of a kind in one place.
-  const std::string stream = speaker + "#" + std::to_string(number);
-  Slot& slot = slots_.emplace_back(Slot{handle ? handle->id() : ModelId(), number, stream, Logger(speaker),
-                                        Random(seed_, stream), transport_.node(), std::move(system)});
-  try {
-    slot.system->configure({plugin.sdf, world_, handle, slot.node, slot.log, slot.random});
-    return;
-  } catch (const Error& error) {
-    const Diagnostic& found = error.diagnostic();
-    diagnostics.warning(found.position, speaker + " is left out: " + found.message, found.hint);
-  } catch (const std::exception& error) {
-    diagnostics.warning(plugin.sdf.position, speaker + " is left out: " + error.what());
+  std::vector<System*> before;
+  for (SystemSlot& slot : slots_) before.push_back(&slot.system());
+  SystemSlot& slot = slots_.emplace_back(
+      SystemSlot::Parts{handle ? handle->id() : ModelId(), number, name, plugin.sdf.position, transport_.node(),
+                        Random(seed_, SystemSlot::streamOf(name, number)), std::move(system)},
+      access_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
+  if (slot.start(plugin.sdf, world_, handle, before, diagnostics)) {
+    warnOfSharedTopics(slot, diagnostics);
+  } else {
+    slots_.pop_back();
   }
-  slots_.pop_back();
+}
+
+void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const {
+  if (slot.declaration().topicsAreShared()) return;
+  for (const SystemSlot& other : slots_) {
+    // of one kind: what others say on a topic is theirs to know
+    if (&other == &slot || other.declaration().text() != slot.declaration().text()) continue;
+    const auto shared = std::ranges::find_first_of(slot.topics(), other.topics());
+    if (shared == slot.topics().end()) continue;
+    diagnostics.warning(slot.position(),
+                        slot.name() + " publishes on '" + *shared + "', and so does " + other.name() + " of line " +
+                            std::to_string(other.position().line),
+                        "who listens gets the messages of both");
+  }
+}
+
+void SystemSet::noteFailure(const SystemSlot& slot, const std::string& what) {
+  if (!strict_) {
+    Logger(slot.name()).error(what + "; it is switched off");
+  } else if (!failure_) {
+    failure_ = slot.name() + " " + what;
+  }
+}
+
+void SystemSet::check() const {
+  if (failure_) throw std::runtime_error(*failure_);
 }
 
 void SystemSet::load(world::Slot model, Diagnostics& diagnostics) { loadModelPlugins(model, diagnostics); }
 
 void SystemSet::unload(const std::vector<ModelId>& models) {
-  slots_.remove_if([&](const Slot& slot) { return std::ranges::find(models, slot.model) != models.end(); });
+  slots_.remove_if([&](const SystemSlot& slot) { return std::ranges::find(models, slot.model()) != models.end(); });
   unloaded_.insert(unloaded_.end(), models.begin(), models.end());
 }
 
 void SystemSet::announceChanges() {
   if (!access_.hasChanged) return;
   access_.hasChanged = false;
-  forEach([](System& system) { system.worldChanged(); });
+  for (SystemSlot& slot : slots_) slot.worldChanged();
 }
 
 void SystemSet::reset(Diagnostics& diagnostics) {
-  slots_.remove_if([&](const Slot& slot) { return slot.model && access_.entities.slot(slot.model) == world::kNoSlot; });
+  slots_.remove_if(
+      [&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
   for (const ModelId model : std::exchange(unloaded_, {})) {
     const world::Slot slot = access_.entities.slot(model);
     if (slot != world::kNoSlot) loadOwnPlugins(slot, diagnostics);
   }
   putInOrder();
-  for (Slot& slot : slots_) {
-    slot.rests = false;
-    slot.random = Random(seed_, slot.stream);
+  for (SystemSlot& slot : slots_) {
+    slot.switchOn(Random(seed_, slot.stream()));
   }
   announceChanges();
-  forEach([](System& system) { system.reset(); });
+  for (SystemSlot& slot : slots_) slot.reset();
 }
 
 void SystemSet::transfer(StateArchive& archive) {
-  for (Slot& slot : slots_) {
-    slot.random.transfer(archive);
-    archive(slot.rests);
-    slot.system->transfer(archive);
-  }
+  for (SystemSlot& slot : slots_) slot.transfer(archive);
 }
 
 void SystemSet::addTo(base::Hash& hash) const {
-  for (const Slot& slot : slots_) hash.add(slot.stream);
+  for (const SystemSlot& slot : slots_) hash.add(slot.stream());
 }
 
 /// As they were loaded at the start: the world's, then each model's.
 void SystemSet::putInOrder() {
-  const auto place = [this](const Slot& slot) {
-    return std::pair(slot.model ? access_.entities.slot(slot.model) + 1 : 0, slot.number);
+  const auto place = [this](const SystemSlot& slot) {
+    return std::pair(slot.model() ? access_.entities.slot(slot.model()) + 1 : 0, slot.number());
   };
-  slots_.sort([&](const Slot& a, const Slot& b) { return place(a) < place(b); });
-}
-
-void SystemSet::rest(Slot& slot, const std::exception& reason) {
-  slot.log.warning(std::string("rests until the next reset: ") + reason.what());
-  slot.rests = true;
-}
-
-/// Calls it for each system that does not rest.
-template <class Call>
-void SystemSet::forEach(Call call) {
-  for (Slot& slot : slots_) {
-    if (slot.rests) continue;
-    try {
-      call(*slot.system);
-    } catch (const Gone& error) {
-      rest(slot, error);
-    } catch (const Error& error) {
-      rest(slot, error);
-    }
-  }
+  slots_.sort([&](const SystemSlot& a, const SystemSlot& b) { return place(a) < place(b); });
 }
 
 void SystemSet::preUpdate(const StepInfo& info) {
+  // of a message that was handed over before
+  check();
   announceChanges();
-  forEach([&](System& system) { system.preUpdate(info); });
+  for (SystemSlot& slot : slots_) slot.preUpdate(info);
+  check();
 }
 
 void SystemSet::update(const StepInfo& info) {
-  forEach([&](System& system) { system.update(info); });
+  for (SystemSlot& slot : slots_) slot.update(info);
+  check();
 }
 
 void SystemSet::postUpdate(const StepInfo& info) {
-  forEach([&](System& system) { system.postUpdate(info); });
+  for (SystemSlot& slot : slots_) slot.postUpdate(info);
+  check();
 }
 
 }  // namespace pongsim::sim

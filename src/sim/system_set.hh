@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <list>
-#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/hash.hh"
@@ -14,6 +14,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
 #include "sim/access.hh"
+#include "sim/system_slot.hh"
 
 namespace pongsim::sim {
 
@@ -21,7 +22,8 @@ namespace pongsim::sim {
 class SystemSet {
  public:
   /// All references must outlive it.
-  SystemSet(Access& access, Transport& transport, std::uint64_t seed);
+  /// @param strict A system that fails ends the step with an exception, in place of being switched off.
+  SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict);
   ~SystemSet();
   SystemSet(const SystemSet&) = delete;
   SystemSet& operator=(const SystemSet&) = delete;
@@ -44,7 +46,7 @@ class SystemSet {
   void announceChanges();
 
   /// Sets the systems back, after the world was. Those of models that have come back are made and configured anew,
-  /// those of models that have gone end.
+  /// those of models that have gone end, those that are switched off are switched on.
   void reset(Diagnostics& diagnostics);
 
   /// What the systems remember, with their random streams.
@@ -53,39 +55,27 @@ class SystemSet {
   /// Adds which systems there are.
   void addTo(base::Hash& hash) const;
 
+  /// @throws std::runtime_error, as the others, where systems must not fail and one has.
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);
   void postUpdate(const StepInfo& info);
 
  private:
-  /// A system with what its context refers to.
-  struct Slot {
-    /// 0 for a system of the world.
-    ModelId model;
-    /// Which plugin of the model or of the world.
-    std::size_t number;
-    std::string stream;
-    Logger log;
-    Random random;
-    Node node;
-    std::unique_ptr<System> system;
-    /// It has used a handle to what is gone, and is not called until the next reset.
-    bool rests = false;
-  };
-
   void loadWorldPlugins(const description::World& world, Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
   void add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
            Diagnostics& diagnostics);
   void putInOrder();
-  static void rest(Slot& slot, const std::exception& reason);
-  template <class Call>
-  void forEach(Call call);
+  void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
+  void noteFailure(const SystemSlot& slot, const std::string& what);
+  /// Ends the step where a system must not have failed.
+  void check() const;
 
   Access& access_;
   Transport& transport_;
   std::uint64_t seed_;
+  bool strict_;
   World world_;
   const description::Plugin defaultSceneBroadcaster_;
   bool wantsPhysics_ = true;
@@ -93,8 +83,9 @@ class SystemSet {
   plugin::Loader loader_;
   /// Models whose systems have ended: they come back with them.
   std::vector<ModelId> unloaded_;
+  std::optional<std::string> failure_;
   // Contexts point into the slots.
-  std::list<Slot> slots_;
+  std::list<SystemSlot> slots_;
 };
 
 }  // namespace pongsim::sim

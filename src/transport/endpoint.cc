@@ -67,8 +67,11 @@ ParticipantId participantId(const rtps::GuidPrefix_t& prefix) {
   return id;
 }
 
-Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std::function<void()> readersChanged)
+Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract,
+               std::function<void()> readersChanged)
     : own_(participantId(participant.getGuid().guidPrefix)),
+      outbox_(outbox),
+      topic_(contract.topic),
       keepsLast_(contract.keepsLast),
       readersChanged_(std::move(readersChanged)),
       history_(historyAttributes()) {
@@ -76,7 +79,8 @@ Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std
   attributes.endpoint.topicKind = rtps::NO_KEY;
   attributes.endpoint.reliabilityKind = rtps::RELIABLE;
   attributes.endpoint.durabilityKind = durability(contract);
-  attributes.mode = rtps::ASYNCHRONOUS_WRITER;
+  // sends on the outbox's thread
+  attributes.mode = rtps::SYNCHRONOUS_WRITER;
   attributes.times.initialHeartbeatDelay = kAtOnce;
   attributes.times.heartbeatPeriod = kHeartbeatPeriod;
   attributes.times.nackResponseDelay = kAtOnce;
@@ -89,7 +93,10 @@ Writer::Writer(rtps::RTPSParticipant& participant, const Contract& contract, std
   }
 }
 
-Writer::~Writer() { rtps::RTPSDomain::removeRTPSWriter(writer_); }
+Writer::~Writer() {
+  outbox_.flush(*this);
+  rtps::RTPSDomain::removeRTPSWriter(writer_);
+}
 
 bool Writer::hasReaderOf(const ParticipantId& participant) const {
   const std::lock_guard lock(readersMutex_);
@@ -102,17 +109,30 @@ std::optional<ParticipantId> Writer::newestReader() const {
 }
 
 void Writer::write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill) {
-  const std::size_t size = payloadSize(messageSize);
+  outbox_.add(*this, payloadSize(messageSize),
+              [&](std::span<std::byte> sample) { fill(framePayload(sample, messageSize)); });
+}
+
+void Writer::send(std::span<const std::byte> sample) {
+  const std::size_t size = sample.size();
   const std::lock_guard lock(writer_->getMutex());
+  removeDelivered();
   makeRoomFor(size);
   rtps::CacheChange_t* change = writer_->new_change([size] { return static_cast<std::uint32_t>(size); }, rtps::ALIVE);
   if (change == nullptr) return;
   change->serializedPayload.encapsulation = CDR_LE;
   change->serializedPayload.length = static_cast<std::uint32_t>(size);
-  const std::span<std::byte> payload(reinterpret_cast<std::byte*>(change->serializedPayload.data), size);
-  fill(framePayload(payload, messageSize));
+  std::ranges::copy(sample, reinterpret_cast<std::byte*>(change->serializedPayload.data));
   keptBytes_ += size;
   history_.add_change(change);
+}
+
+// Not when DDS tells that all have it: in Fast DDS 2.9 that may be in the middle of letting go of a reader, with locks
+// held that the sending thread takes the other way round (Fast-DDS pull request 3468).
+void Writer::removeDelivered() {
+  if (keepsLast_) return;
+  rtps::CacheChange_t* oldest = nullptr;
+  while (history_.get_min_change(&oldest) && writer_->is_acked_by_all(oldest)) removeOldest(*oldest);
 }
 
 void Writer::makeRoomFor(std::size_t bytes) {
@@ -120,12 +140,17 @@ void Writer::makeRoomFor(std::size_t bytes) {
   rtps::CacheChange_t* oldest = nullptr;
   while (history_.getHistorySize() >= limit || (keptBytes_ + bytes > kHistoryBytes && history_.getHistorySize() > 1)) {
     if (!history_.get_min_change(&oldest)) return;
-    keptBytes_ -= oldest->serializedPayload.length;
-    history_.remove_min_change();
+    removeOldest(*oldest);
   }
 }
 
+void Writer::removeOldest(const rtps::CacheChange_t& oldest) {
+  keptBytes_ -= oldest.serializedPayload.length;
+  history_.remove_min_change();
+}
+
 bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
+  outbox_.flush(*this);
   const auto bounded = std::min<std::chrono::nanoseconds>(timeout, std::chrono::hours(24 * 365));
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(bounded);
   const std::chrono::nanoseconds rest = bounded - seconds;
@@ -146,12 +171,6 @@ void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
     readers_ = static_cast<int>(readersOf_.size());
   }
   if (readersChanged_) readersChanged_();
-}
-
-void Writer::onWriterChangeReceivedByAll(rtps::RTPSWriter*, rtps::CacheChange_t* change) {
-  if (keepsLast_) return;
-  keptBytes_ -= change->serializedPayload.length;
-  history_.remove_change_g(change);
 }
 
 Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received)

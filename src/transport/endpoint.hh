@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "transport/inbox.hh"
+#include "transport/outbox.hh"
 
 namespace pongsim::transport {
 
@@ -37,11 +37,14 @@ ParticipantId participantId(const rtps::GuidPrefix_t& prefix);
 
 /// A topic's way out to other processes. Reliable for those who keep up; a slow one loses the oldest messages, and
 /// holds up nobody.
-class Writer : private rtps::WriterListener {
+class Writer : private rtps::WriterListener, private Outbox::Target {
  public:
+  /// @param outbox Takes the messages to DDS. Must outlive it.
   /// @param readersChanged Called from a DDS thread when a reader elsewhere comes or goes.
   /// @throws std::runtime_error where DDS refuses.
-  Writer(rtps::RTPSParticipant& participant, const Contract& contract, std::function<void()> readersChanged);
+  Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract,
+         std::function<void()> readersChanged);
+  /// Waits until DDS has all that was written.
   ~Writer() override;
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -52,7 +55,7 @@ class Writer : private rtps::WriterListener {
   std::optional<ParticipantId> newestReader() const;
   bool hasReaders() const { return readers_.load(std::memory_order_relaxed) > 0; }
 
-  /// Sends a message of so many bytes, which `fill` writes to the place it is given.
+  /// Sends a message of so many bytes, which `fill` writes to the place it is given. Never waits for DDS.
   void write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill);
 
   /// Waits until all readers have acknowledged everything.
@@ -60,12 +63,17 @@ class Writer : private rtps::WriterListener {
 
  private:
   void onWriterMatched(rtps::RTPSWriter* writer, rtps::MatchingInfo& info) override;
-  void onWriterChangeReceivedByAll(rtps::RTPSWriter* writer, rtps::CacheChange_t* change) override;
+  void send(std::span<const std::byte> sample) override;
+  const std::string& topic() const override { return topic_; }
+  void removeDelivered();
   void makeRoomFor(std::size_t bytes);
+  void removeOldest(const rtps::CacheChange_t& oldest);
 
   using rtps::WriterListener::onWriterMatched;
 
   ParticipantId own_;
+  Outbox& outbox_;
+  std::string topic_;
   bool keepsLast_;
   std::function<void()> readersChanged_;
   rtps::WriterHistory history_;

@@ -44,7 +44,8 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 
 }  // namespace
 
-GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp) : ChainingTransportDescriptor(std::move(udp)) {}
+GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp)
+    : ChainingTransportDescriptor(std::move(udp)) {}
 
 dds_rtps::TransportInterface* GatedUdp::create_transport() const { return new GatedUdpTransport(*this, isOpen_); }
 

@@ -127,7 +127,8 @@ Network::Network(std::optional<int> domain) : domain_(chosenDomain(domain)) {
   participant_->enable();
   udp->open();
   participant_->announceRTPSParticipantState();
-  censusWriter_ = std::make_unique<Writer>(*participant_, Contract{kCensusTopic, kCensusType, "", true}, nullptr);
+  censusWriter_ =
+      std::make_unique<Writer>(*participant_, outbox_, Contract{kCensusTopic, kCensusType, "", true}, nullptr);
   changeCensus(0);
 }
 
@@ -140,7 +141,7 @@ Network::~Network() {
 
 std::unique_ptr<Writer> Network::makeWriter(const std::string& topic, const std::string& type,
                                             std::function<void()> readersChanged) {
-  auto writer = std::make_unique<Writer>(*participant_, contract(topic, type), std::move(readersChanged));
+  auto writer = std::make_unique<Writer>(*participant_, outbox_, contract(topic, type), std::move(readersChanged));
   changeCensus(1);
   return writer;
 }

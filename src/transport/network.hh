@@ -11,6 +11,7 @@
 
 #include "transport/directory.hh"
 #include "transport/endpoint.hh"
+#include "transport/outbox.hh"
 
 namespace pongsim::transport {
 
@@ -57,6 +58,7 @@ class Network : private rtps::RTPSParticipantListener {
   rtps::RTPSParticipant* participant_ = nullptr;
   ParticipantId own_{};
   std::uint32_t ownPort_ = 0;
+  Outbox outbox_;
   std::mutex censusMutex_;
   std::uint32_t endpoints_ = 0;
   std::unique_ptr<Writer> censusWriter_;

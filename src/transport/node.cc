@@ -1,5 +1,6 @@
 #include "pongsim/node.hh"
 
+#include <exception>
 #include <utility>
 
 #include "transport/bus.hh"
@@ -35,12 +36,33 @@ Subscription::~Subscription() = default;
 
 std::uint64_t Subscription::dropped() const { return state_ ? state_->bus.dropped(state_->inbox) : 0; }
 
+CallGuard::~CallGuard() = default;
+
+Node Node::guardedBy(CallGuard& guard) const {
+  Node node(*bus_);
+  node.guard_ = &guard;
+  return node;
+}
+
 Publisher Node::advertise(std::string_view topic, std::string_view type) {
-  return Publisher(std::make_unique<transport::PublisherState>(*bus_, bus_->addPublisher(topic, type)));
+  auto state = std::make_unique<transport::PublisherState>(*bus_, bus_->addPublisher(topic, type));
+  if (guard_ != nullptr) guard_->advertised(state->channel.topic, state->channel.type);
+  return Publisher(std::move(state));
 }
 
 Subscription Node::subscribe(std::string_view topic, std::string_view type,
                              std::function<void(const Message&)> received, std::size_t queueLength) {
+  if (guard_ != nullptr) {
+    received = [guard = guard_, inner = std::move(received)](const Message& message) {
+      if (!guard->enter()) return;
+      try {
+        inner(message);
+      } catch (const std::exception& error) {
+        guard->failed(error);
+      }
+      guard->leave();
+    };
+  }
   return Subscription(std::make_unique<transport::SubscriptionState>(
       *bus_, bus_->addSubscription(topic, type, std::move(received), queueLength)));
 }
@@ -53,6 +75,20 @@ Service::~Service() = default;
 
 Service Node::serve(std::string_view service, std::string_view requestType, std::string_view replyType,
                     ServiceHandler handler) {
+  if (guard_ != nullptr) {
+    handler = [guard = guard_, inner = std::move(handler)](const Message& request, Message& reply) {
+      if (!guard->enter()) return ServiceAnswer::refused("the system is switched off");
+      ServiceAnswer answer = false;
+      try {
+        answer = inner(request, reply);
+      } catch (const std::exception& error) {
+        guard->failed(error);
+        answer = ServiceAnswer::refused(error.what());
+      }
+      guard->leave();
+      return answer;
+    };
+  }
   return Service(std::make_unique<transport::ServiceState>(
       *bus_, bus_->addService(service, requestType, replyType, std::move(handler))));
 }

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "pongsim/diagnostic.hh"
+#include "pongsim/declaration.hh"
 
 namespace pongsim {
 namespace {
@@ -50,13 +50,18 @@ TEST(Pid, ReadsItsSettings) {
     sdf.children.back().name = name;
     sdf.children.back().text = text;
   }
-  const PidSettings settings = readPidSettings(sdf, {.i = 2}, "a_");
-  EXPECT_EQ(settings.p, 3);
-  EXPECT_EQ(settings.i, 2);
-  EXPECT_EQ(settings.commandMax, 7);
-  EXPECT_EQ(readPidSettings(sdf, {}).p, 9);
+  PidSettings prefixed{.i = 2}, bare;
+  Declaration declaration;
+  declarePid(declaration, prefixed, "N m", "a_");
+  declarePid(declaration, bare, "N m");
+  Diagnostics diagnostics;
+  EXPECT_TRUE(declaration.read(sdf, "pid", diagnostics));
+  EXPECT_EQ(prefixed.p, 3);
+  EXPECT_EQ(prefixed.i, 2);
+  EXPECT_EQ(prefixed.commandMax, 7);
+  EXPECT_EQ(bare.p, 9);
   sdf.children[0].text = "nan";
-  EXPECT_THROW(readPidSettings(sdf, {}, "a_"), Error);
+  EXPECT_FALSE(declaration.read(sdf, "pid", diagnostics));
 }
 
 }  // namespace

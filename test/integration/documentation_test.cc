@@ -67,7 +67,7 @@ TEST_F(DocumentationTest, ExamplesOfTheOtherCommandsWork) {
   std::string script =
       "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\npongsim run worlds/pong_world.sdf &\n"
       "pongsim topic -e -t /clock -n 1 >/dev/null\n";
-  for (const char* command : {"topic", "service", "world", "key", "msg", "completion"}) {
+  for (const char* command : {"topic", "service", "world", "key", "msg", "plugin", "completion"}) {
     const std::vector<std::string> examples = codeLines("docs/cli.md", std::string("## pongsim ") + command);
     EXPECT_FALSE(examples.empty()) << command;
     for (const std::string& line : examples) script += line + "\n";
@@ -87,6 +87,13 @@ TEST_F(DocumentationTest, ExamplesOfIgnWork) {
   }
   run(script + "ign topic -l\n");
   EXPECT_NE(output_.find("/cmd_vel\n"), std::string::npos) << output_;
+}
+
+TEST_F(DocumentationTest, SystemsPageSaysWhatTheSystemsSay) {
+  run("PONGSIM=" PONGSIM_PROGRAM " tools/systems-table --print");
+  std::ifstream stream(test::projectFolder() / "docs/systems.md");
+  const std::string page(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_EQ(page, output_) << "tools/systems-table writes it anew";
 }
 
 TEST(Documentation, LinksLeadSomewhere) {

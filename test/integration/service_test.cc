@@ -55,12 +55,30 @@ TEST_F(Services, AnswerWithAndWithoutTheirTypes) {
   EXPECT_EQ(call("/gazebo/worlds", "").output, "data: \"pong_world\"\n\n");
 }
 
-TEST_F(Services, SayFalseToWhatCannotBeDone) {
-  const Outcome reset = call(kControl, "reset: {all: true}");
-  EXPECT_EQ(reset.exitCode, 0) << reset.error;
-  EXPECT_EQ(reset.output, "\n");
-  EXPECT_EQ(reset.error, "pongsim: the reply, ignition.msgs.Boolean, has nothing but default values\n");
-  EXPECT_TRUE(world_->waitForError("/world/pong_world/control: a world cannot be reset")) << world_->error();
+TEST_F(Services, SayWhyTheyRefuse) {
+  const Outcome reset = call(kControl, "reset: {time_only: true}");
+  EXPECT_EQ(reset.exitCode, 1);
+  EXPECT_EQ(reset.output, "");
+  EXPECT_EQ(reset.error,
+            "pongsim: error: service '/world/pong_world/control' refused: only all of a world can be reset: "
+            "reset {all: true}\n");
+  EXPECT_EQ(call("/world/pong_world/remove", "name: 'pong_bott', type: MODEL").error,
+            "pongsim: error: service '/world/pong_world/remove' refused: there is no model 'pong_bott'; did you mean "
+            "'pong_bot'?\n");
+}
+
+TEST_F(Services, ChangeTheWorld) {
+  const std::string box =
+      "sdf: \"<sdf version='1.9'><model name='crate'><link name='l'><collision name='c'><geometry><box><size>1 1 "
+      "1</size>"
+      "</box></geometry></collision></link></model></sdf>\", pose {position {x: 3, z: 0.5}}";
+  EXPECT_EQ(call("/world/pong_world/create", box).output, "data: true\n\n");
+  EXPECT_NE(call("/world/pong_world/create", box).error.find("crate"), std::string::npos);
+  EXPECT_EQ(call("/world/pong_world/create", box + ", allow_renaming: true").output, "data: true\n\n");
+  const Outcome poses = runToEnd({"topic", "-e", "-t", "/world/pong_world/pose/info", "-n", "1"});
+  EXPECT_NE(poses.output.find("name: \"crate_0\""), std::string::npos) << poses.output;
+  EXPECT_EQ(call("/world/pong_world/remove", "name: 'crate', type: MODEL").output, "data: true\n\n");
+  EXPECT_EQ(runToEnd({"world", "reset"}).exitCode, 0);
 }
 
 TEST_F(Services, FailWithAReason) {

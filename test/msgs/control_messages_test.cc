@@ -33,10 +33,10 @@ TEST(ControlMessages, ReadWhatIsAskedOfAWorld) {
 }
 
 TEST(ControlMessages, KnowAResetFromAnEmptyOne) {
-  EXPECT_FALSE(control("reset {}").reset);
-  for (const char* text : {"reset {all: true}", "reset {time_only: true}", "reset {model_only: true}"}) {
-    EXPECT_TRUE(control(text).reset) << text;
-  }
+  EXPECT_EQ(control("reset {}").reset, Reset::kNone);
+  EXPECT_EQ(control("reset {all: true}").reset, Reset::kAll);
+  EXPECT_EQ(control("reset {time_only: true}").reset, Reset::kTimeOnly);
+  EXPECT_EQ(control("reset {model_only: true}").reset, Reset::kModelsOnly);
 }
 
 TEST(ControlMessages, TakeTimesThatDoNotFit) {

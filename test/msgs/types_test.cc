@@ -48,5 +48,29 @@ TEST(MessageTypes, AreFoundByANearSpelling) {
   EXPECT_EQ(nearestMessageType("qqqqqqqqqqqq"), "");
 }
 
+TEST(MessageTypes, ThatDebianLacksIsThereByAllNames) {
+  for (const char* type : {"EntityWrench", "OdometryWithCovariance", "PoseWithCovariance", "TwistWithCovariance"}) {
+    const std::string name = std::string("ignition.msgs.") + type;
+    EXPECT_EQ(messageTypeName(type), name);
+    EXPECT_EQ(messageTypeName(std::string("gz.msgs.") + type), name);
+    const MessagePointer message = newMessage(type);
+    ASSERT_TRUE(message) << type;
+  }
+}
+
+// as ignition-msgs 8.7 has them
+TEST(MessageTypes, ThatDebianLacksHasTheNumbersOfItsFields) {
+  const MessagePointer message = newMessage("OdometryWithCovariance");
+  ASSERT_FALSE(parseMessage(
+      "header {stamp {sec: 1}} pose_with_covariance {pose {id: 2} covariance {data: 3}} twist_with_covariance {}",
+      *message));
+  const std::string expected(
+      "\x0a\x04\x0a\x02\x08\x01"                              // 1: header
+      "\x12\x0c\x0a\x02\x18\x02\x12\x06\x12\x04\0\0\x40\x40"  // 2: pose with covariance
+      "\x1a\0",                                               // 3: twist with covariance
+      22);
+  EXPECT_EQ(message->SerializeAsString(), expected);
+}
+
 }  // namespace
 }  // namespace pongsim

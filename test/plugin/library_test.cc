@@ -30,7 +30,8 @@ TEST(Library, OffersItsSystems) {
 
 TEST(Library, RefusesAnotherVersionOfTheInterface) {
   EXPECT_EQ(reason(testLibrary("ancient")),
-            "it was built for version 0 of pongsim's plugin interface, this is version 1: build it anew");
+            "it was built for version 0 of pongsim's plugin interface, this is version " + std::to_string(kAbiVersion) +
+                ": build it anew");
 }
 
 TEST(Library, RefusesALibraryWithoutSystems) {

@@ -13,6 +13,7 @@ TEST(Environment, HasTheDefaultsOfTheFormat) {
   EXPECT_EQ(environment.atmosphere.temperature, 288.15);
   EXPECT_EQ(environment.atmosphere.temperatureGradient, -0.0065);
   EXPECT_EQ(environment.atmosphere.pressure, 101325);
+  EXPECT_FALSE(environment.sphericalCoordinates.isGiven);
   EXPECT_EQ(environment.sphericalCoordinates.surfaceModel, "EARTH_WGS84");
   EXPECT_EQ(environment.sphericalCoordinates.worldFrameOrientation, "ENU");
   EXPECT_EQ(environment.sphericalCoordinates.latitude, 0);
@@ -33,6 +34,7 @@ TEST(Environment, IsRead) {
   EXPECT_EQ(environment.atmosphere.temperature, 300);
   EXPECT_EQ(environment.atmosphere.temperatureGradient, -1);
   EXPECT_EQ(environment.atmosphere.pressure, 99000);
+  EXPECT_TRUE(environment.sphericalCoordinates.isGiven);
   EXPECT_EQ(environment.sphericalCoordinates.surfaceModel, "MOON_SCS");
   EXPECT_EQ(environment.sphericalCoordinates.worldFrameOrientation, "NED");
   EXPECT_DOUBLE_EQ(environment.sphericalCoordinates.latitude, std::numbers::pi / 2);

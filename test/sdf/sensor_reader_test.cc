@@ -87,6 +87,39 @@ TEST(Sensor, ReadsTheSmallTypes) {
   EXPECT_EQ(std::get<MagnetometerSettings>(sensors.at(2).settings).field[2].mean, 1);
 }
 
+TEST(Sensor, ReadsANavSat) {
+  const auto noise = [](const char* mean) {
+    return std::string("<noise type='gaussian'><mean>") + mean + "</mean></noise>";
+  };
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='navsat'><navsat><position_sensing><horizontal>" + noise("1") + "</horizontal><vertical>" +
+      noise("2") + "</vertical></position_sensing><velocity_sensing><horizontal>" + noise("3") +
+      "</horizontal><vertical>" + noise("4") + "</vertical></velocity_sensing></navsat></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const NavSatSettings& settings = std::get<NavSatSettings>(sensorOf(loaded).settings);
+  EXPECT_EQ(settings.horizontalPosition.mean, 1);
+  EXPECT_EQ(settings.verticalPosition.mean, 2);
+  EXPECT_EQ(settings.horizontalVelocity.mean, 3);
+  EXPECT_EQ(settings.verticalVelocity.mean, 4);
+}
+
+TEST(Sensor, ReadsALogicalCamera) {
+  const auto load = [](const std::string& content) {
+    return loadLink("<sensor name='s' type='logical_camera'>\n<logical_camera>\n" + content +
+                    "</logical_camera></sensor>");
+  };
+  const Loaded loaded =
+      load("<near>0.5</near><far>5</far><aspect_ratio>2</aspect_ratio><horizontal_fov>1.5</horizontal_fov>");
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_EQ(std::get<LogicalCameraSettings>(sensorOf(loaded).settings),
+            (LogicalCameraSettings{.near = 0.5, .far = 5, .aspectRatio = 2, .horizontalFov = 1.5}));
+  EXPECT_EQ(std::get<LogicalCameraSettings>(sensorOf(load("")).settings), LogicalCameraSettings());
+  EXPECT_EQ(load("<near>2</near>").messages,
+            Messages{"t.sdf:5:1: error: a logical camera sees nothing where <far> is not above <near>"});
+  EXPECT_EQ(load("<horizontal_fov>4</horizontal_fov>").messages,
+            Messages{"t.sdf:6:1: error: <horizontal_fov> must be below half a turn (3.1416)"});
+}
+
 TEST(Sensor, ReadsAForceTorqueSensor) {
   const auto load = [](const std::string& content) {
     return loadLink("<sensor name='s' type='force_torque'><force_torque>\n" + content + "</force_torque></sensor>");

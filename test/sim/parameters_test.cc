@@ -52,12 +52,23 @@ TEST(Parameters, NameJointsThatCanBeCommanded) {
             "<j> 'knee' is no joint of model 'm' | its joints are hinge");
 }
 
+TEST(Parameters, NameSeveralJoints) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><model name='m'><link name='l'/>"
+      "<joint name='hinge' type='revolute'><parent>world</parent><child>l</child><axis><xyz>0 0 1</xyz></axis></joint>"
+      "</model></world></sdf>",
+      "world.sdf", {}, diagnostics);
+  const Model model = simulation->world().model("m").value();
+  EXPECT_EQ(requiredJoints(elementWith("j", "hinge"), "j", model).size(), 1U);
+  EXPECT_EQ(refusalOf([&] { requiredJoints(elementWith("i", "hinge"), "j", model); }), "no <j> is given");
+}
+
 TEST(Parameters, GiveTopicsAndPeriods) {
-  EXPECT_EQ(topicParameter(elementWith("t", "my topic"), "t", "/x"), "my_topic");
-  EXPECT_EQ(topicParameter(elementWith("t", "my topic"), "u", "/a b"), "/a_b");
-  EXPECT_EQ(periodParameter(elementWith("r", "50"), "r", 1), milliseconds(20));
-  EXPECT_EQ(periodParameter(elementWith("r", "50"), "s", 100), milliseconds(10));
-  EXPECT_EQ(periodParameter(elementWith("r", "-1"), "r", 1), Time::zero());
+  EXPECT_EQ(topicOr("my topic", "/x"), "my_topic");
+  EXPECT_EQ(topicOr("", "/a b"), "/a_b");
+  EXPECT_EQ(periodOf(50), milliseconds(20));
+  EXPECT_EQ(periodOf(-1), Time::zero());
 }
 
 TEST(Schedule, KeepsToAGrid) {

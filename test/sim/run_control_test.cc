@@ -71,7 +71,8 @@ TEST(RunControl, ForgetsTheTimeAtTheNextRequestOrWhereItHasPassed) {
 
 TEST(RunControl, RefusesAllOfWhatItCannotDo) {
   RunControl control(true);
-  EXPECT_NE(control.apply({.reset = true}, Time::zero()), std::nullopt);
+  EXPECT_NE(control.apply({.reset = msgs::Reset::kTimeOnly}, Time::zero()), std::nullopt);
+  EXPECT_NE(control.apply({.reset = msgs::Reset::kModelsOnly}, Time::zero()), std::nullopt);
   EXPECT_NE(control.apply({.seed = 1}, Time::zero()), std::nullopt);
   EXPECT_TRUE(control.paused());
 }

@@ -105,6 +105,17 @@ class ControlledRun : public RunnerTest {
     EXPECT_TRUE(result) << result.error;
     return reply.data();
   }
+  /// @return Why the service did not do it; empty where it did.
+  std::string refusal(const std::string& service, const std::string& type, const std::string& text) {
+    const MessagePointer request = newMessage(type);
+    EXPECT_FALSE(parseMessage(text, *request));
+    ignition::msgs::Boolean reply;
+    const CallResult result = simulation_->transport().node().call(service, *request, reply, test::kDeadline);
+    if (result) return "";
+    EXPECT_EQ(result.outcome, CallOutcome::kRefused) << result.error;
+    const std::string_view before = " refused: ";
+    return result.error.substr(result.error.find(before) + before.size());
+  }
   bool control(const std::string& text) { return ask("/world/w/control", "WorldControl", text); }
 
   std::unique_ptr<Runner> runner_;
@@ -123,8 +134,9 @@ TEST_F(ControlledRun, MakesNoStepAfterAnAnsweredPause) {
   start({.updateRate = 0.0});
   EXPECT_TRUE(control("pause: true"));
   const Time paused = simulation_->time();
-  EXPECT_FALSE(control("reset {all: true}"));
-  EXPECT_FALSE(control("seed: 5"));
+  EXPECT_EQ(refusal("/world/w/control", "WorldControl", "reset {time_only: true}"),
+            "only all of a world can be reset: reset {all: true}");
+  EXPECT_NE(refusal("/world/w/control", "WorldControl", "seed: 5"), "");
   EXPECT_EQ(simulation_->time(), paused);
 }
 
@@ -142,11 +154,22 @@ TEST_F(ControlledRun, RunsToTheTimeAskedFor) {
   EXPECT_EQ(simulation_->time(), std::chrono::milliseconds(500));
 }
 
+TEST_F(ControlledRun, GoesBackToTheStartWhenReset) {
+  const std::uint64_t atStart = simulation_->stateHash();
+  simulation_->step(100);
+  EXPECT_NE(simulation_->stateHash(), atStart);
+  start({.paused = true});
+  EXPECT_TRUE(control("pause: true, reset {all: true}"));
+  end();
+  EXPECT_EQ(simulation_->time(), Time::zero());
+  EXPECT_EQ(simulation_->stateHash(), atStart);
+}
+
 TEST_F(ControlledRun, EndsWhereTheServerIsToldToStop) {
   for (const bool paused : {false, true}) {
     start({.paused = paused});
-    EXPECT_FALSE(ask("/server_control", "ServerControl", "stop: true, clone: true"));
-    EXPECT_FALSE(ask("/server_control", "ServerControl", ""));
+    EXPECT_NE(refusal("/server_control", "ServerControl", "stop: true, clone: true"), "");
+    EXPECT_NE(refusal("/server_control", "ServerControl", ""), "");
     EXPECT_TRUE(ask("/server_control", "ServerControl", "stop: true"));
     waitForTheEnd();
     runner_.reset();

@@ -62,7 +62,35 @@ TEST(SystemSet, LeavesOutASystemThatCannotUseItsParameters) {
                                  {}, diagnostics),
               4.9, 0.01);
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].message, "diff-drive is left out: DiffDrive must stand in a <model>");
+  EXPECT_EQ(diagnostics.all()[0].message, "diff-drive is left out: it must stand in a <model>");
+}
+
+TEST(SystemSet, WarnsOfTwoThatPublishOnOneTopic) {
+  const std::string text = R"(<sdf version="1.9"><world name="w">
+    <plugin filename="ignition-gazebo-physics-system" name=""/>
+    <model name="a"><link name="l"/>
+      <plugin filename="ignition-gazebo-odometry-publisher-system" name=""><odom_topic>here</odom_topic></plugin></model>
+    <model name="b"><link name="l"/>
+      <plugin filename="ignition-gazebo-odometry-publisher-system" name=""><odom_topic>here</odom_topic></plugin></model>
+    </world></sdf>)";
+  Diagnostics diagnostics;
+  EXPECT_NE(Simulation::fromText(text, "world.sdf", {}, diagnostics), nullptr);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(
+      format(diagnostics.all()[0]),
+      "world.sdf:6:7: warning: odometry-publisher of b publishes on '/here', and so does odometry-publisher of a of "
+      "line 4\n  hint: who listens gets the messages of both");
+}
+
+TEST(SystemSet, WarnsOfParametersThatASystemDoesNotKnow) {
+  const std::string text = world(R"(<plugin filename="ignition-gazebo-physics-system" name=""/>
+    <plugin filename="ignition-gazebo-scene-broadcaster-system" name=""><dynamic_pose_herz>1</dynamic_pose_herz></plugin>)");
+  Diagnostics diagnostics;
+  EXPECT_NE(Simulation::fromText(text, "world.sdf", {}, diagnostics), nullptr);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(format(diagnostics.all()[0]),
+            "world.sdf:2:73: warning: scene-broadcaster does not know <dynamic_pose_herz>\n"
+            "  hint: did you mean 'dynamic_pose_hertz'?");
 }
 
 TEST(SystemSet, ReportsAllPluginsThatAreNotThereAtOnce) {

@@ -9,9 +9,23 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 
 namespace pongsim::test {
+
+/// @return What stands in a world for tests of systems that move a joint: model "m", whose joint "hinge" turns a link
+/// of 0.1 kg m^2 about z, beside a fixed one, "hold"; without gravity.
+/// @param system As in filename and class: "joint-controller", "JointController".
+inline std::string hingeWith(const std::string& system, const std::string& className, const std::string& parameters) {
+  return R"(<gravity>0 0 0</gravity><model name="m">
+    <link name="base"><inertial><mass>1</mass></inertial></link>
+    <link name="arm"><inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial></link>
+    <joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
+    <joint name="hinge" type="revolute"><parent>base</parent><child>arm</child><axis><xyz>0 0 1</xyz></axis></joint>
+    <plugin filename="ignition-gazebo-)" +
+         system + "-system\" name=\"ignition::gazebo::systems::" + className + "\">" + parameters + "</plugin></model>";
+}
 
 /// A world that a test steps and listens to. What is wrong with it fails the test.
 class RunningWorld {
@@ -61,6 +75,14 @@ class RunningWorld {
   void tell(const std::string& topic, const M& message) {
     publishers_.push_back(simulation_->transport().node().advertise<M>(topic));
     publishers_.back().publish(message);
+  }
+
+  /// As `tell`, an ignition.msgs.Double.
+  void tellNumber(const std::string& topic, double value) {
+    publishers_.push_back(simulation_->transport().node().advertise(topic, "ignition.msgs.Double"));
+    const MessagePointer message = newMessage("ignition.msgs.Double");
+    parseMessage("data: " + std::to_string(value), *message);
+    publishers_.back().publish(*message);
   }
 
   /// Makes steps and hands over what was published in the last one.

@@ -52,20 +52,4 @@ TEST_F(InboxTest, SaysWhenBytesAreNoMessage) {
   EXPECT_TRUE(places.parse(*buffer));
 }
 
-TEST_F(InboxTest, UsesBuffersAgain) {
-  Buffer* buffer = pool_.take();
-  buffer->users = 2;
-  pool_.giveBack(buffer);
-  EXPECT_NE(pool_.take(), buffer);
-  pool_.giveBack(buffer);
-  EXPECT_EQ(pool_.take(), buffer);
-}
-
-TEST_F(InboxTest, KeepsNoHugeBuffers) {
-  Buffer* buffer = pool_.take();
-  buffer->bytes.resize(64 << 20);
-  pool_.giveBack(buffer);
-  EXPECT_LT(pool_.take()->bytes.capacity(), 64 << 20);
-}
-
 }  // namespace pongsim::transport

@@ -29,7 +29,7 @@ using test::Process;
 
 constexpr std::chrono::milliseconds kSoon{50};
 
-StringMsg text(const std::string& content) {
+StringMsg saying(const std::string& content) {
   StringMsg message;
   message.set_data(content);
   return message;
@@ -85,7 +85,7 @@ class ServiceHere : public testing::Test {
 TEST_F(ServiceHere, AnswersWithoutANetwork) {
   const Service service = echo(node_, "s");
   const Dispatched dispatched(transport_);
-  const CallResult result = node_.call("/s", text("hello"), reply_, kDeadline);
+  const CallResult result = node_.call("/s", saying("hello"), reply_, kDeadline);
   EXPECT_TRUE(result) << result.error;
   EXPECT_EQ(result.error, "");
   EXPECT_EQ(reply_.data(), "hello!");
@@ -102,9 +102,9 @@ TEST_F(ServiceHere, RunsOnTheThreadThatDispatchesAfterTheMessages) {
   const Subscription subscription =
       node_.subscribe<StringMsg>("/t", [&](const StringMsg&) { order.push_back("message"); });
   Publisher publisher = node_.advertise<StringMsg>("/t");
-  auto call = std::async(std::launch::async, [&] { return bool(node_.call("/s", text(""), reply_, kDeadline)); });
+  auto call = std::async(std::launch::async, [&] { return bool(node_.call("/s", saying(""), reply_, kDeadline)); });
   while (order.empty() || order.back() != "request") {
-    publisher.publish(text(""));
+    publisher.publish(saying(""));
     transport_.dispatchFor(std::chrono::milliseconds(20));
   }
   EXPECT_TRUE(call.get());
@@ -113,26 +113,26 @@ TEST_F(ServiceHere, RunsOnTheThreadThatDispatchesAfterTheMessages) {
 }
 
 TEST_F(ServiceHere, SaysWhatWentWrong) {
-  EXPECT_EQ(node_.call("/s", text(""), reply_, kDeadline).outcome, CallOutcome::kNoService);
+  EXPECT_EQ(node_.call("/s", saying(""), reply_, kDeadline).outcome, CallOutcome::kNoService);
   const Service service = echo(node_, "/s");
-  const CallResult late = node_.call("/s", text(""), reply_, kSoon);
+  const CallResult late = node_.call("/s", saying(""), reply_, kSoon);
   EXPECT_EQ(late.outcome, CallOutcome::kNoAnswer);
   EXPECT_EQ(late.error, "service '/s' did not answer in time");
   Boolean other;
-  const CallResult wrong = node_.call("/s", text(""), other, kDeadline);
+  const CallResult wrong = node_.call("/s", saying(""), other, kDeadline);
   EXPECT_EQ(wrong.outcome, CallOutcome::kOtherTypes);
   EXPECT_EQ(wrong.error, "service '/s' takes ignition.msgs.StringMsg and answers ignition.msgs.StringMsg");
-  EXPECT_THROW(node_.call("/a b", text(""), reply_, kDeadline), std::invalid_argument);
+  EXPECT_THROW(node_.call("/a b", saying(""), reply_, kDeadline), std::invalid_argument);
 }
 
 TEST_F(ServiceHere, RefusesToWaitInAFunctionThatDispatchCalled) {
   bool threw = false;
   const Service service = echo(node_, "/s");
   const Subscription subscription = node_.subscribe<StringMsg>("/t", [&](const StringMsg&) {
-    EXPECT_THROW(node_.call("/s", text(""), reply_, kDeadline), std::logic_error);
+    EXPECT_THROW(node_.call("/s", saying(""), reply_, kDeadline), std::logic_error);
     threw = true;
   });
-  node_.advertise<StringMsg>("/t").publish(text(""));
+  node_.advertise<StringMsg>("/t").publish(saying(""));
   transport_.dispatch();
   EXPECT_TRUE(threw);
 }
@@ -141,7 +141,7 @@ TEST_F(ServiceHere, TellsTheCallerWhenItEnds) {
   Service service = echo(node_, "/s");
   auto call = std::async(std::launch::async, [&] {
     CallOutcome outcome = CallOutcome::kNoService;
-    while (outcome == CallOutcome::kNoService) outcome = node_.call("/s", text(""), reply_, kDeadline).outcome;
+    while (outcome == CallOutcome::kNoService) outcome = node_.call("/s", saying(""), reply_, kDeadline).outcome;
     return outcome;
   });
   // nothing shows that the request waits, but it does some time
@@ -155,7 +155,7 @@ TEST_F(ServiceHere, TellsTheCallerWhenItEnds) {
 class ServiceElsewhere : public testing::Test {
  protected:
   CallResult call(std::chrono::nanoseconds timeout = kDeadline) {
-    return node_.call("/s", text("hello"), reply_, timeout);
+    return node_.call("/s", saying("hello"), reply_, timeout);
   }
 
   const int domain_ = test::testDomain();
@@ -178,7 +178,7 @@ TEST_F(ServiceElsewhere, AnswersEachNewcomer) {
   const auto other = server("echo");
   for (int i = 0; i < 20; ++i) {
     Transport newcomer;
-    const CallResult result = newcomer.node().call("/s", text("hello"), reply_, kDeadline);
+    const CallResult result = newcomer.node().call("/s", saying("hello"), reply_, kDeadline);
     ASSERT_TRUE(result) << result.error;
   }
 }
@@ -255,7 +255,7 @@ TEST_F(ServiceElsewhere, AnswersBeforeItEnds) {
 TEST_F(ServiceElsewhere, SaysThatItHasOtherTypes) {
   const auto other = server("echo");
   Boolean wrong;
-  const CallResult result = node_.call("/s", text(""), wrong, kDeadline);
+  const CallResult result = node_.call("/s", saying(""), wrong, kDeadline);
   EXPECT_EQ(result.outcome, CallOutcome::kOtherTypes);
   EXPECT_EQ(result.error, "service '/s' takes ignition.msgs.StringMsg and answers ignition.msgs.StringMsg");
 }

@@ -1,7 +1,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <string_view>
 
+#include "pongsim/declaration.hh"
+#include "pongsim/element.hh"
+#include "pongsim/export.hh"
 #include "pongsim/state_archive.hh"
 
 namespace pongsim {
@@ -16,9 +21,27 @@ struct SpeedLimits {
   double maxJerk = std::numeric_limits<double>::infinity();
 };
 
+/// What a file says of limits; what it does not say is nothing.
+struct SpeedLimitParameters {
+  std::optional<double> minVelocity, maxVelocity, minAcceleration, maxAcceleration, minJerk, maxJerk;
+};
+
+/// Adds the parameters `<min_velocity>`, `<max_velocity>`, `<min_acceleration>`, `<max_acceleration>`, `<min_jerk>` and
+/// `<max_jerk>`.
+/// @param kind Stands in the names after the first word: "linear" makes `<min_linear_velocity>`. Empty for both.
+/// @param unit Of the velocity: "m/s".
+PONGSIM_API void declareSpeedLimits(Declaration& declaration, SpeedLimitParameters& parameters, std::string_view kind,
+                                    std::string_view unit);
+
+/// @return The limits of one kind of motion: those of its own, else those for all kinds.
+/// @param kind For the error: "linear".
+/// @throws Error at `plugin` where a smallest value is above the largest.
+PONGSIM_API SpeedLimits speedLimits(const SpeedLimitParameters& own, const SpeedLimitParameters& all,
+                                    std::string_view kind, const Element& plugin);
+
 /// Keeps a commanded velocity within limits of jerk, then acceleration, then velocity, in the order of ignition-math's
 /// SpeedLimiter.
-class SpeedLimiter {
+class PONGSIM_API SpeedLimiter {
  public:
   explicit SpeedLimiter(const SpeedLimits& limits = {}) : limits_(limits) {}
 

@@ -1,4 +1,4 @@
-#include "speed_limiter.hh"
+#include "pongsim/speed_limiter.hh"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +43,19 @@ TEST(SpeedLimiter, LimitsOnlyVelocityWhenNoTimePasses) {
   limits.maxVelocity = 5;
   SpeedLimiter limiter(limits);
   EXPECT_EQ(limiter.limit(9, 0), 5);
+}
+
+TEST(SpeedLimits, OfOneKindGoBeforeThoseOfAll) {
+  SpeedLimitParameters all, own;
+  all.maxVelocity = 2;
+  all.minVelocity = -2;
+  own.maxVelocity = 1;
+  const SpeedLimits limits = speedLimits(own, all, "linear", {});
+  EXPECT_EQ(limits.maxVelocity, 1);
+  EXPECT_EQ(limits.minVelocity, -2);
+  EXPECT_EQ(limits.maxJerk, std::numeric_limits<double>::infinity());
+  own.maxVelocity = -3;
+  EXPECT_THROW(speedLimits(own, all, "linear", {}), Error);
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <ignition/msgs/odometry.pb.h>
+#include <ignition/msgs/pose_v.pb.h>
+
+#include <cmath>
+#include <string>
+
+#include "pongsim/fields.hh"
+#include "pongsim/node.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/planar_odometry.hh"
+#include "pongsim/state_archive.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+/// The parameters and topics by which a drive tells its odometry.
+class OdometryTopics {
+ public:
+  void declare(Declaration& declaration) {
+    declaration.parameter("odom_publish_frequency", &frequency_, "Hz",
+                          "messages a simulated second; 0: one every step");
+    declaration.parameter("odom_topic", &odometryTopic_, "", "where odometry goes").otherwise("/model/M/odometry");
+    declaration.parameter("tf_topic", &tfTopic_, "", "where the pose of the base goes").otherwise("/model/M/tf");
+    declaration.parameter("frame_id", &frame_, "", "frame of the odometry, in the headers").otherwise("M/odom");
+    declaration.parameter("child_frame_id", &childFrame_, "", "frame of the vehicle, in the headers")
+        .otherwise("M/ and the canonical link");
+    declaration.publishes("<odom_topic>", "ignition.msgs.Odometry", "pose and velocity since the start");
+    declaration.publishes("<tf_topic>", "ignition.msgs.Pose_V", "the same pose");
+  }
+
+  void open(const Model& model, Node& node) {
+    const std::string name(model.name());
+    if (frame_.empty()) frame_ = name + "/odom";
+    if (childFrame_.empty() && model.canonicalLink()) {
+      childFrame_ = name + "/" + std::string(model.canonicalLink()->name());
+    }
+    odometryPublisher_ =
+        node.advertise<ignition::msgs::Odometry>(topicOr(odometryTopic_, "/model/" + name + "/odometry"));
+    tfPublisher_ = node.advertise<ignition::msgs::Pose_V>(topicOr(tfTopic_, "/model/" + name + "/tf"));
+  }
+
+  /// Call it in each `postUpdate` that is not paused: publishes where it is due and somebody listens.
+  void update(const PlanarOdometry& odometry, Time now) {
+    if (now - last_ < periodOf(frequency_)) return;
+    last_ = now;
+    if (odometryPublisher_.hasSubscribers()) {
+      setHeader(now, *message_.mutable_header());
+      setPlace(odometry, *message_.mutable_pose());
+      message_.mutable_twist()->mutable_linear()->set_x(odometry.linearVelocity);
+      message_.mutable_twist()->mutable_angular()->set_z(odometry.angularVelocity);
+      odometryPublisher_.publish(message_);
+    }
+    if (tfPublisher_.hasSubscribers()) {
+      if (tfMessage_.pose_size() == 0) tfMessage_.add_pose();
+      setHeader(now, *tfMessage_.mutable_pose(0)->mutable_header());
+      setPlace(odometry, *tfMessage_.mutable_pose(0));
+      tfPublisher_.publish(tfMessage_);
+    }
+  }
+
+  void reset() { last_ = Time::zero(); }
+  void transfer(StateArchive& archive) { archive(last_); }
+
+ private:
+  void setHeader(Time now, ignition::msgs::Header& header) const {
+    setStamp(now, header);
+    if (header.data_size() > 0) return;
+    setHeaderValue("frame_id", frame_, header);
+    setHeaderValue("child_frame_id", childFrame_, header);
+  }
+
+  static void setPlace(const PlanarOdometry& odometry, ignition::msgs::Pose& pose) {
+    pose.mutable_position()->set_x(odometry.x);
+    pose.mutable_position()->set_y(odometry.y);
+    pose.mutable_orientation()->set_z(std::sin(odometry.heading / 2));
+    pose.mutable_orientation()->set_w(std::cos(odometry.heading / 2));
+  }
+
+  double frequency_ = 50;
+  std::string odometryTopic_;
+  std::string tfTopic_;
+  std::string frame_;
+  std::string childFrame_;
+  Time last_{0};
+  Publisher odometryPublisher_;
+  Publisher tfPublisher_;
+  ignition::msgs::Odometry message_;
+  ignition::msgs::Pose_V tfMessage_;
+};
+
+}  // namespace pongsim

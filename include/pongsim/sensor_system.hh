@@ -1,0 +1,120 @@
+#pragma once
+
+#include <algorithm>
+#include <list>
+#include <string>
+#include <string_view>
+
+#include "pongsim/diagnostic.hh"
+#include "pongsim/fields.hh"
+#include "pongsim/sensor.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+/// A system of all sensors of a type. `OneSensor` is one of them:
+///
+///     struct Thermometer {
+///       using Message = ignition::msgs::Double;
+///       static constexpr const char* kType = "thermometer";      // of the <sensor>
+///       static constexpr const char* kSuffix = "/temperature";   // of its topic, where it names none
+///       static constexpr const char* kText = "Publishes how warm it is.";
+///       Thermometer(const Sensor& sensor, const World& world, Random random, Message& message);
+///       void measure(double dt, Message& message);
+///     };
+///
+/// The constructor may fill in what never changes, and throws an `Error` for a sensor that can't be had, which is left
+/// out with a warning. `measure` is called when a message is due, with the time since the last one [s], and fills in
+/// all but the header. Where there are, `void observe(const StepInfo&)` is called before it in each step, `void
+/// reset()` where the world is set back, and `kHolder` names what holds the sensor in its topic, in place of "link/L".
+template <class OneSensor>
+class SensorSystem : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is(OneSensor::kText, Declaration::Place::kWorld);
+    const std::string type = OneSensor::Message::descriptor()->full_name();
+    std::string holder = "link/L";
+    if constexpr (requires { OneSensor::kHolder; }) holder = OneSensor::kHolder;
+    declaration.publishes("/world/W/model/M/" + holder + "/sensor/S" + OneSensor::kSuffix, type,
+                          "of each sensor; `<topic>` in the `<sensor>` names another, `<update_rate>` says how often");
+    declaration.serves("TOPIC/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
+                       "messages a simulated second, at most what the file says");
+  }
+
+  void configure(const SystemContext& context) override {
+    world_ = &context.world;
+    node_ = &context.node;
+    random_ = &context.random;
+    log_ = &context.log;
+    addSensors(context.diagnostics);
+  }
+
+  void worldChanged() override {
+    std::erase_if(sensors_, [](const Entry& entry) { return !entry.handle.exists(); });
+    Diagnostics diagnostics;
+    addSensors(diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) log_->warning(format(diagnostic));
+  }
+
+  void postUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    for (Entry& entry : sensors_) entry.update(info);
+  }
+
+  void reset() override {
+    for (Entry& entry : sensors_) entry.reset();
+  }
+
+ private:
+  struct Entry {
+    Entry(const Sensor& of, const World& world, Node& node, Random& random)
+        : handle(of),
+          topic(of, OneSensor::kSuffix, OneSensor::Message::descriptor()->full_name(), node),
+          sensor(of, world, random.split(of.scopedName()), message) {
+      setHeaderValue("frame_id", topic.frameName(), *message.mutable_header());
+    }
+
+    void update(const StepInfo& info) {
+      if constexpr (requires { sensor.observe(info); }) sensor.observe(info);
+      if (!topic.isDue(info)) return;
+      setStamp(info.time, *message.mutable_header());
+      setHeaderValue("seq", std::to_string(topic.count()), *message.mutable_header());
+      sensor.measure(topic.sinceLast(info), message);
+      topic.publish(message);
+    }
+
+    void reset() {
+      topic.reset();
+      if constexpr (requires { sensor.reset(); }) sensor.reset();
+    }
+
+    Sensor handle;
+    SensorTopic topic;
+    typename OneSensor::Message message;
+    OneSensor sensor;
+  };
+
+  /// Adds those that are not there yet.
+  void addSensors(Diagnostics& diagnostics) {
+    for (const Sensor& sensor : world_->sensors(OneSensor::kType)) {
+      const bool isKnown =
+          std::ranges::any_of(sensors_, [&](const Entry& entry) { return entry.handle.id() == sensor.id(); });
+      if (isKnown) continue;
+      try {
+        sensors_.emplace_back(sensor, *world_, *node_, *random_);
+      } catch (const Error& error) {
+        const Diagnostic& found = error.diagnostic();
+        diagnostics.warning(found.position, found.message, found.hint);
+      }
+    }
+  }
+
+  World* world_ = nullptr;
+  Node* node_ = nullptr;
+  Random* random_ = nullptr;
+  const Logger* log_ = nullptr;
+  // topics stay where they are
+  std::list<Entry> sensors_;
+};
+
+}  // namespace pongsim

@@ -1,0 +1,64 @@
+#include "geometry.hh"
+
+#include <cmath>
+#include <numbers>
+
+namespace pongsim {
+
+namespace {
+
+// A slower turn [rad/s] is none.
+constexpr double kNoTurn = 0.001;
+// Radius of no turn [m].
+constexpr double kStraight = 1e9;
+
+/// @return Radius of the turn [m], negative to the right.
+double turningRadius(const AckermannGeometry& geometry, double linear, double angular) {
+  if (std::abs(angular) < kNoTurn) return kStraight;
+  const double narrowest = geometry.wheelBase / std::sin(geometry.steeringLimit);
+  if (linear == 0) return std::copysign(narrowest, angular);
+  const double radius = linear / angular;
+  return std::abs(radius) < narrowest ? std::copysign(narrowest, radius) : radius;
+}
+
+}  // namespace
+
+AckermannCommand ackermannCommand(const AckermannGeometry& geometry, double linear, double angular) {
+  const double radius = turningRadius(geometry, linear, angular);
+  AckermannCommand command;
+  command.leftAngle = std::atan(geometry.wheelBase / (radius - geometry.kingpinWidth / 2));
+  command.rightAngle = std::atan(geometry.wheelBase / (radius + geometry.kingpinWidth / 2));
+  // the outer wheels have a longer way
+  const double difference = geometry.wheelSeparation / (2 * radius);
+  command.leftSpeed = linear * (1 - difference) / geometry.wheelRadius;
+  command.rightSpeed = linear * (1 + difference) / geometry.wheelRadius;
+  return command;
+}
+
+void AckermannOdometry::update(const AckermannGeometry& geometry, double leftAngle, double rightAngle, double steering,
+                               double dt) {
+  if (!started_) {
+    lastLeft_ = leftAngle;
+    lastRight_ = rightAngle;
+    started_ = true;
+  }
+  const double way = geometry.wheelRadius * (leftAngle - lastLeft_ + rightAngle - lastRight_) / 2;
+  lastLeft_ = leftAngle;
+  lastRight_ = rightAngle;
+  const double turn = way * std::tan(steering) / geometry.wheelBase;
+  value_.heading = std::remainder(value_.heading + turn, 2 * std::numbers::pi);
+  value_.x += way * std::cos(value_.heading);
+  value_.y += way * std::sin(value_.heading);
+  value_.linearVelocity = way / dt;
+  value_.angularVelocity = turn / dt;
+}
+
+void AckermannOdometry::transfer(StateArchive& archive) {
+  for (double* value : {&value_.x, &value_.y, &value_.heading, &value_.linearVelocity, &value_.angularVelocity,
+                        &lastLeft_, &lastRight_}) {
+    archive(*value);
+  }
+  archive(started_);
+}
+
+}  // namespace pongsim

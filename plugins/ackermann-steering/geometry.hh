@@ -1,0 +1,48 @@
+#pragma once
+
+#include "pongsim/planar_odometry.hh"
+#include "pongsim/state_archive.hh"
+
+namespace pongsim {
+
+/// A car: lengths [m], and the largest angle of steering [rad].
+struct AckermannGeometry {
+  double wheelSeparation = 1.0;
+  double kingpinWidth = 0.8;
+  double wheelBase = 1.0;
+  double wheelRadius = 0.2;
+  double steeringLimit = 0.5;
+};
+
+/// What the wheels are to do: angles of steering [rad] and velocities of turning [rad/s].
+struct AckermannCommand {
+  double leftAngle = 0;
+  double rightAngle = 0;
+  double leftSpeed = 0;
+  double rightSpeed = 0;
+};
+
+/// @param linear Velocity asked for [m/s].
+/// @param angular Turn asked for [rad/s]; a turn narrower than the steering allows becomes the narrowest.
+AckermannCommand ackermannCommand(const AckermannGeometry& geometry, double linear, double angular);
+
+/// Where a car believes to be, from the angles of its wheels, with the formula of Fortress.
+class AckermannOdometry {
+ public:
+  /// @param leftAngle, rightAngle Angles of the driven wheels [rad], not wrapped.
+  /// @param steering Mean angle of steering [rad].
+  /// @param dt Time since the last call [s], more than zero.
+  void update(const AckermannGeometry& geometry, double leftAngle, double rightAngle, double steering, double dt);
+
+  const PlanarOdometry& value() const { return value_; }
+
+  void transfer(StateArchive& archive);
+
+ private:
+  PlanarOdometry value_;
+  double lastLeft_ = 0;
+  double lastRight_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace pongsim

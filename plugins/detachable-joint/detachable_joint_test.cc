@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+#include <ignition/msgs/empty.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+#include <ignition/msgs/twist.pb.h>
+
+#include <string>
+#include <vector>
+
+#include "support/fortress_worlds.hh"
+#include "support/running_world.hh"
+
+namespace pongsim {
+namespace {
+
+using test::RunningWorld;
+
+std::string worldWith(const std::string& parameters) {
+  return R"(<model name="crane"><pose>0 0 3 0 0 0</pose><link name="hook"><inertial><mass>1</mass></inertial></link>
+      <joint name="hold" type="fixed"><parent>world</parent><child>hook</child></joint>
+      <plugin filename="ignition-gazebo-detachable-joint-system" name="ignition::gazebo::systems::DetachableJoint">)" +
+         parameters + R"(</plugin></model>
+    <model name="load"><pose>0.5 0 2 0 0 0</pose><link name="body"><inertial><mass>2</mass></inertial></link></model>)";
+}
+
+constexpr const char* kLoad =
+    "<parent_link>hook</parent_link><child_model>load</child_model><child_link>body</child_link>";
+
+double height(RunningWorld& world) { return world.model("load").pose().position.z(); }
+
+std::vector<std::string> textsOf(const std::vector<ignition::msgs::StringMsg>& messages) {
+  std::vector<std::string> texts;
+  for (const auto& message : messages) texts.push_back(message.data());
+  return texts;
+}
+
+TEST(DetachableJoint, HoldsUntilItIsToldToLetGo) {
+  RunningWorld world(worldWith(kLoad));
+  std::vector<ignition::msgs::StringMsg> states;
+  world.listen("/model/load/detachable_joint/state", states);
+  world.step(500);
+  EXPECT_NEAR(height(world), 2, 1e-3);
+  EXPECT_EQ(textsOf(states), std::vector<std::string>{"attached"});
+  world.tell("/model/crane/detachable_joint/detach", ignition::msgs::Empty());
+  world.step(500);
+  EXPECT_NEAR(height(world), 2 - 9.8 / 8, 0.02);
+  EXPECT_EQ(textsOf(states), (std::vector<std::string>{"attached", "detached"}));
+}
+
+TEST(DetachableJoint, TakesHoldAgainWhereTheChildIs) {
+  RunningWorld world(worldWith(std::string(kLoad) + "<topic>let go</topic><attach_topic>hold</attach_topic>"
+                                                    "<output_topic>held</output_topic>"));
+  std::vector<ignition::msgs::StringMsg> states;
+  world.listen("/held", states);
+  world.step(10);
+  world.tell("/let_go", ignition::msgs::Empty());
+  world.step(300);
+  const double fallen = height(world);
+  EXPECT_LT(fallen, 1.7);
+  world.tell("/hold", ignition::msgs::Empty());
+  world.step(500);
+  EXPECT_NEAR(height(world), fallen, 0.02);
+  EXPECT_EQ(textsOf(states), (std::vector<std::string>{"attached", "detached", "attached"}));
+}
+
+TEST(DetachableJoint, WarnsOnceOfAChildThatIsNotThere) {
+  const std::string parameters =
+      "<parent_link>hook</parent_link><child_model>truck</child_model><child_link>body</child_link>";
+  testing::internal::CaptureStderr();
+  RunningWorld world(worldWith(parameters));
+  world.step(10);
+  const std::string said = testing::internal::GetCapturedStderr();
+  const std::string warning = "there is no model 'truck' to hold yet";
+  ASSERT_NE(said.find(warning), std::string::npos) << said;
+  EXPECT_EQ(said.find(warning, said.find(warning) + 1), std::string::npos) << said;
+
+  testing::internal::CaptureStderr();
+  RunningWorld quiet(worldWith(parameters + "<suppress_child_warning>true</suppress_child_warning>"));
+  quiet.step(10);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(DetachableJoint, IsLeftOutWithTheReason) {
+  const std::string left = "detachable-joint of crane is left out: ";
+  EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<parent_link>rope</parent_link><child_model>load</child_model>"
+                                                    "<child_link>body</child_link>")),
+            std::vector<std::string>{left + "<parent_link> 'rope' is no link of model 'crane'"});
+  EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<parent_link>hook</parent_link>")),
+            (std::vector<std::string>{left + "no <child_model> is given", left + "no <child_link> is given"}));
+}
+
+TEST(DetachableJoint, OfFortressExampleHoldsABoxUntilTheVehicleComes) {
+  const auto worlds = test::fortressWorlds();
+  if (!worlds) GTEST_SKIP() << "no worlds of Fortress here";
+  RunningWorld world(*worlds / "examples/triggered_publisher.sdf");
+  const double before = world.model("box1").pose().position.z();
+  world.step(1000);
+  EXPECT_NEAR(world.model("box1").pose().position.z(), before, 1e-3);
+  // slower than the world's own command, at which the wheels jump over the line
+  ignition::msgs::Twist twist;
+  twist.mutable_linear()->set_x(0.5);
+  world.tell("/cmd_vel", twist);
+  world.step(8000);
+  EXPECT_LT(world.model("box1").pose().position.z(), before - 1);
+}
+
+}  // namespace
+}  // namespace pongsim

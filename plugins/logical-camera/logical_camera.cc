@@ -1,0 +1,71 @@
+#include <ignition/msgs/logical_camera_image.pb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "pongsim/sensor_system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// Replaces `all` by the models and those nested in them, sorted by their own names, as Fortress sends them.
+void listModels(const World& world, std::vector<Model>& all) {
+  all = world.models();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    // a copy, for the list grows
+    const std::vector<Model> inner = all[i].models();
+    all.insert(all.end(), inner.begin(), inner.end());
+  }
+  std::ranges::stable_sort(all, {}, [](const Model& model) { return model.name(); });
+}
+
+struct LogicalCameraSensor {
+  using Message = ignition::msgs::LogicalCameraImage;
+  static constexpr const char* kType = "logical_camera";
+  static constexpr const char* kSuffix = "/logical_camera";
+  static constexpr const char* kText =
+      "Publishes which models stand in front of the world's logical cameras, and where.";
+
+  LogicalCameraSensor(const Sensor& sensor, const World& world, const Random&, Message&)
+      : sensor_(sensor), world_(world), settings_(*sensor.settings<LogicalCameraSettings>()) {}
+
+  void measure(double, Message& message) {
+    const Pose X_WorldSensor = sensor_.pose();
+    const Pose X_SensorWorld = X_WorldSensor.inverse();
+    setPose(X_WorldSensor, *message.mutable_pose());
+    message.clear_model();
+    listModels(world_, models_);
+    for (const Model& model : models_) {
+      const Pose X_SensorModel = X_SensorWorld * model.pose();
+      if (!sees(X_SensorModel.position)) continue;
+      ignition::msgs::LogicalCameraImage::Model& seen = *message.add_model();
+      seen.set_name(std::string(model.name()));
+      setPose(X_SensorModel, *seen.mutable_pose());
+    }
+  }
+
+ private:
+  /// @param point In the sensor's frame, whose x axis points ahead.
+  bool sees(const Vector3& point) const {
+    const double halfWidth = point.x() * std::tan(settings_.horizontalFov / 2);
+    return point.x() >= settings_.near && point.x() <= settings_.far && std::abs(point.y()) <= halfWidth &&
+           std::abs(point.z()) <= halfWidth / settings_.aspectRatio;
+  }
+
+  Sensor sensor_;
+  World world_;
+  LogicalCameraSettings settings_;
+  std::vector<Model> models_;
+};
+
+using LogicalCamera = SensorSystem<LogicalCameraSensor>;
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::LogicalCamera, "ignition::gazebo::systems::LogicalCamera",
+                      "gz::sim::systems::LogicalCamera");

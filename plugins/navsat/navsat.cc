@@ -1,0 +1,76 @@
+#include <ignition/msgs/navsat.pb.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "pongsim/geodesy.hh"
+#include "pongsim/noise.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/sensor_system.hh"
+
+namespace pongsim {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// @return Where on the earth the world of a sensor is.
+TangentPlane planeFor(const Sensor& sensor, const World& world) {
+  const std::optional<TangentPlane> plane = world.tangentPlane();
+  if (!plane) {
+    refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' can't know where it is on the earth",
+           "the world needs <spherical_coordinates>");
+  }
+  return *plane;
+}
+
+/// @return The angle [degrees], above -180 and up to 180.
+double wrapped(double degrees) { return std::remainder(degrees, 360.0); }
+
+struct NavSatSensor {
+  using Message = ignition::msgs::NavSat;
+  static constexpr const char* kType = "navsat";
+  static constexpr const char* kSuffix = "/navsat";
+  static constexpr const char* kText = "Publishes where on the earth the world's satellite receivers are.";
+
+  NavSatSensor(const Sensor& sensor, const World& world, Random random, Message& message)
+      : sensor_(sensor),
+        plane_(planeFor(sensor, world)),
+        latitudeNoise_(settings().horizontalPosition, random.split("latitude")),
+        longitudeNoise_(settings().horizontalPosition, random.split("longitude")),
+        altitudeNoise_(settings().verticalPosition, random.split("altitude")),
+        eastNoise_(settings().horizontalVelocity, random.split("east")),
+        northNoise_(settings().horizontalVelocity, random.split("north")),
+        upNoise_(settings().verticalVelocity, random.split("up")) {
+    message.set_frame_id(sensor.frameName());
+  }
+
+  void measure(double dt, Message& message) {
+    const GeodeticPosition place = plane_.at(sensor_.pose().position);
+    message.set_latitude_deg(wrapped(latitudeNoise_.apply(place.latitude / kDegree, dt)));
+    message.set_longitude_deg(wrapped(longitudeNoise_.apply(place.longitude / kDegree, dt)));
+    message.set_altitude(altitudeNoise_.apply(place.altitude, dt));
+    // x, y and z of the world are east, north and up to Fortress, whatever its heading
+    const Vector3 velocity = sensor_.linearVelocity();
+    message.set_velocity_east(eastNoise_.apply(velocity.x(), dt));
+    message.set_velocity_north(northNoise_.apply(velocity.y(), dt));
+    message.set_velocity_up(upNoise_.apply(velocity.z(), dt));
+  }
+
+ private:
+  const NavSatSettings& settings() const { return *sensor_.settings<NavSatSettings>(); }
+
+  Sensor sensor_;
+  TangentPlane plane_;
+  Noise latitudeNoise_, longitudeNoise_, altitudeNoise_;
+  Noise eastNoise_, northNoise_, upNoise_;
+};
+
+using NavSat = SensorSystem<NavSatSensor>;
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::NavSat, "ignition::gazebo::systems::NavSat", "gz::sim::systems::NavSat");

@@ -1,0 +1,127 @@
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <variant>
+#include <vector>
+
+#include "base/crash_report.hh"
+#include "base/nearest_word.hh"
+#include "cli/command.hh"
+#include "cli/console.hh"
+#include "cli/plugin_page.hh"
+#include "cli/plugin_template.hh"
+#include "plugin/inspection.hh"
+#include "plugin/loader.hh"
+#include "plugin/system_name.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+/// The command line as it was given.
+struct PluginOptions {
+  bool list = false;
+  bool markdown = false;
+  std::optional<std::string> info;
+  std::string newName;
+  CLI::App* newCommand = nullptr;
+};
+
+int listPlugins() {
+  base::reportCrashes();
+  std::string text;
+  bool areGood = true;
+  for (const std::filesystem::path& file : plugin::librariesIn(plugin::defaultSearchPath())) {
+    const auto looked = plugin::Inspection::of(file);
+    if (const auto* reason = std::get_if<std::string>(&looked)) {
+      sayError(file.string() + " can't be used: " + *reason);
+      areGood = false;
+      continue;
+    }
+    for (const auto& found : std::get<plugin::Inspection>(looked).classes()) {
+      text += plugin::systemName(file.filename().string()) + "\t" + found.names.front() + "\t" + file.string() + "\n";
+    }
+  }
+  return print(text) && areGood ? kDone : kFailed;
+}
+
+/// @return The library of that path, or of that name on the search path.
+std::filesystem::path libraryNamed(const std::string& name) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(name, ignored)) return name;
+  const std::vector<std::filesystem::path> searchPath = plugin::defaultSearchPath();
+  if (const auto found = plugin::findLibrary(searchPath, name)) return *found;
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : plugin::librariesIn(searchPath)) {
+    names.push_back(plugin::systemName(file.filename().string()));
+  }
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  std::string hint = base::didYouMean(plugin::systemName(name), words);
+  throw UsageError("there is no plugin '" + name + "'", hint.empty() ? "pongsim plugin -l lists them" : hint);
+}
+
+int showPlugin(const std::filesystem::path& file, bool asMarkdown) {
+  base::reportCrashes();
+  const auto looked = plugin::Inspection::of(file);
+  if (const auto* reason = std::get_if<std::string>(&looked)) return fail(file.string() + " can't be used: " + *reason);
+  const auto& inspection = std::get<plugin::Inspection>(looked);
+  return print(asMarkdown ? pluginMarkdown(inspection) : pluginText(inspection)) ? kDone : kFailed;
+}
+
+int makePlugin(const std::string& name) {
+  if (const auto error = writePluginTemplate(name, name)) return fail(*error);
+  return print("cd " + name + " && cmake -B build && cmake --build build && ctest --test-dir build\n") ? kDone
+                                                                                                       : kFailed;
+}
+
+Work pluginWork(const PluginOptions& options) {
+  const bool makesNew = options.newCommand->parsed();
+  if (int{options.list} + int{options.info.has_value()} + int{makesNew} != 1) {
+    throw UsageError(options.list || options.info ? "one thing at a time" : "nothing to do given",
+                     "one of --list, --info FILE and new NAME");
+  }
+  if (options.markdown && !options.info) throw UsageError("--markdown is for --info");
+  if (options.list) return listPlugins;
+  if (options.info) {
+    return [file = libraryNamed(*options.info), asMarkdown = options.markdown] { return showPlugin(file, asMarkdown); };
+  }
+  if (const auto error = pluginNameError(options.newName)) {
+    throw UsageError("'" + options.newName + "' " + *error, "a name such as my-system");
+  }
+  return [name = options.newName] { return makePlugin(name); };
+}
+
+}  // namespace
+
+void addPluginCommand(CLI::App& program, Work& work) {
+  const auto options = std::make_shared<PluginOptions>();
+  CLI::App* command = program.add_subcommand("plugin", "List systems, tell of one, begin a new one");
+  command->set_help_flag("-h,--help", "Print this and end");
+  command->add_flag("-l,--list", options->list, "Print the systems that are found: name, class and file")
+      ->disable_flag_override();
+  command
+      ->add_option_function<std::string>(
+          "-i,--info", [options](const std::string& text) { options->info = text; },
+          "Print a library's classes, parameters, topics and services")
+      ->type_name("FILE|NAME");
+  command->add_flag("--markdown", options->markdown, "With --info: as a page of documentation")
+      ->disable_flag_override();
+  options->newCommand = command->add_subcommand("new", "Make a folder with a new system that builds");
+  options->newCommand->set_help_flag("-h,--help", "Print this and end");
+  options->newCommand->add_option("NAME", options->newName, "Of the folder and the system: my-system")
+      ->type_name("")
+      ->required();
+  command->footer(
+      "Examples:\n"
+      "  pongsim plugin -l\n"
+      "  pongsim plugin -i diff-drive\n"
+      "  pongsim plugin new my-system");
+  command->callback([options, &work] { work = pluginWork(*options); });
+}
+
+}  // namespace pongsim::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "plugin/inspection.hh"
+
+namespace pongsim::cli {
+
+/// @return What a library's classes say of themselves, to read in a terminal.
+std::string pluginText(const plugin::Inspection& inspection);
+
+/// @return The same as Markdown, a section each class.
+std::string pluginMarkdown(const plugin::Inspection& inspection);
+
+}  // namespace pongsim::cli

@@ -1,0 +1,77 @@
+#include "msgs/edit_messages.hh"
+
+#include <ignition/msgs/entity.pb.h>
+#include <ignition/msgs/entity_factory_v.pb.h>
+#include <ignition/msgs/physics.pb.h>
+#include <ignition/msgs/pose_v.pb.h>
+
+namespace pongsim::msgs {
+
+namespace {
+
+namespace im = ignition::msgs;
+
+Vector3 vector(const im::Vector3d& message) { return {message.x(), message.y(), message.z()}; }
+
+Pose poseFrom(const im::Pose& message) {
+  Pose pose;
+  pose.position = vector(message.position());
+  if (message.has_orientation()) {
+    const im::Quaternion& rotation = message.orientation();
+    pose.rotation = Quaternion(rotation.w(), rotation.x(), rotation.y(), rotation.z());
+  }
+  return pose;
+}
+
+EntityFactory factoryFrom(const im::EntityFactory& message) {
+  EntityFactory factory;
+  factory.text = message.sdf();
+  factory.file = message.sdf_filename();
+  factory.name = message.name();
+  factory.allowRenaming = message.allow_renaming();
+  if (message.has_pose()) factory.pose = poseFrom(message.pose());
+  if (message.has_model()) factory.unknownField = "model";
+  if (message.has_light()) factory.unknownField = "light";
+  if (!message.clone_name().empty()) factory.unknownField = "clone_name";
+  if (message.has_spherical_coordinates()) factory.unknownField = "spherical_coordinates";
+  if (!message.relative_to().empty()) factory.unknownField = "relative_to";
+  return factory;
+}
+
+PoseOfEntity poseOf(const im::Pose& message) { return {{message.id(), message.name(), {}}, poseFrom(message)}; }
+
+}  // namespace
+
+EntityFactory entityFactory(const Message& message) {
+  return factoryFrom(static_cast<const im::EntityFactory&>(message));
+}
+
+std::vector<EntityFactory> entityFactories(const Message& message) {
+  std::vector<EntityFactory> all;
+  for (const im::EntityFactory& each : static_cast<const im::EntityFactory_V&>(message).data()) {
+    all.push_back(factoryFrom(each));
+  }
+  return all;
+}
+
+EntityName entityName(const Message& message) {
+  const auto& entity = static_cast<const im::Entity&>(message);
+  return {entity.id(), entity.name(), im::Entity::Type_Name(entity.type())};
+}
+
+PoseOfEntity poseOfEntity(const Message& message) { return poseOf(static_cast<const im::Pose&>(message)); }
+
+std::vector<PoseOfEntity> posesOfEntities(const Message& message) {
+  std::vector<PoseOfEntity> all;
+  for (const im::Pose& each : static_cast<const im::Pose_V&>(message).pose()) all.push_back(poseOf(each));
+  return all;
+}
+
+PhysicsSettings physicsSettings(const Message& message) {
+  const auto& physics = static_cast<const im::Physics&>(message);
+  PhysicsSettings settings{physics.max_step_size(), physics.real_time_factor(), {}};
+  if (physics.has_gravity()) settings.gravity = vector(physics.gravity());
+  return settings;
+}
+
+}  // namespace pongsim::msgs

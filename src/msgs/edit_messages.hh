@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pongsim/message.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::msgs {
+
+/// What `ignition.msgs.EntityFactory` asks for.
+struct EntityFactory {
+  /// SDF or URDF text; empty: none.
+  std::string text;
+  std::string file;
+  std::string name;
+  /// World frame.
+  std::optional<Pose> pose;
+  bool allowRenaming = false;
+  /// A field that is filled in and means nothing here; empty: none.
+  std::string unknownField;
+};
+
+/// What `ignition.msgs.Entity` names.
+struct EntityName {
+  /// 0: named by its name.
+  std::uint64_t id = 0;
+  std::string name;
+  /// The type's name in the message's enumeration: "MODEL".
+  std::string type;
+};
+
+/// Who is to go where, as `ignition.msgs.Pose` has it.
+struct PoseOfEntity {
+  EntityName entity;
+  /// World frame; without a rotation where the message has none.
+  Pose pose;
+};
+
+/// What `ignition.msgs.Physics` asks for.
+struct PhysicsSettings {
+  /// [s]; 0: as it is.
+  double stepSize = 0;
+  /// Simulated seconds a second; 0: as it is.
+  double realTimeFactor = 0;
+  /// World frame [m/s^2].
+  std::optional<Vector3> gravity;
+};
+
+/// Each reads a message of the type that is named above.
+EntityFactory entityFactory(const Message& message);
+EntityName entityName(const Message& message);
+PoseOfEntity poseOfEntity(const Message& message);
+PhysicsSettings physicsSettings(const Message& message);
+
+/// Of `ignition.msgs.EntityFactory_V` and `ignition.msgs.Pose_V`.
+std::vector<EntityFactory> entityFactories(const Message& message);
+std::vector<PoseOfEntity> posesOfEntities(const Message& message);
+
+}  // namespace pongsim::msgs

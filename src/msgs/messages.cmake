@@ -1,0 +1,35 @@
+# Message types that the installed ignition-msgs lacks, as a library of their own: two copies of a type in a process are
+# one too many for protobuf. Those that it has are left to it.
+find_path(ignition_msgs_proto_dir ignition/msgs/entity.proto PATHS ${ignition_msgs_INCLUDE_DIRS} NO_DEFAULT_PATH
+          REQUIRED)
+set(folder ${CMAKE_BINARY_DIR}/messages)
+file(MAKE_DIRECTORY ${folder})
+set(sources)
+foreach(name entity_wrench odometry_with_covariance pose_with_covariance twist_with_covariance)
+  if(EXISTS ${ignition_msgs_proto_dir}/ignition/msgs/${name}.proto)
+    continue()
+  endif()
+  set(proto ${CMAKE_CURRENT_SOURCE_DIR}/proto/ignition/msgs/${name}.proto)
+  set(files ${folder}/ignition/msgs/${name}.pb.cc ${folder}/ignition/msgs/${name}.pb.h)
+  add_custom_command(OUTPUT ${files} DEPENDS ${proto} VERBATIM
+    COMMAND protobuf::protoc --proto_path=${CMAKE_CURRENT_SOURCE_DIR}/proto
+            --proto_path=${ignition_msgs_proto_dir} --cpp_out=${folder} ${proto})
+  list(APPEND sources ${files})
+endforeach()
+
+if(sources)
+  add_library(pongsim_messages SHARED ${sources})
+  target_compile_options(pongsim_messages PRIVATE -w)
+  set_target_properties(pongsim_messages PROPERTIES OUTPUT_NAME pongsim-messages CXX_VISIBILITY_PRESET default
+    VISIBILITY_INLINES_HIDDEN OFF VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  set(scope PUBLIC)
+else()
+  add_library(pongsim_messages INTERFACE)
+  set(scope INTERFACE)
+endif()
+target_link_libraries(pongsim_messages ${scope} PkgConfig::ignition_msgs)
+target_include_directories(pongsim_messages SYSTEM ${scope}
+  $<BUILD_INTERFACE:${folder}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pongsim/messages>)
+install(TARGETS pongsim_messages EXPORT pongsim LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY ${folder}/ignition DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pongsim/messages
+        FILES_MATCHING PATTERN "*.pb.h")

@@ -1,0 +1,33 @@
+#include "sim/diagnostic_log.hh"
+
+#include <string_view>
+
+namespace pongsim::sim {
+
+namespace {
+
+/// As a log prints it, which says itself how bad it is.
+std::string withoutSeverity(const Diagnostic& diagnostic) {
+  std::string text = format(diagnostic);
+  const std::string_view severity = diagnostic.severity == Severity::kError ? "error: " : "warning: ";
+  if (const std::size_t at = text.find(severity); at != text.npos) text.erase(at, severity.size());
+  return text;
+}
+
+}  // namespace
+
+std::string logDiagnostics(const Diagnostics& diagnostics, const Logger& log) {
+  std::string first;
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    const std::string text = withoutSeverity(diagnostic);
+    if (diagnostic.severity == Severity::kWarning) {
+      log.warning(text);
+      continue;
+    }
+    log.error(text);
+    if (first.empty()) first = text.substr(0, text.find('\n'));
+  }
+  return first;
+}
+
+}  // namespace pongsim::sim

@@ -1,0 +1,128 @@
+#include "sim/system_slot.hh"
+
+#include <exception>
+#include <utility>
+
+namespace pongsim::sim {
+
+namespace {
+
+/// @return What a `<plugin>` must stand in, where it does not.
+const char* missingPlace(Declaration::Place place, bool isInModel) {
+  if (place == Declaration::Place::kModel && !isInModel) return "<model>";
+  if (place == Declaration::Place::kWorld && isInModel) return "<world>";
+  return nullptr;
+}
+
+}  // namespace
+
+SystemSlot::SystemSlot(Parts parts, Access& access, Failed failed)
+    : parts_(std::move(parts)),
+      crashName_("the system " + parts_.name),
+      log_(parts_.name),
+      node_(parts_.node.guardedBy(*this)),
+      access_(access),
+      failed_(std::move(failed)) {}
+
+SystemSlot::~SystemSlot() {
+  const base::RunningPart running(crashName_.c_str(), "in its destructor");
+  parts_.system.reset();
+}
+
+bool SystemSlot::start(const Element& plugin, World& world, const std::optional<Model>& model,
+                       std::span<System* const> before, Diagnostics& diagnostics) {
+  const std::string left = parts_.name + " is left out: ";
+  const base::RunningPart running(crashName_.c_str(), "in configure");
+  try {
+    parts_.system->declare(declaration_);
+    if (const char* place = missingPlace(declaration_.place(), model.has_value())) {
+      diagnostics.warning(plugin.position, left + "it must stand in a " + place);
+      return false;
+    }
+    if (!declaration_.read(plugin, parts_.name, diagnostics)) return false;
+    parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before});
+    return true;
+  } catch (const Error& error) {
+    const Diagnostic& found = error.diagnostic();
+    diagnostics.warning(found.position, left + found.message, found.hint);
+  } catch (const std::exception& error) {
+    diagnostics.warning(plugin.position, left + error.what());
+  }
+  return false;
+}
+
+bool SystemSlot::begin(const char* phase) {
+  if (isOff_) return false;
+  phase_ = phase;
+  running_.emplace(crashName_.c_str(), phase);
+  access_.inSystem = true;
+  return true;
+}
+
+void SystemSlot::leave() {
+  access_.inSystem = false;
+  running_.reset();
+  if (!access_.badCommand) return;
+  switchOff(*std::exchange(access_.badCommand, std::nullopt));
+}
+
+void SystemSlot::failed(const std::exception& error) {
+  if (dynamic_cast<const Gone*>(&error) == nullptr) return switchOff(error.what());
+  // it has used a handle to what is gone, for which it can't be blamed
+  isOff_ = true;
+  log_.warning(std::string("rests until the next reset: ") + error.what());
+}
+
+void SystemSlot::switchOff(const std::string& why) {
+  if (isOff_) return;
+  isOff_ = true;
+  failed_(*this, std::string("failed ") + phase_ + ": " + why);
+}
+
+void SystemSlot::advertised(std::string_view topic, std::string_view) { topics_.emplace_back(topic); }
+
+void SystemSlot::switchOn(Random random) {
+  isOff_ = false;
+  parts_.random = random;
+}
+
+template <class Call>
+void SystemSlot::run(const char* phase, Call call) {
+  if (!begin(phase)) return;
+  try {
+    call(*parts_.system);
+  } catch (const std::exception& error) {
+    failed(error);
+  } catch (...) {
+    switchOff("it threw what is no std::exception");
+  }
+  leave();
+}
+
+void SystemSlot::preUpdate(const StepInfo& info) {
+  run("in preUpdate", [&](System& system) { system.preUpdate(info); });
+}
+
+void SystemSlot::update(const StepInfo& info) {
+  run("in update", [&](System& system) { system.update(info); });
+}
+
+void SystemSlot::postUpdate(const StepInfo& info) {
+  run("in postUpdate", [&](System& system) { system.postUpdate(info); });
+}
+
+void SystemSlot::worldChanged() {
+  run("in worldChanged", [](System& system) { system.worldChanged(); });
+}
+
+void SystemSlot::transfer(StateArchive& archive) {
+  parts_.random.transfer(archive);
+  archive(isOff_);
+  parts_.system->transfer(archive);
+}
+
+void SystemSlot::reset() {
+  run("in reset", [](System& system) { system.reset(); });
+}
+
+}  // namespace pongsim::sim

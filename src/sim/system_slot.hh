@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/crash_report.hh"
+#include "pongsim/declaration.hh"
+#include "pongsim/diagnostic.hh"
+#include "pongsim/system.hh"
+#include "sim/access.hh"
+
+namespace pongsim::sim {
+
+/// One system of a running world, with all that its context refers to. Whatever calls into the system goes through
+/// here: a system that throws, or gives a command that makes no sense, is named and switched off.
+class SystemSlot final : public CallGuard {
+ public:
+  struct Parts {
+    /// Where the `<plugin>` stands; 0 for the world.
+    ModelId model;
+    /// Which plugin of the model or of the world.
+    std::size_t number;
+    /// "diff-drive of rover".
+    std::string name;
+    /// Where its `<plugin>` is.
+    SourcePosition position;
+    Node node;
+    Random random;
+    std::unique_ptr<System> system;
+  };
+  /// Told why the system has been switched off, each time.
+  using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
+
+  SystemSlot(Parts parts, Access& access, Failed failed);
+  ~SystemSlot() override;
+
+  ModelId model() const { return parts_.model; }
+  std::size_t number() const { return parts_.number; }
+  const std::string& name() const { return parts_.name; }
+  const SourcePosition& position() const { return parts_.position; }
+  /// @return The name of a system's random stream. The number keeps apart two of a kind in one place.
+  static std::string streamOf(const std::string& name, std::size_t number) {
+    return name + "#" + std::to_string(number);
+  }
+  std::string stream() const { return streamOf(parts_.name, parts_.number); }
+  const Declaration& declaration() const { return declaration_; }
+
+  /// Declares and configures the system.
+  /// @param world, model Where the `<plugin>` stands; no model for the world itself.
+  /// @param before The systems before this one.
+  /// @return Whether it can be used; else `diagnostics` says why not.
+  bool start(const Element& plugin, World& world, const std::optional<Model>& model, std::span<System* const> before,
+             Diagnostics& diagnostics);
+  System& system() { return *parts_.system; }
+  /// @return What it has advertised.
+  const std::vector<std::string>& topics() const { return topics_; }
+
+  /// Calls it again from now on, with random numbers as at the start.
+  void switchOn(Random random);
+
+  void preUpdate(const StepInfo& info);
+  void update(const StepInfo& info);
+  void postUpdate(const StepInfo& info);
+  void worldChanged();
+  void reset();
+  /// What it remembers, with its random stream.
+  void transfer(StateArchive& archive);
+
+  bool enter() override { return begin("in a message or request"); }
+  void leave() override;
+  void failed(const std::exception& error) override;
+  void advertised(std::string_view topic, std::string_view type) override;
+
+ private:
+  template <class Call>
+  void run(const char* phase, Call call);
+  void switchOff(const std::string& why);
+  bool begin(const char* phase);
+
+  Parts parts_;
+  /// "the system diff-drive of rover", for a crash.
+  std::string crashName_;
+  Logger log_;
+  Node node_;
+  Access& access_;
+  Failed failed_;
+  Declaration declaration_;
+  std::vector<std::string> topics_;
+  bool isOff_ = false;
+  const char* phase_ = "";
+  std::optional<base::RunningPart> running_;
+};
+
+}  // namespace pongsim::sim

@@ -1,0 +1,174 @@
+// What each system costs a step while nobody listens, and what fifty driven robots add to the physics.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "benchmark/medians.hh"
+#include "pongsim/message.hh"
+#include "pongsim/simulation.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim::benchmark {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRobots = 50;
+constexpr double kMostMicroseconds = 2;
+constexpr double kMostShare = 0.1;
+// wheels of 0.1 m, 0.4 m apart, as the commanded Twist turns them
+constexpr double kLinear = 0.5, kAngular = 0.3;
+constexpr double kLeftWheel = (kLinear - kAngular * 0.2) / 0.1;
+constexpr double kRightWheel = (kLinear + kAngular * 0.2) / 0.1;
+
+std::string textOf(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::runtime_error("no '" + from + "' in the world");
+  return text.replace(at, from.size(), to);
+}
+
+constexpr const char* kPhysics = "ignition-gazebo-physics-system\" name=\"ignition::gazebo::systems::Physics";
+// accepted, and does nothing
+constexpr const char* kNothing =
+    "ignition-gazebo-user-commands-system\" name=\"ignition::gazebo::systems::UserCommands";
+
+/// A system's example world, in which nothing moves, so that a step is the systems' alone.
+struct SystemCase {
+  std::string name;
+  std::string text;
+};
+
+std::vector<SystemCase> systemCases() {
+  std::vector<SystemCase> cases;
+  for (const auto& folder : fs::directory_iterator(test::projectFolder() / "plugins")) {
+    if (!folder.is_directory()) continue;
+    for (const auto& file : fs::directory_iterator(folder)) {
+      if (file.path().extension() != ".sdf") continue;
+      cases.push_back({folder.path().filename().string(), replaced(textOf(file.path()), kPhysics, kNothing)});
+    }
+  }
+  std::ranges::sort(cases, {}, &SystemCase::name);
+  return cases;
+}
+
+std::unique_ptr<Simulation> load(const std::string& text, bool loadSystems = true) {
+  Diagnostics diagnostics;
+  SimulationOptions options;
+  options.loadSystems = loadSystems;
+  auto simulation = Simulation::fromText(text, "world.sdf", options, diagnostics);
+  if (!simulation) throw std::runtime_error(format(diagnostics.all().front()));
+  return simulation;
+}
+
+void stepWorld(::benchmark::State& run, const std::string& text) {
+  const auto simulation = load(text);
+  simulation->step(100);
+  for (auto _ : run) simulation->step();
+}
+
+/// The example of DiffDrive with further robots, 2 m apart.
+std::string manyRobots() {
+  const std::string text = textOf(test::projectFolder() / "plugins/diff-drive/diff_drive.sdf");
+  const std::size_t begin = text.find("<model name=\"rover\">");
+  const std::string closing = "</model>";
+  const std::size_t end = text.find(closing, begin) + closing.size();
+  const std::string robot = text.substr(begin, end - begin);
+  std::string robots;
+  for (int i = 0; i < kRobots; ++i) {
+    const std::string place = std::to_string(2 * (i % 10)) + " " + std::to_string(2 * (i / 10)) + " 0 0 0 0";
+    robots += replaced(robot, "<model name=\"rover\">",
+                       "<model name=\"rover" + std::to_string(i) + "\"><pose>" + place + "</pose>");
+  }
+  return std::string(text).replace(begin, end - begin, robots);
+}
+
+Pose poseOf(Simulation& simulation) { return simulation.world().model("rover0")->pose(); }
+
+/// What does not drive costs less.
+void requireDriven(Simulation& simulation, const Pose& start, double seconds) {
+  const double way = (poseOf(simulation).position - start.position).norm();
+  if (way < 0.7 * kLinear * seconds) throw std::runtime_error("the robots do not drive");
+}
+
+void driveBySystem(::benchmark::State& run, const std::string& text) {
+  const auto simulation = load(text);
+  const MessagePointer twist = newMessage("ignition.msgs.Twist");
+  parseMessage("linear: {x: " + std::to_string(kLinear) + "}, angular: {z: " + std::to_string(kAngular) + "}", *twist);
+  std::vector<Publisher> publishers;
+  for (int i = 0; i < kRobots; ++i) {
+    publishers.push_back(simulation->transport().node().advertise("/model/rover" + std::to_string(i) + "/cmd_vel",
+                                                                  "ignition.msgs.Twist"));
+    publishers.back().publish(*twist);
+  }
+  const Pose start = poseOf(*simulation);
+  simulation->step(1000);
+  requireDriven(*simulation, start, 0.75);
+  for (auto _ : run) simulation->step();
+}
+
+void driveByHand(::benchmark::State& run, const std::string& text) {
+  const auto simulation = load(text, false);
+  for (const Model& model : simulation->world().models()) {
+    if (auto joint = model.joint("left_wheel_joint")) joint->setVelocityTarget(kLeftWheel);
+    if (auto joint = model.joint("right_wheel_joint")) joint->setVelocityTarget(kRightWheel);
+  }
+  const Pose start = poseOf(*simulation);
+  simulation->step(1000);
+  requireDriven(*simulation, start, 0.75);
+  for (auto _ : run) simulation->step();
+}
+
+void printTable(const Medians& medians, const std::vector<SystemCase>& cases) {
+  const double nothing = medians.of("nothing");
+  if (nothing > 0) {
+    std::printf(
+        "\nA step of each system's example world in which nothing moves and nobody listens, less one without "
+        "systems (%.3f us):\n",
+        nothing);
+  }
+  for (const SystemCase& each : cases) {
+    const double cost = medians.of(each.name) - nothing;
+    if (!(medians.of(each.name) > 0) || !(nothing > 0)) continue;
+    std::printf("%-30s %7.3f us%s\n", each.name.c_str(), cost, cost > kMostMicroseconds ? "  TOO MUCH" : "");
+  }
+  const double byHand = medians.of("50_robots/physics"), bySystem = medians.of("50_robots/diff_drive");
+  if (!(byHand > 0) || !(bySystem > 0)) return;
+  const double share = bySystem / byHand - 1;
+  std::printf("\n%d robots: physics %.1f us, with DiffDrive %.1f us: %.1f %% more%s\n", kRobots, byHand, bySystem,
+              100 * share, share > kMostShare ? "  TOO MUCH" : "");
+}
+
+int run(int argc, char** argv) {
+  const std::vector<SystemCase> cases = systemCases();
+  const auto add = [](const std::string& name, auto function, const std::string& text) {
+    ::benchmark::RegisterBenchmark(name.c_str(), function, text)->Unit(::benchmark::kMicrosecond);
+  };
+  add("nothing", stepWorld,
+      std::string("<sdf version='1.9'><world name='w'><plugin filename=\"") + kNothing + "\"/></world></sdf>");
+  for (const SystemCase& each : cases) add(each.name, stepWorld, each.text);
+  add("50_robots/physics", driveByHand, manyRobots());
+  add("50_robots/diff_drive", driveBySystem, manyRobots());
+  Medians medians;
+  if (!medians.run(argc, argv)) return 2;
+  printTable(medians, cases);
+  return 0;
+}
+
+}  // namespace
+}  // namespace pongsim::benchmark
+
+int main(int argc, char** argv) { return pongsim::benchmark::run(argc, argv); }

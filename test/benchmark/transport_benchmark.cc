@@ -1,0 +1,331 @@
+// How long messages take from process to process, how many arrive, and what it costs who publishes, also beside
+// subscribers that are stopped, slow or killed. Beside ign-transport 11, where Debian's library is installed.
+//   pongsim_transport_bench                                the whole of it
+//   pongsim_transport_bench listen LIBRARY KIND COUNT MS   its other process: hears so many, takes MS for each
+//   pongsim_transport_bench flood                          publishes as fast as it can
+
+#include <ignition/msgs/image.pb.h>
+#include <ignition/msgs/int32.pb.h>
+#include <ignition/msgs/laserscan.pb.h>
+#include <ignition/msgs/twist.pb.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#ifdef PONGSIM_HAS_IGN_TRANSPORT
+#include <ignition/transport/Node.hh>
+#endif
+
+#include "pongsim/node.hh"
+#include "support/process.hh"
+#include "support/test_domain.hh"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Microseconds = std::chrono::duration<double, std::micro>;
+using pongsim::Message;
+using pongsim::test::Process;
+
+constexpr const char* kTopic = "/measured";
+constexpr const char* kFloodTopic = "/flood";
+constexpr std::chrono::seconds kSilence{2};
+
+/// What is sent: at what rate, how often.
+struct Kind {
+  const char* name;
+  double rate;
+  int count;
+};
+constexpr Kind kKinds[] = {{"Twist", 1000, 2000},
+                           {"LaserScan, 640 beams", 100, 300},
+                           {"Image, 640x480 RGB", 30, 100},
+                           {"Image, 1920x1080 RGB", 10, 30}};
+
+ignition::msgs::Image image(unsigned width, unsigned height) {
+  ignition::msgs::Image message;
+  message.set_width(width);
+  message.set_height(height);
+  message.mutable_data()->assign(std::size_t{3} * width * height, 'x');
+  return message;
+}
+
+ignition::msgs::LaserScan scan() {
+  ignition::msgs::LaserScan message;
+  for (int i = 0; i < 640; ++i) message.add_ranges(1 + 0.01 * i);
+  return message;
+}
+
+/// Calls `use` with an empty message of the kind, ready to be sent.
+template <class Use>
+void withMessage(int kind, Use use) {
+  switch (kind) {
+    case 0:
+      return use(ignition::msgs::Twist());
+    case 1:
+      return use(scan());
+    case 2:
+      return use(image(640, 480));
+    default:
+      return use(image(1920, 1080));
+  }
+}
+
+template <class M>
+void stamp(M& message) {
+  const auto now = Clock::now().time_since_epoch();
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
+  message.mutable_header()->mutable_stamp()->set_sec(seconds.count());
+  message.mutable_header()->mutable_stamp()->set_nsec(static_cast<std::int32_t>((now - seconds).count()));
+}
+
+template <class M>
+Microseconds age(const M& message) {
+  const auto& time = message.header().stamp();
+  return Clock::now().time_since_epoch() - std::chrono::seconds(time.sec()) - std::chrono::nanoseconds(time.nsec());
+}
+
+/// Of durations.
+std::string summary(std::vector<Microseconds> all) {
+  if (all.empty()) return "none";
+  std::ranges::sort(all);
+  const auto at = [&](double part) {
+    return all[std::min(all.size() - 1, static_cast<std::size_t>(part * static_cast<double>(all.size())))].count();
+  };
+  char text[120];
+  std::snprintf(text, sizeof text, "median %7.1f us, 99.9 %% %8.1f us, worst %8.1f us", at(0.5), at(0.999),
+                all.back().count());
+  return text;
+}
+
+/// Calls `publish` at the rate.
+/// @return What each call took.
+std::vector<Microseconds> publishAt(double rate, int count, const std::function<void()>& publish) {
+  std::vector<Microseconds> took;
+  const auto start = Clock::now();
+  for (int i = 0; i < count; ++i) {
+    std::this_thread::sleep_until(start +
+                                  std::chrono::duration_cast<Clock::duration>(i / rate * std::chrono::seconds(1)));
+    const auto before = Clock::now();
+    publish();
+    took.push_back(Clock::now() - before);
+  }
+  return took;
+}
+
+/// The listening process: until it has `count` messages or hears nothing any more.
+class Listener {
+ public:
+  Listener(std::size_t count, std::chrono::milliseconds pause) : count_(count), pause_(pause) {}
+
+  template <class M>
+  void hear(const M& message) {
+    const Microseconds took = age(message);
+    {
+      const std::lock_guard lock(mutex_);
+      ages_.push_back(took);
+      last_ = Clock::now();
+    }
+    std::this_thread::sleep_for(pause_);
+  }
+
+  bool isOver() {
+    const std::lock_guard lock(mutex_);
+    return ages_.size() >= count_ || (!ages_.empty() && Clock::now() - last_ > kSilence);
+  }
+
+  void report() {
+    const std::lock_guard lock(mutex_);
+    std::printf("%zu of %zu, %s\n", ages_.size(), count_, summary(ages_).c_str());
+  }
+
+ private:
+  std::size_t count_;
+  std::chrono::milliseconds pause_;
+  std::mutex mutex_;
+  std::vector<Microseconds> ages_;
+  Clock::time_point last_;
+};
+
+void sayReady() {
+  std::puts("ready");
+  std::fflush(stdout);
+}
+
+template <class M>
+void listenHere(Listener& listener) {
+  pongsim::Transport transport;
+  const auto subscription =
+      transport.node().subscribe<M>(kTopic, [&listener](const M& message) { listener.hear(message); });
+  sayReady();
+  while (!listener.isOver()) transport.dispatchFor(std::chrono::milliseconds(20));
+}
+
+template <class M>
+void listenByIgnition([[maybe_unused]] Listener& listener) {
+#ifdef PONGSIM_HAS_IGN_TRANSPORT
+  ignition::transport::Node node;
+  std::function<void(const M&)> hear = [&listener](const M& message) { listener.hear(message); };
+  node.Subscribe(kTopic, hear);
+  sayReady();
+  while (!listener.isOver()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+#endif
+}
+
+int listen(const std::string& library, int kind, std::size_t count, int pause) {
+  Listener listener(count, std::chrono::milliseconds(pause));
+  withMessage(kind, [&]<class M>(const M&) {
+    library == "ignition" ? listenByIgnition<M>(listener) : listenHere<M>(listener);
+  });
+  listener.report();
+  return 0;
+}
+
+int flood() {
+  pongsim::Transport transport;
+  auto publisher = transport.node().advertise<ignition::msgs::Int32>(kFloodTopic);
+  sayReady();
+  ignition::msgs::Int32 message;
+  for (auto next = Clock::now();; next += std::chrono::milliseconds(1)) {
+    for (int i = 0; i < 100; ++i) publisher.publish(message);
+    std::this_thread::sleep_until(next);
+  }
+}
+
+std::unique_ptr<Process> listener(const char* library, int kind, int count, int pause = 0) {
+  auto process = std::make_unique<Process>(std::vector<std::string>{
+      "/proc/self/exe", "listen", library, std::to_string(kind), std::to_string(count), std::to_string(pause)});
+  process->waitForOutput("ready");
+  return process;
+}
+
+std::string reportOf(Process& process) {
+  process.wait();
+  const std::string text = process.output();
+  const std::size_t begin = text.find('\n') + 1;
+  return text.substr(begin, text.rfind('\n') - begin);
+}
+
+void measureDelivery(int kind) {
+  const Kind& what = kKinds[kind];
+  std::string there, publishing;
+  withMessage(kind, [&]<class M>(M message) {
+    const auto other = listener("pongsim", kind, what.count);
+    pongsim::Transport transport;
+    auto publisher = transport.node().advertise<M>(kTopic);
+    publisher.waitForSubscribers(pongsim::test::kDeadline);
+    publishing = summary(publishAt(what.rate, what.count, [&] {
+      stamp(message);
+      publisher.publish(message);
+    }));
+    there = reportOf(*other);
+  });
+  std::printf("%s at %.0f Hz\n  pongsim       %s\n  (publishing)  %s\n", what.name, what.rate, there.c_str(),
+              publishing.c_str());
+#ifdef PONGSIM_HAS_IGN_TRANSPORT
+  withMessage(kind, [&]<class M>(M message) {
+    const auto other = listener("ignition", kind, what.count);
+    ignition::transport::Node node;
+    auto publisher = node.Advertise<M>(kTopic);
+    while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    // it says so before the first message would arrive
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    publishAt(what.rate, what.count, [&] {
+      stamp(message);
+      publisher.Publish(message);
+    });
+    there = reportOf(*other);
+  });
+  std::printf("  ign-transport %s\n", there.c_str());
+#endif
+  std::fflush(stdout);
+}
+
+/// Publishes a Twist at 1 kHz beside other processes that behave badly.
+/// @param trouble Called from a thread of its own until the publishing is over.
+void measureTrouble(const char* name, std::vector<std::unique_ptr<Process>> others,
+                    const std::function<void()>& trouble) {
+  pongsim::Transport transport;
+  std::uint64_t flooded = 0;
+  const auto subscription =
+      transport.node().subscribe<ignition::msgs::Int32>(kFloodTopic, [&](const ignition::msgs::Int32&) { ++flooded; });
+  auto publisher = transport.node().advertise<ignition::msgs::Twist>(kTopic);
+  if (!others.empty()) publisher.waitForSubscribers(std::chrono::seconds(2));
+  std::atomic<bool> isOver = false;
+  std::thread troubled([&] {
+    while (!isOver && trouble) trouble();
+  });
+  ignition::msgs::Twist message;
+  const auto took = publishAt(1000, 4000, [&] {
+    stamp(message);
+    publisher.publish(message);
+    transport.dispatch();
+  });
+  isOver = true;
+  troubled.join();
+  std::printf("  %-26s %s", name, summary(took).c_str());
+  if (flooded > 0) std::printf("; %llu messages came", static_cast<unsigned long long>(flooded));
+  std::printf("\n");
+  std::fflush(stdout);
+  for (auto& each : others) each->kill(SIGKILL);
+}
+
+void measureTroubles() {
+  std::printf("publishing a Twist at 1 kHz and dispatching, each of 4,000 times\n");
+  const auto one = [](std::unique_ptr<Process> process) {
+    std::vector<std::unique_ptr<Process>> all;
+    all.push_back(std::move(process));
+    return all;
+  };
+  measureTrouble("nobody listens", {}, {});
+  measureTrouble("one listens", one(listener("pongsim", 0, 1'000'000)), {});
+  measureTrouble("one takes 20 ms a message", one(listener("pongsim", 0, 1'000'000, 20)), {});
+
+  auto stopped = listener("pongsim", 0, 1'000'000);
+  const pid_t pid = stopped->pid();
+  measureTrouble("one is stopped", one(std::move(stopped)), [pid] {
+    kill(pid, SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  });
+  measureTrouble("one after another is killed", one(listener("pongsim", 0, 1'000'000)), [] {
+    auto next = listener("pongsim", 0, 1'000'000);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    next->kill(SIGKILL);
+    next->wait();
+  });
+  auto flooding = std::make_unique<Process>(std::vector<std::string>{"/proc/self/exe", "flood"});
+  flooding->waitForOutput("ready");
+  measureTrouble("one sends 100,000 a second", one(std::move(flooding)), {});
+}
+
+}  // namespace
+
+int main(int count, char** texts) {
+  const std::vector<std::string> arguments(texts + 1, texts + count);
+  if (!arguments.empty() && arguments[0] == "flood") return flood();
+  if (arguments.size() == 5 && arguments[0] == "listen") {
+    return listen(arguments[1], std::stoi(arguments[2]), std::stoul(arguments[3]), std::stoi(arguments[4]));
+  }
+  if (!arguments.empty()) {
+    std::fprintf(stderr, "pongsim_transport_bench: error: takes no options\n");
+    return 2;
+  }
+  // for this process and those that it starts
+  pongsim::test::testDomain();
+  setenv("IGN_IP", "127.0.0.1", 1);
+  for (int kind = 0; kind < static_cast<int>(std::size(kKinds)); ++kind) measureDelivery(kind);
+  measureTroubles();
+  return 0;
+}

@@ -1,0 +1,40 @@
+#include "cli/plugin_page.hh"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <variant>
+
+namespace pongsim::cli {
+namespace {
+
+const plugin::Inspection& diffDrive() {
+  static const auto looked =
+      plugin::Inspection::of(std::filesystem::path(PONGSIM_OWN_PLUGINS) / "libpongsim-diff-drive-system.so");
+  return std::get<plugin::Inspection>(looked);
+}
+
+TEST(PluginPage, TellsATerminalOfClassesParametersAndTopics) {
+  const std::string text = pluginText(diffDrive());
+  for (const char* part : {"plugin interface version ", "class ignition::gazebo::systems::DiffDrive, also gz::sim::",
+                           "Stands in a <model>.", "<left_joint>", "required, repeated", "number [m]", "publishes",
+                           "<odom_topic>", "ignition.msgs.Odometry"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(PluginPage, IsATableInMarkdown) {
+  const std::string text = pluginMarkdown(diffDrive());
+  EXPECT_TRUE(text.starts_with("## DiffDrive\n")) << text;
+  for (const char* part :
+       {"filename `ignition-gazebo-diff-drive-system`, class `ignition::gazebo::systems::DiffDrive`; stands in a "
+        "\\<model>\n",
+        "| `<wheel_radius>` | number [m] | 0.2 | radius of the wheels |\n",
+        "| listens to | `/model/M/enable` | ignition.msgs.Boolean |"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+}  // namespace
+}  // namespace pongsim::cli

@@ -1,0 +1,179 @@
+// Worlds of Fortress that use only what is there run strictly, and do what they are for. What each is told and must do
+// stands in fortress_systems.txt, as well as why others are left out.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pongsim/message.hh"
+#include "pongsim/simulation.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSeconds = 5;
+
+/// What the list says of a world.
+struct ListedWorld {
+  std::string file;
+  /// Why it is left out; empty where it runs.
+  std::string reason;
+  std::vector<std::string> lines;
+};
+
+void PrintTo(const ListedWorld& world, std::ostream* stream) { *stream << world.file; }
+
+std::vector<ListedWorld> listedWorlds() {
+  std::ifstream stream(projectFolder() / "test/integration/fortress_systems.txt");
+  std::vector<ListedWorld> worlds;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    if (line.front() == ' ') {
+      worlds.back().lines.push_back(line.substr(2));
+      continue;
+    }
+    const std::size_t colon = line.find(": ");
+    worlds.push_back({line.substr(0, colon), colon == std::string::npos ? "" : line.substr(colon + 2), {}});
+  }
+  return worlds;
+}
+
+std::vector<ListedWorld> runningWorlds() {
+  std::vector<ListedWorld> worlds = listedWorlds();
+  std::erase_if(worlds, [](const ListedWorld& world) { return !world.reason.empty(); });
+  return worlds;
+}
+
+/// Runs one world and does with it what its lines say.
+class Performance {
+ public:
+  explicit Performance(Simulation& simulation) : simulation_(simulation), node_(simulation.transport().node()) {}
+
+  /// @return Whether the list says that this is said of the world.
+  static bool isExpected(const ListedWorld& world, const std::string& message) {
+    return std::ranges::any_of(world.lines, [&](const std::string& line) {
+      return line.starts_with("says ") && message.find(line.substr(5)) != std::string::npos;
+    });
+  }
+
+  /// Before the run: listens, notes where models are, publishes.
+  void prepare(const std::string& line) {
+    std::istringstream words(line);
+    std::string verb, name, type;
+    words >> verb >> name;
+    if (verb == "tell") {
+      words >> type;
+      std::string text;
+      std::getline(words, text);
+      const MessagePointer message = newMessage(type);
+      ASSERT_TRUE(message) << line;
+      ASSERT_FALSE(parseMessage(text, *message)) << line;
+      publishers_.push_back(node_.advertise(name, type));
+      EXPECT_TRUE(publishers_.back().hasSubscribers()) << name << " has no subscriber";
+      publishers_.back().publish(*message);
+    } else if (verb == "hear") {
+      words >> type;
+      std::vector<std::string>& heard = heard_[name];
+      subscriptions_.push_back(
+          node_.subscribe(name, type, [&heard](const Message& message) { heard.push_back(messageJson(message)); }));
+    } else if (verb == "moves" || verb == "rests") {
+      const auto model = simulation_.world().model(name);
+      ASSERT_TRUE(model) << line;
+      starts_.emplace(name, model->pose().position);
+    } else if (verb != "says") {
+      FAIL() << "the list says '" << line << "'";
+    }
+  }
+
+  /// After the run: `hear TOPIC TYPE COUNT [PART OF A MESSAGE]`, `moves MODEL METRES`, `rests MODEL METRES`.
+  void check(const std::string& line) {
+    std::istringstream words(line);
+    std::string verb, name, type, part;
+    words >> verb >> name;
+    if (verb == "hear") {
+      std::size_t least = 0;
+      words >> type >> least >> std::ws;
+      std::getline(words, part);
+      const std::vector<std::string>& heard = heard_[name];
+      EXPECT_GE(heard.size(), least) << line;
+      const bool isThere =
+          std::ranges::any_of(heard, [&](const std::string& each) { return each.find(part) != std::string::npos; });
+      EXPECT_TRUE(part.empty() || isThere) << line << "\n" << (heard.empty() ? "" : heard.back());
+    } else if (verb == "moves" || verb == "rests") {
+      double distance = 0;
+      words >> distance;
+      const double moved = (simulation_.world().model(name)->pose().position - starts_.at(name)).norm();
+      EXPECT_TRUE(verb == "moves" ? moved >= distance : moved <= distance)
+          << line << ": it has moved " << moved << " m";
+    }
+  }
+
+ private:
+  Simulation& simulation_;
+  Node node_;
+  std::deque<Publisher> publishers_;
+  std::deque<Subscription> subscriptions_;
+  std::map<std::string, std::vector<std::string>> heard_;
+  std::map<std::string, Vector3> starts_;
+};
+
+class FortressSystems : public testing::TestWithParam<ListedWorld> {};
+
+TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
+  const auto folder = fortressWorlds();
+  if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromFile(*folder / GetParam().file, {.strict = true}, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    EXPECT_TRUE(Performance::isExpected(GetParam(), diagnostic.message)) << format(diagnostic);
+  }
+  ASSERT_NE(simulation, nullptr);
+  Performance performance(*simulation);
+  for (const std::string& line : GetParam().lines) performance.prepare(line);
+  if (HasFatalFailure()) return;
+  simulation->step(static_cast<std::uint64_t>(kSeconds / toSeconds(simulation->stepSize())));
+  simulation->transport().dispatch();
+  for (const std::string& line : GetParam().lines) performance.check(line);
+}
+
+std::string nameOf(const testing::TestParamInfo<ListedWorld>& info) {
+  std::string name = info.param.file;
+  std::ranges::replace_if(
+      name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Listed, FortressSystems, testing::ValuesIn(runningWorlds()), nameOf);
+
+TEST(FortressSystemsList, HasEveryWorld) {
+  const auto folder = fortressWorlds();
+  if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
+  std::set<std::string> listed, there;
+  for (const ListedWorld& world : listedWorlds()) {
+    EXPECT_TRUE(listed.insert(world.file).second) << world.file << " is listed twice";
+  }
+  for (const char* part : {"examples", "test"}) {
+    for (const auto& entry : fs::directory_iterator(*folder / part)) {
+      if (entry.path().extension() == ".sdf") there.insert(part + ("/" + entry.path().filename().string()));
+    }
+  }
+  EXPECT_EQ(listed, there);
+}
+
+}  // namespace
+}  // namespace pongsim::test

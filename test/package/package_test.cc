@@ -1,0 +1,97 @@
+// Installs pongsim into a folder of its own, and builds and runs what others make of it.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "support/fortress_worlds.hh"
+#include "support/process.hh"
+#include "support/temp_folder.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim::test {
+namespace {
+
+class PackageTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    testDomain();
+    run("'" PONGSIM_CMAKE "' --install '" PONGSIM_BUILD_FOLDER "' --prefix installed >/dev/null");
+    // to another place: nothing may know where it was
+    std::filesystem::rename(folder_.path() / "installed", folder_.path() / "moved");
+  }
+
+  /// Runs a script in the test's folder, with the installed program found first.
+  /// @return What it prints.
+  std::string run(const std::string& script) {
+    const std::string path = (folder_.path() / "moved" / "bin").string();
+    Process shell({"bash", "-euc", "export PATH=" + path + ":$PATH\n" + script},
+                  {.environment = {}, .folder = folder_.path()});
+    const std::optional<int> code = shell.wait(std::chrono::minutes(5));
+    EXPECT_EQ(code, 0) << script << "\n" << shell.output() << shell.error();
+    return shell.output();
+  }
+
+  void build(const std::string& source, const std::string& to) {
+    run("'" PONGSIM_CMAKE "' -S '" + source + "' -B " + to +
+        " -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH=\"$PWD/moved\" -DCMAKE_CXX_FLAGS='" PONGSIM_FOREIGN_FLAGS
+        "' && '" PONGSIM_CMAKE "' --build " +
+        to + " --parallel 2");
+  }
+
+  static std::string example(const std::string& name) { return (projectFolder() / "examples" / name).string(); }
+
+  TempFolder folder_;
+};
+
+TEST_F(PackageTest, RunsWorldsWithItsOwnSystems) {
+  const std::string world = (projectFolder() / "plugins/diff-drive/diff_drive.sdf").string();
+  run("pongsim run '" + world + "' -z 0 --iterations 10 --strict -v 1");
+  EXPECT_NE(run("pongsim plugin -l")
+                .find("diff-drive\tignition::gazebo::systems::DiffDrive\t" + (folder_.path() / "moved").string()),
+            std::string::npos);
+}
+
+TEST_F(PackageTest, BuildsASystemOfOnesOwn) {
+  build(example("custom_system"), "custom");
+  run("ctest --test-dir custom --output-on-failure");
+  const std::string told = run("pongsim plugin -i custom/libdistance-meter.so");
+  EXPECT_NE(told.find("class example::DistanceMeter\n"), std::string::npos) << told;
+  EXPECT_NE(told.find("<rate>   number [Hz]  10"), std::string::npos) << told;
+  // installed, it is found without being told of
+  run("'" PONGSIM_CMAKE "' --install custom --prefix moved >/dev/null");
+  run("pongsim run '" + example("custom_system") + "/distance_meter.sdf' -z 0 --iterations 10 --strict -v 1");
+}
+
+TEST_F(PackageTest, BuildsAProgramThatAvoidsWalls) {
+  build(example("wall_avoider"), "avoider");
+  const std::string script =
+      "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\n"
+      "avoider/wall_avoider &\n"
+      "answer() {\n"
+      "  pongsim topic -e -t /cmd_vel -n 1 --field linear.x --field angular.z > answer &\n"
+      "  echo=$!\n"
+      "  while kill -0 $echo 2>/dev/null; do\n"
+      "    pongsim topic -t /lidar -m LaserScan -p \"$1\"\n"
+      "  done\n"
+      "  cat answer\n"
+      "}\n";
+  EXPECT_EQ(run(script + "answer 'ranges: [2, 3, inf]'"), "0.5\t0\n");
+  EXPECT_EQ(run(script + "answer 'ranges: [2, 0.9, inf]'"), "0\t0.5\n");
+}
+
+TEST_F(PackageTest, BuildsTheSystemThatItBeginsForOne) {
+  const std::string told = run("pongsim plugin new my-own-system");
+  EXPECT_NE(told.find("cd my-own-system && cmake"), std::string::npos) << told;
+  build("my-own-system", "own");
+  run("ctest --test-dir own --output-on-failure");
+  const std::string info = run("PONGSIM_PLUGIN_PATH=own pongsim plugin -i my-own-system");
+  EXPECT_NE(info.find("class MyOwnSystem\nLifts a model.\nStands in a <model>.\n"), std::string::npos) << info;
+  EXPECT_NE(info.find("listens to  <topic>  ignition.msgs.Double  force [N]"), std::string::npos) << info;
+}
+
+}  // namespace
+}  // namespace pongsim::test

@@ -1,0 +1,124 @@
+#include "sim/system_slot.hh"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "description/world.hh"
+#include "physics/engine.hh"
+#include "pongsim/message.hh"
+#include "pongsim/node.hh"
+#include "world/entities.hh"
+#include "world/state.hh"
+
+namespace pongsim::sim {
+namespace {
+
+/// Does what a test tells it to.
+class Obedient : public System {
+ public:
+  explicit Obedient(std::function<void()> work) : work_(std::move(work)) {}
+  void configure(const SystemContext& context) override {
+    subscription_ = context.node.subscribe("/do", "ignition.msgs.Empty", [this](const Message&) { work_(); });
+    publisher_ = context.node.advertise("/done", "ignition.msgs.Empty");
+  }
+  void preUpdate(const StepInfo&) override {
+    ++calls;
+    work_();
+  }
+  int calls = 0;
+
+ private:
+  std::function<void()> work_;
+  Subscription subscription_;
+  Publisher publisher_;
+};
+
+class SystemSlotTest : public testing::Test {
+ protected:
+  void start(std::function<void()> work) {
+    auto system = std::make_unique<Obedient>(std::move(work));
+    system_ = system.get();
+    slot_ = std::make_unique<SystemSlot>(
+        SystemSlot::Parts{ModelId(), 0, "obedient", {}, transport_.node(), Random(0, "obedient"), std::move(system)},
+        access_,
+        [this](const SystemSlot& slot, const std::string& what) { said_.push_back(slot.name() + " " + what); });
+    Diagnostics diagnostics;
+    EXPECT_TRUE(slot_->start({}, world_, std::nullopt, {}, diagnostics));
+    EXPECT_TRUE(diagnostics.all().empty());
+  }
+
+  description::World description_;
+  world::Entities entities_{description_};
+  world::State state_{entities_};
+  physics::Engine engine_{entities_};
+  Access access_{entities_, state_, engine_};
+  World world_{access_};
+  Transport transport_{{.network = false, .domain = {}}};
+  std::vector<std::string> said_;
+  Obedient* system_ = nullptr;
+  std::unique_ptr<SystemSlot> slot_;
+};
+
+TEST_F(SystemSlotTest, CallsASystemThatBehaves) {
+  start([] {});
+  slot_->preUpdate({});
+  slot_->preUpdate({});
+  EXPECT_EQ(system_->calls, 2);
+  EXPECT_TRUE(said_.empty());
+  EXPECT_EQ(slot_->topics(), std::vector<std::string>{"/done"});
+}
+
+TEST_F(SystemSlotTest, SwitchesOffOneThatThrowsUntilItIsSwitchedOn) {
+  start([] { throw std::runtime_error("no"); });
+  slot_->preUpdate({});
+  slot_->preUpdate({});
+  EXPECT_EQ(system_->calls, 1);
+  EXPECT_EQ(said_, std::vector<std::string>{"obedient failed in preUpdate: no"});
+  slot_->switchOn(Random(0, "obedient"));
+  slot_->preUpdate({});
+  EXPECT_EQ(system_->calls, 2);
+}
+
+TEST_F(SystemSlotTest, SwitchesOffOneWhoseCommandMakesNoSense) {
+  start([this] { access_.refuse("a command that makes no sense"); });
+  slot_->preUpdate({});
+  slot_->preUpdate({});
+  EXPECT_EQ(system_->calls, 1);
+  EXPECT_EQ(said_, std::vector<std::string>{"obedient failed in preUpdate: a command that makes no sense"});
+}
+
+TEST_F(SystemSlotTest, SwitchesOffOneThatThrowsWhereItGetsAMessage) {
+  int works = 0;
+  start([&works] {
+    if (++works == 2) throw 7;
+    throw std::runtime_error("told to");
+  });
+  Publisher publisher = transport_.node().advertise("/do", "ignition.msgs.Empty");
+  publisher.publish(*newMessage("ignition.msgs.Empty"));
+  publisher.publish(*newMessage("ignition.msgs.Empty"));
+  transport_.dispatch();
+  EXPECT_EQ(works, 1);
+  slot_->preUpdate({});
+  EXPECT_EQ(system_->calls, 0);
+  EXPECT_EQ(said_, std::vector<std::string>{"obedient failed in a message or request: told to"});
+}
+
+TEST_F(SystemSlotTest, LetsRestOneThatUsesWhatIsGone) {
+  start([] { throw Gone("the model is gone"); });
+  testing::internal::CaptureStderr();
+  slot_->preUpdate({});
+  slot_->preUpdate({});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "warning: obedient: rests until the next reset: the model is gone\n");
+  EXPECT_EQ(system_->calls, 1);
+  EXPECT_TRUE(said_.empty());
+}
+
+}  // namespace
+}  // namespace pongsim::sim
