@@ -37,9 +37,19 @@ struct Diagnostic {
 /// @return "world.sdf:41:9: error: joint 'j' has no <child>", and below it the hint and where the file is included.
 PONGSIM_API std::string format(const Diagnostic& diagnostic);
 
+/// A line of a source, or a part of it, in UTF-8, without its end.
+struct SourceExcerpt {
+  std::string_view text;
+  /// That of the first letter of `text`.
+  int firstColumn = 1;
+  /// The line goes on behind it.
+  bool isCutOff = false;
+};
+
 /// As `format`, with the line of the source and a mark under the diagnostic's column below the first line.
-/// @param sourceLine Line `position.line` of the file, in UTF-8, without its end. A long one is shown in part.
-PONGSIM_API std::string format(const Diagnostic& diagnostic, std::string_view sourceLine);
+/// @param source Of line `position.line` of the file. Of a long line a part around the column is shown.
+/// @param hasColors For a terminal that knows them.
+PONGSIM_API std::string format(const Diagnostic& diagnostic, const SourceExcerpt& source, bool hasColors = false);
 
 /// What was found wrong while reading something, in the order in which it was found.
 class PONGSIM_API Diagnostics {

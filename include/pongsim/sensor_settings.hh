@@ -1,33 +1,15 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "pongsim/camera_settings.hh"
+#include "pongsim/noise_settings.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
-
-/// How a value is falsified, as `<noise>` says. All but the times in the unit of the value.
-struct NoiseSettings {
-  enum class Type { kNone, kGaussian, kGaussianQuantized };
-  Type type = Type::kNone;
-  double mean = 0;
-  double standardDeviation = 0;
-  /// Of an offset that is drawn once, its sign too.
-  double biasMean = 0;
-  double biasStandardDeviation = 0;
-  /// Of an offset that wanders, and the time in which it does [s]; it stands still where one of them is zero.
-  double dynamicBiasStandardDeviation = 0;
-  double dynamicBiasCorrelationTime = 0;
-  /// With `kGaussianQuantized` the result is a multiple of it; zero: it is not rounded.
-  double precision = 0;
-  bool operator==(const NoiseSettings&) const = default;
-};
-
-/// Noise along x, y and z.
-using NoiseSettings3 = std::array<NoiseSettings, 3>;
 
 /// `<imu>`
 struct ImuSettings {
@@ -62,6 +44,8 @@ struct AltimeterSettings {
 
 /// `<air_pressure>`
 struct AirPressureSettings {
+  /// `<reference_altitude>` [m], which Fortress reads and does not use.
+  double referenceAltitude = 0;
   /// [Pa]
   NoiseSettings pressure;
   bool operator==(const AirPressureSettings&) const = default;
@@ -88,7 +72,33 @@ struct ForceTorqueSettings {
   bool operator==(const ForceTorqueSettings&) const = default;
 };
 
-/// `<navsat>`
+/// `<lidar>` or `<ray>`: beams from the sensor's origin, horizontal angles about z from x, vertical ones up from there.
+struct LidarSettings {
+  struct Scan {
+    /// At least one.
+    std::uint32_t samples = 1;
+    /// Times `samples` is the number of values in a message; less than one counts as one. Values between two beams are
+    /// interpolated.
+    double resolution = 1;
+    /// [rad]
+    double minAngle = 0;
+    double maxAngle = 0;
+    bool operator==(const Scan&) const = default;
+  };
+  Scan horizontal{.samples = 640};
+  Scan vertical;
+  /// [m]
+  double minRange = 0;
+  /// [m], perhaps infinite.
+  double maxRange = 0;
+  /// Ranges are multiples of it [m]; zero: they are not rounded.
+  double rangeResolution = 0;
+  /// [m]
+  NoiseSettings noise;
+  bool operator==(const LidarSettings&) const = default;
+};
+
+/// `<navsat>` or `<gps>`
 struct NavSatSettings {
   /// [degrees], as in Fortress.
   NoiseSettings horizontalPosition;
@@ -100,21 +110,49 @@ struct NavSatSettings {
   bool operator==(const NavSatSettings&) const = default;
 };
 
-/// `<logical_camera>`: a pyramid along the sensor's x axis, without its top.
+/// `<logical_camera>`: models within a frustum along x.
 struct LogicalCameraSettings {
-  /// From where to where it sees [m].
+  /// [m]
   double near = 0;
   double far = 1;
-  /// Width by height.
-  double aspectRatio = 1;
   /// [rad]
   double horizontalFov = 1;
+  /// Width by height.
+  double aspectRatio = 1;
   bool operator==(const LogicalCameraSettings&) const = default;
 };
 
-/// What the element of a sensor's own type says.
+/// `<sonar>`
+struct SonarSettings {
+  enum class Shape { kCone, kSphere };
+  Shape shape = Shape::kCone;
+  /// [m]
+  double minRange = 0;
+  double maxRange = 1;
+  /// Of the cone at its farthest [m].
+  double radius = 0.5;
+  bool operator==(const SonarSettings&) const = default;
+};
+
+/// `<transceiver>`, of wireless receivers and transmitters.
+struct TransceiverSettings {
+  std::string essid = "wireless";
+  /// Of what a transmitter sends, and between which a receiver hears [MHz].
+  double frequency = 2442;
+  double minFrequency = 2412;
+  double maxFrequency = 2484;
+  /// Of the antenna [dBi].
+  double gain = 2.5;
+  /// [dBm]
+  double power = 14.5;
+  double sensitivity = -90;
+  bool operator==(const TransceiverSettings&) const = default;
+};
+
+/// What the element of a sensor's own type says; nothing of types that have none, as "rfid", or that nobody knows.
 using SensorSettings =
     std::variant<std::monostate, ImuSettings, ContactSettings, AltimeterSettings, AirPressureSettings,
-                 MagnetometerSettings, ForceTorqueSettings, NavSatSettings, LogicalCameraSettings>;
+                 MagnetometerSettings, ForceTorqueSettings, CameraSettings, LidarSettings, NavSatSettings,
+                 LogicalCameraSettings, SonarSettings, TransceiverSettings>;
 
 }  // namespace pongsim

@@ -20,10 +20,23 @@ std::string format(const SourcePosition& position) {
   return text;
 }
 
-std::string firstLine(const Diagnostic& diagnostic) {
+// What makes a terminal write in bold, bold red, bold magenta, bold green, and as before.
+constexpr std::string_view kBold = "\x1b[1m";
+constexpr std::string_view kRed = "\x1b[1;31m";
+constexpr std::string_view kMagenta = "\x1b[1;35m";
+constexpr std::string_view kGreen = "\x1b[1;32m";
+constexpr std::string_view kPlain = "\x1b[0m";
+
+std::string colored(std::string text, std::string_view color, bool hasColors) {
+  return !hasColors || text.empty() ? text : std::string(color).append(text).append(kPlain);
+}
+
+std::string firstLine(const Diagnostic& diagnostic, bool hasColors) {
   const std::string position = format(diagnostic.position);
-  return position + (position.empty() ? "" : " ") +
-         (diagnostic.severity == Severity::kError ? "error: " : "warning: ") + diagnostic.message;
+  const bool isError = diagnostic.severity == Severity::kError;
+  return colored(position, kBold, hasColors) + (position.empty() ? "" : " ") +
+         colored(isError ? "error:" : "warning:", isError ? kRed : kMagenta, hasColors) + ' ' +
+         colored(diagnostic.message, kBold, hasColors);
 }
 
 std::string otherLines(const Diagnostic& diagnostic) {
@@ -48,30 +61,35 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
-/// @return The line and the mark under its letter number `column`, counted from 1; nothing where it has fewer.
-std::string marked(std::string_view line, std::size_t column) {
+/// @return The line and the mark under its letter number `wanted`, counted from 1; nothing where there is no such
+/// letter.
+std::string marked(const SourceExcerpt& source, int wanted, bool hasColors) {
+  const std::string_view line = source.text;
+  if (wanted < source.firstColumn) return {};
+  const auto column = static_cast<std::size_t>(wanted - source.firstColumn) + 1;
   std::vector<std::size_t> letters;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (!continuesLetter(line[i])) letters.push_back(i);
   }
   if (column > letters.size()) return {};
-  const std::size_t first = column > kWidest ? column - 1 - kBeforeMark : 0;
+  // a part of a long line is shown as if the whole of it were there
+  const std::size_t first =
+      static_cast<std::size_t>(wanted) > kWidest ? std::max(column, kBeforeMark + 1) - 1 - kBeforeMark : 0;
   const std::size_t last = std::min(letters.size(), first + kWidest);
   letters.push_back(line.size());
-  const std::string before = first > 0 ? "..." : "";
-  const std::string behind = last + 1 < letters.size() ? "..." : "";
+  const std::string before = first > 0 || source.firstColumn > 1 ? "..." : "";
+  const std::string behind = last + 1 < letters.size() || source.isCutOff ? "..." : "";
   return "\n    " + before + printable(line.substr(letters[first], letters[last] - letters[first])) + behind +
-         "\n    " + std::string(before.size() + column - 1 - first, ' ') + "^";
+         "\n    " + std::string(before.size() + column - 1 - first, ' ') + colored("^", kGreen, hasColors);
 }
 
 }  // namespace
 
-std::string format(const Diagnostic& diagnostic) { return firstLine(diagnostic) + otherLines(diagnostic); }
+std::string format(const Diagnostic& diagnostic) { return firstLine(diagnostic, false) + otherLines(diagnostic); }
 
-std::string format(const Diagnostic& diagnostic, std::string_view sourceLine) {
-  const int column = diagnostic.position.column;
-  const std::string source = column > 0 ? marked(sourceLine, static_cast<std::size_t>(column)) : "";
-  return firstLine(diagnostic) + source + otherLines(diagnostic);
+std::string format(const Diagnostic& diagnostic, const SourceExcerpt& source, bool hasColors) {
+  return firstLine(diagnostic, hasColors) + marked(source, diagnostic.position.column, hasColors) +
+         otherLines(diagnostic);
 }
 
 void Diagnostics::error(SourcePosition position, std::string message, std::string hint) {

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -35,6 +36,13 @@ int fail(std::string_view message, std::string_view hint) {
 }
 
 void say(std::string_view message) { writeError("pongsim: " + std::string(message)); }
+
+bool errorsHaveColors() {
+  const char* forbidden = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool isForbidden = forbidden != nullptr && *forbidden != '\0';
+  return !isForbidden && terminal != nullptr && std::string_view(terminal) != "dumb" && isatty(STDERR_FILENO) == 1;
+}
 
 bool print(std::string_view data) {
   errno = 0;

@@ -31,6 +31,10 @@ int fail(std::string_view message, std::string_view hint = {});
 /// Says "pongsim: MESSAGE" on stderr.
 void say(std::string_view message);
 
+/// @return Whether what is said on stderr is to have colours: it is a terminal that knows them, and the user does not
+/// forbid them by the environment variable NO_COLOR.
+bool errorsHaveColors();
+
 /// Writes data to stdout, and at once. Says why where it can't, unless the reader has gone away.
 /// @return Whether it could.
 bool print(std::string_view data);

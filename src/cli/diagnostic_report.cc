@@ -1,5 +1,6 @@
 #include "cli/diagnostic_report.hh"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -8,11 +9,28 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/console.hh"
+
 namespace pongsim::cli {
 
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+// A line of more bytes is long, and has a mark at each of so many letters.
+constexpr std::size_t kLongLine = 4096;
+constexpr std::size_t kMarkEvery = 256;
+
+std::vector<std::size_t> marksOf(std::string_view line) {
+  std::vector<std::size_t> marks;
+  std::size_t letters = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool beginsLetter = (static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80;
+    if (beginsLetter && letters++ % kMarkEvery == 0) marks.push_back(i);
+  }
+  if (marks.empty()) marks.push_back(0);
+  return marks;
+}
 
 // With its members in the order in which they are added.
 using Json = nlohmann::ordered_json;
@@ -27,18 +45,31 @@ Json placeOf(const SourcePosition& position) {
 
 }  // namespace
 
-std::string_view SourceLines::at(const SourcePosition& position) {
+SourceExcerpt SourceLines::at(const SourcePosition& position) {
   if (!position.file || position.line <= 0) return {};
-  const File& file = fileNamed(*position.file);
+  File& file = fileNamed(*position.file);
   const auto number = static_cast<std::size_t>(position.line);
-  if (number > file.lines.size()) return {};
-  std::string_view line = std::string_view(file.text).substr(file.lines[number - 1]);
-  line = line.substr(0, line.find('\n'));
+  if (number >= file.lines.size()) return {};
+  const std::size_t begin = file.lines[number - 1];
+  std::string_view line = std::string_view(file.text).substr(begin, file.lines[number] - 1 - begin);
   if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
+  if (line.size() <= kLongLine) return {.text = line};
+
+  // around the column, found without reading the line again for each position in it
+  std::vector<std::size_t>& marks = file.marks[number];
+  if (marks.empty()) marks = marksOf(line);
+  const auto column = static_cast<std::size_t>(std::max(position.column, 1));
+  const std::size_t first = std::min((column - 1) / kMarkEvery, marks.size() - 1);
+  // with enough letters before and behind it to fill what is shown
+  const std::size_t from = first - std::min<std::size_t>(first, 1);
+  const bool isCutOff = first + 2 < marks.size();
+  const std::size_t end = isCutOff ? marks[first + 2] : line.size();
+  return {.text = line.substr(marks[from], end - marks[from]),
+          .firstColumn = static_cast<int>(from * kMarkEvery + 1),
+          .isCutOff = isCutOff};
 }
 
-const SourceLines::File& SourceLines::fileNamed(const std::string& name) {
+SourceLines::File& SourceLines::fileNamed(const std::string& name) {
   const auto [entry, isNew] = files_.try_emplace(name);
   File& file = entry->second;
   std::error_code ignored;
@@ -51,15 +82,17 @@ const SourceLines::File& SourceLines::fileNamed(const std::string& name) {
   for (std::size_t i = 0; i < file.text.size(); ++i) {
     if (file.text[i] == '\n') file.lines.push_back(i + 1);
   }
+  file.lines.push_back(file.text.size() + 1);
   return file;
 }
 
 void say(const Diagnostics& diagnostics, Severity least, Severity leastWithLine) {
   SourceLines lines;
+  const bool hasColors = errorsHaveColors();
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     if (diagnostic.severity < least) continue;
-    const std::string_view line = diagnostic.severity < leastWithLine ? "" : lines.at(diagnostic.position);
-    std::fprintf(stderr, "%s\n", format(diagnostic, line).c_str());
+    const SourceExcerpt source = diagnostic.severity < leastWithLine ? SourceExcerpt() : lines.at(diagnostic.position);
+    std::fprintf(stderr, "%s\n", format(diagnostic, source, hasColors).c_str());
   }
 }
 

@@ -61,6 +61,18 @@ std::string defaultOf(const SchemaRow& row) {
   return row.fallback.empty() ? "\"\"" : std::string(row.fallback);
 }
 
+std::string_view useOf(sdf::Use use) {
+  switch (use) {
+    case sdf::Use::kRead:
+      return "read";
+    case sdf::Use::kKept:
+      return "kept as it stands";
+    case sdf::Use::kPassed:
+      return "known, but not made use of";
+  }
+  return "";
+}
+
 using Line = std::vector<std::string>;
 
 /// @param lines All of the same length; their columns are aligned, and the last one is cut to the room that is left.
@@ -114,7 +126,7 @@ std::string describe(const sdf::NamedPart& named) {
   // one that stands in several elements is needed in some of them only
   if (named.holders.size() == 1) facts.push_back({"how often", howOften(row.presence, named.isAttribute)});
   facts.push_back({"versions", versions(row)});
-  facts.push_back({"in pongsim", row.use == sdf::Use::kRead ? "read" : "known, but not made use of"});
+  facts.push_back({"in pongsim", std::string(useOf(row.use))});
   text += aligned(facts);
 
   if (part.type == nullptr) return text;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "description/material.hh"
 #include "description/triangle_mesh.hh"
 #include "pongsim/types.hh"
 
@@ -76,6 +79,24 @@ struct Mesh {
   }
 };
 
+/// `<texture>` of a heightmap. The first one is at the bottom.
+struct HeightmapTexture {
+  /// Edge of its picture on the ground [m].
+  double size = 10;
+  Texture diffuse;
+  Texture normal;
+  bool operator==(const HeightmapTexture&) const = default;
+};
+
+/// `<blend>`: where one texture of a heightmap goes over into the next.
+struct HeightmapBlend {
+  /// Where it begins [m].
+  double minHeight = 0;
+  /// How far it takes [m].
+  double fadeDistance = 0;
+  bool operator==(const HeightmapBlend&) const = default;
+};
+
 /// `<heightmap>`: ground whose height is the brightness of an image.
 struct Heightmap {
   /// As it stands in the description's file.
@@ -86,21 +107,53 @@ struct Heightmap {
   Vector3 size{1, 1, 1};
   /// Of its middle, at the height of black [m].
   Vector3 position = Vector3::Zero();
+  /// Points that are drawn a pixel.
+  std::uint32_t sampling = 1;
+  bool usesPaging = false;
+  std::vector<HeightmapTexture> textures;
+  std::vector<HeightmapBlend> blends;
   /// With size and position. Null where the image could not be read, and for visuals.
   std::shared_ptr<const TriangleMesh> triangles;
 
-  /// @return Whether both are the same image in the same size and place.
+  /// @return Whether both are the same image in the same size and place, and look the same.
   bool operator==(const Heightmap& other) const {
-    return file == other.file && size == other.size && position == other.position;
+    return file == other.file && size == other.size && position == other.position && sampling == other.sampling &&
+           usesPaging == other.usesPaging && textures == other.textures && blends == other.blends;
   }
 };
 
-/// A shape of the format that pongsim does not build yet; `kind` is its element's name.
-struct OtherGeometry {
-  std::string kind;
-  bool operator==(const OtherGeometry&) const = default;
+/// `<polyline>`: what closed lines in the xy plane enclose, from z = 0 to `height`. What is within two of them is out
+/// again: the inner one is a hole.
+struct Polyline {
+  /// Each without its first point at its end, three at least.
+  std::vector<std::vector<Eigen::Vector2d>> lines;
+  /// [m]
+  double height = 1;
+  /// Null where the lines cross.
+  std::shared_ptr<const TriangleMesh> triangles;
+
+  /// @return Whether both enclose the same.
+  bool operator==(const Polyline& other) const { return lines == other.lines && height == other.height; }
 };
 
-using Geometry = std::variant<Empty, Box, Sphere, Cylinder, Capsule, Ellipsoid, Plane, Mesh, Heightmap, OtherGeometry>;
+/// `<image>`: boxes on the bright pixels of an image.
+struct Image {
+  /// As it stands in the description's file.
+  std::string uri;
+  /// What it names; empty where that is not there.
+  std::filesystem::path file;
+  /// Edge of a pixel [m].
+  double scale = 1;
+  /// From this brightness up there is a box, 0 to 255.
+  long long threshold = 200;
+  /// [m]
+  double height = 1;
+  /// How many pixels a box may be wrong by.
+  long long granularity = 1;
+  bool operator==(const Image&) const = default;
+};
+
+using Geometry =
+    std::variant<Empty, Box, Sphere, Cylinder, Capsule, Ellipsoid, Plane, Mesh, Heightmap, Polyline, Image>;
 
 }  // namespace pongsim::description

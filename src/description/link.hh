@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "description/geometry.hh"
+#include "description/light.hh"
+#include "description/material.hh"
+#include "description/plugin.hh"
 #include "description/sensor.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/types.hh"
@@ -54,6 +57,18 @@ struct Visual {
   SourcePosition position;
   Pose X_LinkVisual;
   Geometry geometry;
+  /// Without one: as its mesh says, or grey.
+  std::optional<Material> material;
+  /// 0: not to be seen through, 1: not to be seen.
+  double transparency = 0;
+  bool castsShadows = true;
+  /// A camera sees it where one of these bits is in its visibility mask.
+  std::uint32_t visibilityFlags = 0xFFFFFFFF;
+  /// Intensity that a lidar sees.
+  double laserRetro = 0;
+  /// `<meta><layer>`
+  long long layer = 0;
+  std::vector<Plugin> plugins;
   bool operator==(const Visual&) const = default;
 };
 
@@ -66,12 +81,15 @@ struct Link {
   std::vector<Collision> collisions;
   std::vector<Visual> visuals;
   std::vector<Sensor> sensors;
+  std::vector<Light> lights;
   /// `<gravity>`
   bool gravity = true;
   /// `<kinematic>`
   bool kinematic = false;
   /// `<self_collide>`: collides with other links of its model; unset, as the model says.
   std::optional<bool> selfCollide;
+  /// `<enable_wind>`: the wind moves it; unset, as the model says.
+  std::optional<bool> isInWind;
   /// `<velocity_decay>`, fraction of the velocity lost a second.
   double linearDamping = 0;
   double angularDamping = 0;

@@ -29,6 +29,8 @@ struct Model {
   Pose X_ParentModel;
   bool isStatic = false;
   bool selfCollide = false;
+  /// `<enable_wind>`
+  bool isInWind = false;
   /// Name of the link that the model frame is attached to, as this model sees it ("link" or "inner::link").
   std::string canonicalLink;
   std::vector<Link> links;

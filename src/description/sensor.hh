@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "description/plugin.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
 #include "pongsim/sensor_settings.hh"
@@ -24,7 +26,12 @@ struct Sensor {
   /// Messages a simulated second; zero: one every step.
   double updateRate = 0;
   bool alwaysOn = false;
+  /// Its messages are counted and timed in messages of their own.
+  bool hasMetrics = false;
+  /// What it senses is shown, where a program shows such things.
+  bool isVisualized = false;
   SensorSettings settings;
+  std::vector<Plugin> plugins;
   /// The whole `<sensor>` element.
   Element sdf;
 

@@ -1,31 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "description/actor.hh"
 #include "description/environment.hh"
+#include "description/light.hh"
 #include "description/model.hh"
+#include "description/physics_profile.hh"
 #include "description/plugin.hh"
+#include "description/scene.hh"
+#include "pongsim/element.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::description {
-
-/// A `<physics>` profile.
-struct PhysicsProfile {
-  std::string name;
-  Time maxStepSize = std::chrono::milliseconds(1);
-  /// Simulated seconds a second; 0 means as many as possible.
-  double realTimeFactor = 1;
-  bool operator==(const PhysicsProfile&) const = default;
-};
-
-struct Light {
-  std::string name;
-  std::string type;
-  Pose X_WorldLight;
-  SourcePosition position;
-  bool operator==(const Light&) const = default;
-};
 
 /// What a `<world>` says, frames resolved.
 struct World {
@@ -33,10 +22,17 @@ struct World {
   SourcePosition position;
   /// World frame [m/s^2].
   Vector3 gravity{0, 0, -9.8};
+  /// The profile that counts: the first one marked as default, else the first.
   PhysicsProfile physics;
+  /// All of them, in the order of the file.
+  std::vector<PhysicsProfile> physicsProfiles;
   Environment environment;
+  Scene scene;
+  /// `<gui>`, as it stands in the file.
+  std::optional<Element> gui;
   std::vector<Model> models;
   std::vector<Light> lights;
+  std::vector<Actor> actors;
   /// Joints that connect models at the world's level.
   std::vector<Joint> joints;
   /// Frames at the world's level; the world stands for their model: links are named "model::link", or "world".

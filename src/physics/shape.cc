@@ -54,14 +54,18 @@ struct MakeShape {
   Result operator()(const description::Heightmap& map) const {
     return map.triangles != nullptr ? makeHull(*map.triangles, {1, 1, 1}) : nullptr;
   }
+  Result operator()(const description::Polyline& polyline) const {
+    return polyline.triangles != nullptr ? makeHull(*polyline.triangles, {1, 1, 1}) : nullptr;
+  }
   Result operator()(const description::Empty&) const { return nullptr; }
-  Result operator()(const description::OtherGeometry&) const { return nullptr; }
+  Result operator()(const description::Image&) const { return nullptr; }
 };
 
 /// @return The triangles that a shape is made of, and their scale; null where it is not.
 std::pair<const description::TriangleMesh*, Vector3> trianglesOf(const description::Geometry& geometry) {
   if (const auto* mesh = std::get_if<description::Mesh>(&geometry)) return {mesh->triangles.get(), mesh->scale};
   if (const auto* map = std::get_if<description::Heightmap>(&geometry)) return {map->triangles.get(), {1, 1, 1}};
+  if (const auto* line = std::get_if<description::Polyline>(&geometry)) return {line->triangles.get(), {1, 1, 1}};
   return {nullptr, {1, 1, 1}};
 }
 

@@ -1,5 +1,8 @@
 #include "plugin/fortress_systems.hh"
 
+#include <algorithm>
+#include <array>
+
 namespace pongsim::plugin {
 
 std::span<const std::string_view> fortressSystems() {
@@ -65,6 +68,12 @@ std::span<const std::string_view> fortressSystems() {
                                                 "wheel-slip",
                                                 "wind-effects"};
   return kNames;
+}
+
+bool isForeignPlugin(std::string_view name) {
+  constexpr std::array<std::string_view, 4> kOfRos{"gz_ros2_control-system", "ign_ros2_control-system",
+                                                   "ign_ros_control-system", "gz_ros_control-system"};
+  return name.starts_with("gazebo_") || std::ranges::find(kOfRos, name) != kOfRos.end();
 }
 
 }  // namespace pongsim::plugin

@@ -91,10 +91,17 @@ const Library* Loader::library(const std::string& name, const description::Plugi
 }
 
 void Loader::reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics) {
-  if (std::ranges::find(fortressSystems(), std::string_view(name)) != fortressSystems().end()) {
+  const bool isOfFortress = std::ranges::find(fortressSystems(), std::string_view(name)) != fortressSystems().end();
+  if (isOfFortress || isForeignPlugin(name)) {
     if (std::ranges::find(missed_, name) != missed_.end()) return;
     missed_.push_back(name);
-    diagnostics.warning(plugin.sdf.position, "the system '" + name + "' of Gazebo is not there yet: it is left out");
+    if (isOfFortress) {
+      diagnostics.warning(plugin.sdf.position, "the system '" + name + "' of Gazebo is not there yet: it is left out");
+    } else {
+      diagnostics.warning(plugin.sdf.position,
+                          "plugin '" + plugin.filename + "' is one of Gazebo Classic or ROS: it is left out",
+                          "Fortress can't load it either");
+    }
     return;
   }
   const std::vector<std::string> available = availableSystems();

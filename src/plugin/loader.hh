@@ -24,7 +24,8 @@ class Loader {
   explicit Loader(std::vector<std::filesystem::path> searchPath = defaultSearchPath());
 
   /// @return A new system, not configured yet; null where there is none, and then `diagnostics` says why: a warning
-  /// for a system of Fortress that pongsim does not have, an error for anything else.
+  /// for a system of Fortress that pongsim does not have and for a plugin of Gazebo Classic or ROS, an error for
+  /// anything else.
   std::unique_ptr<System> load(const description::Plugin& plugin, Diagnostics& diagnostics);
 
  private:
@@ -35,7 +36,7 @@ class Loader {
   std::vector<std::filesystem::path> searchPath_;
   /// By short name.
   std::map<std::string, std::unique_ptr<Library>> libraries_;
-  /// Systems of Fortress that were asked for and warned of.
+  /// Systems of others that were asked for and warned of.
   std::vector<std::string> missed_;
 };
 

@@ -28,4 +28,21 @@ AssetFile findAsset(const Element& shape, const std::string& kind, const std::st
   return {uri->text, path.value_or(std::filesystem::path()), kind, uri->position, effect};
 }
 
+description::Texture readTexture(const Element& parent, std::string_view child, Context& context) {
+  description::Texture texture;
+  const Element* element = parent.child(child);
+  if (element == nullptr || element->text.empty()) return texture;
+  texture.uri = element->text;
+  Diagnostics found;
+  texture.file = context.includes.findAsset(texture.uri, context.folder, element->position, found)
+                     .value_or(std::filesystem::path());
+  if (texture.file.empty() && context.firstTime("missing file " + texture.uri)) {
+    for (const Diagnostic& diagnostic : found.all()) {
+      context.diagnostics.warning(diagnostic.position, "<" + element->name + "> " + diagnostic.message,
+                                  diagnostic.hint);
+    }
+  }
+  return texture;
+}
+
 }  // namespace pongsim::sdf

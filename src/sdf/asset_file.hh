@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "assets/problem.hh"
+#include "description/material.hh"
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
 
@@ -29,5 +31,10 @@ struct AssetFile {
 /// @param owner "collision 'c' of link 'l'"
 AssetFile findAsset(const Element& shape, const std::string& kind, const std::string& owner, bool isCollision,
                     Context& context);
+
+/// Finds what an element's child names: a texture, an animation. A file that is not there is a warning, once an
+/// address.
+/// @return Both empty where the child is not there or names nothing.
+description::Texture readTexture(const Element& parent, std::string_view child, Context& context);
 
 }  // namespace pongsim::sdf

@@ -22,6 +22,8 @@ struct Context {
   int version = 9;
   /// The file's folder.
   std::filesystem::path folder = {};
+  /// What is read stands in a world or at the root, not in a model.
+  bool isInWorld = false;
   /// Subjects of warnings that are given once a file.
   std::set<std::string> said = {};
   /// How many more unknown names are worth a search for one that is spelt alike, which takes its time.

@@ -92,6 +92,20 @@ void explainFault(const tinyxml2::XMLDocument& document, std::string_view text,
   diagnostics.error({file, cursor.line(), cursor.column()}, fault->message, fault->hint);
 }
 
+/// Warns of entities that the file defines: tinyxml2 knows those only that every XML has, and takes others as text.
+void warnOfEntities(const tinyxml2::XMLDocument& document, std::string_view text,
+                    const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics) {
+  constexpr std::string_view kMark = "<!ENTITY";
+  for (const tinyxml2::XMLNode* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToUnknown() == nullptr || std::string_view(node->Value()).find(kMark) == std::string_view::npos) continue;
+    TextCursor cursor(text);
+    cursor.advanceTo(text.find(kMark));
+    return diagnostics.warning({file, cursor.line(), cursor.column()},
+                               "entities of a file's own are not expanded: '&NAME;' stays as it is",
+                               "as in Fortress; write what it stands for in its place");
+  }
+}
+
 }  // namespace
 
 std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<const std::string> file,
@@ -109,6 +123,7 @@ std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<cons
     explainFault(document, text, file, diagnostics);
     return std::nullopt;
   }
+  warnOfEntities(document, text, file, diagnostics);
   const tinyxml2::XMLElement* root = document.FirstChildElement("sdf");
   if (root == nullptr) root = document.FirstChildElement();
   if (root == nullptr) {

@@ -76,7 +76,7 @@ void check(const Element& element, const Schema::ElementType* type, bool isPasse
     const Schema::Part* part =
         knownPart(child.name, type->children, "<" + child.name + ">", element, child.position, context);
     if (part == nullptr) continue;
-    const bool isChildPassed = isPassed || part->row.use == Use::kPassed;
+    const bool isChildPassed = isPassed || part->row.use != Use::kRead;
     if (isChildPassed) checkType(part->row.type, child.text, "<" + child.name + ">", child.position, context);
     if (!part->isFreeForm) {
       check(child, part->type, isChildPassed, context);

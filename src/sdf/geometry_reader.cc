@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
+#include <utility>
 
+#include "sdf/asset_file.hh"
 #include "sdf/heightmap_reader.hh"
 #include "sdf/mesh_reader.hh"
+#include "sdf/polyline_reader.hh"
 #include "sdf/schema.hh"
 #include "sdf/values.hh"
 
@@ -33,14 +37,26 @@ description::Plane readPlane(const Element& shape, const std::string& owner, Con
     context.diagnostics.error(shape.child("normal")->position,
                               "the plane of " + owner + " has a normal of length zero");
   }
-  if (const Element* size = shape.child("size"); size != nullptr && !size->text.empty()) {
-    const auto values = readNumbers(*size, 2, "two finite numbers", context);
-    if (values) plane.size = {(*values)[0], (*values)[1]};
-  }
+  plane.size = readVector2(shape, "size", plane.size, context);
   return plane;
 }
 
-description::Geometry readShape(const Element& shape, const std::string& owner, bool isCollision, Context& context) {
+description::Image readImage(const Element& shape, const std::string& owner, bool isCollision, Context& context) {
+  using Limits = std::numeric_limits<int>;
+  description::Image image;
+  AssetFile asset = findAsset(shape, "image", owner, isCollision, context);
+  image.uri = std::move(asset.uri);
+  image.file = std::move(asset.path);
+  image.scale = readPositive(shape, "scale", image.scale, context);
+  image.threshold = readInteger(shape, "threshold", image.threshold, 0, 255, context);
+  image.height = readPositive(shape, "height", image.height, context);
+  image.granularity = readInteger(shape, "granularity", image.granularity, 0, Limits::max(), context);
+  return image;
+}
+
+/// @param geometry Holds the shape.
+description::Geometry readShape(const Element& geometry, const Element& shape, const std::string& owner,
+                                bool isCollision, Context& context) {
   if (shape.name == "empty") return description::Empty{};
   if (shape.name == "box") return description::Box{readLengths(shape, "size", {1, 1, 1}, context)};
   if (shape.name == "sphere") return description::Sphere{readPositive(shape, "radius", 1, context)};
@@ -54,7 +70,8 @@ description::Geometry readShape(const Element& shape, const std::string& owner, 
   if (shape.name == "plane") return readPlane(shape, owner, context);
   if (shape.name == "mesh") return readMesh(shape, owner, isCollision, context);
   if (shape.name == "heightmap") return readHeightmap(shape, owner, isCollision, context);
-  return description::OtherGeometry{shape.name};
+  if (shape.name == "polyline") return readPolylines(geometry, owner, isCollision, context);
+  return readImage(shape, owner, isCollision, context);
 }
 
 /// @return Whether the format knows it as a shape.
@@ -78,7 +95,7 @@ description::Geometry readGeometry(const Element& element, const std::string& ow
         "a shape is box, sphere, cylinder, plane, ...");
     return description::Empty{};
   }
-  return readShape(*shape, owner, element.name == "collision", context);
+  return readShape(*geometry, *shape, owner, element.name == "collision", context);
 }
 
 }  // namespace pongsim::sdf

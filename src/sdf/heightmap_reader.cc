@@ -41,6 +41,23 @@ description::TriangleMesh groundOf(const assets::GrayImage& image, const Vector3
   return mesh;
 }
 
+/// Reads how the ground looks.
+void readLooks(const Element& element, description::Heightmap& heightmap, Context& context) {
+  heightmap.sampling = readUnsigned(element, "sampling", heightmap.sampling, context);
+  heightmap.usesPaging = readFlag(element, "use_terrain_paging", heightmap.usesPaging, context);
+  for (const Element* child : element.childrenNamed("texture")) {
+    description::HeightmapTexture& texture = heightmap.textures.emplace_back();
+    texture.size = readPositive(*child, "size", texture.size, context);
+    texture.diffuse = readTexture(*child, "diffuse", context);
+    texture.normal = readTexture(*child, "normal", context);
+  }
+  for (const Element* child : element.childrenNamed("blend")) {
+    description::HeightmapBlend& blend = heightmap.blends.emplace_back();
+    blend.minHeight = readNumber(*child, "min_height", blend.minHeight, context);
+    blend.fadeDistance = readNumber(*child, "fade_dist", blend.fadeDistance, context);
+  }
+}
+
 }  // namespace
 
 description::Heightmap readHeightmap(const Element& element, const std::string& owner, bool isCollision,
@@ -48,6 +65,7 @@ description::Heightmap readHeightmap(const Element& element, const std::string& 
   description::Heightmap heightmap;
   heightmap.size = readVector(element, "size", heightmap.size, context);
   heightmap.position = readVector(element, "pos", heightmap.position, context);
+  readLooks(element, heightmap, context);
   if (!(heightmap.size.minCoeff() > 0)) {
     context.diagnostics.error(element.child("size")->position,
                               "the heightmap of " + owner + " has a size that is not above zero");

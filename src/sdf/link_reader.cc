@@ -10,14 +10,11 @@
 #include "sdf/geometry_reader.hh"
 #include "sdf/inertial_reader.hh"
 #include "sdf/names.hh"
+#include "sdf/visual_reader.hh"
 
 namespace pongsim::sdf {
 
 namespace {
-
-std::string labelOf(const Element& element, const std::string& name, const std::string& owner) {
-  return (name.empty() ? "a " + element.name : element.name + " '" + name + "'") + " of " + owner;
-}
 
 /// 16 bits, of a larger number the lowest, as Fortress has it.
 std::uint16_t readMask(const Element& parent, std::string_view child, std::uint16_t fallback, Context& context) {
@@ -56,23 +53,15 @@ description::Collision readCollision(const Element& element, const std::string& 
   description::Collision collision;
   collision.name = readName(element, owner, context);
   collision.position = element.position;
-  collision.geometry = readGeometry(element, labelOf(element, collision.name, owner), context);
+  collision.geometry = readGeometry(element, partLabel(element, collision.name, owner), context);
   collision.surface = readSurface(element, context);
-  if (const auto* other = std::get_if<description::OtherGeometry>(&collision.geometry)) {
-    const bool isVowel = std::string_view("aeiou").find(other->kind.front()) != std::string_view::npos;
-    context.unsimulated.warning(element.position, "collision '" + collision.name + "' has " + (isVowel ? "an " : "a ") +
-                                                      other->kind +
-                                                      ", which is not simulated yet: it will not collide");
+  if (std::holds_alternative<description::Image>(collision.geometry)) {
+    context.unsimulated.warning(
+        element.position,
+        "collision '" + collision.name + "' has an image, which Fortress does not know: it " + "will not collide",
+        "a <heightmap> is made of an image, too");
   }
   return collision;
-}
-
-description::Visual readVisual(const Element& element, const std::string& owner, Context& context) {
-  description::Visual visual;
-  visual.name = readName(element, owner, context);
-  visual.position = element.position;
-  visual.geometry = readGeometry(element, labelOf(element, visual.name, owner), context);
-  return visual;
 }
 
 }  // namespace
@@ -83,19 +72,22 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
   link.name = readName(element, owner, context);
   link.position = element.position;
   draft.pose = readPose(element, context);
-  link.inertial = readInertial(element, labelOf(element, link.name, owner), isStatic, context);
+  link.inertial = readInertial(element, partLabel(element, link.name, owner), isStatic, context);
   link.gravity = readFlag(element, "gravity", link.gravity, context);
   link.kinematic = readFlag(element, "kinematic", link.kinematic, context);
   if (const Element* selfCollide = element.child("self_collide");
       selfCollide != nullptr && !selfCollide->text.empty()) {
     link.selfCollide = readFlag(element, "self_collide", false, context);
   }
+  if (const Element* wind = element.child("enable_wind"); wind != nullptr && !wind->text.empty()) {
+    link.isInWind = readFlag(element, "enable_wind", false, context);
+  }
   if (const Element* decay = element.child("velocity_decay")) {
     link.linearDamping = readNotNegative(*decay, "linear", link.linearDamping, context);
     link.angularDamping = readNotNegative(*decay, "angular", link.angularDamping, context);
   }
 
-  const std::string label = labelOf(element, link.name, owner);
+  const std::string label = partLabel(element, link.name, owner);
   SiblingNames names(label);
   for (const Element& child : element.children) {
     if (child.name != "collision" && child.name != "visual") continue;
@@ -119,6 +111,10 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
     draft.sensors.push_back(readSensor(*sensor, label, context));
     names.claim(draft.sensors.back().sensor.name, sensor->name, *sensor, context);
   }
+  for (const Element* light : element.childrenNamed("light")) {
+    draft.lights.push_back(readLight(*light, label, context));
+    names.claim(draft.lights.back().light.name, light->name, *light, context);
+  }
   return draft;
 }
 
@@ -136,6 +132,9 @@ description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t 
   }
   for (SensorDraft& sensor : draft.sensors) {
     link.sensors.push_back(finishSensor(std::move(sensor), scope, link.X_ModelLink, context));
+  }
+  for (LightDraft& light : draft.lights) {
+    link.lights.push_back(finishLight(std::move(light), scope, link.X_ModelLink, context));
   }
   return link;
 }

@@ -6,6 +6,7 @@
 #include "description/link.hh"
 #include "pongsim/element.hh"
 #include "sdf/context.hh"
+#include "sdf/light_reader.hh"
 #include "sdf/scope.hh"
 #include "sdf/sensor_reader.hh"
 #include "sdf/values.hh"
@@ -24,6 +25,7 @@ struct LinkDraft {
   };
   std::vector<Part> parts;
   std::vector<SensorDraft> sensors;
+  std::vector<LightDraft> lights;
 };
 
 /// @param owner "model 'robot'"

@@ -52,8 +52,9 @@ Reading readRoot(Element& element, Includes& includes, const FileName& file, Dia
   RootParts parts = readRootParts(element, context);
   root.models = std::move(parts.models);
   root.lights = std::move(parts.lights);
+  root.actors = std::move(parts.actors);
   if (!root.models.empty()) reading.scopes.push_back(std::move(parts.scope));
-  if (root.worlds.empty() && root.models.empty() && root.lights.empty() && element.child("actor") == nullptr) {
+  if (root.worlds.empty() && root.models.empty() && root.lights.empty() && root.actors.empty()) {
     diagnostics.error(element.position, "there is no <world> and no <model> in this file");
   }
   return reading;

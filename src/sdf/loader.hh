@@ -20,6 +20,7 @@ struct Root {
   /// Those outside of any world, as if they stood in one of their own.
   std::vector<description::Model> models;
   std::vector<description::Light> lights;
+  std::vector<description::Actor> actors;
   /// Warnings of what the file says well and pongsim does not simulate, and errors where it can't be left out: of no
   /// concern to those who only read.
   Diagnostics unsimulated;

@@ -37,6 +37,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   model.position = element.position;
   model.isStatic = readFlag(element, "static", false, context);
   model.selfCollide = readFlag(element, "self_collide", false, context);
+  model.isInWind = readFlag(element, "enable_wind", false, context);
   draft.pose = readPose(element, context);
   draft.placementFrame = element.attributeOr("placement_frame", "");
 

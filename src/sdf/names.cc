@@ -17,13 +17,22 @@ std::string readName(const Element& element, std::string_view owner, Context& co
                               "'world' and names like __model__ have a meaning of their own");
     return {};
   }
-  // In older files it is a name like others.
+  // In older files it is a name like others, and at the world's level nothing else is meant by it.
   if (context.version >= 8 && name.find("::") != std::string::npos) {
+    if (context.isInWorld) {
+      context.diagnostics.warning(attribute->position, element.name + " is named '" + name + "'" + ending,
+                                  "Fortress refuses '::' in names from SDF 1.8 on");
+      return name;
+    }
     context.diagnostics.error(attribute->position, element.name + " can't be named '" + name + "'" + ending,
                               "'::' stands between the name of a model and that of its part");
     return {};
   }
   return name;
+}
+
+std::string partLabel(const Element& element, const std::string& name, const std::string& owner) {
+  return (name.empty() ? "a " + element.name : element.name + " '" + name + "'") + " of " + owner;
 }
 
 void SiblingNames::claim(const std::string& name, std::string_view group, std::string_view kind,

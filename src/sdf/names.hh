@@ -18,6 +18,9 @@ inline constexpr std::string_view kNameSeparator = "::";
 /// @return An empty text, and an error added, where there is none or it is a name that the format keeps for itself.
 std::string readName(const Element& element, std::string_view owner, Context& context);
 
+/// @return "link 'l' of model 'm'", or "a link of model 'm'" where it has no name.
+std::string partLabel(const Element& element, const std::string& name, const std::string& owner);
+
 /// The names given so far to the parts of one world, model or link.
 class SiblingNames {
  public:

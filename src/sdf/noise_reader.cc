@@ -10,12 +10,13 @@ namespace pongsim::sdf {
 
 namespace {
 
-NoiseSettings::Type readType(const Element& noise, Context& context) {
+NoiseSettings::Type readType(const Element& noise, NoiseSettings::Type fallback, Context& context) {
   using Type = NoiseSettings::Type;
   // SDF 1.6 and older have it as an element
   const Element::Attribute* attribute = noise.attribute("type");
   const Element* child = noise.child("type");
-  const std::string type = attribute != nullptr ? attribute->value : child != nullptr ? child->text : "none";
+  const std::string type = attribute != nullptr ? attribute->value : child != nullptr ? child->text : "";
+  if (type.empty()) return fallback;
   if (type == "none") return Type::kNone;
   if (type == "gaussian") return Type::kGaussian;
   if (type == "gaussian_quantized") return Type::kGaussianQuantized;
@@ -31,12 +32,11 @@ NoiseSettings::Type readType(const Element& noise, Context& context) {
 
 }  // namespace
 
-NoiseSettings readNoise(const Element* parent, std::string_view child, Context& context) {
+NoiseSettings readNoiseIn(const Element* holder, NoiseSettings::Type fallback, Context& context) {
   NoiseSettings settings;
-  const Element* holder = parent != nullptr ? parent->child(child) : nullptr;
   const Element* noise = holder != nullptr ? holder->child("noise") : nullptr;
   if (noise == nullptr) return settings;
-  settings.type = readType(*noise, context);
+  settings.type = readType(*noise, fallback, context);
   settings.mean = readNumber(*noise, "mean", 0, context);
   settings.standardDeviation = readNotNegative(*noise, "stddev", 0, context);
   settings.biasMean = readNumber(*noise, "bias_mean", 0, context);
@@ -45,6 +45,10 @@ NoiseSettings readNoise(const Element* parent, std::string_view child, Context& 
   settings.dynamicBiasCorrelationTime = readNotNegative(*noise, "dynamic_bias_correlation_time", 0, context);
   settings.precision = readNotNegative(*noise, "precision", 0, context);
   return settings;
+}
+
+NoiseSettings readNoise(const Element* parent, std::string_view child, Context& context) {
+  return readNoiseIn(parent != nullptr ? parent->child(child) : nullptr, NoiseSettings::Type::kNone, context);
 }
 
 NoiseSettings3 readNoise3(const Element* parent, Context& context) {

@@ -33,11 +33,13 @@ void PartsReader::read(const Element& holder) {
 
 void PartsReader::readPart(const Element& element, const Source& source) {
   const std::string& kind = element.name;
+  source.context.isInWorld = !isModel_;
   if (kind == "model") return readModelPart(element, source);
   if (kind == "link" && isModel_) return readLinkPart(element, source);
   if (kind == "joint") return readJointPart(element, source);
   if (kind == "frame") return readFramePart(element, source);
   if (kind == "light" && !isModel_) return readLightPart(element, source);
+  if (kind == "actor" && !isModel_) readActorPart(element, source);
   if (kind == "include") return readInclude(element, source);
   if (kind == "plugin") return plugins_.push_back(readPlugin(element, scope_.label(), source.context));
   warnIfUnsimulated(element, source.context);
@@ -105,6 +107,13 @@ void PartsReader::readLightPart(const Element& element, const Source& source) {
   const SourcePosition& position = source.includedFrom != nullptr ? *source.includedFrom : element.position;
   names_.claim(draft.light.name, element.name, element.name, position, context_);
   lights_.push_back({std::move(draft), 0, &source.context});
+}
+
+void PartsReader::readActorPart(const Element& element, const Source& source) {
+  ActorDraft draft = readActor(element, scope_.label(), source.context);
+  const SourcePosition& position = source.includedFrom != nullptr ? *source.includedFrom : element.position;
+  names_.claim(draft.actor.name, element.name, element.name, position, context_);
+  actors_.push_back({std::move(draft), 0, &source.context});
 }
 
 void PartsReader::readInclude(const Element& include, const Source& source) {
@@ -199,8 +208,17 @@ std::vector<description::Frame> PartsReader::takeFrames() {
 std::vector<description::Light> PartsReader::takeLights() {
   std::vector<description::Light> lights;
   lights.reserve(lights_.size());
-  for (auto& [draft, entry, context] : lights_) lights.push_back(finishLight(std::move(draft), scope_, *context));
+  for (auto& [draft, entry, context] : lights_) {
+    lights.push_back(finishLight(std::move(draft), scope_, Pose(), *context));
+  }
   return lights;
+}
+
+std::vector<description::Actor> PartsReader::takeActors() {
+  std::vector<description::Actor> actors;
+  actors.reserve(actors_.size());
+  for (auto& [draft, entry, context] : actors_) actors.push_back(finishActor(std::move(draft), scope_, *context));
+  return actors;
 }
 
 }  // namespace pongsim::sdf

@@ -6,6 +6,7 @@
 #include "description/model.hh"
 #include "description/world.hh"
 #include "pongsim/element.hh"
+#include "sdf/actor_reader.hh"
 #include "sdf/context.hh"
 #include "sdf/joint_reader.hh"
 #include "sdf/light_reader.hh"
@@ -15,8 +16,8 @@
 
 namespace pongsim::sdf {
 
-/// Reads what worlds and models have in common: models, links, joints, frames, lights and plugins, their own and
-/// included ones, which refer to each other in any order. First `read` the children, then resolve the scope, then
+/// Reads what worlds and models have in common: models, links, joints, frames, lights, actors and plugins, their own
+/// and included ones, which refer to each other in any order. First `read` the children, then resolve the scope, then
 /// `take` the parts.
 class PartsReader {
  public:
@@ -32,6 +33,7 @@ class PartsReader {
   std::vector<description::Joint> takeJoints();
   std::vector<description::Frame> takeFrames();
   std::vector<description::Light> takeLights();
+  std::vector<description::Actor> takeActors();
   std::vector<description::Plugin> takePlugins() { return std::move(plugins_); }
 
  private:
@@ -51,6 +53,7 @@ class PartsReader {
   void readJointPart(const Element& element, const Source& source);
   void readFramePart(const Element& element, const Source& source);
   void readLightPart(const Element& element, const Source& source);
+  void readActorPart(const Element& element, const Source& source);
   void readInclude(const Element& include, const Source& source);
   void readMerged(const Element& model, const Element& include, Context& context);
 
@@ -73,6 +76,7 @@ class PartsReader {
   std::vector<Read<JointDraft>> joints_;
   std::vector<Read<description::Frame>> frames_;
   std::vector<Read<LightDraft>> lights_;
+  std::vector<Read<ActorDraft>> actors_;
   std::vector<description::Plugin> plugins_;
 };
 

@@ -1,5 +1,11 @@
 #include "sdf/physics_reader.hh"
 
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "description/world.hh"
 #include "sdf/values.hh"
 
 namespace pongsim::sdf {
@@ -10,9 +16,97 @@ namespace {
 constexpr double kShortestStep = 1e-9;
 constexpr double kLongestStep = 1e6;
 
+/// Reads what the engines of Gazebo are told: nothing is done with it here, so that any number is good.
+class EngineReader {
+ public:
+  explicit EngineReader(Context& context) : context_(context) {}
+
+  description::OdeSettings readOde(const Element& element) {
+    description::OdeSettings ode;
+    if (const Element* solver = element.child("solver")) {
+      ode.solver = readText(*solver, "type", ode.solver);
+      number(*solver, "min_step_size", ode.minStepSize);
+      integer(*solver, "island_threads", ode.islandThreads);
+      integer(*solver, "iters", ode.iterations);
+      integer(*solver, "precon_iters", ode.preconditionIterations);
+      number(*solver, "sor", ode.sor);
+      flag(*solver, "thread_position_correction", ode.threadsPositionCorrection);
+      flag(*solver, "use_dynamic_moi_rescaling", ode.rescalesInertia);
+      ode.frictionModel = readText(*solver, "friction_model", ode.frictionModel);
+    }
+    if (const Element* constraints = element.child("constraints")) {
+      number(*constraints, "cfm", ode.cfm);
+      number(*constraints, "erp", ode.erp);
+      number(*constraints, "contact_max_correcting_vel", ode.contactMaxCorrectingVelocity);
+      number(*constraints, "contact_surface_layer", ode.contactSurfaceLayer);
+    }
+    return ode;
+  }
+
+  description::BulletSettings readBullet(const Element& element) {
+    description::BulletSettings bullet;
+    if (const Element* solver = element.child("solver")) {
+      bullet.solver = readText(*solver, "type", bullet.solver);
+      number(*solver, "min_step_size", bullet.minStepSize);
+      integer(*solver, "iters", bullet.iterations);
+      number(*solver, "sor", bullet.sor);
+    }
+    if (const Element* constraints = element.child("constraints")) {
+      number(*constraints, "cfm", bullet.cfm);
+      number(*constraints, "erp", bullet.erp);
+      number(*constraints, "contact_surface_layer", bullet.contactSurfaceLayer);
+      flag(*constraints, "split_impulse", bullet.splitsImpulse);
+      number(*constraints, "split_impulse_penetration_threshold", bullet.splitImpulsePenetrationThreshold);
+    }
+    return bullet;
+  }
+
+  description::SimbodySettings readSimbody(const Element& element) {
+    description::SimbodySettings simbody;
+    number(element, "min_step_size", simbody.minStepSize);
+    number(element, "accuracy", simbody.accuracy);
+    number(element, "max_transient_velocity", simbody.maxTransientVelocity);
+    if (const Element* contact = element.child("contact")) {
+      number(*contact, "stiffness", simbody.stiffness);
+      number(*contact, "dissipation", simbody.dissipation);
+      number(*contact, "plastic_coef_restitution", simbody.plasticRestitution);
+      number(*contact, "plastic_impact_velocity", simbody.plasticImpactVelocity);
+      number(*contact, "static_friction", simbody.staticFriction);
+      number(*contact, "dynamic_friction", simbody.dynamicFriction);
+      number(*contact, "viscous_friction", simbody.viscousFriction);
+      number(*contact, "override_impact_capture_velocity", simbody.impactCaptureVelocity);
+      number(*contact, "override_stiction_transition_velocity", simbody.stictionTransitionVelocity);
+    }
+    return simbody;
+  }
+
+  static description::DartSettings readDart(const Element& element) {
+    description::DartSettings dart;
+    if (const Element* solver = element.child("solver")) dart.solver = readText(*solver, "solver_type", dart.solver);
+    dart.collisionDetector = readText(element, "collision_detector", dart.collisionDetector);
+    return dart;
+  }
+
+ private:
+  void number(const Element& element, std::string_view child, double& value) {
+    value = readLimit(element, child, value, context_);
+  }
+  void integer(const Element& element, std::string_view child, long long& value) {
+    using Limits = std::numeric_limits<int>;
+    value = readInteger(element, child, value, Limits::min(), Limits::max(), context_);
+  }
+  void flag(const Element& element, std::string_view child, bool& value) {
+    value = readFlag(element, child, value, context_);
+  }
+
+  Context& context_;
+};
+
 description::PhysicsProfile readProfile(const Element& element, Context& context) {
   description::PhysicsProfile profile;
-  profile.name = element.attributeOr("name", "");
+  profile.name = element.attributeOr("name", profile.name);
+  profile.type = element.attributeOr("type", profile.type);
+  profile.isDefault = readFlagAttribute(element, "default", false, context);
   const double step = readPositive(element, "max_step_size", toSeconds(profile.maxStepSize), context);
   if (step >= kShortestStep && step <= kLongestStep) {
     profile.maxStepSize = fromSeconds(step);
@@ -22,24 +116,29 @@ description::PhysicsProfile readProfile(const Element& element, Context& context
                                   " s is not between a nanosecond and a million seconds");
   }
   profile.realTimeFactor = readNotNegative(element, "real_time_factor", profile.realTimeFactor, context);
+  profile.realTimeUpdateRate = readLimit(element, "real_time_update_rate", profile.realTimeUpdateRate, context);
+  profile.maxContacts = readInteger(element, "max_contacts", profile.maxContacts, std::numeric_limits<int>::min(),
+                                    std::numeric_limits<int>::max(), context);
+  EngineReader engines(context);
+  if (const Element* ode = element.child("ode")) profile.ode = engines.readOde(*ode);
+  if (const Element* bullet = element.child("bullet")) profile.bullet = engines.readBullet(*bullet);
+  if (const Element* simbody = element.child("simbody")) profile.simbody = engines.readSimbody(*simbody);
+  if (const Element* dart = element.child("dart")) profile.dart = EngineReader::readDart(*dart);
   return profile;
 }
 
 }  // namespace
 
-description::PhysicsProfile readPhysics(const Element& world, Context& context) {
-  description::PhysicsProfile chosen;
-  bool isChosen = false;
-  bool isChosenByMark = false;
-  for (const Element& child : world.children) {
-    if (child.name != "physics") continue;
-    const description::PhysicsProfile profile = readProfile(child, context);
-    const bool isMarked = readFlagAttribute(child, "default", false, context);
-    if (!isChosen || (isMarked && !isChosenByMark)) chosen = profile;
-    isChosen = true;
-    isChosenByMark = isChosenByMark || isMarked;
-  }
-  return chosen;
+std::vector<description::PhysicsProfile> readPhysics(const Element& world, Context& context) {
+  std::vector<description::PhysicsProfile> profiles;
+  for (const Element* child : world.childrenNamed("physics")) profiles.push_back(readProfile(*child, context));
+  return profiles;
+}
+
+description::PhysicsProfile chosenProfile(const std::vector<description::PhysicsProfile>& profiles) {
+  const auto marked = std::ranges::find(profiles, true, &description::PhysicsProfile::isDefault);
+  if (marked != profiles.end()) return *marked;
+  return profiles.empty() ? description::PhysicsProfile() : profiles.front();
 }
 
 Vector3 readGravity(const Element& world, Context& context) {

@@ -1,14 +1,19 @@
 #pragma once
 
-#include "description/world.hh"
+#include <vector>
+
+#include "description/physics_profile.hh"
 #include "pongsim/element.hh"
+#include "pongsim/types.hh"
 #include "sdf/context.hh"
 
 namespace pongsim::sdf {
 
-/// Reads the `<physics>` profiles of a world.
-/// @return The one marked default="true", else the first, else the format's defaults.
-description::PhysicsProfile readPhysics(const Element& world, Context& context);
+/// Reads the `<physics>` profiles of a world, in the order of the file.
+std::vector<description::PhysicsProfile> readPhysics(const Element& world, Context& context);
+
+/// @return The first one that is marked as default, else the first, else the format's defaults.
+description::PhysicsProfile chosenProfile(const std::vector<description::PhysicsProfile>& profiles);
 
 /// Reads `<gravity>` [m/s^2], which stood in `<physics>` up to SDF 1.5.
 Vector3 readGravity(const Element& world, Context& context);

@@ -9,7 +9,9 @@ namespace pongsim::sdf {
 enum class Use {
   /// The description holds what it says.
   kRead,
-  /// It is known, its type is checked, and nothing here makes use of it.
+  /// The description holds the element that it is in as it stands in the file; its type is checked.
+  kKept,
+  /// It is known, its type is checked, and the description does not tell of it.
   kPassed,
 };
 

@@ -76,7 +76,8 @@ std::optional<Scope::Reference> Scope::lookUp(std::string_view path) const {
     return Reference{local->second, std::nullopt};
   }
   // The model's name may hold the separator itself, in files from before SDF 1.8.
-  for (std::size_t at = path.find(kNameSeparator); at != std::string_view::npos; at = path.find(kNameSeparator, at + 1)) {
+  for (std::size_t at = path.find(kNameSeparator); at != std::string_view::npos;
+       at = path.find(kNameSeparator, at + 1)) {
     const auto model = entryOfName_.find(std::string(path.substr(0, at)));
     if (model == entryOfName_.end() || entries_[model->second].inside == nullptr) continue;
     std::optional<Found> inside = entries_[model->second].inside->find(path.substr(at + kNameSeparator.size()));
@@ -87,16 +88,30 @@ std::optional<Scope::Reference> Scope::lookUp(std::string_view path) const {
   return std::nullopt;
 }
 
+std::string Scope::nearestPath(std::string_view path) const {
+  std::vector<std::string> paths;
+  for (const Entry& entry : entries_) {
+    paths.push_back(entry.name);
+    // within the one that the path begins with
+    const bool isInside = entry.inside != nullptr && path.starts_with(entry.name) &&
+                          path.substr(entry.name.size()).starts_with(kNameSeparator);
+    if (!isInside) continue;
+    for (const Entry& inner : entry.inside->entries_) paths.push_back(joined(entry.name, inner.name));
+  }
+  const std::vector<std::string_view> known(paths.begin(), paths.end());
+  return base::didYouMean(path, known);
+}
+
 std::optional<Scope::Reference> Scope::lookUpOrComplain(std::string_view path, const std::string& what,
                                                         const SourcePosition& position, Context& context) const {
   std::optional<Reference> reference = lookUp(path);
   if (reference || isIncomplete_) return reference;
   std::string hint;
-  if (context.searchesLeft > 0) {
+  if (path == "__root__") {
+    hint = "this name can't be used; the frame of a world is 'world'";
+  } else if (context.searchesLeft > 0) {
     --context.searchesLeft;
-    std::vector<std::string_view> known;
-    for (const Entry& entry : entries_) known.push_back(entry.name);
-    hint = base::didYouMean(path, known);
+    hint = nearestPath(path);
   }
   if (hint.empty() && path == "world") hint = "a model can't name the frame of the world that it is in";
   context.diagnostics.error(position, what + " '" + std::string(path) + "', which is not in " + label_,

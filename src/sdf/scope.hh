@@ -92,6 +92,8 @@ class Scope {
   };
 
   std::optional<Reference> lookUp(std::string_view path) const;
+  /// @return "did you mean 'inner::frame'?", or an empty text.
+  std::string nearestPath(std::string_view path) const;
   std::optional<Reference> lookUpOrComplain(std::string_view path, const std::string& what,
                                             const SourcePosition& position, Context& context) const;
   void resolveLinks(Context& context);

@@ -1,14 +1,19 @@
 #include "sdf/sensor_reader.hh"
 
 #include <algorithm>
-#include <initializer_list>
+#include <array>
 #include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "base/nearest_word.hh"
+#include "sdf/camera_reader.hh"
+#include "sdf/lidar_reader.hh"
 #include "sdf/names.hh"
 #include "sdf/noise_reader.hh"
+#include "sdf/plugin_reader.hh"
 
 namespace pongsim::sdf {
 
@@ -16,12 +21,6 @@ namespace {
 
 std::string labelOf(const description::Sensor& sensor) {
   return sensor.name.empty() ? "a sensor" : "sensor '" + sensor.name + "'";
-}
-
-std::string joined(std::initializer_list<std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
-  return text;
 }
 
 void readReferenceFrame(const Element& element, ImuSettings& settings, Context& context) {
@@ -79,28 +78,22 @@ AltimeterSettings readAltimeter(const Element* element, Context& context) {
 
 AirPressureSettings readAirPressure(const Element* element, Context& context) {
   if (element == nullptr) return {};
-  if (readNumber(*element, "reference_altitude", 0, context) != 0) {
+  const double altitude = readNumber(*element, "reference_altitude", 0, context);
+  if (altitude != 0) {
     context.diagnostics.warning(element->child("reference_altitude")->position,
                                 "<reference_altitude> is not used, as in Fortress: heights are those in the world");
   }
-  return {readNoise(element, "pressure", context)};
+  return {altitude, readNoise(element, "pressure", context)};
 }
 
 /// Reads whose axes a force-torque sensor speaks of, and in which direction it measures.
 void readForceTorqueFrame(const Element& element, ForceTorqueSettings& settings, Context& context) {
-  const auto choose = [&](std::string_view name, std::initializer_list<std::string_view> choices) {
-    const std::string_view text = childText(element, name);
-    const auto found = std::ranges::find(choices, text);
-    if (text.empty() || found != choices.end()) return text.empty() ? *choices.begin() : *found;
-    context.diagnostics.error(element.child(name)->position,
-                              "<" + std::string(name) + "> has the unknown value '" + std::string(text) + "'",
-                              "it can be " + joined(choices));
-    return *choices.begin();
-  };
-  using Frame = ForceTorqueSettings::Frame;
-  const std::string_view frame = choose("frame", {"child", "parent", "sensor"});
-  settings.frame = frame == "parent" ? Frame::kParent : frame == "sensor" ? Frame::kSensor : Frame::kChild;
-  settings.isParentToChild = choose("measure_direction", {"child_to_parent", "parent_to_child"}) == "parent_to_child";
+  using enum ForceTorqueSettings::Frame;
+  constexpr std::array<std::string_view, 3> kFrames{"child", "parent", "sensor"};
+  constexpr std::array kFrameOfName{kChild, kParent, kSensor};
+  constexpr std::array<std::string_view, 2> kDirections{"child_to_parent", "parent_to_child"};
+  settings.frame = kFrameOfName[readWord(element, "frame", 0, kFrames, context)];
+  settings.isParentToChild = readWord(element, "measure_direction", 0, kDirections, context) == 1;
 }
 
 ForceTorqueSettings readForceTorque(const Element* element, Context& context) {
@@ -124,37 +117,142 @@ NavSatSettings readNavSat(const Element* element, Context& context) {
   return settings;
 }
 
-LogicalCameraSettings readLogicalCamera(const Element* element, Context& context) {
+LogicalCameraSettings readLogicalCamera(const Element* element, const std::string& label, Context& context) {
   LogicalCameraSettings settings;
   if (element == nullptr) return settings;
   settings.near = readNotNegative(*element, "near", settings.near, context);
   settings.far = readPositive(*element, "far", settings.far, context);
-  settings.aspectRatio = readPositive(*element, "aspect_ratio", settings.aspectRatio, context);
   settings.horizontalFov = readPositive(*element, "horizontal_fov", settings.horizontalFov, context);
+  settings.aspectRatio = readPositive(*element, "aspect_ratio", settings.aspectRatio, context);
   if (settings.horizontalFov >= std::numbers::pi) {
     context.diagnostics.error(element->child("horizontal_fov")->position,
                               "<horizontal_fov> must be below half a turn (3.1416)");
   }
-  if (settings.far <= settings.near) {
-    context.diagnostics.error(element->position, "a logical camera sees nothing where <far> is not above <near>");
+  if (settings.near >= settings.far) {
+    context.diagnostics.error(element->position, label + " sees nothing: <near> is not below <far>");
   }
   return settings;
 }
 
+SonarSettings readSonar(const Element* element, Context& context) {
+  using enum SonarSettings::Shape;
+  constexpr std::array<std::string_view, 2> kShapes{"cone", "sphere"};
+  constexpr std::array kShapeOfName{kCone, kSphere};
+  SonarSettings settings;
+  if (element == nullptr) return settings;
+  settings.shape = kShapeOfName[readWord(*element, "geometry", 0, kShapes, context)];
+  settings.minRange = readNotNegative(*element, "min", settings.minRange, context);
+  settings.maxRange = readLimit(*element, "max", settings.maxRange, context);
+  settings.radius = readNotNegative(*element, "radius", settings.radius, context);
+  return settings;
+}
+
+TransceiverSettings readTransceiver(const Element* element, Context& context) {
+  TransceiverSettings settings;
+  if (element == nullptr) return settings;
+  settings.essid = readText(*element, "essid", settings.essid);
+  settings.frequency = readNumber(*element, "frequency", settings.frequency, context);
+  settings.minFrequency = readNumber(*element, "min_frequency", settings.minFrequency, context);
+  settings.maxFrequency = readNumber(*element, "max_frequency", settings.maxFrequency, context);
+  settings.gain = readNumber(*element, "gain", settings.gain, context);
+  settings.power = readNumber(*element, "power", settings.power, context);
+  settings.sensitivity = readNumber(*element, "sensitivity", settings.sensitivity, context);
+  return settings;
+}
+
+/// A type of sensor, and the element of what it says, which may have an older name.
+struct TypeRow {
+  std::string_view type;
+  std::string_view element;
+  std::string_view olderElement;
+  bool isSimulated;
+};
+
+constexpr auto kSensorTypes = std::to_array<TypeRow>({
+    {"air_pressure", "air_pressure", "", true},
+    {"altimeter", "altimeter", "", true},
+    {"boundingbox", "camera", "", false},
+    {"boundingbox_camera", "camera", "", false},
+    {"camera", "camera", "", false},
+    {"contact", "contact", "", true},
+    {"custom", "", "", false},
+    {"depth", "camera", "", false},
+    {"depth_camera", "camera", "", false},
+    {"force_torque", "force_torque", "", true},
+    {"gps", "navsat", "gps", false},
+    {"gpu_lidar", "lidar", "ray", false},
+    {"gpu_ray", "lidar", "ray", false},
+    {"imu", "imu", "", true},
+    {"lidar", "lidar", "ray", false},
+    {"logical_camera", "logical_camera", "", true},
+    {"magnetometer", "magnetometer", "", true},
+    {"multicamera", "camera", "", false},
+    {"navsat", "navsat", "gps", true},
+    {"ray", "lidar", "ray", false},
+    {"rfid", "rfid", "", false},
+    {"rfidtag", "rfidtag", "", false},
+    {"rgbd", "camera", "", false},
+    {"rgbd_camera", "camera", "", false},
+    {"segmentation", "camera", "", false},
+    {"segmentation_camera", "camera", "", false},
+    {"sonar", "sonar", "", false},
+    {"thermal", "camera", "", false},
+    {"thermal_camera", "camera", "", false},
+    {"wide_angle_camera", "camera", "", false},
+    {"wideanglecamera", "camera", "", false},
+    {"wireless_receiver", "transceiver", "", false},
+    {"wireless_transmitter", "transceiver", "", false},
+});
+
+/// Warns, once a type, of a sensor that will not speak.
+void warnIfSilent(const TypeRow* row, const description::Sensor& sensor, Context& context) {
+  if (row != nullptr && row->isSimulated) return;
+  if (!context.firstTime("sensor type " + sensor.type)) return;
+  if (row != nullptr) {
+    context.unsimulated.warning(sensor.position, "sensor type '" + sensor.type + "' is not simulated yet");
+    return;
+  }
+  std::vector<std::string_view> known;
+  for (const TypeRow& each : kSensorTypes) known.push_back(each.type);
+  context.diagnostics.warning(sensor.position, "sensor type '" + sensor.type + "' is not known",
+                              base::didYouMean(sensor.type, known));
+}
+
+/// Warns of what the sensor says of another type than its own.
+void warnOfOtherTypes(const Element& element, const TypeRow& row, Context& context) {
+  for (const Element& child : element.children) {
+    if (child.name == row.element || child.name == row.olderElement) continue;
+    const bool isOfOther = std::ranges::any_of(kSensorTypes, [&](const TypeRow& each) {
+      return child.name == each.element || child.name == each.olderElement;
+    });
+    if (!isOfOther || !context.firstTime("<" + child.name + "> in a sensor of type " + std::string(row.type))) continue;
+    context.diagnostics.warning(
+        child.position, "<" + child.name + "> has no effect in a sensor of type '" + std::string(row.type) + "'");
+  }
+}
+
 /// Reads the element of the sensor's own type.
 SensorSettings readSettings(const Element& element, description::Sensor& sensor, Context& context) {
-  const std::string& type = sensor.type;
-  if (type == "imu") return readImu(element.child("imu"), context);
-  if (type == "altimeter") return readAltimeter(element.child("altimeter"), context);
-  if (type == "air_pressure") return readAirPressure(element.child("air_pressure"), context);
-  if (type == "magnetometer") return MagnetometerSettings{readNoise3(element.child("magnetometer"), context)};
-  if (type == "force_torque") return readForceTorque(element.child("force_torque"), context);
-  if (type == "navsat") return readNavSat(element.child("navsat"), context);
-  if (type == "logical_camera") return readLogicalCamera(element.child("logical_camera"), context);
-  if (type == "contact") return readContact(element.child("contact"), labelOf(sensor), sensor, context);
-  if (context.firstTime("sensor type " + type)) {
-    context.unsimulated.warning(element.position, "sensor type '" + type + "' is not simulated yet");
-  }
+  const auto row = std::ranges::find(kSensorTypes, sensor.type, &TypeRow::type);
+  warnIfSilent(row != kSensorTypes.end() ? &*row : nullptr, sensor, context);
+  if (row == kSensorTypes.end()) return {};
+  warnOfOtherTypes(element, *row, context);
+  const Element* own = element.child(row->element);
+  if (own == nullptr && !row->olderElement.empty()) own = element.child(row->olderElement);
+  const std::string label = labelOf(sensor);
+  const std::string_view kind = row->element;
+  if (kind == "imu") return readImu(own, context);
+  if (kind == "altimeter") return readAltimeter(own, context);
+  if (kind == "air_pressure") return readAirPressure(own, context);
+  if (kind == "magnetometer") return MagnetometerSettings{readNoise3(own, context)};
+  if (kind == "force_torque") return readForceTorque(own, context);
+  if (kind == "contact") return readContact(own, label, sensor, context);
+  if (kind == "camera") return readCamera(own, label, context);
+  if (kind == "lidar") return readLidar(own, label, context);
+  if (kind == "navsat") return readNavSat(own, context);
+  if (kind == "logical_camera") return readLogicalCamera(own, label, context);
+  if (kind == "sonar") return readSonar(own, context);
+  if (kind == "transceiver") return readTransceiver(own, context);
   return {};
 }
 
@@ -173,9 +271,18 @@ SensorDraft readSensor(const Element& element, const std::string& owner, Context
   }
   sensor.updateRate = readNotNegative(element, "update_rate", 0, context);
   sensor.alwaysOn = readFlag(element, "always_on", false, context);
+  sensor.hasMetrics = readFlag(element, "enable_metrics", false, context);
+  sensor.isVisualized = readFlag(element, "visualize", false, context);
+  for (const Element* plugin : element.childrenNamed("plugin")) {
+    sensor.plugins.push_back(readPlugin(*plugin, labelOf(sensor), context));
+  }
   if (const Element::Attribute* type = element.attribute("type")) {
     sensor.type = type->value;
     sensor.settings = readSettings(element, sensor, context);
+    const Element* camera = element.child("camera");
+    if (camera != nullptr && std::holds_alternative<CameraSettings>(sensor.settings)) {
+      draft.cameraPose = readPose(*camera, context);
+    }
   } else {
     context.diagnostics.error(element.position, labelOf(sensor) + " has no type", "write type=\"imu\", for example");
   }
@@ -184,16 +291,23 @@ SensorDraft readSensor(const Element& element, const std::string& owner, Context
 
 description::Sensor finishSensor(SensorDraft&& draft, const Scope& scope, const Pose& X_ScopeParent, Context& context) {
   description::Sensor sensor = std::move(draft.sensor);
-  sensor.X_ParentSensor = draft.pose.value;
-  if (draft.pose.relativeTo.empty()) return sensor;
-  if (const std::optional<Scope::Found> frame = scope.find(draft.pose.relativeTo)) {
-    sensor.X_ParentSensor = X_ScopeParent.inverse() * frame->X_ScopeFrame * draft.pose.value;
-  } else {
+  const auto resolve = [&](const PoseText& pose, const Pose& X_ScopeHolder, const std::string& what,
+                           const std::string& holder) {
+    if (pose.relativeTo.empty()) return pose.value;
+    if (const std::optional<Scope::Found> frame = scope.find(pose.relativeTo)) {
+      return X_ScopeHolder.inverse() * frame->X_ScopeFrame * pose.value;
+    }
     // Fortress complains, too, and runs the world
-    context.diagnostics.warning(draft.pose.position,
-                                "the pose of " + labelOf(sensor) + " is relative to '" + draft.pose.relativeTo +
-                                    "', which is not in " + scope.label(),
-                                "it is taken as relative to what holds the sensor");
+    context.diagnostics.warning(
+        pose.position,
+        "the pose of " + what + " is relative to '" + pose.relativeTo + "', which is not in " + scope.label(),
+        "it is taken as relative to " + holder);
+    return pose.value;
+  };
+  sensor.X_ParentSensor = resolve(draft.pose, X_ScopeParent, labelOf(sensor), "what holds the sensor");
+  if (auto* camera = std::get_if<CameraSettings>(&sensor.settings)) {
+    camera->X_SensorCamera = resolve(draft.cameraPose, X_ScopeParent * sensor.X_ParentSensor,
+                                     "the camera of " + labelOf(sensor), "the sensor");
   }
   return sensor;
 }

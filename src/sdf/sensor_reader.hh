@@ -14,6 +14,8 @@ namespace pongsim::sdf {
 struct SensorDraft {
   description::Sensor sensor;
   PoseText pose;
+  /// Of the eye of a camera.
+  PoseText cameraPose;
 };
 
 /// Warns, once a type, of one that is not simulated yet.

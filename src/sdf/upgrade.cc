@@ -117,7 +117,7 @@ void nameAxisFrames(Element& root, Context& context) {
     if (flag == nullptr) return;
     const SourcePosition position = flag->position;
     const bool isInModel = readFlag(axis, kFlag, false, context);
-    std::erase_if(axis.children, [](const Element& child) { return child.name == kFlag; });
+    std::erase_if(axis.children, [kFlag](const Element& child) { return child.name == kFlag; });
     if (!isInModel) return;
     Element& xyz = childMade(axis, "xyz");
     if (xyz.attribute("expressed_in") == nullptr) {

@@ -63,12 +63,6 @@ bool isNumber(std::string_view word, const NumberType& type) {
   return value && (!type.isUnsigned || *value >= 0);
 }
 
-bool beginsWithNumber(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  return std::from_chars(word.data(), word.data() + word.size(), value).ec != std::errc::invalid_argument;
-}
-
 }  // namespace
 
 std::optional<WrongValue> checkValue(std::string_view type, std::string_view text) {
@@ -82,15 +76,46 @@ std::optional<WrongValue> checkValue(std::string_view type, std::string_view tex
   const std::vector<std::string_view> words = wordsOf(text);
   const bool areNumbers = std::ranges::all_of(words, [&](std::string_view word) { return isNumber(word, *found); });
   if (areNumbers && words.size() >= found->least && words.size() <= found->most) return std::nullopt;
-  const bool areRead =
-      words.size() >= found->least &&
-      std::ranges::all_of(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(found->least), beginsWithNumber);
+  const bool areRead = words.size() >= found->least &&
+                       std::ranges::all_of(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(found->least),
+                                           [](std::string_view word) { return leadingNumber(word).has_value(); });
   return WrongValue{areRead ? Severity::kWarning : Severity::kError, found->expected};
 }
 
 std::string quoted(const std::string& text) {
   constexpr std::size_t kLongest = 60;
   return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
+}
+
+std::optional<double> leadingNumber(std::string_view text) {
+  const std::vector<double> numbers = leadingNumbers(text, 1);
+  return numbers.empty() ? std::nullopt : std::optional(numbers.front());
+}
+
+std::optional<long long> leadingInteger(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\f\v"), text.size()));
+  const bool isHexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  if (isHexadecimal) text.remove_prefix(2);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  long long value = 0;
+  const auto error = std::from_chars(text.data(), text.data() + text.size(), value, isHexadecimal ? 16 : 10).ec;
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+std::vector<double> leadingNumbers(std::string_view text, std::size_t most) {
+  std::vector<double> numbers;
+  for (std::string_view word : wordsOf(text)) {
+    if (numbers.size() == most) break;
+    if (const std::optional<double> whole = base::parseDouble(word)) {
+      numbers.push_back(*whole);
+      continue;
+    }
+    if (word.starts_with('+')) word.remove_prefix(1);
+    double value = 0;
+    if (std::from_chars(word.data(), word.data() + word.size(), value).ec != std::errc()) break;
+    numbers.push_back(value);
+  }
+  return numbers;
 }
 
 }  // namespace pongsim::sdf

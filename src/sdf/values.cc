@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/nearest_word.hh"
 #include "base/parse_number.hh"
 #include "sdf/value_check.hh"
 
@@ -17,9 +18,15 @@ constexpr double kUnlimited = 1e16;
 
 /// Adds "<mass> is 'x', which is not a number".
 void complain(const Element& element, std::string_view expected, Context& context, std::string hint = {}) {
-  context.diagnostics.error(element.position,
-                            "<" + element.name + "> is '" + quoted(element.text) + "', which is not " + std::string(expected),
-                            std::move(hint));
+  context.diagnostics.error(
+      element.position,
+      "<" + element.name + "> is '" + quoted(element.text) + "', which is not " + std::string(expected),
+      std::move(hint));
+}
+
+void complain(const Element::Attribute& attribute, std::string_view expected, Context& context) {
+  context.diagnostics.error(attribute.position, "attribute '" + attribute.name + "' is '" + quoted(attribute.value) +
+                                                    "', which is not " + std::string(expected));
 }
 
 /// @return The child, or null where there is nothing to read in it.
@@ -28,21 +35,55 @@ const Element* filledChild(const Element& parent, std::string_view child) {
   return element != nullptr && !element->text.empty() ? element : nullptr;
 }
 
+/// Says what is wrong with the element's text as a value of that type of the format.
+/// @return Whether Fortress would read as much of it as it can.
+bool isReadable(const Element& element, std::string_view type, Context& context) {
+  const std::optional<WrongValue> wrong = checkValue(type, element.text);
+  if (!wrong) return true;
+  if (wrong->severity == Severity::kError) {
+    complain(element, wrong->expected, context);
+    return false;
+  }
+  context.diagnostics.warning(
+      element.position,
+      "<" + element.name + "> is '" + quoted(element.text) + "', which is not " + std::string(wrong->expected),
+      "Fortress takes as much of it as it can");
+  return true;
+}
+
 /// Reads a number for which `isGood` holds.
 template <class IsGood>
 double readNumberThat(IsGood isGood, std::string_view expected, const Element& parent, std::string_view child,
                       double fallback, Context& context) {
   const Element* element = filledChild(parent, child);
   if (element == nullptr) return fallback;
-  const std::optional<double> value = base::parseDouble(element->text);
+  std::optional<double> value = base::parseDouble(element->text);
   if (!value) {
-    complain(*element, "a number", context);
-  } else if (!isGood(*value)) {
-    complain(*element, expected, context);
-  } else {
-    return *value;
+    if (!isReadable(*element, "double", context)) return fallback;
+    value = leadingNumber(element->text);
   }
+  if (value && isGood(*value)) return *value;
+  complain(*element, expected, context);
   return fallback;
+}
+
+std::string listOf(std::span<const std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
+  return text;
+}
+
+/// @param label "<frame>" or "attribute 'type'"
+/// @return Its place among the words.
+std::optional<std::size_t> findWord(const std::string& text, const std::string& label, const SourcePosition& position,
+                                    std::span<const std::string_view> words, Context& context) {
+  const auto found = std::ranges::find(words, text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  const std::string quote = quoted(text);
+  std::string hint = text.size() == quote.size() ? base::didYouMean(text, words) : std::string();
+  if (hint.empty()) hint = "it can be " + listOf(words);
+  context.diagnostics.error(position, label + " has the unknown value '" + quote + "'", std::move(hint));
+  return std::nullopt;
 }
 
 /// Reads six numbers. Fortress runs worlds with one too few or too many, so that is no error.
@@ -117,6 +158,80 @@ double readLimit(const Element& parent, std::string_view child, double fallback,
   return std::abs(value) >= kUnlimited ? std::copysign(std::numeric_limits<double>::infinity(), value) : value;
 }
 
+long long readInteger(const Element& parent, std::string_view child, long long fallback, long long least,
+                      long long most, Context& context) {
+  const Element* element = filledChild(parent, child);
+  if (element == nullptr || !isReadable(*element, "int", context)) return fallback;
+  const std::optional<long long> value = leadingInteger(element->text);
+  if (value && *value >= least && *value <= most) return *value;
+  complain(*element, "an integer from " + std::to_string(least) + " to " + std::to_string(most), context);
+  return fallback;
+}
+
+std::uint32_t readUnsigned(const Element& parent, std::string_view child, std::uint32_t fallback, Context& context) {
+  return static_cast<std::uint32_t>(
+      readInteger(parent, child, fallback, 0, std::numeric_limits<std::uint32_t>::max(), context));
+}
+
+long long readIntegerAttribute(const Element& element, std::string_view attribute, long long fallback, long long least,
+                               long long most, Context& context) {
+  const Element::Attribute* found = element.attribute(attribute);
+  if (found == nullptr || found->value.empty()) return fallback;
+  const std::optional<long long> value = leadingInteger(found->value);
+  if (value && *value >= least && *value <= most) return *value;
+  complain(*found, "an integer from " + std::to_string(least) + " to " + std::to_string(most), context);
+  return fallback;
+}
+
+double readNumberAttribute(const Element& element, std::string_view attribute, double fallback, Context& context) {
+  const Element::Attribute* found = element.attribute(attribute);
+  if (found == nullptr || found->value.empty()) return fallback;
+  const std::optional<double> value = leadingNumber(found->value);
+  if (value && std::isfinite(*value)) return *value;
+  complain(*found, "a finite number", context);
+  return fallback;
+}
+
+std::string readText(const Element& parent, std::string_view child, std::string_view fallback) {
+  const Element* element = filledChild(parent, child);
+  return element != nullptr ? element->text : std::string(fallback);
+}
+
+std::size_t readWord(const Element& parent, std::string_view child, std::size_t fallback,
+                     std::span<const std::string_view> words, Context& context) {
+  const Element* element = filledChild(parent, child);
+  if (element == nullptr) return fallback;
+  return findWord(element->text, "<" + element->name + ">", element->position, words, context).value_or(fallback);
+}
+
+std::size_t readWordAttribute(const Element& element, std::string_view attribute, std::size_t fallback,
+                              std::span<const std::string_view> words, Context& context) {
+  const Element::Attribute* found = element.attribute(attribute);
+  if (found == nullptr || found->value.empty()) return fallback;
+  return findWord(found->value, "attribute '" + found->name + "'", found->position, words, context).value_or(fallback);
+}
+
+description::Color readColor(const Element& parent, std::string_view child, const description::Color& fallback,
+                             Context& context) {
+  const Element* element = filledChild(parent, child);
+  if (element == nullptr || !isReadable(*element, "color", context)) return fallback;
+  const std::vector<double> values = leadingNumbers(element->text, 4);
+  if (!std::ranges::all_of(values, [](double value) { return value >= 0 && std::isfinite(value); })) {
+    complain(*element, "three or four finite numbers from zero up, red green blue alpha", context);
+    return fallback;
+  }
+  return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2]),
+          values.size() > 3 ? static_cast<float>(values[3]) : 1.0F};
+}
+
+Eigen::Vector2d readVector2(const Element& parent, std::string_view child, const Eigen::Vector2d& fallback,
+                            Context& context) {
+  const Element* element = filledChild(parent, child);
+  if (element == nullptr) return fallback;
+  const auto values = readNumbers(*element, 2, "two finite numbers", context);
+  return values ? Eigen::Vector2d((*values)[0], (*values)[1]) : fallback;
+}
+
 std::optional<bool> parseFlag(std::string_view text) {
   if (text == "true" || text == "1" || text == "True" || text == "TRUE") return true;
   if (text == "false" || text == "0" || text == "False" || text == "FALSE") return false;
@@ -135,10 +250,7 @@ bool readFlagAttribute(const Element& element, std::string_view attribute, bool 
   const Element::Attribute* found = element.attribute(attribute);
   if (found == nullptr) return fallback;
   const std::optional<bool> flag = parseFlag(found->value);
-  if (!flag) {
-    context.diagnostics.error(
-        found->position, "attribute '" + found->name + "' is '" + found->value + "', which is not 'true' or 'false'");
-  }
+  if (!flag) complain(*found, "'true' or 'false'", context);
   return flag.value_or(fallback);
 }
 

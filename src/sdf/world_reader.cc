@@ -7,6 +7,7 @@
 #include "sdf/names.hh"
 #include "sdf/parts_reader.hh"
 #include "sdf/physics_reader.hh"
+#include "sdf/scene_reader.hh"
 
 namespace pongsim::sdf {
 
@@ -28,8 +29,11 @@ WorldParts readWorld(const Element& element, Context& context) {
   world.name = readName(element, "", context);
   world.position = element.position;
   world.gravity = readGravity(element, context);
-  world.physics = readPhysics(element, context);
+  world.physicsProfiles = readPhysics(element, context);
+  world.physics = chosenProfile(world.physicsProfiles);
   world.environment = readEnvironment(element, context);
+  world.scene = readScene(element, context);
+  if (const Element* gui = element.child("gui")) world.gui = *gui;
 
   auto scope = std::make_unique<Scope>("world", world.name.empty() ? "a world" : "world '" + world.name + "'");
   scope->setCanonicalLink("world");
@@ -40,6 +44,7 @@ WorldParts readWorld(const Element& element, Context& context) {
   world.joints = parts.takeJoints();
   world.frames = parts.takeFrames();
   world.lights = parts.takeLights();
+  world.actors = parts.takeActors();
   world.plugins = parts.takePlugins();
   for (description::Model& model : world.models) placeWorldJoints(model, Pose());
   return {std::move(world), std::move(scope)};
@@ -51,7 +56,7 @@ RootParts readRootParts(const Element& element, Context& context) {
   PartsReader parts(*scope, false, context);
   parts.read(element);
   scope->resolve(context);
-  RootParts found{parts.takeModels(), parts.takeLights(), std::move(scope)};
+  RootParts found{parts.takeModels(), parts.takeLights(), parts.takeActors(), std::move(scope)};
   for (description::Model& model : found.models) placeWorldJoints(model, Pose());
   return found;
 }

@@ -22,6 +22,7 @@ WorldParts readWorld(const Element& element, Context& context);
 struct RootParts {
   std::vector<description::Model> models;
   std::vector<description::Light> lights;
+  std::vector<description::Actor> actors;
   /// Their frames, resolved.
   std::unique_ptr<Scope> scope;
 };

@@ -58,7 +58,8 @@ struct Simulation::Parts {
 
 namespace {
 
-/// @return A world around the models and lights that stand in none: a ground, the sun, and what a world has by default.
+/// @return A world around the models, lights and actors that stand in none: a ground, the sun, and what a world has by
+/// default.
 description::World worldAround(sdf::Root root) {
   constexpr std::string_view kWorld =
       "<sdf version='1.9'><world name='default'><light name='sun' type='directional'><pose>0 0 10 0 0 0</pose></light>"
@@ -75,6 +76,7 @@ description::World worldAround(sdf::Root root) {
   };
   addTo(world.models, root.models);
   addTo(world.lights, root.lights);
+  addTo(world.actors, root.actors);
   return world;
 }
 

@@ -30,23 +30,38 @@ TEST(Diagnostic, NamesTheFilesThatIncludeItsOwn) {
 }
 
 TEST(Diagnostic, ShowsTheLineWithAMark) {
-  EXPECT_EQ(format({Severity::kError, at(1, 3), "wrong", "do it right"}, "\t<link/>"),
+  EXPECT_EQ(format({Severity::kError, at(1, 3), "wrong", "do it right"}, {"\t<link/>"}),
             "world.sdf:1:3: error: wrong\n     <link/>\n      ^\n  hint: do it right");
   // a letter takes one place, whatever the number of its bytes
-  EXPECT_EQ(format({Severity::kError, at(1, 4), "wrong", {}}, "äöü<"),
+  EXPECT_EQ(format({Severity::kError, at(1, 4), "wrong", {}}, {"äöü<"}),
             "world.sdf:1:4: error: wrong\n    äöü<\n       ^");
 }
 
 TEST(Diagnostic, ShowsAPartOfALongLine) {
   const std::string line = std::string(200, 'a') + "<" + std::string(200, 'b');
-  EXPECT_EQ(format({Severity::kError, at(1, 201), "wrong", {}}, line),
+  EXPECT_EQ(format({Severity::kError, at(1, 201), "wrong", {}}, {line}),
             "world.sdf:1:201: error: wrong\n    ..." + std::string(60, 'a') + "<" + std::string(59, 'b') + "...\n" +
                 std::string(67, ' ') + "^");
 }
 
+TEST(Diagnostic, ShowsAPartOfALineThatIsNotThereWhole) {
+  const SourceExcerpt part{.text = "abc<def", .firstColumn = 1000, .isCutOff = true};
+  EXPECT_EQ(format({Severity::kError, at(1, 1003), "wrong", {}}, part),
+            "world.sdf:1:1003: error: wrong\n    ...abc<def...\n          ^");
+  EXPECT_EQ(format({Severity::kError, at(1, 999), "wrong", {}}, part), "world.sdf:1:999: error: wrong");
+}
+
+TEST(Diagnostic, HasColoursWhereTheyAreWanted) {
+  EXPECT_EQ(
+      format({Severity::kError, at(1, 1), "wrong", "do it right"}, {"<a>"}, true),
+      "\x1b[1mworld.sdf:1:1:\x1b[0m \x1b[1;31merror:\x1b[0m \x1b[1mwrong\x1b[0m\n    <a>\n    \x1b[1;32m^\x1b[0m\n"
+      "  hint: do it right");
+  EXPECT_EQ(format({Severity::kWarning, {}, "odd", {}}, {}, true), "\x1b[1;35mwarning:\x1b[0m \x1b[1modd\x1b[0m");
+}
+
 TEST(Diagnostic, ShowsNoLineWhereItsColumnIsNotInIt) {
   for (const int column : {0, 4}) {
-    EXPECT_EQ(format({Severity::kError, at(0, column), "wrong", {}}, "abc"), "world.sdf: error: wrong");
+    EXPECT_EQ(format({Severity::kError, at(0, column), "wrong", {}}, {"abc"}), "world.sdf: error: wrong");
   }
 }
 

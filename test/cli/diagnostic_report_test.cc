@@ -20,17 +20,34 @@ class DiagnosticReport : public testing::Test {
 TEST_F(DiagnosticReport, FindsTheLineOfAFile) {
   const SourcePosition position = in("\xEF\xBB\xBFone\r\ntwo\nthree", 1);
   SourceLines lines;
-  EXPECT_EQ(lines.at(position), "one");
-  EXPECT_EQ(lines.at({position.file, 2, 1}), "two");
-  EXPECT_EQ(lines.at({position.file, 3, 1}), "three");
-  for (const int line : {-1, 0, 4}) EXPECT_EQ(lines.at({position.file, line, 1}), "");
+  EXPECT_EQ(lines.at(position).text, "one");
+  EXPECT_EQ(lines.at({position.file, 2, 1}).text, "two");
+  EXPECT_EQ(lines.at({position.file, 3, 1}).text, "three");
+  for (const int line : {-1, 0, 4}) EXPECT_EQ(lines.at({position.file, line, 1}).text, "");
 }
 
 TEST_F(DiagnosticReport, FindsNoLineWhereThereIsNoFile) {
   SourceLines lines;
-  EXPECT_EQ(lines.at({}), "");
-  EXPECT_EQ(lines.at({std::make_shared<const std::string>("/no/such/file"), 1, 1}), "");
-  EXPECT_EQ(lines.at({std::make_shared<const std::string>(folder_.path().string()), 1, 1}), "");
+  EXPECT_EQ(lines.at({}).text, "");
+  EXPECT_EQ(lines.at({std::make_shared<const std::string>("/no/such/file"), 1, 1}).text, "");
+  EXPECT_EQ(lines.at({std::make_shared<const std::string>(folder_.path().string()), 1, 1}).text, "");
+}
+
+TEST_F(DiagnosticReport, ShowsOfALongLineWhatIsAroundTheColumn) {
+  std::string line;
+  // letters of one, two and three bytes
+  for (int i = 0; i < 5000; ++i) line += i % 3 == 0 ? "a" : i % 3 == 1 ? "ä" : "€";
+  SourcePosition position = in("first\n" + line + "\r\nlast", 2);
+  SourceLines lines;
+  for (const int column :
+       {1, 2, 60, 61, 120, 121, 255, 256, 257, 258, 511, 513, 2500, 4744, 4900, 4999, 5000, 5001, 9999}) {
+    position.column = column;
+    const Diagnostic diagnostic{Severity::kError, position, "wrong", {}};
+    const SourceExcerpt part = lines.at(position);
+    EXPECT_LT(part.text.size(), 3000U);
+    EXPECT_EQ(format(diagnostic, part), format(diagnostic, {.text = line})) << column;
+  }
+  EXPECT_EQ(lines.at({position.file, 3, 1}).text, "last");
 }
 
 TEST_F(DiagnosticReport, SaysWhatIsBadEnoughWithItsLine) {

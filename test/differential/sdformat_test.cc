@@ -3,25 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
-#include <sdf/sdf.hh>
 #include <string>
 #include <vector>
 
+#include "looks.hh"
+#include "near.hh"
 #include "pongsim/diagnostic.hh"
 #include "sdf/loader.hh"
+#include "sensors.hh"
 #include "support/fortress_worlds.hh"
 
 namespace pongsim::test {
 namespace {
 
 namespace fs = std::filesystem;
-namespace theirs = ::sdf;
-namespace ours = pongsim::description;
-
-constexpr double kTolerance = 1e-9;
 /// libsdformat takes minutes and gigabytes for more.
 constexpr std::uintmax_t kMostBytes = 1'000'000;
 
@@ -31,37 +28,12 @@ const std::map<std::string, std::string> kOnPurpose = {
     {"test/models/nested_models/model.sdf",
      "joint_01 connects a link with itself by two frames: it is left out with a warning"}};
 
-Vector3 vector(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
-
-Pose pose(const ignition::math::Pose3d& X) {
-  return {vector(X.Pos()), Quaternion(X.Rot().W(), X.Rot().X(), X.Rot().Y(), X.Rot().Z())};
-}
-
 Matrix3 matrix(const ignition::math::Matrix3d& m) {
   Matrix3 result;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) result(i, j) = m(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
   }
   return result;
-}
-
-template <class Thing>
-Pose resolved(const Thing& thing, const std::string& to = "") {
-  ignition::math::Pose3d result;
-  const theirs::Errors errors = thing.SemanticPose().Resolve(result, to);
-  EXPECT_TRUE(errors.empty()) << errors.front();
-  return pose(result);
-}
-
-void expectNear(const Vector3& a, const Vector3& b, const std::string& what) {
-  EXPECT_LE((a - b).norm(), kTolerance * std::max(1.0, b.norm()))
-      << what << ": " << a.transpose() << " and " << b.transpose();
-}
-
-void expectNear(const Pose& a, const Pose& b, const std::string& what) {
-  expectNear(a.position, b.position, what);
-  EXPECT_LE(2 * (a.rotation.conjugate() * b.rotation).vec().norm(), kTolerance)
-      << what << ": " << a.rotation.coeffs().transpose() << " and " << b.rotation.coeffs().transpose();
 }
 
 void compare(const ours::Geometry& a, const theirs::Geometry& b, const std::string& what) {
@@ -103,11 +75,16 @@ void compare(const ours::Geometry& a, const theirs::Geometry& b, const std::stri
   }
 }
 
-/// @param name Finds its partner.
-template <class Thing>
-const Thing* named(const std::vector<Thing>& things, const std::string& name) {
-  const auto found = std::ranges::find(things, name, &Thing::name);
-  return found == things.end() ? nullptr : &*found;
+/// @tparam Holder A link or a joint.
+template <class Holder, class Other>
+void compareSensors(const Holder& a, const Other& b, const std::string& what) {
+  EXPECT_EQ(a.sensors.size(), b.SensorCount()) << what;
+  for (std::uint64_t i = 0; i < b.SensorCount(); ++i) {
+    const theirs::Sensor& other = *b.SensorByIndex(i);
+    const ours::Sensor* sensor = named(a.sensors, other.Name());
+    ASSERT_NE(sensor, nullptr) << what << "::" << other.Name();
+    compareSensor(*sensor, other, what + "::" + other.Name());
+  }
 }
 
 void compare(const ours::Link& a, const theirs::Link& b, const std::string& what) {
@@ -132,7 +109,17 @@ void compare(const ours::Link& a, const theirs::Link& b, const std::string& what
     ASSERT_NE(visual, nullptr) << what << "::" << other.Name();
     expectNear(visual->X_LinkVisual, resolved(other), what + "::" + other.Name());
     compare(visual->geometry, *other.Geom(), what + "::" + other.Name());
+    compareLooks(*visual, other, what + "::" + other.Name());
   }
+  EXPECT_EQ(a.lights.size(), b.LightCount()) << what;
+  for (std::uint64_t i = 0; i < b.LightCount(); ++i) {
+    const theirs::Light& other = *b.LightByIndex(i);
+    const ours::Light* light = named(a.lights, other.Name());
+    ASSERT_NE(light, nullptr) << what << "::" << other.Name();
+    compareLight(*light, other, what + "::" + other.Name());
+  }
+  compareSensors(a, b, what);
+  EXPECT_EQ(a.isInWind.value_or(false), b.EnableWind()) << what;
 }
 
 void compare(const ours::Joint& a, const theirs::Joint& b, const std::string& what) {
@@ -149,6 +136,7 @@ void compare(const ours::Joint& a, const theirs::Joint& b, const std::string& wh
     EXPECT_NEAR(limit(a.axes[i].lower), limit(axis->Lower()), kTolerance) << what;
     EXPECT_NEAR(limit(a.axes[i].upper), limit(axis->Upper()), kTolerance) << what;
   }
+  compareSensors(a, b, what);
 }
 
 void compare(const ours::Model& a, const theirs::Model& b, const std::string& what) {
@@ -198,8 +186,21 @@ void compare(const ours::World& a, const theirs::World& b) {
     const std::string name = b.LightByIndex(i)->Name();
     const ours::Light* light = named(a.lights, name);
     ASSERT_NE(light, nullptr) << name;
-    expectNear(light->X_WorldLight, resolved(*b.LightByIndex(i)), name);
+    compareLight(*light, *b.LightByIndex(i), name);
   }
+  EXPECT_EQ(a.actors.size(), b.ActorCount());
+  for (std::uint64_t i = 0; i < b.ActorCount(); ++i) {
+    const std::string name = b.ActorByIndex(i)->Name();
+    const ours::Actor* actor = named(a.actors, name);
+    ASSERT_NE(actor, nullptr) << name;
+    compareActor(*actor, *b.ActorByIndex(i), name);
+  }
+  if (b.Scene() != nullptr) compareScene(a.scene, *b.Scene());
+  ASSERT_NE(b.PhysicsDefault(), nullptr);
+  EXPECT_EQ(a.physics.name, b.PhysicsDefault()->Name());
+  EXPECT_EQ(a.physics.type, b.PhysicsDefault()->EngineType());
+  expectNear(toSeconds(a.physics.maxStepSize), b.PhysicsDefault()->MaxStepSize(), "step");
+  expectNear(a.physics.realTimeFactor, b.PhysicsDefault()->RealTimeFactor(), "real time factor");
 }
 
 std::vector<fs::path> worlds() {
@@ -213,22 +214,19 @@ std::vector<fs::path> worlds() {
   return files;
 }
 
-class Sdformat : public testing::TestWithParam<fs::path> {};
-
-TEST_P(Sdformat, ReadsTheSame) {
-  const auto purpose = kOnPurpose.find(fs::relative(GetParam(), *fortressWorlds()).string());
-  if (purpose != kOnPurpose.end()) GTEST_SKIP() << purpose->second;
+/// Reads a file in both ways.
+/// @param models Folder of models.
+void compareFile(const fs::path& file, const fs::path& models) {
   Diagnostics diagnostics;
-  const fs::path models = *fortressWorlds() / "test/models";
   const pongsim::sdf::Root root =
-      pongsim::sdf::loadFile(GetParam(), diagnostics, assets::finderIn({.folders = {models}, .fuelCache = {}}));
+      pongsim::sdf::loadFile(file, diagnostics, assets::finderIn({.folders = {models}, .fuelCache = {}}));
   theirs::ParserConfig config;
   config.AddURIPath("model://", models.string());
   config.SetFindCallback([&models](const std::string& name) {
     return fs::exists(models / name) ? (models / name).string() : std::string();
   });
   theirs::Root other;
-  const theirs::Errors errors = other.Load(GetParam().string(), config);
+  const theirs::Errors errors = other.Load(file.string(), config);
   if (!errors.empty()) GTEST_SKIP() << "libsdformat does not load it: " << errors.front().Message();
   ASSERT_FALSE(diagnostics.hasErrors()) << format(diagnostics.all().front());
   ASSERT_EQ(root.worlds.size(), other.WorldCount());
@@ -237,6 +235,23 @@ TEST_P(Sdformat, ReadsTheSame) {
     ASSERT_EQ(root.models.size(), 1U);
     compare(root.models[0], *other.Model(), root.models[0].name);
   }
+}
+
+TEST(SdformatOfOurs, ReadsTheSame) {
+  const fs::path folder = projectFolder() / "test/differential/worlds";
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path().string());
+    compareFile(entry.path(), folder);
+    EXPECT_FALSE(testing::Test::IsSkipped());
+  }
+}
+
+class Sdformat : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Sdformat, ReadsTheSame) {
+  const auto purpose = kOnPurpose.find(fs::relative(GetParam(), *fortressWorlds()).string());
+  if (purpose != kOnPurpose.end()) GTEST_SKIP() << purpose->second;
+  compareFile(GetParam(), *fortressWorlds() / "test/models");
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Sdformat);

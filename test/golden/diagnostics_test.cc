@@ -59,7 +59,8 @@ std::string saidOf(const std::string& text) {
   sdf::loadText(text, "world.sdf", diagnostics, assets::finderIn({.folders = {"/models"}, .fuelCache = "/fuel"}));
   std::string said;
   for (const Diagnostic& diagnostic : diagnostics.all()) {
-    said += format(diagnostic, lineOf(text, diagnostic.position.line)) + "\n";
+    const std::string line = lineOf(text, diagnostic.position.line);
+    said += format(diagnostic, {.text = line}) + "\n";
   }
   return said;
 }

@@ -65,7 +65,7 @@ TEST(LinkShape, PutsEachCollisionWhereTheLinkHasIt) {
 
 TEST(LinkShape, LeavesOutWhatItCannotBuild) {
   description::Link link = makeLink("link", {0, 0, 0}, 1, {1, 1, 1});
-  addCollision(link, description::OtherGeometry{"mesh"});
+  addCollision(link, description::Image{});
   addCollision(link, description::Empty{});
   addCollision(link, description::Mesh{});
   EXPECT_TRUE(LinkShape(link, Pose(), true).empty());

@@ -65,6 +65,19 @@ TEST_F(LoaderTest, WarnsOnceOfASystemOfFortressThatIsNotThere) {
   EXPECT_EQ(onlyLine(), "world.sdf:12:5: warning: the system 'buoyancy' of Gazebo is not there yet: it is left out");
 }
 
+TEST_F(LoaderTest, WarnsOnceOfEachPluginOfGazeboClassicOrRos) {
+  const std::string ending = "' is one of Gazebo Classic or ROS: it is left out\n  hint: Fortress can't load it either";
+  for (const char* filename : {"libgazebo_ros_control.so", "libgazebo_ros_control.so", "libgazebo_imu_plugin.so",
+                               "ign_ros2_control-system", "libign_ros2_control-system.so"}) {
+    EXPECT_EQ(loader_.load(plugin(filename), diagnostics_), nullptr);
+  }
+  const std::vector<Diagnostic>& all = diagnostics_.all();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(format(all[0]), "world.sdf:12:5: warning: plugin 'libgazebo_ros_control.so" + ending);
+  EXPECT_EQ(format(all[1]), "world.sdf:12:5: warning: plugin 'libgazebo_imu_plugin.so" + ending);
+  EXPECT_EQ(format(all[2]), "world.sdf:12:5: warning: plugin 'ign_ros2_control-system" + ending);
+}
+
 TEST_F(LoaderTest, SaysWhyALibraryCannotBeUsed) {
   EXPECT_EQ(loader_.load(plugin("pongsim-ancient-system"), diagnostics_), nullptr);
   EXPECT_NE(onlyLine().find("world.sdf:12:5: error: plugin 'pongsim-ancient-system' can't be loaded from "),

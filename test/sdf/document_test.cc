@@ -97,5 +97,14 @@ TEST_F(Document, TakesNestingToTheLimitAndNoDeeper) {
   EXPECT_EQ(message(), "d.sdf:1:295: error: elements nest more than 98 deep");
 }
 
+TEST_F(Document, WarnsOfEntitiesThatItWillNotExpand) {
+  const auto root = parse("<!DOCTYPE x [\n <!ENTITY e \"123\"> ]>\n<sdf><a>&e;&lt;</a></sdf>");
+  ASSERT_TRUE(root);
+  EXPECT_EQ(root->children.at(0).text, "&e;<");
+  EXPECT_EQ(message(),
+            "d.sdf:2:2: warning: entities of a file's own are not expanded: '&NAME;' stays as it is\n"
+            "  hint: as in Fortress; write what it stands for in its place");
+}
+
 }  // namespace
 }  // namespace pongsim::sdf

@@ -8,8 +8,8 @@ TEST(ElementCheck, NamesTheElementThatIsMeant) {
             Messages{"t.sdf:4:1: warning: <colision> is not known in <link> | did you mean 'collision'?"});
   EXPECT_EQ(loadLink("<gravity nam='c'/>").messages,
             Messages{"t.sdf:4:10: warning: attribute 'nam' is not known in <gravity>"});
-  EXPECT_EQ(loadLink("<sensor name='s' type='t' typ='x'/>").messages.at(0),
-            "t.sdf:4:27: warning: attribute 'typ' is not known in <sensor> | did you mean 'type'?");
+  EXPECT_EQ(loadLink("<sensor name='s' type='imu' typ='x'/>").messages.at(0),
+            "t.sdf:4:29: warning: attribute 'typ' is not known in <sensor> | did you mean 'type'?");
 }
 
 TEST(ElementCheck, WarnsOnceAName) { EXPECT_EQ(loadLink("<colision/><colision/>").messages.size(), 1U); }

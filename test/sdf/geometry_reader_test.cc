@@ -1,4 +1,5 @@
 #include "load_support.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim::sdf::test {
 namespace {
@@ -47,17 +48,23 @@ TEST(Geometry, HasTheDefaultsOfTheFormat) {
   EXPECT_EQ(std::get<description::Plane>(visuals.at(1).geometry).normal, Vector3(0, 0, 1));
 }
 
-TEST(Geometry, SaysWhichShapesWillNotCollide) {
-  const Loaded loaded = loadLink(
-      "<collision name='c'><geometry><polyline/></geometry></collision>\n"
-      "<collision name='d'><geometry><image/></geometry></collision>\n"
-      "<visual name='v'><geometry><polyline/></geometry></visual>");
-  EXPECT_EQ(
-      loaded.messages,
-      (Messages{"t.sdf:4:1: warning: collision 'c' has a polyline, which is not simulated yet: it will not collide",
-                "t.sdf:5:1: warning: collision 'd' has an image, which is not simulated yet: it will not collide"}));
-  const auto& link = loaded.model().links.at(0);
-  EXPECT_EQ(std::get<description::OtherGeometry>(link.collisions.at(0).geometry).kind, "polyline");
+TEST(Geometry, ReadsImagesThoughTheyDoNotCollide) {
+  const pongsim::test::TempFolder folder;
+  const std::string uri = "<uri>" + folder.write("i.png", "x").string() + "</uri>";
+  const Loaded loaded = loadLink("<collision name='c'><geometry><image>" + uri +
+                                 "<scale>2</scale><threshold>100</threshold><height>3</height>"
+                                 "<granularity>4</granularity></image></geometry></collision>\n"
+                                 "<visual name='v'><geometry><image>" +
+                                 uri + "</image></geometry></visual>");
+  EXPECT_EQ(loaded.messages,
+            Messages{"t.sdf:4:1: warning: collision 'c' has an image, which Fortress does not know: it will not collide"
+                     " | a <heightmap> is made of an image, too"});
+  const auto& image = std::get<description::Image>(loaded.model().links.at(0).collisions.at(0).geometry);
+  EXPECT_EQ(image.file, folder.path() / "i.png");
+  EXPECT_EQ(image.scale, 2);
+  EXPECT_EQ(image.threshold, 100);
+  EXPECT_EQ(image.height, 3);
+  EXPECT_EQ(image.granularity, 4);
 }
 
 TEST(Geometry, RefusesSizesThatNothingHas) {

@@ -92,8 +92,8 @@ TEST_F(IncludesTest, BringInLights) {
   write("sun.sdf", "<light name='sun' type='directional'><pose>0 0 1 0 0 0</pose></light>");
   const Loaded loaded = loadWorldWith("<include><uri>sun.sdf</uri><pose>0 0 9 0 0 0</pose></include>");
   EXPECT_EQ(loaded.messages, Messages());
-  EXPECT_EQ(loaded.world().lights.at(0).type, "directional");
-  expectPose(loaded.world().lights.at(0).X_WorldLight, {0, 0, 9});
+  EXPECT_EQ(loaded.world().lights.at(0).type, description::LightType::kDirectional);
+  expectPose(loaded.world().lights.at(0).X_ParentLight, {0, 0, 9});
   EXPECT_EQ(loadWorldWith("<include><uri>sun.sdf</uri><static>1</static></include>").messages,
             Messages{"DIR/w.sdf:3:28: warning: <static> has no effect: what is included is of type 'light', not a "
                      "model"});

@@ -71,5 +71,26 @@ TEST(Link, HasPartsOfDifferentNames) {
                "the first one is in line 4"});
 }
 
+TEST(Link, HasLights) {
+  const Loaded loaded = loadModel(
+      "<frame name='f'><pose>5 0 0 0 0 0</pose></frame><link name='l'><pose>1 0 0 0 0 0</pose>"
+      "<light name='a' type='spot'><pose>0 0 1 0 0 0</pose></light>"
+      "<light name='b' type='point'><pose relative_to='f'>0 2 0 0 0 0</pose></light>\n"
+      "<light name='a' type='point'/></link>");
+  EXPECT_EQ(loaded.messages, Messages{"t.sdf:4:1: error: light 'a' has the same name as another light of link 'l' of "
+                                      "model 'm' | the first one is in line 3"});
+  const auto& lights = loaded.model().links.at(0).lights;
+  expectPose(lights.at(0).X_ParentLight, {0, 0, 1});
+  expectPose(lights.at(1).X_ParentLight, {4, 2, 0});
+}
+
+TEST(Link, IsInTheWindWhereItSaysSo) {
+  const Loaded loaded = loadModel(
+      "<enable_wind>true</enable_wind><link name='a'/><link name='b'><enable_wind>false</enable_wind></link>");
+  EXPECT_TRUE(loaded.model().isInWind);
+  EXPECT_EQ(loaded.model().links.at(0).isInWind, std::nullopt);
+  EXPECT_EQ(loaded.model().links.at(1).isInWind, false);
+}
+
 }  // namespace
 }  // namespace pongsim::sdf::test

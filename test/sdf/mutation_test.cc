@@ -29,7 +29,8 @@ constexpr std::string_view kSample = R"(<?xml version="1.0"?>
 </model></world></sdf>)";
 
 /// A robot in URDF, likewise.
-constexpr std::string_view kMutatedRobot = R"(<robot name="r"><origin xyz="0 0 1"/><material name="m"><color rgba="1 0 0 1"/>
+constexpr std::string_view kMutatedRobot =
+    R"(<robot name="r"><origin xyz="0 0 1"/><material name="m"><color rgba="1 0 0 1"/>
 </material><link name="a"><inertial><origin xyz="1 0 0" rpy="0 1 0"/><mass value="2"/>
 <inertia ixx="1" ixy="0.1" ixz="0" iyy="1" iyz="0" izz="1"/></inertial><visual><geometry><box size="1 2 3"/></geometry>
 <material name="m"/></visual></link><link name="b"><inertial><mass value="2"/>

@@ -30,10 +30,19 @@ TEST(Names, HaveNoSeparator) {
       Messages{
           "t.sdf:3:7: error: link can't be named 'a::b' in model 'm' | '::' stands between the name of a model and "
           "that of its part"});
-  // but for those of worlds' models in old files
-  const std::string model = "<model name='a::b'><link name='l'/></model>";
-  EXPECT_EQ(loadWorld(model, "1.7").messages, Messages());
-  EXPECT_EQ(loadWorld(model, "1.8").messages.size(), 1U);
+  // but for those of a world's parts, and in old files without a word
+  const std::string parts =
+      "<model name='a::b'><link name='l'/></model><joint name='c::d' type='fixed'><parent>world</parent>"
+      "<child>a::b::l</child></joint>";
+  EXPECT_EQ(loadWorld(parts, "1.7").messages, Messages());
+  const Loaded loaded = loadWorld(parts, "1.8");
+  EXPECT_EQ(
+      loaded.messages,
+      (Messages{"t.sdf:2:8: warning: model is named 'a::b' in world 'w' | Fortress refuses '::' in names from SDF "
+                "1.8 on",
+                "t.sdf:2:51: warning: joint is named 'c::d' in world 'w' | Fortress refuses '::' in names from SDF "
+                "1.8 on"}));
+  EXPECT_EQ(loaded.world().joints.at(0).child, "a::b::l");
 }
 
 }  // namespace

@@ -24,6 +24,39 @@ TEST(Physics, IsTheFirstProfileOrTheOneMarked) {
             "b");
 }
 
+TEST(Physics, KeepsAllProfilesWithWhatTheySayOfEngines) {
+  const Loaded loaded = loadWorld(
+      "<physics name='a' type='ode' default='true'><max_contacts>5</max_contacts>"
+      "<real_time_update_rate>250</real_time_update_rate>"
+      "<ode><solver><type>world</type><iters>70</iters><sor>1.1</sor></solver><constraints><cfm>0.1</cfm><erp>0.3</erp>"
+      "<contact_max_correcting_vel>7</contact_max_correcting_vel></constraints></ode></physics>"
+      "<physics name='b' type='bullet'><bullet><solver><iters>20</iters></solver><constraints>"
+      "<split_impulse>false</split_impulse></constraints></bullet><simbody><contact><stiffness>9</stiffness></contact>"
+      "</simbody><dart><solver><solver_type>pgs</solver_type></solver><collision_detector>ode</collision_detector></"
+      "dart>"
+      "</physics>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const auto& profiles = loaded.world().physicsProfiles;
+  ASSERT_EQ(profiles.size(), 2U);
+  EXPECT_EQ(loaded.world().physics, profiles[0]);
+  EXPECT_TRUE(profiles[0].isDefault);
+  EXPECT_EQ(profiles[0].maxContacts, 5);
+  EXPECT_EQ(profiles[0].realTimeUpdateRate, 250);
+  EXPECT_EQ(profiles[0].ode.solver, "world");
+  EXPECT_EQ(profiles[0].ode.iterations, 70);
+  EXPECT_EQ(profiles[0].ode.sor, 1.1);
+  EXPECT_EQ(profiles[0].ode.cfm, 0.1);
+  EXPECT_EQ(profiles[0].ode.erp, 0.3);
+  EXPECT_EQ(profiles[0].ode.contactMaxCorrectingVelocity, 7);
+  EXPECT_EQ(profiles[0].ode.contactSurfaceLayer, 0.001);
+  EXPECT_EQ(profiles[1].type, "bullet");
+  EXPECT_EQ(profiles[1].bullet.iterations, 20);
+  EXPECT_FALSE(profiles[1].bullet.splitsImpulse);
+  EXPECT_EQ(profiles[1].simbody.stiffness, 9);
+  EXPECT_EQ(profiles[1].dart.solver, "pgs");
+  EXPECT_EQ(profiles[1].dart.collisionDetector, "ode");
+}
+
 TEST(Physics, RefusesStepsThatAreNone) {
   const auto messages = [](const std::string& content) {
     return loadWorld("<physics>" + content + "</physics>").messages;

@@ -63,6 +63,15 @@ TEST_F(Print, KeepsWhatIsMergedInPlace) {
              fromRollPitchYaw(0, 0, 0.5));
 }
 
+TEST_F(Print, OfAnOldWorldWhoseNamesHaveSeparatorsLoadsToTheSame) {
+  EXPECT_TRUE(
+      printsAsItLoads(write("w.sdf",
+                            "<world name='w'><model name='a::b'><link name='l'/><link name='in::l'/></model>"
+                            "<light name='a::s' type='point'><pose frame='a::b::l'>1 0 0 0 0 0</pose></light></world>",
+                            "1.6"),
+                      finder_));
+}
+
 TEST_F(Print, KeepsModelsLightsAndPluginsOfOtherFiles) {
   write("m.sdf",
         "<model name='m'><link name='a::l'/><plugin filename='f' name='n'>a &lt; b<x y='&quot;'/></plugin></model>",

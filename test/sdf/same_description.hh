@@ -11,6 +11,7 @@ class PositionEraser {
     for (description::World& world : root.worlds) erase(world);
     for (description::Model& model : root.models) erase(model);
     for (description::Light& light : root.lights) light.position = {};
+    for (description::Actor& actor : root.actors) erase(actor);
   }
 
  private:
@@ -18,6 +19,8 @@ class PositionEraser {
     world.position = {};
     for (description::Model& model : world.models) erase(model);
     for (description::Light& light : world.lights) light.position = {};
+    for (description::Actor& actor : world.actors) erase(actor);
+    if (world.gui) erase(*world.gui);
     eraseCommon(world);
   }
 
@@ -26,7 +29,11 @@ class PositionEraser {
     for (description::Link& link : model.links) {
       link.position = {};
       for (description::Collision& collision : link.collisions) collision.position = {};
-      for (description::Visual& visual : link.visuals) visual.position = {};
+      for (description::Visual& visual : link.visuals) {
+        visual.position = {};
+        erasePlugins(visual);
+      }
+      for (description::Light& light : link.lights) light.position = {};
       eraseSensors(link);
     }
     for (description::Model& inner : model.models) erase(inner);
@@ -40,6 +47,16 @@ class PositionEraser {
       eraseSensors(joint);
     }
     for (description::Frame& frame : holder.frames) frame.position = {};
+    erasePlugins(holder);
+  }
+
+  void erase(description::Actor& actor) {
+    actor.position = {};
+    erasePlugins(actor);
+  }
+
+  template <class Holder>
+  void erasePlugins(Holder& holder) {
     for (description::Plugin& plugin : holder.plugins) erase(plugin.sdf);
   }
 
@@ -48,6 +65,7 @@ class PositionEraser {
     for (description::Sensor& sensor : holder.sensors) {
       sensor.position = {};
       erase(sensor.sdf);
+      erasePlugins(sensor);
     }
   }
 
@@ -63,7 +81,7 @@ inline bool isSame(Root a, Root b) {
   PositionEraser eraser;
   eraser.erase(a);
   eraser.erase(b);
-  return a.worlds == b.worlds && a.models == b.models && a.lights == b.lights;
+  return a.worlds == b.worlds && a.models == b.models && a.lights == b.lights && a.actors == b.actors;
 }
 
 }  // namespace pongsim::sdf::test

@@ -106,5 +106,16 @@ TEST(Scope, RefusesPosesBeyondAllNumbers) {
             Messages{"t.sdf:4:22: error: link 'b' is too far away to have a pose"});
 }
 
+TEST(Scope, NamesWhatIsMeantInAnotherModel) {
+  EXPECT_EQ(
+      loadWorld("<model name='m'><link name='left_wheel'/></model>\n"
+                "<frame name='f' attached_to='m::left_wheal'/>\n<frame name='g' attached_to='__root__'/>")
+          .messages,
+      (Messages{"t.sdf:3:17: error: frame 'f' is attached to 'm::left_wheal', which is not in world 'w' | did you "
+                "mean 'm::left_wheel'?",
+                "t.sdf:4:17: error: frame 'g' is attached to '__root__', which is not in world 'w' | this name "
+                "can't be used; the frame of a world is 'world'"}));
+}
+
 }  // namespace
 }  // namespace pongsim::sdf::test

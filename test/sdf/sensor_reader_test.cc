@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "load_support.hh"
 
 namespace pongsim::sdf::test {
@@ -135,6 +137,63 @@ TEST(Sensor, ReadsAForceTorqueSensor) {
   EXPECT_EQ(std::get<ForceTorqueSettings>(sensorOf(load("")).settings).frame, ForceTorqueSettings::Frame::kChild);
   EXPECT_EQ(load("<frame>joint</frame>").messages,
             Messages{"t.sdf:5:1: error: <frame> has the unknown value 'joint' | it can be child, parent, sensor"});
+}
+
+TEST(Sensor, ReadsNavSat) {
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='gps'><gps><position_sensing><horizontal><noise type='gaussian'><stddev>1</stddev></noise>"
+      "</horizontal></position_sensing><velocity_sensing><vertical><noise type='gaussian'><mean>2</mean></noise>"
+      "</vertical></velocity_sensing></gps></sensor>"
+      "<sensor name='t' type='navsat'><navsat><position_sensing><vertical><noise type='gaussian'><mean>3</mean></noise>"
+      "</vertical></position_sensing></navsat></sensor>");
+  const auto& gps = std::get<NavSatSettings>(sensorOf(loaded).settings);
+  EXPECT_EQ(gps.horizontalPosition.standardDeviation, 1);
+  EXPECT_EQ(gps.verticalPosition, NoiseSettings());
+  EXPECT_EQ(gps.verticalVelocity.mean, 2);
+  const auto& navsat = std::get<NavSatSettings>(loaded.model().links.at(0).sensors.at(1).settings);
+  EXPECT_EQ(navsat.verticalPosition.mean, 3);
+}
+
+TEST(Sensor, ReadsThoseThatAreRare) {
+  const Loaded loaded = loadLink(
+      "<sensor name='a' type='logical_camera'><logical_camera><near>1</near><far>2</far><horizontal_fov>0.5"
+      "</horizontal_fov><aspect_ratio>3</aspect_ratio></logical_camera></sensor>"
+      "<sensor name='b' type='sonar'><sonar><geometry>sphere</geometry><min>1</min><max>inf</max></sonar></sensor>"
+      "<sensor name='c' type='wireless_receiver'><transceiver><essid>e</essid><gain>1</gain>"
+      "<sensitivity>-50</sensitivity></transceiver></sensor><sensor name='d' type='rfid'/>");
+  const std::vector<description::Sensor>& sensors = loaded.model().links.at(0).sensors;
+  const LogicalCameraSettings camera{.near = 1, .far = 2, .horizontalFov = 0.5, .aspectRatio = 3};
+  EXPECT_EQ(std::get<LogicalCameraSettings>(sensors.at(0).settings), camera);
+  const auto& sonar = std::get<SonarSettings>(sensors.at(1).settings);
+  EXPECT_EQ(sonar.shape, SonarSettings::Shape::kSphere);
+  EXPECT_EQ(sonar.maxRange, std::numeric_limits<double>::infinity());
+  const auto& receiver = std::get<TransceiverSettings>(sensors.at(2).settings);
+  EXPECT_EQ(receiver.essid, "e");
+  EXPECT_EQ(receiver.sensitivity, -50);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(sensors.at(3).settings));
+}
+
+TEST(Sensor, ReadsWhatIsOfNoType) {
+  const Loaded loaded = loadLink(
+      "<sensor name='s' type='imu'><enable_metrics>true</enable_metrics><visualize>1</visualize>"
+      "<plugin filename='f' name='n'><x/></plugin></sensor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_TRUE(sensorOf(loaded).hasMetrics);
+  EXPECT_TRUE(sensorOf(loaded).isVisualized);
+  EXPECT_EQ(sensorOf(loaded).plugins.at(0).className, "n");
+  EXPECT_NE(sensorOf(loaded).plugins.at(0).sdf.child("x"), nullptr);
+}
+
+TEST(Sensor, WarnsOfTheParametersOfAnotherType) {
+  EXPECT_EQ(loadLink("<sensor name='s' type='imu'>\n<camera/></sensor>").messages,
+            Messages{"t.sdf:5:1: warning: <camera> has no effect in a sensor of type 'imu'"});
+  EXPECT_EQ(loadLink("<sensor name='s' type='navsat'><gps/></sensor>").messages,
+            Messages{"t.sdf:4:1: warning: sensor type 'navsat' is not simulated yet"});
+}
+
+TEST(Sensor, OfAnUnknownTypeIsNamed) {
+  EXPECT_EQ(loadLink("<sensor name='s' type='gpu_lidr'/>").messages,
+            Messages{"t.sdf:4:1: warning: sensor type 'gpu_lidr' is not known | did you mean 'gpu_lidar'?"});
 }
 
 TEST(Sensor, IsPlacedInWhatHoldsItOrInAnotherFrame) {

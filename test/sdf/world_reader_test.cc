@@ -10,8 +10,8 @@ TEST(World, ReadsLights) {
   EXPECT_EQ(loaded.messages, Messages());
   const description::Light& light = loaded.world().lights.at(0);
   EXPECT_EQ(light.name, "sun");
-  EXPECT_EQ(light.type, "directional");
-  expectPose(light.X_WorldLight, {1, 0, 10});
+  EXPECT_EQ(light.type, description::LightType::kDirectional);
+  expectPose(light.X_ParentLight, {1, 0, 10});
 }
 
 TEST(World, PlacesModelsInItsFrames) {
@@ -53,6 +53,27 @@ TEST(World, HasModelsOfDifferentNames) {
 TEST(World, NeedsAName) {
   EXPECT_EQ(load("<sdf version='1.9'><world/></sdf>").messages,
             Messages{"t.sdf:1:20: error: <world> has no name | write <world name=\"...\">"});
+}
+
+TEST(World, KeepsItsGuiAsItStands) {
+  const Loaded loaded =
+      loadWorld("<gui fullscreen='1'><camera name='c'/>\n<plugin filename='f' name='n'><x/></plugin></gui>");
+  EXPECT_EQ(loaded.messages, Messages());
+  ASSERT_TRUE(loaded.world().gui);
+  EXPECT_EQ(loaded.world().gui->attributeOr("fullscreen", ""), "1");
+  EXPECT_NE(loaded.world().gui->child("plugin")->child("x"), nullptr);
+  EXPECT_EQ(loaded.world().gui->child("plugin")->position.line, 3);
+  EXPECT_FALSE(loadWorld("").world().gui);
+}
+
+TEST(World, KeepsLevelsAndPerformersInTheirPlugin) {
+  const Loaded loaded = loadWorld(
+      "<plugin filename='dummy' name='ignition::gazebo'><performer name='p'><ref>m</ref></performer>"
+      "<level name='l'><ref>m</ref></level></plugin>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const Element& plugin = loaded.world().plugins.at(0).sdf;
+  EXPECT_EQ(plugin.child("performer")->child("ref")->text, "m");
+  EXPECT_EQ(plugin.child("level")->attributeOr("name", ""), "l");
 }
 
 }  // namespace

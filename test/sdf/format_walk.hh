@@ -1,0 +1,186 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sdf/schema.hh"
+
+namespace pongsim::sdf::test {
+
+/// Two values of each type of the format.
+inline std::pair<std::string, std::string> valuesOfType(std::string_view type) {
+  if (type == "bool") return {"true", "false"};
+  if (type == "int" || type == "unsigned int") return {"2", "3"};
+  if (type == "double" || type == "float") return {"0.125", "0.25"};
+  if (type == "vector2d") return {"1 2", "2 1"};
+  if (type == "vector3") return {"1 2 3", "3 2 1"};
+  if (type == "color") return {"0.1 0.2 0.3 1", "0.3 0.2 0.1 1"};
+  if (type == "pose") return {"1 2 3 0 0 0", "3 2 1 0 0 0"};
+  if (type == "time") return {"1 2", "2 1"};
+  return {"one", "two"};
+}
+
+/// What must stand beside a part for it to have a meaning.
+struct Company {
+  std::string attributes;
+  std::string children;
+};
+
+inline const std::map<std::string_view, std::string_view> kTypeOfSensorPart = {
+    {"air_pressure", "air_pressure"},
+    {"altimeter", "altimeter"},
+    {"contact", "contact"},
+    {"force_torque", "force_torque"},
+    {"gps", "gps"},
+    {"imu", "imu"},
+    {"lidar", "lidar"},
+    {"logical_camera", "logical_camera"},
+    {"magnetometer", "magnetometer"},
+    {"navsat", "navsat"},
+    {"ray", "lidar"},
+    {"rfid", "rfid"},
+    {"rfidtag", "rfidtag"},
+    {"sonar", "sonar"},
+    {"transceiver", "wireless_receiver"},
+};
+
+/// @param holder Name of what holds the element.
+/// @param next Name of the child that is looked at; empty: an attribute is, or the text.
+/// @param attribute Name of the attribute that is looked at, if it is one of this element.
+inline Company companyOf(std::string_view name, std::string_view holder, std::string_view next,
+                         std::string_view attribute) {
+  Company company;
+  constexpr std::string_view kLinks =
+      "<link name='a'/><link name='b'><pose>0 0 1 0 0 0</pose></link>"
+      "<frame name='f'><pose>1 0 0 0.5 0 0</pose></frame>";
+  const bool isInWorld = holder == "world";
+  const std::string scope = isInWorld ? "m::" : "";
+  if (name == "model") company.children = kLinks;
+  if (name == "world") {
+    company.children =
+        "<frame name='f'><pose>1 0 0 0.5 0 0</pose></frame><model name='m'>" + std::string(kLinks) + "</model>";
+  }
+  if (name == "joint") {
+    if (attribute != "type") company.attributes = next == "axis2" ? " type='universal'" : " type='revolute'";
+    if (next != "parent")
+      company.children += next == "child" ? "<parent>world</parent>" : "<parent>" + scope + "a</parent>";
+    if (next != "child") company.children += "<child>" + scope + "b</child>";
+  }
+  if (name == "sensor" && attribute != "type") {
+    const auto type = kTypeOfSensorPart.find(next);
+    company.attributes = " type='" + std::string(type != kTypeOfSensorPart.end() ? type->second : "camera") + "'";
+  }
+  if ((name == "collision" || name == "visual") && next != "geometry") {
+    company.children = "<geometry><box/></geometry>";
+  }
+  if (name == "polyline") company.children = "<point>0 0</point><point>1 0</point><point>1 1</point>";
+  if (name == "custom_rpy") {
+    company.children = "0 0 1";
+    if (attribute != "parent_frame") company.attributes = " parent_frame='world'";
+  }
+  if (name == "pose" && !attribute.empty()) {
+    company.children = attribute == "rotation_format" ? "0 0 0 0 0 1 0" : "0 0 0 0 0 1";
+  }
+  if (name == "model" && attribute == "placement_frame") company.children += "<pose>0 0 0 0 0 0</pose>";
+  if (name == "xyz" && !attribute.empty()) company.children = "0 1 1";
+  return company;
+}
+
+/// An element or an attribute of SDF 1.9 in a place where it may stand.
+struct Place {
+  /// The elements from `<sdf>` down to it, or to the one that it is an attribute of.
+  std::vector<const Schema::Part*> chain;
+  /// Null: the last element of the chain is meant.
+  const Schema::Part* attribute = nullptr;
+  /// What the table says of it and of all that it stands in.
+  Use use = Use::kRead;
+
+  const Schema::Part& part() const { return attribute != nullptr ? *attribute : *chain.back(); }
+};
+
+inline std::string requiredAttributes(const Schema::ElementType& type, const std::string& given,
+                                      std::string_view asked) {
+  std::string text;
+  for (const Schema::Part& part : type.attributes) {
+    const std::string name(part.name);
+    const bool isGiven = part.name == asked || given.find(" " + name + "=") != given.npos;
+    if (part.row.presence != '1' || part.row.removedIn != 0 || isGiven) continue;
+    const std::string value = part.name == "version"       ? "1.9"
+                              : !part.row.fallback.empty() ? std::string(part.row.fallback)
+                                                           : valuesOfType(part.row.type).first;
+    text += " " + name + "='" + value + "'";
+  }
+  return text;
+}
+
+/// @return A file with that value there, in line 2, and what else is needed for it to be read.
+inline std::string documentWith(const Place& place, const std::string& value) {
+  std::string before, behind;
+  for (std::size_t i = 0; i < place.chain.size(); ++i) {
+    const Schema::Part& part = *place.chain[i];
+    const bool isLast = i + 1 == place.chain.size();
+    const std::string_view next = isLast ? "" : place.chain[i + 1]->name;
+    const std::string_view asked = isLast && place.attribute != nullptr ? place.attribute->name : "";
+    const std::string name(part.name == "*" ? "anything" : part.name);
+    const Company company = companyOf(name, i > 0 ? place.chain[i - 1]->name : "", next, asked);
+    before += (isLast ? "\n<" : "<") + name + company.attributes;
+    if (part.type != nullptr) before += requiredAttributes(*part.type, company.attributes, asked);
+    if (!asked.empty()) before += " " + std::string(asked) + "='" + value + "'";
+    before += ">";
+    if (!isLast || place.attribute != nullptr) before += company.children;
+    behind = "</" + name + ">" + behind;
+  }
+  return before + (place.attribute == nullptr ? value : "") + behind;
+}
+
+/// Calls `visit` with every place of SDF 1.9, but for what stands within an element of its own kind, elements that hold
+/// no value, and includes.
+class FormatWalk {
+ public:
+  using Visit = std::function<void(const Place&)>;
+
+  explicit FormatWalk(Visit visit) : visit_(std::move(visit)) {
+    place_.chain.push_back(&Schema::instance().root());
+    descend(Use::kRead);
+  }
+
+ private:
+  void descend(Use use) {
+    const Schema::ElementType* type = place_.chain.back()->type;
+    if (type == nullptr) return;
+    for (const Schema::Part& attribute : type->attributes) {
+      if (attribute.row.removedIn != 0) continue;
+      place_.attribute = &attribute;
+      tell(combined(use, attribute.row.use));
+      place_.attribute = nullptr;
+    }
+    for (const Schema::Part& child : type->children) {
+      const bool isWithinItself = child.type != nullptr && std::ranges::find(place_.chain, child.type,
+                                                                             &Schema::Part::type) != place_.chain.end();
+      // what an include says is read where there is a file to include
+      if (child.row.removedIn != 0 || isWithinItself || child.name == "include") continue;
+      place_.chain.push_back(&child);
+      const Use childUse = combined(use, child.row.use);
+      if (!child.row.type.empty() || child.name == "*") tell(childUse);
+      descend(childUse);
+      place_.chain.pop_back();
+    }
+  }
+
+  static Use combined(Use outer, Use inner) { return outer == Use::kRead ? inner : outer; }
+
+  void tell(Use use) {
+    place_.use = use;
+    visit_(place_);
+  }
+
+  Visit visit_;
+  Place place_;
+};
+
+}  // namespace pongsim::sdf::test
