@@ -153,6 +153,10 @@ void Engine::addJointForce(world::Slot joint, double force, std::size_t axis) {
   parts_->jointWithAxis(joint, axis).addForce(force, axis);
 }
 
+void Engine::setJointPosition(world::Slot joint, double position, std::size_t axis) {
+  parts_->jointWithAxis(joint, axis).setPosition(position, axis);
+}
+
 void Engine::addLinkWrench(world::Slot link, const Vector3& force, const Vector3& torque) {
   parts_->bodies[link]->addWrench(force, torque);
 }

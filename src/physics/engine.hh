@@ -33,6 +33,9 @@ class Engine {
   /// @throws std::invalid_argument if the joint has no such axis.
   void addJointForce(world::Slot joint, double force, std::size_t axis = 0);
 
+  /// Says where the axis is counted to be, for the links have been put there: angles look alike after a turn.
+  void setJointPosition(world::Slot joint, double position, std::size_t axis);
+
   /// Adds a force at the link frame's origin and a torque for the next step, world frame [N, N m].
   void addLinkWrench(world::Slot link, const Vector3& force, const Vector3& torque);
 

@@ -34,6 +34,7 @@ class Joint final : public btTypedConstraint {
   /// How many axes it has to command.
   std::size_t axisCount() const { return axisCount_; }
   void setVelocityTarget(double velocity, std::size_t axis);
+  void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
   void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
 
   /// Puts forces on the bodies and decides which rows the coming step of `dt` [s] needs.

@@ -223,7 +223,7 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
   }
   const bool hasCross = joint.type == JointType::kUniversal || joint.type == JointType::kRevolute2;
   if (hasCross && joint.axes[0].xyz.cross(joint.axes[1].xyz).norm() < kSmallestSine) {
-    context.diagnostics.error(joint.position, "the two axes of " + label + " have the same direction",
+    context.unsimulated.error(joint.position, "the two axes of " + label + " have the same direction",
                               "<axis> is fixed to the parent, <axis2> to the child, across the first");
   }
   for (SensorDraft& sensor : draft.sensors) {

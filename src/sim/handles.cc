@@ -4,6 +4,7 @@
 
 #include "sim/access.hh"
 #include "sim/editor.hh"
+#include "sim/joint_reset.hh"
 
 namespace pongsim {
 
@@ -105,6 +106,18 @@ void Joint::setVelocityTarget(double velocity, int axis) {
 void Joint::addForce(double force, int axis) {
   if (!canCommand(*access_, *this, force, axis)) return;
   access_->engine.addJointForce(slotOf(*access_, id_), force, static_cast<std::size_t>(axis));
+}
+
+std::optional<std::string> Joint::resetPosition(double position, int axis) {
+  const world::Slot slot = slotOf(*access_, id_);
+  if (axis < 0 || axis >= axisCount()) return "joint '" + std::string(name()) + "' has no axis " + std::to_string(axis);
+  return sim::resetJointPosition(*access_, slot, static_cast<std::size_t>(axis), position);
+}
+
+std::optional<std::string> Joint::resetVelocity(double velocity, int axis) {
+  const world::Slot slot = slotOf(*access_, id_);
+  if (axis < 0 || axis >= axisCount()) return "joint '" + std::string(name()) + "' has no axis " + std::to_string(axis);
+  return sim::resetJointVelocity(*access_, slot, static_cast<std::size_t>(axis), velocity);
 }
 
 std::string_view Joint::type() const { return description::name(record(*access_, id_).description->type); }
