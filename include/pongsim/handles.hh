@@ -157,7 +157,8 @@ class PONGSIM_API Joint {
   bool exists() const;
   /// @return Its name in the model.
   std::string_view name() const;
-  /// @return Number of axes that have a position: 0 (fixed, ball) or 1 (revolute, prismatic).
+  /// @return Number of axes that have a position: 0 (fixed, ball), 1 (revolute, continuous, prismatic, screw) or 2
+  /// (universal, revolute2).
   int axisCount() const;
   /// @return Position of the axis since the start: angle [rad], not wrapped, or travel [m].
   double position(int axis = 0) const;
@@ -169,6 +170,13 @@ class PONGSIM_API Joint {
   /// Applies a force along the axis [N m or N] during the next step. Several calls add up. A value that is not
   /// finite is refused with a warning.
   void addForce(double force, int axis = 0);
+  /// Puts the axis to that position [rad or m] between two steps, and with it all that hangs on the child by other
+  /// joints; velocities turn with it. Limits are not looked at. Refused where other joints hold the child to the parent
+  /// or to the world.
+  /// @return Why not, or nothing.
+  std::optional<std::string> resetPosition(double position, int axis = 0);
+  /// Likewise the velocity of the axis [rad/s or m/s].
+  std::optional<std::string> resetVelocity(double velocity, int axis = 0);
   /// @return The format's name of its type: "revolute".
   std::string_view type() const;
   /// @return The link that it hangs on; nothing where that is the world.

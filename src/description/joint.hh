@@ -43,6 +43,8 @@ struct Joint {
   Pose X_ChildJoint;
   /// Pose of the joint frame, at the start, in the parent link's frame (in the world's, if that is the parent).
   Pose X_ParentJoint;
+  /// Of a screw: how far the child moves along the axis in one turn [m], right-handed where positive.
+  double threadPitch = 1;
   /// One for revolute, continuous, prismatic, screw; two for universal, revolute2, gearbox; none for ball, fixed.
   std::vector<JointAxis> axes;
   std::vector<Sensor> sensors;

@@ -33,6 +33,11 @@ struct Surface {
   double mu2 = 1;
   /// First friction direction in the collision frame (`<fdir1>`); zero: the engine chooses.
   Vector3 fdir1 = Vector3::Zero();
+  /// How fast it slips along the two directions by each newton of friction (`<slip1>`, `<slip2>`) [m/s/N].
+  double slip1 = 0;
+  double slip2 = 0;
+  /// Two collisions touch where their masks share a bit (`<contact><collide_bitmask>`).
+  std::uint16_t collideBitmask = 0xff;
   /// `<bounce><restitution_coefficient>`, 0 to 1.
   double restitution = 0;
   bool operator==(const Surface&) const = default;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "physics/convert.hh"
+#include "physics/gyroscope.hh"
 #include "physics/mass.hh"
 
 namespace pongsim::physics {
@@ -40,6 +41,8 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
     : link_(link),
       moves_(isMoving(record)),
       hasGravity_(record.description->gravity),
+      moments_(toBullet(mass.moments)),
+      isRound_(mass.moments.x() == mass.moments.y() && mass.moments.y() == mass.moments.z()),
       X_LinkBody_(mass.X_LinkBody),
       X_BodyLink_(X_LinkBody_.inverse()),
       shape_(*record.description, X_BodyLink_, moves_),
@@ -47,6 +50,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
   const description::Link& description = *record.description;
   setPose(record.X_WorldLinkStart);
   setLink(link);
+  rigid_.setUserPointer(&shape_);
   int flags = rigid_.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK;
   if (!record.isStatic && description.kinematic) {
     flags = (flags & ~btCollisionObject::CF_STATIC_OBJECT) | btCollisionObject::CF_KINEMATIC_OBJECT;
@@ -57,7 +61,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
   // nothing sleeps: a robot at rest must answer the first push as it would the last
   rigid_.setActivationState(DISABLE_DEACTIVATION);
   rigid_.setDamping(description.linearDamping, description.angularDamping);
-  rigid_.setFlags(BT_DISABLE_WORLD_GRAVITY | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
+  rigid_.setFlags(BT_DISABLE_WORLD_GRAVITY);
   setGravity(gravity);
 }
 
@@ -74,6 +78,12 @@ void Body::setPose(const Pose& X_WorldLink) {
   rigid_.setWorldTransform(toBullet(X_WorldLink * X_LinkBody_));
   rigid_.setInterpolationWorldTransform(rigid_.getWorldTransform());
   rigid_.updateInertiaTensor();
+}
+
+void Body::addGyroscopicTorque(double dt) {
+  if (isRound_) return;
+  rigid_.applyTorque(
+      gyroscopicTorque(rigid_.getWorldTransform().getBasis(), rigid_.getAngularVelocity(), moments_, dt));
 }
 
 void Body::addWrench(const Vector3& force, const Vector3& torque) {

@@ -39,6 +39,9 @@ class Body {
   /// Sets where the link is. Its velocity stays.
   void setPose(const Pose& X_WorldLink);
 
+  /// For the next step of `dt` [s]: the torque that its own turning asks for.
+  void addGyroscopicTorque(double dt);
+
   /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
   void addWrench(const Vector3& force, const Vector3& torque);
 
@@ -58,6 +61,9 @@ class Body {
   world::Slot link_;
   bool moves_;
   bool hasGravity_;
+  /// Principal moments of inertia [kg m^2], and whether all are the same.
+  btVector3 moments_;
+  bool isRound_;
   Pose X_LinkBody_;
   Pose X_BodyLink_;
   LinkShape shape_;

@@ -70,6 +70,8 @@ void DirectSolver::buildMatrix(double softness) {
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j <= i; ++j) A_[i * rows + j] = A_[j * rows + i] = coupling(*rows_[i], *rows_[j]);
     A_[i * rows + i] += softness;
+    // what friction slips by
+    if (i >= unfrictionalRows_ && rows_[i]->m_cfm != 0) A_[i * rows + i] += rows_[i]->m_cfm / rows_[i]->m_jacDiagABInv;
     const bool isContact = i >= m_tmpSolverNonContactConstraintPool.size() && i < unfrictionalRows_;
     if (isContact) A_[i * rows + i] *= 1 + kContactSoftness;
   }

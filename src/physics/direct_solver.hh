@@ -1,7 +1,8 @@
 #pragma once
 
-#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigLCP.h>
+
+#include "physics/contact_solver.hh"
 
 namespace pongsim::physics {
 
@@ -10,7 +11,7 @@ namespace pongsim::physics {
 /// each step.
 ///
 /// Reference: D. Baraff, Fast contact force computation for nonpenetrating rigid bodies, SIGGRAPH 1994.
-class DirectSolver final : public btSequentialImpulseConstraintSolver {
+class DirectSolver final : public ContactSolver {
  public:
   btConstraintSolverType getSolverType() const override { return BT_MLCP_SOLVER; }
 

@@ -2,8 +2,8 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
-#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 
+#include "physics/contact_solver.hh"
 #include "physics/group_solver.hh"
 #include "physics/manifold_state.hh"
 
@@ -20,7 +20,7 @@ std::unique_ptr<btConstraintSolver> makeSolver(const Settings& settings) {
     case Solver::kDirect:
       break;
     case Solver::kSequentialImpulse:
-      return std::make_unique<btSequentialImpulseConstraintSolver>();
+      return std::make_unique<ContactSolver>();
     case Solver::kNncg:
       return std::make_unique<btNNCGConstraintSolver>();
   }
@@ -47,6 +47,8 @@ DynamicsWorld::DynamicsWorld(const Settings& settings)
   info.m_erp2 = settings.contactErrorReduction;
   // friction resists in both directions of the surface, also where nothing slides yet
   info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  // and in those that the surfaces ask for
+  info.m_solverMode |= SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
   // depth is taken back without giving speed, however small it is
   info.m_splitImpulse = 1;
   info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;

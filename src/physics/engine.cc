@@ -32,7 +32,7 @@ struct Engine::Parts {
   void remove(const world::Removal& removal);
   void renumber();
   JointEnd end(world::Slot link, const Pose& X_LinkJoint);
-  Joint& axisJoint(world::Slot slot);
+  Joint& jointWithAxis(world::Slot slot, std::size_t axis);
   [[noreturn]] void reportExplosion(world::Slot link) const;
 
   const world::Entities& entities;
@@ -125,9 +125,9 @@ JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
   return {&body.rigid(), toBullet(body.X_LinkBody().inverse() * X_LinkJoint), body.moves()};
 }
 
-Joint& Engine::Parts::axisJoint(world::Slot slot) {
-  if (slot >= joints.size() || !joints[slot]->hasAxis()) {
-    throw std::invalid_argument("only a revolute, continuous or prismatic joint can be commanded");
+Joint& Engine::Parts::jointWithAxis(world::Slot slot, std::size_t axis) {
+  if (slot >= joints.size() || axis >= joints[slot]->axisCount()) {
+    throw std::invalid_argument("the joint has no such axis to command");
   }
   return *joints[slot];
 }
@@ -145,11 +145,17 @@ Engine::Engine(const world::Entities& entities, const Settings& settings)
 
 Engine::~Engine() = default;
 
-void Engine::setJointVelocityTarget(world::Slot joint, double velocity) {
-  parts_->axisJoint(joint).setVelocityTarget(velocity);
+void Engine::setJointVelocityTarget(world::Slot joint, double velocity, std::size_t axis) {
+  parts_->jointWithAxis(joint, axis).setVelocityTarget(velocity, axis);
 }
 
-void Engine::addJointForce(world::Slot joint, double force) { parts_->axisJoint(joint).addForce(force); }
+void Engine::addJointForce(world::Slot joint, double force, std::size_t axis) {
+  parts_->jointWithAxis(joint, axis).addForce(force, axis);
+}
+
+void Engine::setJointPosition(world::Slot joint, double position, std::size_t axis) {
+  parts_->jointWithAxis(joint, axis).setPosition(position, axis);
+}
 
 void Engine::addLinkWrench(world::Slot link, const Vector3& force, const Vector3& torque) {
   parts_->bodies[link]->addWrench(force, torque);
@@ -209,6 +215,7 @@ void Engine::step(Time dt, world::State& state) {
   const double seconds = toSeconds(dt);
   parts_->dt = seconds;
   for (const auto& joint : parts_->joints) joint->prepare(seconds);
+  for (Body* body : parts_->moving) body->addGyroscopicTorque(seconds);
   parts_->world.step(seconds);
   for (const Body* body : parts_->moving) {
     if (!body->read(state.links[body->link()])) parts_->reportExplosion(body->link());

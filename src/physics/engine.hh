@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -24,13 +25,16 @@ class Engine {
 
   /// Drives the joint's axis at that velocity [rad/s or m/s] until another command; 0 brakes. Not limited but by
   /// the joint's effort and, as in Fortress, its velocity limit. The value must be finite.
-  /// @throws std::invalid_argument if the joint is not revolute, continuous or prismatic.
-  void setJointVelocityTarget(world::Slot joint, double velocity);
+  /// @throws std::invalid_argument if the joint has no such axis.
+  void setJointVelocityTarget(world::Slot joint, double velocity, std::size_t axis = 0);
 
   /// Adds a force along the joint's axis for the next step [N m or N], up to the joint's effort. The value must
   /// be finite.
-  /// @throws std::invalid_argument if the joint is not revolute, continuous or prismatic.
-  void addJointForce(world::Slot joint, double force);
+  /// @throws std::invalid_argument if the joint has no such axis.
+  void addJointForce(world::Slot joint, double force, std::size_t axis = 0);
+
+  /// Says where the axis is counted to be, for the links have been put there: angles look alike after a turn.
+  void setJointPosition(world::Slot joint, double position, std::size_t axis);
 
   /// Adds a force at the link frame's origin and a torque for the next step, world frame [N, N m].
   void addLinkWrench(world::Slot link, const Vector3& force, const Vector3& torque);

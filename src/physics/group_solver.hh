@@ -2,6 +2,7 @@
 
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 
+#include "physics/contact_solver.hh"
 #include "physics/direct_solver.hh"
 
 namespace pongsim::physics {
@@ -22,7 +23,7 @@ class GroupSolver final : public btConstraintSolver {
  private:
   const int mostDirectRows_;
   DirectSolver direct_;
-  btSequentialImpulseConstraintSolver iterative_;
+  ContactSolver iterative_;
 };
 
 }  // namespace pongsim::physics

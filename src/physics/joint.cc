@@ -18,36 +18,53 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Bullet's own infinity; it does not expect that of IEEE
 double impulseLimit(double impulse) { return std::min(impulse, static_cast<double>(SIMD_INFINITY)); }
 
-description::JointAxis axisOf(const description::Joint& joint) {
-  return joint.axes.empty() ? description::JointAxis() : joint.axes.front();
+bool hasTwoAxes(JointType type) { return type == JointType::kUniversal || type == JointType::kRevolute2; }
+
+std::size_t countAxes(JointType type) {
+  if (hasTwoAxes(type)) return 2;
+  return type == JointType::kBall || type == JointType::kFixed ? 0 : 1;
 }
 
-bool turnsAboutAxis(JointType type) { return type == JointType::kRevolute || type == JointType::kContinuous; }
-
-int heldDirections(JointType type) { return type == JointType::kPrismatic ? 2 : 3; }
+int heldDirections(JointType type) { return type == JointType::kPrismatic || type == JointType::kScrew ? 2 : 3; }
 
 int heldTurns(JointType type) {
   if (type == JointType::kBall) return 0;
-  return turnsAboutAxis(type) ? 2 : 3;
+  if (hasTwoAxes(type)) return 1;
+  return type == JointType::kPrismatic || type == JointType::kFixed ? 3 : 2;
 }
 
-// the joint frame turned so that its x axis is the joint's axis: the other two are then the held directions
-btTransform alongAxis(const btTransform& X_BodyJoint, const Vector3& axis) {
-  const Quaternion turn = Quaternion::FromTwoVectors(Vector3::UnitX(), axis);
-  return X_BodyJoint * btTransform(toBullet(turn));
+// turns x into the joint's first axis: y and z are then the held directions
+Quaternion turnOf(const description::Joint& joint) {
+  if (joint.axes.empty()) return Quaternion::FromTwoVectors(Vector3::UnitX(), Vector3::UnitZ());
+  return Quaternion::FromTwoVectors(Vector3::UnitX(), joint.axes.front().xyz);
 }
 
-// moment of inertia of the body about an axis through a point of it, both in its frame; infinite if it can't move
-double inertiaAbout(const JointEnd& end, const btTransform& X_BodyAxis) {
+btTransform alongAxis(const btTransform& X_BodyJoint, const description::Joint& joint) {
+  return X_BodyJoint * btTransform(toBullet(turnOf(joint)));
+}
+
+btVector3 secondAxisOf(const description::Joint& joint) {
+  if (joint.axes.size() < 2) return {0, 1, 0};
+  return toBullet(Vector3(turnOf(joint).conjugate() * joint.axes[1].xyz));
+}
+
+// moment of inertia of the body about an axis through the joint's origin, the axis in the joint frame; infinite if it
+// can't move
+double inertiaAbout(const JointEnd& end, const btTransform& X_BodyJoint, const btVector3& axisOfJoint) {
   if (!end.moves) return kInfinity;
-  const btVector3 axis = X_BodyAxis.getBasis().getColumn(0);
+  const btVector3 axis = X_BodyJoint.getBasis() * axisOfJoint;
   const btVector3 inverse = end.body->getInvInertiaDiagLocal();
   const btVector3 own(axis.x() * axis.x() / inverse.x(), axis.y() * axis.y() / inverse.y(),
                       axis.z() * axis.z() / inverse.z());
-  return own.x() + own.y() + own.z() + X_BodyAxis.getOrigin().cross(axis).length2() / end.body->getInvMass();
+  return own.x() + own.y() + own.z() + X_BodyJoint.getOrigin().cross(axis).length2() / end.body->getInvMass();
 }
 
 double inertiaAlong(const JointEnd& end) { return end.moves ? 1 / end.body->getInvMass() : kInfinity; }
+
+double inSeries(double a, double b) { return 1 / (1 / a + 1 / b); }
+
+// of the directions about x, that of y is zero
+double angleAboutX(const btVector3& v) { return std::atan2(v.z(), v.y()); }
 
 }  // namespace
 
@@ -58,12 +75,13 @@ struct Joint::Row {
   btVector3 childArm;
   int index = 0;
 
-  // the child's velocity along `direction` at the joint, seen from the parent, shall become `velocity`
-  void linear(const btVector3& direction, double velocity, double lowest, double highest) {
+  // the child's velocity along `direction` at the joint, seen from the parent, less what its turn about it gives by a
+  // screw's lead, shall become `velocity`
+  void linear(const btVector3& direction, double velocity, double lowest, double highest, double lead = 0) {
     set(info->m_J1linearAxis, -direction);
-    set(info->m_J1angularAxis, -parentArm.cross(direction));
+    set(info->m_J1angularAxis, -parentArm.cross(direction) + lead * direction);
     set(info->m_J2linearAxis, direction);
-    set(info->m_J2angularAxis, childArm.cross(direction));
+    set(info->m_J2angularAxis, childArm.cross(direction) - lead * direction);
     finish(velocity, lowest, highest);
   }
 
@@ -88,136 +106,181 @@ struct Joint::Row {
 
 Joint::Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child)
     : btTypedConstraint(MAX_CONSTRAINT_TYPE, *parent.body, *child.body),
-      axis_(axisOf(description)),
-      turns_(turnsAboutAxis(description.type)),
+      type_(description.type),
+      axisCount_(std::min(countAxes(description.type), description.axes.size())),
       slides_(description.type == JointType::kPrismatic),
+      lead_(description.type == JointType::kScrew ? description.threadPitch / (2 * std::numbers::pi) : 0),
       linearRows_(heldDirections(description.type)),
       angularRows_(heldTurns(description.type)),
-      X_ParentJoint_(alongAxis(parent.X_BodyJoint, axis_.xyz)),
-      X_ChildJoint_(alongAxis(child.X_BodyJoint, axis_.xyz)),
+      X_ParentJoint_(alongAxis(parent.X_BodyJoint, description)),
+      X_ChildJoint_(alongAxis(child.X_BodyJoint, description)),
+      secondAxis_(secondAxisOf(description)),
       parentMoves_(parent.moves),
-      childMoves_(child.moves),
-      inertia_(turns_ ? 1 / (1 / inertiaAbout(parent, X_ParentJoint_) + 1 / inertiaAbout(child, X_ChildJoint_))
-                      : 1 / (1 / inertiaAlong(parent) + 1 / inertiaAlong(child))) {}
+      childMoves_(child.moves) {
+  const std::array<btVector3, 2> directions{btVector3(1, 0, 0), secondAxis_};
+  for (std::size_t i = 0; i < axisCount_; ++i) {
+    axes_[i].description = description.axes[i];
+    axes_[i].inertia = inertiaOf(parent, child, directions[i]);
+  }
+}
 
-void Joint::setVelocityTarget(double velocity) {
-  velocityTarget_ = std::clamp(velocity, -axis_.velocity, axis_.velocity);
+double Joint::inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const {
+  const double along = inSeries(inertiaAlong(parent), inertiaAlong(child));
+  if (slides_) return along;
+  const double about = inSeries(inertiaAbout(parent, X_ParentJoint_, axis), inertiaAbout(child, X_ChildJoint_, axis));
+  return lead_ == 0 ? about : about + lead_ * lead_ * along;
+}
+
+world::JointState Joint::state() const {
+  return {axes_[0].position, axes_[0].velocity, axes_[1].position, axes_[1].velocity};
+}
+
+void Joint::setVelocityTarget(double velocity, std::size_t axis) {
+  const double limit = axes_[axis].description.velocity;
+  axes_[axis].velocityTarget = std::clamp(velocity, -limit, limit);
 }
 
 Joint::Frames Joint::frames() const {
-  Frames frames{m_rbA.getWorldTransform() * X_ParentJoint_, m_rbB.getWorldTransform() * X_ChildJoint_, {}};
-  frames.axis = frames.X_WorldParent.getBasis().getColumn(0);
+  Frames frames{m_rbA.getWorldTransform() * X_ParentJoint_, m_rbB.getWorldTransform() * X_ChildJoint_, {}, {}};
+  frames.axes[0] = frames.drives[0] = frames.X_WorldParent.getBasis().getColumn(0);
+  if (!hasTwoAxes(type_)) return frames;
+  frames.axes[1] = frames.X_WorldChild.getBasis() * secondAxis_;
+  const double c = frames.axes[0].dot(frames.axes[1]);
+  frames.drives[0] = (frames.axes[0] - c * frames.axes[1]) / (1 - c * c);
+  frames.drives[1] = (frames.axes[1] - c * frames.axes[0]) / (1 - c * c);
   return frames;
 }
 
 void Joint::prepare(double dt) {
-  motor_.active = false;
-  limit_.active = false;
-  if (!hasAxis()) return;
-
-  // a spring: explicit, and never stiffer than the step can follow
-  double force = force_;
-  force_ = 0;
-  if (axis_.springStiffness > 0) {
-    const double stiffness = std::min(axis_.springStiffness, inertia_ / (dt * dt));
-    force += stiffness * (axis_.springReference - state_.position);
-  }
-  force = std::clamp(force, -axis_.effort, axis_.effort);
-  if (force != 0) applyAxisForce(frames(), force);
-  appliedForce_ = force;
-
-  // a motor holds its velocity with all its effort; else friction and damping hold against what moves
-  if (velocityTarget_) {
-    const double impulse = impulseLimit(axis_.effort * dt);
-    const double lowest = (axis_.lower - state_.position) / dt;
-    const double highest = (axis_.upper - state_.position) / dt;
-    motor_ = {true, std::max(std::min(*velocityTarget_, highest), lowest), -impulse, impulse};
-  } else if (axis_.friction > 0 || axis_.damping > 0) {
-    const double impulse = (axis_.friction + axis_.damping * std::abs(state_.velocity)) * dt;
-    motor_ = {true, 0, -impulse, impulse};
-  }
-
-  // a limit has a say where this step could reach it; `reach` leaves room for what the step's forces add
-  const double reach = (std::abs(state_.velocity) + 1) * 2 * dt;
-  if (state_.position < axis_.lower + reach) {
-    limit_ = {true, axis_.lower - state_.position, 0, SIMD_INFINITY};
-  } else if (state_.position > axis_.upper - reach) {
-    limit_ = {true, axis_.upper - state_.position, -SIMD_INFINITY, 0};
+  if (axisCount_ == 0) return;
+  const Frames now = frames();
+  for (std::size_t i = 0; i < axisCount_; ++i) {
+    Axis& axis = axes_[i];
+    prepare(axis, now.drives[i], dt);
+    if (axis.appliedForce != 0) applyForce(axis.appliedAlong * axis.appliedForce, now.X_WorldChild.getOrigin());
   }
 }
 
-void Joint::applyAxisForce(const Frames& frames, double force) {
-  const btVector3 along = frames.axis * force;
+void Joint::prepare(Axis& axis, const btVector3& along, double dt) {
+  const description::JointAxis& description = axis.description;
+  axis.motor.active = false;
+  axis.limit.active = false;
+
+  // a spring: explicit, and never stiffer than the step can follow
+  double force = axis.force;
+  axis.force = 0;
+  if (description.springStiffness > 0) {
+    const double stiffness = std::min(description.springStiffness, axis.inertia / (dt * dt));
+    force += stiffness * (description.springReference - axis.position);
+  }
+  axis.appliedForce = std::clamp(force, -description.effort, description.effort);
+  axis.appliedAlong = along;
+
+  // a motor holds its velocity with all its effort; else friction and damping hold against what moves
+  if (axis.velocityTarget) {
+    const double impulse = impulseLimit(description.effort * dt);
+    const double lowest = (description.lower - axis.position) / dt;
+    const double highest = (description.upper - axis.position) / dt;
+    axis.motor = {true, std::max(std::min(*axis.velocityTarget, highest), lowest), -impulse, impulse};
+  } else if (description.friction > 0 || description.damping > 0) {
+    const double impulse = (description.friction + description.damping * std::abs(axis.velocity)) * dt;
+    axis.motor = {true, 0, -impulse, impulse};
+  }
+
+  // a limit has a say where this step could reach it; `reach` leaves room for what the step's forces add
+  const double reach = (std::abs(axis.velocity) + 1) * 2 * dt;
+  if (axis.position < description.lower + reach) {
+    axis.limit = {true, description.lower - axis.position, 0, SIMD_INFINITY};
+  } else if (axis.position > description.upper - reach) {
+    axis.limit = {true, description.upper - axis.position, -SIMD_INFINITY, 0};
+  }
+}
+
+void Joint::applyForce(const btVector3& force, const btVector3& point) {
   const auto apply = [&](btRigidBody& body, const btVector3& vector) {
-    if (turns_) {
-      body.applyTorque(vector);
+    if (slides_) {
+      body.applyForce(vector, point - body.getWorldTransform().getOrigin());
     } else {
-      body.applyForce(vector, frames.X_WorldChild.getOrigin() - body.getWorldTransform().getOrigin());
+      body.applyTorque(vector);
     }
   };
-  if (parentMoves_) apply(m_rbA, -along);
-  if (childMoves_) apply(m_rbB, along);
+  if (parentMoves_) apply(m_rbA, -force);
+  if (childMoves_) apply(m_rbB, force);
 }
 
 void Joint::readReaction(Vector3& force, Vector3& torque) {
   force = torque = Vector3::Zero();
   if (getJointFeedback() == nullptr) {
     feedback_ = {};
-    childArm_ = stepAxis_ = btVector3(0, 0, 0);
+    childArm_ = btVector3(0, 0, 0);
+    for (Axis& axis : axes_) axis.appliedForce = 0;
     setJointFeedback(&feedback_);
     return;
   }
   btVector3 f = feedback_.m_appliedForceBodyB;
   btVector3 t = feedback_.m_appliedTorqueBodyB - childArm_.cross(f);
-  (turns_ ? t : f) += stepAxis_ * appliedForce_;
+  for (std::size_t i = 0; i < axisCount_; ++i) (slides_ ? f : t) += axes_[i].appliedAlong * axes_[i].appliedForce;
   force = fromBullet(f);
   torque = fromBullet(t);
 }
 
 void Joint::transfer(StateArchive& archive) {
-  bool hasTarget = velocityTarget_.has_value();
-  archive(hasTarget);
-  if (archive.isGiving()) velocityTarget_ = hasTarget ? std::optional(0.0) : std::nullopt;
-  if (hasTarget) archive(*velocityTarget_);
-  archive(force_);
-  archive(state_.position);
-  archive(state_.velocity);
+  for (Axis& axis : axes_) {
+    bool hasTarget = axis.velocityTarget.has_value();
+    archive(hasTarget);
+    if (archive.isGiving()) axis.velocityTarget = hasTarget ? std::optional(0.0) : std::nullopt;
+    if (hasTarget) archive(*axis.velocityTarget);
+    for (double* value : {&axis.force, &axis.position, &axis.velocity, &axis.appliedForce}) archive(*value);
+    transferVector(archive, axis.appliedAlong);
+  }
 
   bool isMeasured = getJointFeedback() != nullptr;
   archive(isMeasured);
   if (archive.isGiving()) setJointFeedback(isMeasured ? &feedback_ : nullptr);
-  archive(appliedForce_);
   for (btVector3* vector : {&feedback_.m_appliedForceBodyA, &feedback_.m_appliedTorqueBodyA,
-                            &feedback_.m_appliedForceBodyB, &feedback_.m_appliedTorqueBodyB, &childArm_, &stepAxis_}) {
+                            &feedback_.m_appliedForceBodyB, &feedback_.m_appliedTorqueBodyB, &childArm_}) {
     transferVector(archive, *vector);
   }
 }
 
 void Joint::update() {
-  if (!hasAxis()) return;
+  if (axisCount_ == 0) return;
   const Frames now = frames();
-  const btVector3 relativeTurn = m_rbB.getAngularVelocity() - m_rbA.getAngularVelocity();
-  if (turns_) {
-    // the nearest of all angles that look alike to where it was
-    state_.position += std::remainder(angle(now) - state_.position, 2 * std::numbers::pi);
-    state_.velocity = now.axis.dot(relativeTurn);
+  if (slides_) {
+    const btVector3 point = now.X_WorldChild.getOrigin();
+    const btVector3 v_Parent = m_rbA.getVelocityInLocalPoint(point - m_rbA.getWorldTransform().getOrigin());
+    const btVector3 v_Child = m_rbB.getVelocityInLocalPoint(point - m_rbB.getWorldTransform().getOrigin());
+    axes_[0].position = offset(now);
+    axes_[0].velocity = now.axes[0].dot(v_Child - v_Parent);
     return;
   }
-  const btVector3 point = now.X_WorldChild.getOrigin();
-  const btVector3 v_Parent = m_rbA.getVelocityInLocalPoint(point - m_rbA.getWorldTransform().getOrigin());
-  const btVector3 v_Child = m_rbB.getVelocityInLocalPoint(point - m_rbB.getWorldTransform().getOrigin());
-  state_.position = now.axis.dot(point - now.X_WorldParent.getOrigin());
-  state_.velocity = now.axis.dot(v_Child - v_Parent);
+  const btVector3 relativeTurn = m_rbB.getAngularVelocity() - m_rbA.getAngularVelocity();
+  const std::array<double, 2> found = angles(now);
+  for (std::size_t i = 0; i < axisCount_; ++i) {
+    // the nearest of all angles that look alike to where it was
+    axes_[i].position += std::remainder(found[i] - axes_[i].position, 2 * std::numbers::pi);
+    axes_[i].velocity = now.drives[i].dot(relativeTurn);
+  }
 }
 
-double Joint::angle(const Frames& frames) const {
-  const btVector3 childY = frames.X_WorldChild.getBasis().getColumn(1);
+double Joint::offset(const Frames& frames) const {
+  return frames.axes[0].dot(frames.X_WorldChild.getOrigin() - frames.X_WorldParent.getOrigin());
+}
+
+std::array<double, 2> Joint::angles(const Frames& frames) const {
   const btMatrix3x3& parent = frames.X_WorldParent.getBasis();
-  return std::atan2(childY.dot(parent.getColumn(2)), childY.dot(parent.getColumn(1)));
+  const btMatrix3x3& child = frames.X_WorldChild.getBasis();
+  if (!hasTwoAxes(type_)) return {angleAboutX(child.getColumn(1) * parent), 0};
+  // how far the second axis has turned about the first, and against what the first has about the second
+  const double first = angleAboutX(frames.axes[1] * parent) - angleAboutX(secondAxis_);
+  const btVector3 start = btVector3(1, 0, 0) - secondAxis_.x() * secondAxis_;
+  const btVector3 now = frames.axes[0] * child;
+  return {first, -std::atan2(now.dot(secondAxis_.cross(start)), now.dot(start))};
 }
 
 void Joint::getInfo1(btConstraintInfo1* info) {
-  info->m_numConstraintRows = linearRows_ + angularRows_ + (motor_.active ? 1 : 0) + (limit_.active ? 1 : 0);
+  info->m_numConstraintRows = linearRows_ + angularRows_ + (type_ == JointType::kScrew ? 1 : 0);
+  for (const Axis& axis : axes_) info->m_numConstraintRows += (axis.motor.active ? 1 : 0) + (axis.limit.active ? 1 : 0);
   info->nub = 0;
 }
 
@@ -225,11 +288,15 @@ void Joint::getInfo2(btConstraintInfo2* info) {
   const Frames now = frames();
   const btVector3 point = now.X_WorldChild.getOrigin();
   Row row{info, point - m_rbA.getWorldTransform().getOrigin(), point - m_rbB.getWorldTransform().getOrigin()};
-  addLinearRows(row, now, info->fps * info->erp);
-  addAngularRows(row, now, info->fps * info->erp);
-  addAxisRows(row, now, info->fps, info->erp);
+  const double errorRate = info->fps * info->erp;
+  addLinearRows(row, now, errorRate);
+  if (hasTwoAxes(type_)) {
+    addCrossRow(row, now, errorRate);
+  } else {
+    addAngularRows(row, now, errorRate);
+  }
+  for (std::size_t i = 0; i < axisCount_; ++i) addAxisRows(row, axes_[i], now.drives[i], info->fps, info->erp);
   childArm_ = row.childArm;
-  stepAxis_ = now.axis;
 }
 
 void Joint::addLinearRows(Row& row, const Frames& frames, double errorRate) const {
@@ -238,6 +305,9 @@ void Joint::addLinearRows(Row& row, const Frames& frames, double errorRate) cons
     const btVector3 direction = frames.X_WorldParent.getBasis().getColumn(column);
     row.linear(direction, errorRate * gap.dot(direction), -SIMD_INFINITY, SIMD_INFINITY);
   }
+  if (type_ != JointType::kScrew) return;
+  const double error = offset(frames) - lead_ * axes_[0].position;
+  row.linear(frames.axes[0], -errorRate * error, -SIMD_INFINITY, SIMD_INFINITY, lead_);
 }
 
 void Joint::addAngularRows(Row& row, const Frames& frames, double errorRate) const {
@@ -259,19 +329,27 @@ void Joint::addAngularRows(Row& row, const Frames& frames, double errorRate) con
   }
 }
 
-void Joint::addAxisRows(Row& row, const Frames& frames, double fps, double erp) const {
+// the angle between two axes stays
+void Joint::addCrossRow(Row& row, const Frames& frames, double errorRate) const {
+  const btVector3 cross = frames.axes[0].cross(frames.axes[1]);
+  const double sine = cross.length();
+  const double error = (frames.axes[0].dot(frames.axes[1]) - secondAxis_.x()) / sine;
+  row.angular(cross / sine, errorRate * error, -SIMD_INFINITY, SIMD_INFINITY);
+}
+
+void Joint::addAxisRows(Row& row, const Axis& axis, const btVector3& along, double fps, double erp) const {
   const auto add = [&](const AxisRow& axisRow, double velocity) {
-    if (turns_) {
-      row.angular(frames.axis, velocity, axisRow.lowestImpulse, axisRow.highestImpulse);
+    if (slides_) {
+      row.linear(along, velocity, axisRow.lowestImpulse, axisRow.highestImpulse);
     } else {
-      row.linear(frames.axis, velocity, axisRow.lowestImpulse, axisRow.highestImpulse);
+      row.angular(along, velocity, axisRow.lowestImpulse, axisRow.highestImpulse);
     }
   };
-  if (motor_.active) add(motor_, motor_.velocity);
-  if (limit_.active) {
+  if (axis.motor.active) add(axis.motor, axis.motor.velocity);
+  if (axis.limit.active) {
     // up to the limit at full speed, back from beyond it bit by bit
-    const bool beyond = (limit_.highestImpulse > 0) == (limit_.velocity > 0);
-    add(limit_, limit_.velocity * fps * (beyond ? erp : 1));
+    const bool beyond = (axis.limit.highestImpulse > 0) == (axis.limit.velocity > 0);
+    add(axis.limit, axis.limit.velocity * fps * (beyond ? erp : 1));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "description/joint.hh"
@@ -19,19 +21,21 @@ struct JointEnd {
   bool moves = false;
 };
 
-/// A joint between two bodies, of any type, as rows for Bullet's solver: those that hold the bodies together, then one
-/// of motor, friction and damping, then one of a limit that is near.
+/// A joint between two bodies, of any type but gearbox, as rows for Bullet's solver: those that hold the bodies
+/// together, then of each axis one of motor, friction and damping, and one of a limit that is near.
 ///
 /// All rows meet in the child's joint origin. Directions are world frame; velocities are the child's relative to the
-/// parent.
+/// parent. The first axis is fixed to the parent, a second one to the child: the child turns about the second axis in a
+/// frame that turns about the first.
 class Joint final : public btTypedConstraint {
  public:
   Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child);
 
-  /// Whether it has an axis to command: revolute, continuous, prismatic.
-  bool hasAxis() const { return turns_ || slides_; }
-  void setVelocityTarget(double velocity);
-  void addForce(double force) { force_ += force; }
+  /// How many axes it has to command.
+  std::size_t axisCount() const { return axisCount_; }
+  void setVelocityTarget(double velocity, std::size_t axis);
+  void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
+  void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
 
   /// Puts forces on the bodies and decides which rows the coming step of `dt` [s] needs.
   void prepare(double dt);
@@ -42,7 +46,7 @@ class Joint final : public btTypedConstraint {
   /// first call on.
   void readReaction(Vector3& force, Vector3& torque);
 
-  const world::JointState& state() const { return state_; }
+  world::JointState state() const;
 
   /// All that it remembers from step to step.
   void transfer(StateArchive& archive);
@@ -57,49 +61,65 @@ class Joint final : public btTypedConstraint {
   struct Frames {
     btTransform X_WorldParent;
     btTransform X_WorldChild;
-    btVector3 axis;
+    /// The axes themselves.
+    std::array<btVector3, 2> axes;
+    /// A torque along one of these does work on its axis alone, and a relative turn along it is that axis' velocity.
+    std::array<btVector3, 2> drives;
   };
-  struct Row;
-
-  Frames frames() const;
-  double angle(const Frames& frames) const;
-  double reflectedInertia() const;
-  void applyAxisForce(const Frames& frames, double force);
-  void addLinearRows(Row& row, const Frames& frames, double errorRate) const;
-  void addAngularRows(Row& row, const Frames& frames, double errorRate) const;
-  void addAxisRows(Row& row, const Frames& frames, double fps, double erp) const;
-
-  const description::JointAxis axis_;
-  const bool turns_;
-  const bool slides_;
-  /// Rows that hold the bodies together.
-  const int linearRows_;
-  const int angularRows_;
-  const btTransform X_ParentJoint_;
-  const btTransform X_ChildJoint_;
-  const bool parentMoves_;
-  const bool childMoves_;
-  /// [kg m^2] or [kg]: what a force along the axis has to move, were there no other joints.
-  const double inertia_;
-
-  std::optional<double> velocityTarget_;
-  double force_ = 0;
-  world::JointState state_;
-
   struct AxisRow {
     bool active = false;
     double velocity = 0;
     double lowestImpulse = 0;
     double highestImpulse = 0;
   };
-  /// What the solver's rows did, once that has been asked for; with the force along the axis, which is none of them.
+  struct Axis {
+    description::JointAxis description;
+    /// [kg m^2] or [kg]: what a force along the axis has to move, were there no other joints.
+    double inertia = 0;
+    std::optional<double> velocityTarget;
+    double force = 0;
+    double position = 0;
+    double velocity = 0;
+    /// The force that was put on the bodies in the last step, which no row has, and along what.
+    double appliedForce = 0;
+    btVector3 appliedAlong{0, 0, 0};
+    AxisRow motor;
+    AxisRow limit;
+  };
+  struct Row;
+
+  double inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const;
+  Frames frames() const;
+  std::array<double, 2> angles(const Frames& frames) const;
+  double offset(const Frames& frames) const;
+  void prepare(Axis& axis, const btVector3& along, double dt);
+  void applyForce(const btVector3& force, const btVector3& point);
+  void addLinearRows(Row& row, const Frames& frames, double errorRate) const;
+  void addAngularRows(Row& row, const Frames& frames, double errorRate) const;
+  void addCrossRow(Row& row, const Frames& frames, double errorRate) const;
+  void addAxisRows(Row& row, const Axis& axis, const btVector3& along, double fps, double erp) const;
+
+  const description::JointType type_;
+  const std::size_t axisCount_;
+  const bool slides_;
+  /// How far a screw's child moves along the axis [m/rad].
+  const double lead_;
+  /// Rows that hold the bodies together.
+  const int linearRows_;
+  const int angularRows_;
+  /// Turned so that x is the first axis.
+  const btTransform X_ParentJoint_;
+  const btTransform X_ChildJoint_;
+  /// The second axis in both, at the start.
+  const btVector3 secondAxis_;
+  const bool parentMoves_;
+  const bool childMoves_;
+  std::array<Axis, 2> axes_;
+
+  /// What the solver's rows did, once that has been asked for.
   btJointFeedback feedback_{};
-  double appliedForce_ = 0;
-  /// Where the rows met, seen from the child's centre of mass, and the axis; world frame.
+  /// Where the rows met, seen from the child's centre of mass; world frame.
   btVector3 childArm_{0, 0, 0};
-  btVector3 stepAxis_{0, 0, 0};
-  AxisRow motor_;
-  AxisRow limit_;
 };
 
 }  // namespace pongsim::physics

@@ -20,11 +20,11 @@ struct Settings {
   /// Iterations end earlier once no row's impulse changes by more than the square root of that; 0 never.
   double residual = 0;
   /// Groups of bodies with more rows of joints and contacts than that are not solved directly.
-  int mostDirectRows = 100;
+  int mostDirectRows = 150;
   /// Softness of all rows [1/(N m s) and the like]: lets the direct method solve a box on four corners, too.
   double softness = 1e-8;
   /// Parts of an error that a step takes back, in joints and in contacts.
-  double jointErrorReduction = 0.2;
+  double jointErrorReduction = 0.9;
   double contactErrorReduction = 0.2;
 };
 

@@ -76,6 +76,7 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool
   for (std::size_t i = 0; i < link.collisions.size(); ++i) {
     const description::Collision& collision = link.collisions[i];
     Pose X_BodyPart = X_BodyLink * collision.X_LinkCollision;
+    collisions_.push_back({&collision.surface, X_BodyPart.rotation});
     btCollisionShape* shape = nullptr;
     const auto [triangles, scale] = trianglesOf(collision.geometry);
     if (triangles != nullptr && !moves) {

@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,18 @@ class LinkShape {
   /// @param moves Forces move the body: a mesh is its convex hull then, else its triangles.
   LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves);
 
+  LinkShape(const LinkShape&) = delete;
+  LinkShape& operator=(const LinkShape&) = delete;
+
+  /// What is known of a collision.
+  struct Part {
+    const description::Surface* surface = nullptr;
+    /// Orientation of the collision frame in the body frame.
+    Quaternion q_BodyCollision = Quaternion::Identity();
+  };
+  /// @param collision Its number in the link.
+  const Part& part(std::size_t collision) const { return collisions_[collision]; }
+
   bool empty() const { return parts_.empty(); }
   /// @return The whole; an empty shape where there is nothing to collide with.
   btCollisionShape* root() const { return root_; }
@@ -27,7 +40,9 @@ class LinkShape {
  private:
   std::vector<std::unique_ptr<TriangleSurface>> surfaces_;
   std::vector<std::unique_ptr<btCollisionShape>> owned_;
-  /// Some of the above each.
+  /// One a collision.
+  std::vector<Part> collisions_;
+  /// Some of the above shapes each.
   std::vector<btCollisionShape*> parts_;
   std::unique_ptr<btCollisionShape> holder_;
   btCollisionShape* root_ = nullptr;

@@ -18,11 +18,11 @@ const btCollisionShape* partOf(const btCollisionObjectWrapper* wrapper) {
   return nullptr;
 }
 
-namespace {
-
 const description::Surface& surfaceOf(const btCollisionShape& part) {
   return *static_cast<const description::Surface*>(part.getUserPointer());
 }
+
+namespace {
 
 bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, int /*partA*/, int /*indexA*/,
              const btCollisionObjectWrapper* wrapperB, int partB, int indexB) {

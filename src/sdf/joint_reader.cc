@@ -34,7 +34,11 @@ std::size_t axisCount(JointType type) {
   }
 }
 
-bool isSimulated(JointType type) { return axisCount(type) < 2 && type != JointType::kScrew; }
+// Fortress's engine has none of these, either
+bool isSimulated(JointType type) { return type != JointType::kGearbox; }
+
+// below this sine of the angle between them, two axes are one
+constexpr double kSmallestSine = 1e-3;
 
 std::string labelOf(const description::Joint& joint) {
   return joint.name.empty() ? "a joint" : "joint '" + joint.name + "'";
@@ -51,8 +55,9 @@ std::optional<JointType> readType(const Element& element, const std::string& lab
     known.push_back(description::name(type));
     if (known.back() != attribute->value) continue;
     if (!isSimulated(type)) {
-      context.unsimulated.error(attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
-                                label + " can be revolute, continuous, prismatic, ball or fixed");
+      context.unsimulated.error(
+          attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
+          label + " can be any other: revolute, continuous, prismatic, screw, universal, revolute2, ball, fixed");
     }
     return type;
   }
@@ -145,6 +150,9 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
   if (const std::optional<JointType> type = readType(element, label, context)) {
     joint.type = *type;
     readAxes(element, draft, context);
+    if (*type == JointType::kScrew) {
+      joint.threadPitch = readNumber(element, "thread_pitch", joint.threadPitch, context);
+    }
   }
   draft.parent = readLinkName(element, "parent", label, context);
   draft.child = readLinkName(element, "child", label, context);
@@ -212,6 +220,11 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
         scope.findOrComplain(given.name, "an axis of " + label + " is expressed in", given.position, context);
     if (!frame) continue;
     joint.axes[i].xyz = X_ScopeJoint.rotation.conjugate() * (frame->X_ScopeFrame.rotation * joint.axes[i].xyz);
+  }
+  const bool hasCross = joint.type == JointType::kUniversal || joint.type == JointType::kRevolute2;
+  if (hasCross && joint.axes[0].xyz.cross(joint.axes[1].xyz).norm() < kSmallestSine) {
+    context.unsimulated.error(joint.position, "the two axes of " + label + " have the same direction",
+                              "<axis> is fixed to the parent, <axis2> to the child, across the first");
   }
   for (SensorDraft& sensor : draft.sensors) {
     joint.sensors.push_back(finishSensor(std::move(sensor), scope, X_ScopeJoint, context));

@@ -1,5 +1,9 @@
 #include "sdf/link_reader.hh"
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -12,6 +16,18 @@ namespace pongsim::sdf {
 
 namespace {
 
+/// 16 bits, of a larger number the lowest, as Fortress has it.
+std::uint16_t readMask(const Element& parent, std::string_view child, std::uint16_t fallback, Context& context) {
+  const std::string_view text = childText(parent, child);
+  std::uint64_t bits = 0;
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    std::from_chars(text.data() + 2, text.data() + text.size(), bits, 16);
+  } else {
+    bits = static_cast<std::uint64_t>(std::clamp(readNumber(parent, child, fallback, context), 0.0, 1e18));
+  }
+  return static_cast<std::uint16_t>(bits & 0xffffU);
+}
+
 description::Surface readSurface(const Element& collision, Context& context) {
   description::Surface surface;
   const Element* element = collision.child("surface");
@@ -21,6 +37,11 @@ description::Surface readSurface(const Element& collision, Context& context) {
     surface.mu = readNotNegative(*ode, "mu", surface.mu, context);
     surface.mu2 = readNotNegative(*ode, "mu2", surface.mu2, context);
     surface.fdir1 = readVector(*ode, "fdir1", surface.fdir1, context);
+    surface.slip1 = readNotNegative(*ode, "slip1", surface.slip1, context);
+    surface.slip2 = readNotNegative(*ode, "slip2", surface.slip2, context);
+  }
+  if (const Element* contact = element->child("contact")) {
+    surface.collideBitmask = readMask(*contact, "collide_bitmask", surface.collideBitmask, context);
   }
   if (const Element* bounce = element->child("bounce")) {
     surface.restitution = readNotNegative(*bounce, "restitution_coefficient", surface.restitution, context);

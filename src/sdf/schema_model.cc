@@ -250,7 +250,7 @@ constexpr SchemaRow kModelRows[] = {
      "Force cut in the multibody graph at this joint."},
     {"joint.pose", "+pose", "", '0', 2, 0, kRead, ""},
     {"joint.sensor", "+sensor", "", '*', 4, 0, kRead, ""},
-    {"joint.thread_pitch", "double", "1.0", '0', 0, 0, kPassed, "Parameter for screw joints."},
+    {"joint.thread_pitch", "double", "1.0", '0', 0, 0, kRead, "Parameter for screw joints."},
     {"link", "", "", '1', 0, 0, kRead,
      "A physical link with inertia, collision, and visual properties. A link must be a child of a model, and any "
      "number of links may exist in a model."},

@@ -180,7 +180,7 @@ constexpr SchemaRow kShapeRows[] = {
      "Bounciness coefficient of restitution, from [0...1], where 0=no bounciness."},
     {"surface.bounce.threshold", "double", "100000", '0', 2, 0, kPassed,
      "Bounce capture velocity, below which effective coefficient of restitution is 0."},
-    {"surface.contact", "", "", '0', 0, 0, kPassed, ""},
+    {"surface.contact", "", "", '0', 0, 0, kRead, ""},
     {"surface.contact.bullet", "", "", '0', 4, 0, kPassed, "Bullet contact parameters"},
     {"surface.contact.bullet.kd", "double", "1.0", '0', 4, 0, kPassed,
      "dynamically \"damping\"-equivalent coefficient for contact joints"},
@@ -198,7 +198,7 @@ constexpr SchemaRow kShapeRows[] = {
      "Bitmask for category of collision filtering. Collision happens if ((category1 & collision2) | (category2 & "
      "collision1)) is not zero. If not specified, the category_bitmask should be interpreted as being the same as "
      "collide_bitmask. Parsed as 16-bit unsigned integer."},
-    {"surface.contact.collide_bitmask", "unsigned int", "65535", '0', 4, 0, kPassed,
+    {"surface.contact.collide_bitmask", "unsigned int", "65535", '0', 4, 0, kRead,
      "Bitmask for collision filtering. This will override collide_without_contact. Parsed as 16-bit unsigned integer."},
     {"surface.contact.collide_without_contact", "bool", "false", '0', 4, 0, kPassed,
      "Flag to disable contact force generation, while still allowing collision checks and contact visualization to "
@@ -255,10 +255,10 @@ constexpr SchemaRow kShapeRows[] = {
     {"surface.friction.ode.mu2", "double", "1", '0', 2, 0, kRead,
      "Coefficient of friction in second friction pyramid direction, the unitless maximum ratio of force in second "
      "friction pyramid direction to normal force."},
-    {"surface.friction.ode.slip1", "double", "0.0", '0', 2, 0, kPassed,
+    {"surface.friction.ode.slip1", "double", "0.0", '0', 2, 0, kRead,
      "Force dependent slip in first friction pyramid direction, equivalent to inverse of viscous damping coefficient "
      "with units of m/s/N. A slip value of 0 is infinitely viscous."},
-    {"surface.friction.ode.slip2", "double", "0.0", '0', 2, 0, kPassed,
+    {"surface.friction.ode.slip2", "double", "0.0", '0', 2, 0, kRead,
      "Force dependent slip in second friction pyramid direction, equivalent to inverse of viscous damping coefficient "
      "with units of m/s/N. A slip value of 0 is infinitely viscous."},
     {"surface.friction.torsional", "", "", '0', 5, 0, kPassed, "Parameters for torsional friction"},

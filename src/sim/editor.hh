@@ -36,6 +36,9 @@ class Editor {
   std::optional<std::string> setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after);
   std::optional<std::string> setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after);
 
+  /// Moves links as if they were one body. Joints are not looked at.
+  void move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after);
+
   /// Makes a fixed joint of the world itself that holds the child to the parent as they are.
   /// @param name Empty: one that is free.
   world::Slot attach(world::Slot parent, world::Slot child, std::string name);
@@ -49,8 +52,6 @@ class Editor {
  private:
   /// @return The joint that holds some of these links, in ascending order, to something else; null if there is none.
   const world::JointRecord* holder(const std::vector<world::Slot>& links) const;
-  void move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after);
-
   Access& access_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "sim/access.hh"
 #include "sim/editor.hh"
+#include "sim/joint_reset.hh"
 
 namespace pongsim {
 
@@ -87,18 +88,36 @@ std::string_view Joint::name() const { return record(*access_, id_).description-
 
 int Joint::axisCount() const { return static_cast<int>(record(*access_, id_).description->axes.size()); }
 
-double Joint::position(int axis) const { return axis == 0 ? access_->state.joints[slotOf(*access_, id_)].position : 0; }
+double Joint::position(int axis) const {
+  const world::JointState& state = access_->state.joints[slotOf(*access_, id_)];
+  return axis == 0 ? state.position : axis == 1 ? state.position2 : 0;
+}
 
-double Joint::velocity(int axis) const { return axis == 0 ? access_->state.joints[slotOf(*access_, id_)].velocity : 0; }
+double Joint::velocity(int axis) const {
+  const world::JointState& state = access_->state.joints[slotOf(*access_, id_)];
+  return axis == 0 ? state.velocity : axis == 1 ? state.velocity2 : 0;
+}
 
 void Joint::setVelocityTarget(double velocity, int axis) {
   if (!canCommand(*access_, *this, velocity, axis)) return;
-  access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity);
+  access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity, static_cast<std::size_t>(axis));
 }
 
 void Joint::addForce(double force, int axis) {
   if (!canCommand(*access_, *this, force, axis)) return;
-  access_->engine.addJointForce(slotOf(*access_, id_), force);
+  access_->engine.addJointForce(slotOf(*access_, id_), force, static_cast<std::size_t>(axis));
+}
+
+std::optional<std::string> Joint::resetPosition(double position, int axis) {
+  const world::Slot slot = slotOf(*access_, id_);
+  if (axis < 0 || axis >= axisCount()) return "joint '" + std::string(name()) + "' has no axis " + std::to_string(axis);
+  return sim::resetJointPosition(*access_, slot, static_cast<std::size_t>(axis), position);
+}
+
+std::optional<std::string> Joint::resetVelocity(double velocity, int axis) {
+  const world::Slot slot = slotOf(*access_, id_);
+  if (axis < 0 || axis >= axisCount()) return "joint '" + std::string(name()) + "' has no axis " + std::to_string(axis);
+  return sim::resetJointVelocity(*access_, slot, static_cast<std::size_t>(axis), velocity);
 }
 
 std::string_view Joint::type() const { return description::name(record(*access_, id_).description->type); }

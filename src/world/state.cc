@@ -47,8 +47,7 @@ void transfer(StateArchive& archive, State& state) {
     archive(link.w_WorldLink);
   }
   for (JointState& joint : state.joints) {
-    archive(joint.position);
-    archive(joint.velocity);
+    for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
   }
 }
 
@@ -71,8 +70,7 @@ std::uint64_t stateHash(const State& state) {
   }
   hash.add(static_cast<std::uint64_t>(state.joints.size()));
   for (const JointState& joint : state.joints) {
-    hash.add(joint.position);
-    hash.add(joint.velocity);
+    for (const double value : {joint.position, joint.velocity, joint.position2, joint.velocity2}) hash.add(value);
   }
   return hash.value();
 }

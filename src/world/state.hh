@@ -17,12 +17,15 @@ struct LinkState {
   Vector3 w_WorldLink = Vector3::Zero();
 };
 
-/// Of a revolute, continuous or prismatic joint's axis; zero for the others.
+/// Of a joint's axes; zero for those that it has not.
 struct JointState {
   /// Angle since the start, not wrapped [rad], or travel [m].
   double position = 0;
   /// [rad/s] or [m/s]
   double velocity = 0;
+  /// Of the second axis.
+  double position2 = 0;
+  double velocity2 = 0;
 };
 
 /// How everything stands now. The arrays go with those of `Entities`.
@@ -53,7 +56,7 @@ Pose modelPose(const Entities& entities, const State& state, Slot model);
 
 /// @return A number made of all bits of the state, by FNV-1a (64 bits) over 64-bit words, each taken from its lowest
 /// byte up: time [ns], iterations, number of links, then of each link position (x, y, z), rotation (w, x, y, z),
-/// linear and angular velocity, then the number of joints and of each position and velocity; floating-point values as
+/// linear and angular velocity, then the number of joints and of each position and velocity, of its first axis and of its second; floating-point values as
 /// the bits of their IEEE 754 doubles.
 std::uint64_t stateHash(const State& state);
 

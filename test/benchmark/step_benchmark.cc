@@ -59,7 +59,9 @@ std::vector<Case> cases() {
   if (const auto worlds = test::fortressWorlds()) {
     const std::string text = textOf(*worlds / "tutorials" / "moving_robot.sdf");
     result.push_back({"moving_robot", text});
-    result.push_back({"moving_robot_x10", withRobots(text, 10)});
+    for (const int count : {10, 50, 200}) {
+      result.push_back({"moving_robot_x" + std::to_string(count), withRobots(text, count)});
+    }
   }
   return result;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -132,6 +134,33 @@ TEST(Engine, LeavesStaticModelsAndTheirJointsAlone) {
   rig.step(10);
   EXPECT_EQ(rig.link("gate::door").X_WorldLink.position.z(), 2);
   EXPECT_EQ(rig.joint(0).position, 0);
+}
+
+TEST(Engine, PartsWhatBeginsInEachOtherWithoutThrowingIt) {
+  description::World world;
+  world.models = {test::makeGround(), makeModel("a", {makeBox(0.1)}), makeModel("b", {makeBox(0.12)}),
+                  makeModel("c", {makeBox(0.05)})};
+  Rig rig(std::move(world));
+  double fastest = 0;
+  for (int i = 0; i < 3000; ++i) {
+    rig.step();
+    for (const world::LinkState& link : rig.state.links) fastest = std::max(fastest, link.v_WorldLink.norm());
+  }
+  EXPECT_LT(fastest, 3);
+  for (const char* name : {"a::link", "b::link", "c::link"}) {
+    EXPECT_GT(rig.link(name).X_WorldLink.position.z(), 0.095) << name;
+    EXPECT_LT(rig.link(name).v_WorldLink.norm(), 1e-2) << name;
+  }
+}
+
+TEST(Engine, StaysFiniteInStepsOfASecond) {
+  description::World world = fallingBoxes();
+  Rig rig(std::move(world));
+  for (int i = 0; i < 60; ++i) rig.engine.step(std::chrono::seconds(1), rig.state);
+  for (const world::LinkState& link : rig.state.links) {
+    EXPECT_LT(link.X_WorldLink.position.norm(), 1000);
+    EXPECT_LT(link.v_WorldLink.norm(), 100);
+  }
 }
 
 TEST(Engine, MakesStepsOfAnyLength) {

@@ -217,10 +217,138 @@ TEST(Joint, SwingsOnASpring) {
   EXPECT_NEAR(rig.joint(0).position, 0, 2e-3);
 }
 
+description::World crossOf(JointType type, const Vector3& second, bool baseIsFixed = true) {
+  description::World world = twoLinks(type, Vector3::UnitX(), baseIsFixed);
+  world.models[0].joints[0].axes.emplace_back().xyz = second;
+  return world;
+}
+
+TEST(Joint, TurnsAboutBothAxesOfACross) {
+  // the second one lies with the child, which the first one turns
+  for (const Vector3& second : {Vector3(0, 1, 0), Vector3(0.6, 0.8, 0)}) {
+    Rig rig(crossOf(JointType::kUniversal, second));
+    rig.engine.setJointVelocityTarget(0, 0.5, 0);
+    rig.engine.setJointVelocityTarget(0, -0.25, 1);
+    rig.step(4000);
+    EXPECT_NEAR(rig.joint(0).position, 2, 1e-3);
+    EXPECT_NEAR(rig.joint(0).position2, -1, 1e-3);
+    EXPECT_NEAR(rig.joint(0).velocity, 0.5, 1e-4);
+    EXPECT_NEAR(rig.joint(0).velocity2, -0.25, 1e-4);
+    const Quaternion expected =
+        Eigen::AngleAxisd(rig.joint(0).position, Vector3::UnitX()) * Eigen::AngleAxisd(rig.joint(0).position2, second);
+    EXPECT_LT(rig.link("model::arm").X_WorldLink.rotation.angularDistance(expected), 1e-4);
+    EXPECT_LT((rig.link("model::arm").X_WorldLink.position - Vector3(1, 0, 0)).norm(), 1e-5);
+  }
+}
+
+TEST(Joint, CountsBothAnglesOfACrossOverManyTurns) {
+  Rig rig(crossOf(JointType::kRevolute2, Vector3::UnitY()));
+  rig.engine.setJointVelocityTarget(0, 20, 0);
+  rig.engine.setJointVelocityTarget(0, -10, 1);
+  rig.step(2000);
+  EXPECT_NEAR(rig.joint(0).position, 40, 0.02);
+  EXPECT_NEAR(rig.joint(0).position2, -20, 0.02);
+}
+
+TEST(Joint, CarriesAForceAlongOneAxisOfACrossToThatAlone) {
+  Rig rig(crossOf(JointType::kUniversal, Vector3::UnitY()));
+  rig.engine.addJointForce(0, 5, 1);
+  rig.step(1);
+  EXPECT_NEAR(rig.joint(0).velocity2, 5 * 0.001 / 0.1, 1e-6);
+  EXPECT_NEAR(rig.joint(0).velocity, 0, 1e-9);
+}
+
+TEST(Joint, StopsACrossAtTheLimitsOfEachAxis) {
+  description::World world = crossOf(JointType::kUniversal, Vector3::UnitY());
+  world.models[0].joints[0].axes[1].upper = 0.5;
+  Rig rig(std::move(world));
+  rig.engine.setJointVelocityTarget(0, 3, 1);
+  rig.step(1000);
+  EXPECT_NEAR(rig.joint(0).position2, 0.5, 1e-4);
+  EXPECT_NEAR(rig.joint(0).position, 0, 1e-4);
+}
+
+TEST(Joint, ScrewsForwardAsItTurns) {
+  for (double pitch : {0.1, -0.4}) {
+    description::World world = twoLinks(JointType::kScrew, Vector3::UnitZ());
+    world.models[0].joints[0].threadPitch = pitch;
+    Rig rig(std::move(world));
+    rig.engine.setJointVelocityTarget(0, 2 * M_PI);
+    rig.step(3000);
+    EXPECT_NEAR(rig.joint(0).position, 6 * M_PI, 0.02);
+    EXPECT_NEAR(rig.link("model::arm").X_WorldLink.position.z(), pitch / (2 * M_PI) * rig.joint(0).position, 1e-5);
+    EXPECT_NEAR(rig.link("model::arm").X_WorldLink.position.x(), 1, 1e-5);
+  }
+}
+
+TEST(Joint, TurnsAScrewByTheWeightOnIt) {
+  description::World world = twoLinks(JointType::kScrew, Vector3::UnitZ());
+  world.gravity.z() = -kGravity;
+  world.models[0].joints[0].threadPitch = 2 * M_PI * 0.2;
+  Rig rig(std::move(world));
+  rig.step(1000);
+  // m g k = (I + m k^2) a
+  EXPECT_NEAR(rig.joint(0).velocity, -kGravity * 0.2 / (0.1 + 0.04), 1e-2);
+}
+
+TEST(Joint, ClosesALoop) {
+  // four bars: a square in the plane across y, its lower side fixed, pushed to a diamond
+  description::Model model = makeModel(
+      "model", {makeLink("left", {0, 0, 0.5}, 1, {0.1, 0.1, 0.1}), makeLink("right", {1, 0, 0.5}, 1, {0.1, 0.1, 0.1}),
+                makeLink("top", {0.5, 0, 1}, 1, {0.1, 0.1, 0.1})});
+  const auto hinge = [&](const char* name, const char* parent, const char* child, const Pose& inParent,
+                         const Pose& inChild) {
+    model.joints.push_back(makeJoint(name, JointType::kRevolute, parent, child, inParent, inChild, Vector3::UnitY()));
+  };
+  hinge("a", "world", "left", at(0, 0, 0), at(0, 0, -0.5));
+  hinge("b", "world", "right", at(1, 0, 0), at(0, 0, -0.5));
+  hinge("c", "left", "top", at(0, 0, 0.5), at(-0.5, 0, 0));
+  hinge("d", "right", "top", at(0, 0, 0.5), at(0.5, 0, 0));
+  description::World world;
+  world.gravity.setZero();
+  world.models = {model};
+  Rig rig(std::move(world));
+  rig.engine.setJointVelocityTarget(0, 0.3);
+  double gap = 0;
+  for (int i = 0; i < 2000; ++i) {
+    rig.step(1);
+    gap = std::max(gap, (rig.link("model::right").X_WorldLink * Vector3(0, 0, 0.5) -
+                         rig.link("model::top").X_WorldLink * Vector3(0.5, 0, 0))
+                            .norm());
+  }
+  EXPECT_NEAR(rig.joint(0).position, 0.6, 1e-3);
+  EXPECT_NEAR(rig.joint(1).position, 0.6, 1e-3);
+  EXPECT_NEAR(rig.link("model::top").X_WorldLink.position.z(), std::cos(0.6), 1e-3);
+  EXPECT_NEAR(rig.link("model::top").w_WorldLink.y(), 0, 1e-3);
+  EXPECT_LT(gap, 1e-4);
+}
+
+TEST(Joint, HoldsModelsTogetherAndPartsOfNestedOnes) {
+  description::Model inner = makeModel("inner", {makeLink("tip", {0, 0, 0}, 1, {0.1, 0.1, 0.1})});
+  inner.X_ParentModel.position = {1, 0, 0};
+  description::Model outer = makeModel("outer", {makeLink("base", {0, 0, 0}, 5, {0.5, 0.5, 0.5})});
+  outer.models = {inner};
+  outer.joints.push_back(makeJoint("root", JointType::kFixed, "world", "base", Pose(), Pose()));
+  outer.joints.push_back(
+      makeJoint("elbow", JointType::kRevolute, "base", "inner::tip", at(1, 0, 0), Pose(), Vector3::UnitZ()));
+  description::Model other = makeModel("other", {makeLink("link", {2, 0, 0}, 1, {0.1, 0.1, 0.1})});
+  description::World world;
+  world.gravity.setZero();
+  world.models = {outer, other};
+  world.joints.push_back(
+      makeJoint("bridge", JointType::kFixed, "outer::inner::tip", "other::link", at(1, 0, 0), Pose()));
+  Rig rig(std::move(world));
+  rig.engine.setJointVelocityTarget(1, M_PI / 2);
+  rig.step(1000);
+  EXPECT_LT((rig.link("other::link").X_WorldLink.position - Vector3(1, 1, 0)).norm(), 3e-3);
+}
+
 TEST(Joint, RefusesCommandsWhereThereIsNoAxis) {
   Rig rig(twoLinks(JointType::kBall, Vector3::UnitZ()));
   EXPECT_THROW(rig.engine.setJointVelocityTarget(0, 1), std::invalid_argument);
   EXPECT_THROW(rig.engine.addJointForce(0, 1), std::invalid_argument);
+  Rig hinged(twoLinks(JointType::kRevolute, Vector3::UnitZ()));
+  EXPECT_THROW(hinged.engine.addJointForce(0, 1, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/rig.hh"
+#include "sdf/extrusion.hh"
 
 namespace pongsim::physics {
 namespace {
@@ -61,6 +62,39 @@ TEST(LinkShape, PutsEachCollisionWhereTheLinkHasIt) {
     link.collisions.back().X_LinkCollision.position = {0, y, -0.4};
   }
   EXPECT_NEAR(restingHeight(link), 0.5, 1e-5);
+}
+
+/// A ring with a square hole of 1 m, from z = 0 to 0.5.
+description::Polyline ringOfPolylines() {
+  description::Polyline ring;
+  ring.lines = {{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}};
+  ring.height = 0.5;
+  ring.triangles = sdf::extrude(ring.lines, ring.height);
+  return ring;
+}
+
+TEST(LinkShape, OfAPolylineRestsOnItsFlatSide) {
+  description::Link link = makeLink("link", {0, 0, 0.01}, 1, {1, 1, 1});
+  link.inertial.X_LinkCom.position = {0, 0, 0.25};
+  addCollision(link, ringOfPolylines());
+  EXPECT_NEAR(restingHeight(link), 0, 1e-4);
+}
+
+TEST(LinkShape, OfAPolylineThatDoesNotMoveBearsAndHasItsHole) {
+  description::Link ring = makeLink("link", {0, 0, 0}, 1, {1, 1, 1});
+  addCollision(ring, ringOfPolylines());
+  description::World world;
+  world.models = {test::makeGround(), makeModel("ring", {ring})};
+  world.models.back().isStatic = true;
+  for (const double x : {0.0, 1.2}) {
+    description::Link ball = makeLink("link", {x, 0, 1}, 1, {0.01, 0.01, 0.01});
+    addCollision(ball, description::Sphere{0.2});
+    world.models.push_back(makeModel(x == 0 ? "within" : "upon", {ball}));
+  }
+  Rig rig(std::move(world));
+  rig.step(2000);
+  EXPECT_NEAR(rig.link("within::link").X_WorldLink.position.z(), 0.2, 1e-3);
+  EXPECT_NEAR(rig.link("upon::link").X_WorldLink.position.z(), 0.7, 1e-3);
 }
 
 TEST(LinkShape, LeavesOutWhatItCannotBuild) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "physics/rig.hh"
 
@@ -14,7 +16,7 @@ using test::makeLink;
 using test::makeModel;
 using test::Rig;
 
-constexpr double kWeight = 9.8;
+constexpr double kSurfaceGravity = 9.8;
 
 // a block on a slope about y; the slope's friction is above any that the block has
 Rig blockOnSlope(double angle, double mu, double mass = 2) {
@@ -25,7 +27,7 @@ Rig blockOnSlope(double angle, double mu, double mass = 2) {
   description::Model block = makeModel("block", {link});
   block.X_ParentModel.rotation = tilt;
   description::World world;
-  world.gravity = {0, 0, -kWeight};
+  world.gravity = {0, 0, -kSurfaceGravity};
   world.models = {test::makeGround(5, tilt * Vector3::UnitZ()), block};
   return Rig(std::move(world));
 }
@@ -47,8 +49,89 @@ TEST(Surface, LetsABlockSlideAboveTheFrictionAngleByCoulombsLaw) {
   const double angle = std::atan(0.7);
   Rig rig = blockOnSlope(angle, 0.5);
   rig.step(1000);
-  const double acceleration = kWeight * (std::sin(angle) - 0.5 * std::cos(angle));
+  const double acceleration = kSurfaceGravity * (std::sin(angle) - 0.5 * std::cos(angle));
   EXPECT_NEAR(rig.link("block::link").v_WorldLink.norm(), acceleration, 0.01 * acceleration);
+}
+
+// a block on the floor, its surface as given, after half a second of pushing
+world::LinkState pushedBlock(const description::Surface& surface, const Vector3& force, double yaw = 0) {
+  const Vector3 size(0.4, 0.4, 0.1);
+  description::Link link = makeLink("link", {0, 0, 0.05}, 2, test::boxMoments(2, size));
+  addCollision(link, description::Box{size});
+  link.collisions[0].surface = surface;
+  description::Model block = makeModel("block", {link});
+  block.X_ParentModel.rotation = fromRollPitchYaw(0, 0, yaw);
+  description::Model ground = test::makeGround(5);
+  ground.links[0].collisions[0].surface.mu2 = 5;
+  description::World world;
+  world.gravity = {0, 0, -kSurfaceGravity};
+  world.models = {ground, block};
+  Rig rig(std::move(world));
+  for (int i = 0; i < 500; ++i) {
+    // at half the height of the centre, so that it does not tip
+    rig.engine.addLinkWrench(1, force, Vector3(0, 0, -0.05).cross(force));
+    rig.step();
+  }
+  return rig.link("block::link");
+}
+
+TEST(Surface, RubsByDirectionAsFdir1Says) {
+  description::Surface surface;
+  surface.mu = 0.2;
+  surface.mu2 = 0.8;
+  surface.fdir1 = {1, 0, 0};
+  const double force = 0.5 * 2 * kSurfaceGravity;
+  const double speed = 0.5 * (0.5 - 0.2) * kSurfaceGravity;
+  struct Push {
+    Vector3 direction;
+    double yaw;
+    bool slides;
+  };
+  for (const Push& push : {Push{{1, 0, 0}, 0, true}, Push{{0, 1, 0}, 0, false}, Push{{0, 1, 0}, M_PI / 2, true},
+                           Push{{1, 0, 0}, M_PI / 2, false}}) {
+    const double found = pushedBlock(surface, force * push.direction, push.yaw).v_WorldLink.dot(push.direction);
+    EXPECT_NEAR(found, push.slides ? speed : 0, push.slides ? 0.02 * speed : 1e-3)
+        << push.direction.transpose() << ", " << push.yaw;
+  }
+}
+
+TEST(Surface, TakesTheWorldsAxesWhereNoDirectionIsGiven) {
+  description::Surface surface;
+  surface.mu = 0.2;
+  surface.mu2 = 0.8;
+  EXPECT_GT(pushedBlock(surface, {9.8, 0, 0}, 0.7).v_WorldLink.x(), 1);
+  EXPECT_LT(pushedBlock(surface, {0, 9.8, 0}, 0.7).v_WorldLink.y(), 1e-3);
+}
+
+TEST(Surface, SlipsByTheForceOnIt) {
+  description::Surface surface;
+  surface.fdir1 = {1, 0, 0};
+  surface.slip1 = 0.08;
+  // 1 N on four points
+  EXPECT_NEAR(pushedBlock(surface, {1, 0, 0}).v_WorldLink.x(), 0.08 / 4, 5e-4);
+  EXPECT_NEAR(pushedBlock(surface, {0, 1, 0}).v_WorldLink.y(), 0, 5e-4);
+}
+
+TEST(Surface, TouchesWhereTheMasksShareABit) {
+  // a ball and a box in one link; the shelf is for the box only
+  description::Link link = makeLink("link", {0, 0, 2}, 1, {0.1, 0.1, 0.1});
+  addCollision(link, description::Sphere{0.1});
+  addCollision(link, description::Box{{0.2, 0.2, 0.2}});
+  link.collisions[0].surface.collideBitmask = 1;
+  link.collisions[1].surface.collideBitmask = 2;
+  link.collisions[1].X_LinkCollision.position.z() = 0.5;
+  description::Link shelf = makeLink("link", {0, 0, 1}, 1, {1, 1, 1});
+  addCollision(shelf, description::Box{{1, 1, 0.1}});
+  for (const auto& [mask, height] : {std::pair{1, 1.15}, std::pair{2, 0.65}, std::pair{4, 0.1}}) {
+    shelf.collisions[0].surface.collideBitmask = static_cast<std::uint16_t>(mask);
+    description::World world;
+    description::Model fixed = makeModel("shelf", {shelf});
+    fixed.isStatic = true;
+    world.models = {test::makeGround(), fixed, makeModel("model", {link})};
+    Rig rig(std::move(world));
+    rig.step(1000);
+    EXPECT_NEAR(rig.link("model::link").X_WorldLink.position.z(), height, 5e-3) << mask;
+  }
 }
 
 TEST(Surface, MultipliesRestitution) {

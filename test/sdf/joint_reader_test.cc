@@ -92,17 +92,30 @@ TEST(Joint, KnowsAllTypesAndSaysWhichAreNotSimulated) {
                                                        {"ball", 0},      {"fixed", 0},      {"screw", 1},
                                                        {"universal", 2}, {"revolute2", 2},  {"gearbox", 2}};
   for (const auto& [type, axes] : types) {
-    const Loaded loaded =
-        loadJoint("<joint name='j' type='" + std::string(type) + "'>" + kLinks + "<axis/><axis2/></joint>");
+    const Loaded loaded = loadJoint("<joint name='j' type='" + std::string(type) + "'>" + kLinks +
+                                    "<axis/><axis2><xyz>0 1 0</xyz></axis2></joint>");
     const description::Joint& joint = loaded.model().joints.at(0);
     EXPECT_EQ(description::name(joint.type), type);
     EXPECT_EQ(joint.axes.size(), axes);
-    const bool isSimulated = axes < 2 && joint.type != description::JointType::kScrew;
+    const bool isSimulated = joint.type != description::JointType::kGearbox;
     EXPECT_EQ(loaded.messages.size(), isSimulated ? 0U : 1U) << type;
   }
-  EXPECT_EQ(loadJoint("<joint name='j' type='screw'>" + kLinks + "<axis/></joint>").messages,
-            Messages{"t.sdf:4:17: error: joint type 'screw' is not simulated yet | joint 'j' can be revolute, "
-                     "continuous, prismatic, ball or fixed"});
+  EXPECT_EQ(
+      loadJoint("<joint name='j' type='gearbox'>" + kLinks + "<axis/><axis2><xyz>0 1 0</xyz></axis2></joint>").messages,
+      Messages{"t.sdf:4:17: error: joint type 'gearbox' is not simulated yet | joint 'j' can be any other: "
+               "revolute, continuous, prismatic, screw, universal, revolute2, ball, fixed"});
+}
+
+TEST(Joint, RefusesTwoAxesOfTheSameDirection) {
+  EXPECT_EQ(loadJoint("<joint name='j' type='universal'>" + kLinks + "<axis/><axis2/></joint>").messages,
+            Messages{"t.sdf:4:1: error: the two axes of joint 'j' have the same direction | <axis> is fixed to the "
+                     "parent, <axis2> to the child, across the first"});
+}
+
+TEST(Joint, ReadsTheThreadOfAScrew) {
+  const Loaded loaded =
+      loadJoint("<joint name='j' type='screw'>" + kLinks + "<axis/><thread_pitch>0.25</thread_pitch></joint>");
+  EXPECT_EQ(loaded.model().joints.at(0).threadPitch, 0.25);
 }
 
 TEST(Joint, NamesTheLineOfAJointWithoutChild) {

@@ -29,13 +29,17 @@ TEST(Link, HasTheDefaultsOfTheFormat) {
 TEST(Link, ReadsSurfaces) {
   const Loaded loaded = loadLink(
       "<collision name='c'><geometry><box/></geometry><surface><friction><ode><mu>0.5</mu><mu2>0.25</mu2>"
-      "<fdir1>1 0 0</fdir1></ode></friction><bounce><restitution_coefficient>0.75</restitution_coefficient></bounce>"
+      "<fdir1>1 0 0</fdir1><slip1>0.125</slip1><slip2>2</slip2></ode></friction><contact><collide_bitmask>0x1f"
+      "</collide_bitmask></contact><bounce><restitution_coefficient>0.75</restitution_coefficient></bounce>"
       "</surface></collision>");
   EXPECT_EQ(loaded.messages, Messages());
   const description::Surface& surface = loaded.model().links.at(0).collisions.at(0).surface;
   EXPECT_EQ(surface.mu, 0.5);
   EXPECT_EQ(surface.mu2, 0.25);
   EXPECT_EQ(surface.fdir1, Vector3(1, 0, 0));
+  EXPECT_EQ(surface.slip1, 0.125);
+  EXPECT_EQ(surface.slip2, 2);
+  EXPECT_EQ(surface.collideBitmask, 0x1f);
   EXPECT_EQ(surface.restitution, 0.75);
 }
 

@@ -69,6 +69,8 @@ TEST(StateHash, ChangesWithEveryValue) {
   EXPECT_TRUE(changed([](State& s) { s.links[0].w_WorldLink.y() = 1; }));
   EXPECT_TRUE(changed([](State& s) { s.joints[0].position = 1; }));
   EXPECT_TRUE(changed([](State& s) { s.joints[0].velocity = 1; }));
+  EXPECT_TRUE(changed([](State& s) { s.joints[0].position2 = 1; }));
+  EXPECT_TRUE(changed([](State& s) { s.joints[0].velocity2 = 1; }));
 }
 
 }  // namespace
