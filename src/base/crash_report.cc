@@ -82,10 +82,14 @@ RunningPart::~RunningPart() {
 }
 
 void reportCrashes() {
-  stack_t stack{};
-  stack.ss_sp = handlerStack.data();
-  stack.ss_size = handlerStack.size();
-  sigaltstack(&stack, nullptr);
+  stack_t there{};
+  // a sanitizer has one of its own
+  if (sigaltstack(nullptr, &there) == 0 && (there.ss_flags & SS_DISABLE) != 0) {
+    stack_t stack{};
+    stack.ss_sp = handlerStack.data();
+    stack.ss_size = handlerStack.size();
+    sigaltstack(&stack, nullptr);
+  }
   for (Crash& crash : crashes) {
     struct sigaction action {};
     action.sa_handler = report;
