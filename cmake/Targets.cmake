@@ -6,7 +6,8 @@ function(pongsim_layer name)
   target_include_directories(pongsim_${name} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src)
   target_link_libraries(pongsim_${name} PUBLIC Eigen3::Eigen PRIVATE pongsim_settings ${arg_USES})
   target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_precompiled)
-  set_target_properties(pongsim_${name} PROPERTIES UNITY_BUILD ${PONGSIM_UNITY_BUILD})
+  set_target_properties(pongsim_${name} PROPERTIES UNITY_BUILD ${PONGSIM_UNITY_BUILD}
+                                                      UNITY_BUILD_BATCH_SIZE 16)
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS pongsim_${name})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS_USE ${arg_USES})
 endfunction()
@@ -18,7 +19,7 @@ function(pongsim_plugin name)
   set(target pongsim-${name}-system)
   add_library(${target} MODULE ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE pongsim pongsim_settings ${arg_USES})
-  target_precompile_headers(${target} REUSE_FROM pongsim_precompiled)
+  target_precompile_headers(${target} REUSE_FROM pongsim_plugin_precompiled)
   set_target_properties(${target} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PONGSIM_PLUGIN_SUBDIRECTORY}
     INSTALL_RPATH "$ORIGIN/../..")
@@ -40,7 +41,8 @@ function(pongsim_test name)
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test
                                            POSITION_INDEPENDENT_CODE OFF
-                                           UNITY_BUILD ${PONGSIM_UNITY_BUILD})
+                                           UNITY_BUILD ${PONGSIM_UNITY_BUILD}
+                                           UNITY_BUILD_BATCH_SIZE 16)
   target_link_libraries(${name} PRIVATE ${arg_LINKS} pongsim_test_support pongsim_test_settings
                                         GTest::gtest_main ${arg_USES})
   target_precompile_headers(${name} REUSE_FROM pongsim_test_precompiled)

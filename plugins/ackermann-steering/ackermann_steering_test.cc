@@ -10,7 +10,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::ackermann_steering_test {
 namespace {
 
 using test::RunningWorld;
@@ -103,4 +103,4 @@ TEST(AckermannSteering, OfFortressExampleDrivesACurve) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::ackermann_steering_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace pongsim {
+namespace pongsim::geometry_test {
 namespace {
 
 constexpr AckermannGeometry kCar{
@@ -58,4 +58,4 @@ TEST(AckermannOdometry, StartsAtTheOriginWhateverTheWheelsSay) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::geometry_test

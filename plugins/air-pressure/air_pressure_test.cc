@@ -6,7 +6,7 @@
 
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::air_pressure_test {
 namespace {
 
 using test::RunningWorld;
@@ -56,4 +56,4 @@ TEST(AirPressure, WarnsOfAReferenceThatIsNotUsed) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::air_pressure_test

@@ -8,7 +8,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::altimeter_test {
 namespace {
 
 using test::RunningWorld;
@@ -65,4 +65,4 @@ TEST(Altimeter, OfFortressTestWorldFalls) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::altimeter_test

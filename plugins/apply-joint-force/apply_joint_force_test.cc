@@ -7,7 +7,7 @@
 
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::apply_joint_force_test {
 namespace {
 
 using test::RunningWorld;
@@ -57,4 +57,4 @@ TEST(ApplyJointForce, IsLeftOutWithoutAJoint) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::apply_joint_force_test

@@ -9,7 +9,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::apply_link_wrench_test {
 namespace {
 
 using test::RunningWorld;
@@ -115,4 +115,4 @@ TEST(ApplyLinkWrench, OfFortressTestWorldPushes) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::apply_link_wrench_test

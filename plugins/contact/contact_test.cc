@@ -9,7 +9,7 @@
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
 
-namespace pongsim {
+namespace pongsim::contact_test {
 namespace {
 
 /// A plate of half a metre's thickness, and a ball that lies on it with its lowest point at that height.
@@ -122,4 +122,4 @@ TEST_F(ContactTest, OfFortressExampleSpeaksOnItsTopic) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::contact_test

@@ -9,7 +9,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::detachable_joint_test {
 namespace {
 
 using test::RunningWorld;
@@ -104,4 +104,4 @@ TEST(DetachableJoint, OfFortressExampleHoldsABoxUntilTheVehicleComes) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::detachable_joint_test

@@ -16,7 +16,7 @@
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
 
-namespace pongsim {
+namespace pongsim::diff_drive_test {
 namespace {
 
 std::string exampleWorld() {
@@ -270,4 +270,4 @@ TEST(DiffDriveParameters, RefusesSizesAndLimitsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::diff_drive_test

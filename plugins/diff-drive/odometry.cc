@@ -7,7 +7,7 @@ namespace pongsim {
 namespace {
 
 // Below this turn [rad] a step is taken as straight.
-constexpr double kStraight = 1e-6;
+constexpr double kStraightAhead = 1e-6;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void Odometry::update(double leftAngle, double rightAngle, double dt) {
 
   const double forward = (right + left) / 2;
   const double turn = (right - left) / separation_;
-  if (std::abs(turn) < kStraight) {
+  if (std::abs(turn) < kStraightAhead) {
     x_ += forward * std::cos(heading_ + turn / 2);
     y_ += forward * std::sin(heading_ + turn / 2);
     heading_ += turn;

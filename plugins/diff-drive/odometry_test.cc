@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pongsim {
+namespace pongsim::odometry_test {
 namespace {
 
 TEST(Odometry, StartsAtTheOriginWhateverTheWheelsSay) {
@@ -54,4 +54,4 @@ TEST(Odometry, MeansVelocitiesOverTenSamples) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::odometry_test

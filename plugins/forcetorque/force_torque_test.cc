@@ -10,7 +10,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::force_torque_test {
 namespace {
 
 using test::RunningWorld;
@@ -82,4 +82,4 @@ TEST(ForceTorque, OfFortressTestWorldCarriesTheWeightOnItsPlate) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::force_torque_test

@@ -12,7 +12,7 @@
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
 
-namespace pongsim {
+namespace pongsim::imu_test {
 namespace {
 
 /// What a world holds beside the systems.
@@ -229,4 +229,4 @@ TEST_F(ImuTest, OfFortressDemoTellsWhatItsLinkDoes) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::imu_test

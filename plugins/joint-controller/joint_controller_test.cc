@@ -6,7 +6,7 @@
 
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::joint_controller_test {
 namespace {
 
 using test::RunningWorld;
@@ -57,4 +57,4 @@ TEST(JointController, IsLeftOutWithTheReason) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::joint_controller_test

@@ -7,7 +7,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::joint_position_controller_test {
 namespace {
 
 using test::RunningWorld;
@@ -90,4 +90,4 @@ TEST(JointPositionController, OfFortressTestWorldSettles) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::joint_position_controller_test

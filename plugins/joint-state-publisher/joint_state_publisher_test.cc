@@ -6,7 +6,7 @@
 
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::joint_state_publisher_test {
 namespace {
 
 using test::RunningWorld;
@@ -80,4 +80,4 @@ TEST(JointStatePublisher, WarnsOfAJointThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::joint_state_publisher_test

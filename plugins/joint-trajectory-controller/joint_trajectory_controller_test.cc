@@ -8,7 +8,7 @@
 #include "pongsim/message.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::joint_trajectory_controller_test {
 namespace {
 
 using test::RunningWorld;
@@ -106,4 +106,4 @@ TEST(JointTrajectoryController, IsLeftOutWithTheReason) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::joint_trajectory_controller_test

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <limits>
 
-namespace pongsim {
+namespace pongsim::trajectory_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -62,4 +62,4 @@ TEST(Trajectory, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::trajectory_test

@@ -7,7 +7,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::kinetic_energy_monitor_test {
 namespace {
 
 using test::RunningWorld;
@@ -63,4 +63,4 @@ TEST(KineticEnergyMonitor, OfFortressExampleTellsOfTheFall) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::kinetic_energy_monitor_test

@@ -7,7 +7,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::logical_camera_test {
 namespace {
 
 using test::RunningWorld;
@@ -73,4 +73,4 @@ TEST(LogicalCamera, OfFortressExampleSeesTheBox) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::logical_camera_test

@@ -6,7 +6,7 @@
 
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::magnetometer_test {
 namespace {
 
 using test::RunningWorld;
@@ -41,4 +41,4 @@ TEST(Magnetometer, AddsTheNoiseThatTheFileAsksFor) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::magnetometer_test

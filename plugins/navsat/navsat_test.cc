@@ -7,7 +7,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::navsat_test {
 namespace {
 
 using test::RunningWorld;
@@ -82,4 +82,4 @@ TEST(NavSat, OfFortressTestWorldKnowsItsPlace) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::navsat_test

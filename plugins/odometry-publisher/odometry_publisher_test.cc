@@ -9,7 +9,7 @@
 
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::odometry_publisher_test {
 namespace {
 
 using test::RunningWorld;
@@ -125,4 +125,4 @@ TEST(OdometryPublisherParameters, AreRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::odometry_publisher_test

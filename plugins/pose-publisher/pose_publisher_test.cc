@@ -7,7 +7,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::pose_publisher_test {
 namespace {
 
 using test::RunningWorld;
@@ -102,4 +102,4 @@ TEST(PosePublisher, OfFortressExampleSpeaks) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::pose_publisher_test

@@ -7,7 +7,7 @@
 
 #include "pongsim/simulation.hh"
 
-namespace pongsim {
+namespace pongsim::scene_broadcaster_test {
 namespace {
 
 std::string world(const std::string& plugins) {
@@ -105,4 +105,4 @@ TEST(SceneBroadcasterParameters, RefusesARateOfZero) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::scene_broadcaster_test

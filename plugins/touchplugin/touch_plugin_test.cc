@@ -12,7 +12,7 @@
 
 #include "pongsim/simulation.hh"
 
-namespace pongsim {
+namespace pongsim::touch_plugin_test {
 namespace {
 
 constexpr const char* kParameters =
@@ -135,4 +135,4 @@ TEST(TouchPluginParameters, AreRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::touch_plugin_test

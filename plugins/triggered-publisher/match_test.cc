@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace pongsim {
+namespace pongsim::match_test {
 namespace {
 
 Element matchElement(std::string text, std::vector<Element::Attribute> attributes = {}) {
@@ -109,4 +109,4 @@ TEST(Match, NamesWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::match_test

@@ -11,7 +11,7 @@
 
 #include "pongsim/simulation.hh"
 
-namespace pongsim {
+namespace pongsim::triggered_publisher_test {
 namespace {
 
 constexpr const char* kInput = R"(<input type="ignition.msgs.Int32" topic="/in"><match field="data">7</match></input>)";
@@ -222,4 +222,4 @@ TEST(TriggeredPublisherParameters, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::triggered_publisher_test

@@ -9,7 +9,7 @@
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
-namespace pongsim {
+namespace pongsim::velocity_control_test {
 namespace {
 
 using test::RunningWorld;
@@ -98,4 +98,4 @@ TEST(VelocityControl, OfFortressTestWorldDrives) {
 }
 
 }  // namespace
-}  // namespace pongsim
+}  // namespace pongsim::velocity_control_test

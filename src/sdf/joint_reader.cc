@@ -16,9 +16,9 @@ namespace {
 using description::JointAxis;
 using description::JointType;
 
-constexpr std::array kTypes{JointType::kRevolute,  JointType::kContinuous, JointType::kPrismatic,
-                            JointType::kBall,      JointType::kFixed,      JointType::kUniversal,
-                            JointType::kRevolute2, JointType::kScrew,      JointType::kGearbox};
+constexpr std::array kJointTypes{JointType::kRevolute,  JointType::kContinuous, JointType::kPrismatic,
+                                 JointType::kBall,      JointType::kFixed,      JointType::kUniversal,
+                                 JointType::kRevolute2, JointType::kScrew,      JointType::kGearbox};
 
 std::size_t axisCount(JointType type) {
   switch (type) {
@@ -51,7 +51,7 @@ std::optional<JointType> readType(const Element& element, const std::string& lab
     return std::nullopt;
   }
   std::vector<std::string_view> known;
-  for (const JointType type : kTypes) {
+  for (const JointType type : kJointTypes) {
     known.push_back(description::name(type));
     if (known.back() != attribute->value) continue;
     if (!isSimulated(type)) {

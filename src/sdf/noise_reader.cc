@@ -20,8 +20,8 @@ NoiseSettings::Type readType(const Element& noise, NoiseSettings::Type fallback,
   if (type == "none") return Type::kNone;
   if (type == "gaussian") return Type::kGaussian;
   if (type == "gaussian_quantized") return Type::kGaussianQuantized;
-  constexpr std::array<std::string_view, 3> kTypes{"none", "gaussian", "gaussian_quantized"};
-  std::string hint = base::didYouMean(type, kTypes);
+  constexpr std::array<std::string_view, 3> kNoiseTypes{"none", "gaussian", "gaussian_quantized"};
+  std::string hint = base::didYouMean(type, kNoiseTypes);
   if (hint.empty()) hint = "it can be none, gaussian or gaussian_quantized";
   context.diagnostics.error(attribute != nullptr ? attribute->position
                             : child != nullptr   ? child->position

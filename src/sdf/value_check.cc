@@ -22,7 +22,7 @@ struct NumberType {
   bool isUnsigned = false;
 };
 
-constexpr NumberType kTypes[] = {
+constexpr NumberType kNumberTypes[] = {
     {"double", "a number", 1, 1},
     {"float", "a number", 1, 1},
     {"int", "an integer", 1, 1, true},
@@ -71,8 +71,8 @@ std::optional<WrongValue> checkValue(std::string_view type, std::string_view tex
     if (parseFlag(text)) return std::nullopt;
     return WrongValue{Severity::kError, "'true' or 'false'"};
   }
-  const auto* found = std::ranges::find(kTypes, type, &NumberType::name);
-  if (found == std::end(kTypes)) return std::nullopt;
+  const auto* found = std::ranges::find(kNumberTypes, type, &NumberType::name);
+  if (found == std::end(kNumberTypes)) return std::nullopt;
   const std::vector<std::string_view> words = wordsOf(text);
   const bool areNumbers = std::ranges::all_of(words, [&](std::string_view word) { return isNumber(word, *found); });
   if (areNumbers && words.size() >= found->least && words.size() <= found->most) return std::nullopt;

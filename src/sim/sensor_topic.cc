@@ -10,7 +10,7 @@ namespace pongsim {
 namespace {
 
 /// @return Time between two messages; zero: one every step.
-Time periodOf(double rate) {
+Time messagePeriod(double rate) {
   if (!(rate > 0)) return Time::zero();
   return std::chrono::floor<std::chrono::milliseconds>(fromSeconds(std::min(1 / rate, 1e9)));
 }
@@ -18,7 +18,7 @@ Time periodOf(double rate) {
 }  // namespace
 
 SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node)
-    : frameName_(sensor.frameName()), largestRate_(sensor.updateRate()), period_(periodOf(sensor.updateRate())) {
+    : frameName_(sensor.frameName()), largestRate_(sensor.updateRate()), period_(messagePeriod(sensor.updateRate())) {
   const std::string topic = cleanTopic(sensor.topic(suffix));
   try {
     publisher_ = node.advertise(topic, type);
@@ -39,7 +39,7 @@ void SensorTopic::setRate(double rate) {
   if (!(rate >= 0)) return;
   // no more than the file asks for
   if (largestRate_ > 0) rate = rate > 0 ? std::min(rate, largestRate_) : largestRate_;
-  period_ = periodOf(rate);
+  period_ = messagePeriod(rate);
   due_ = now_ + period_;
 }
 

@@ -16,7 +16,7 @@ namespace pongsim::transport {
 
 namespace {
 
-const Logger& log() {
+const Logger& busLog() {
   static const Logger logger("transport");
   return logger;
 }
@@ -152,7 +152,8 @@ void Bus::publish(Channel& channel, const Message& message) {
 
   const std::size_t size = msgs::byteSize(message);
   if (size > kMaximumMessage) {
-    log().error("topic '" + channel.topic + "': a message of " + std::to_string(size) + " bytes is too large to send");
+    busLog().error("topic '" + channel.topic + "': a message of " + std::to_string(size) +
+                   " bytes is too large to send");
     return;
   }
   const auto serialize = [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); };
@@ -276,10 +277,10 @@ void Bus::complain(Channel& channel, const ParticipantId& sender, std::string_vi
   }
   if (!unmentioned) return;
   const int pid = network_ ? network_->directory().pidOf(sender) : 0;
-  log().warning("topic '" + channel.topic + "': a message from " +
-                (sender == ParticipantId{} ? "this process" : "process " + std::to_string(pid)) + " " +
-                std::string(what) + "; dropped" +
-                (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
+  busLog().warning("topic '" + channel.topic + "': a message from " +
+                   (sender == ParticipantId{} ? "this process" : "process " + std::to_string(pid)) + " " +
+                   std::string(what) + "; dropped" +
+                   (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
 }
 
 void Bus::subscribersChanged() {

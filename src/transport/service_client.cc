@@ -15,7 +15,7 @@ namespace pongsim::transport {
 namespace {
 
 // How soon it is seen that the service that has come has other types.
-constexpr std::chrono::milliseconds kLookAgain{20};
+constexpr std::chrono::milliseconds kLookForReaders{20};
 
 CallResult failed(CallOutcome outcome, const std::string& service, const std::string& what) {
   return {outcome, "service '" + service + "' " + what};
@@ -144,7 +144,7 @@ std::optional<ParticipantId> ServiceClient::waitForServer(const Line& line, Time
     std::unique_lock lock(mutex_);
     const TimePoint now = std::chrono::steady_clock::now();
     late = now >= deadline;
-    changed_.wait_until(lock, std::min(deadline, now + kLookAgain), [&] { return line.writer->hasReaders(); });
+    changed_.wait_until(lock, std::min(deadline, now + kLookForReaders), [&] { return line.writer->hasReaders(); });
   }
 }
 

@@ -14,7 +14,7 @@ constexpr std::string_view kReplies = "pongsim/reply";
 constexpr std::string_view kBetweenTypes = " -> ";
 
 // With what stands before it, what DDS can tell others as a topic's name.
-constexpr std::size_t kMaximumLength = 230;
+constexpr std::size_t kLongestServiceName = 230;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ std::optional<std::pair<std::string_view, std::string_view>> typesOfService(std:
 
 std::string absoluteService(std::string_view name) {
   std::optional<std::string> error = topicNameError(name);
-  if (!error && name.size() > kMaximumLength) error = "is longer than 230 letters";
+  if (!error && name.size() > kLongestServiceName) error = "is longer than 230 letters";
   if (error) throw std::invalid_argument("'" + std::string(name) + "' is no service name: it " + *error);
   return absoluteTopic(name);
 }

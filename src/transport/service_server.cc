@@ -26,7 +26,7 @@ constexpr std::chrono::milliseconds kFarewell{500};
 
 constexpr ParticipantId kOwn{};
 
-const Logger& log() {
+const Logger& serverLog() {
   static const Logger logger("transport");
   return logger;
 }
@@ -197,7 +197,7 @@ ServiceAnswer ServiceServer::ask(Offer& offer) {
   try {
     return offer.handler(*offer.request, *offer.reply);
   } catch (const std::exception& error) {
-    log().error("service '" + offer.name + "': " + error.what());
+    serverLog().error("service '" + offer.name + "': " + error.what());
     return ServiceAnswer::refused(error.what());
   }
 }
@@ -227,9 +227,9 @@ void ServiceServer::complain(Offer& offer, const ParticipantId& sender, std::str
   }
   if (!unmentioned) return;
   const int pid = network_ != nullptr ? network_->directory().pidOf(sender) : 0;
-  log().warning("service '" + offer.name + "': a request from " +
-                (sender == kOwn ? "this process" : "process " + std::to_string(pid)) + " " + std::string(what) +
-                "; dropped" + (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
+  serverLog().warning("service '" + offer.name + "': a request from " +
+                      (sender == kOwn ? "this process" : "process " + std::to_string(pid)) + " " + std::string(what) +
+                      "; dropped" + (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
 }
 
 }  // namespace pongsim::transport

@@ -11,7 +11,7 @@ namespace pongsim {
 namespace {
 
 // What DDS can tell others as a topic's name.
-constexpr std::size_t kMaximumLength = 255;
+constexpr std::size_t kLongestTopic = 255;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::optional<std::string> topicNameError(std::string_view name) {
   for (std::string_view forbidden : {"~", "//", "@", ":="}) {
     if (name.find(forbidden) != std::string_view::npos) return "has '" + std::string(forbidden) + "'";
   }
-  if (name.size() + (name.starts_with('/') ? 0 : 1) > kMaximumLength) return "is longer than 255 letters";
+  if (name.size() + (name.starts_with('/') ? 0 : 1) > kLongestTopic) return "is longer than 255 letters";
   return std::nullopt;
 }
 

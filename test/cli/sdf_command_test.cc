@@ -9,13 +9,13 @@
 namespace pongsim::cli {
 namespace {
 
-struct Outcome {
+struct SdfOutcome {
   int exitCode;
   std::string output;
   std::string error;
 };
 
-Outcome runSdf(std::vector<std::string> arguments) {
+SdfOutcome runSdf(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"pongsim", "sdf"});
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -27,7 +27,7 @@ Outcome runSdf(std::vector<std::string> arguments) {
 
 class SdfCheck : public testing::Test {
  protected:
-  Outcome check(std::vector<std::string> arguments) {
+  SdfOutcome check(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "--check");
     return runSdf(std::move(arguments));
   }
@@ -40,7 +40,7 @@ class SdfCheck : public testing::Test {
 };
 
 TEST_F(SdfCheck, SaysThatAFileIsValid) {
-  const Outcome outcome = check({write("a.sdf", "<world name='w'/>")});
+  const SdfOutcome outcome = check({write("a.sdf", "<world name='w'/>")});
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.output, "Valid.\n");
   EXPECT_EQ(outcome.error, "");
@@ -48,7 +48,7 @@ TEST_F(SdfCheck, SaysThatAFileIsValid) {
 
 TEST_F(SdfCheck, SaysWhatIsWrong) {
   const std::string file = write("a.sdf", "<world/>");
-  const Outcome outcome = check({file});
+  const SdfOutcome outcome = check({file});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.error, file +
@@ -59,7 +59,7 @@ TEST_F(SdfCheck, SaysWhatIsWrong) {
 TEST_F(SdfCheck, NamesTheFilesWhereThereAreSeveral) {
   const std::string good = write("a.sdf", "<world name='w'/>");
   const std::string bad = write("b.sdf", "<world/>");
-  const Outcome outcome = check({good, bad, "/no/such.sdf", good});
+  const SdfOutcome outcome = check({good, bad, "/no/such.sdf", good});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_EQ(outcome.output, good + ": Valid.\n" + good + ": Valid.\n");
   EXPECT_NE(outcome.error.find(bad + ":2:1: error: "), std::string::npos) << outcome.error;
@@ -70,7 +70,7 @@ TEST_F(SdfCheck, TakesWarningsForErrorsIfItIsStrict) {
   const std::string file = write("a.sdf", "<world name='w'><odd/></world>");
   EXPECT_EQ(check({file}).exitCode, 0);
   EXPECT_EQ(check({file}).output, "Valid.\n");
-  const Outcome outcome = check({file, "--strict"});
+  const SdfOutcome outcome = check({file, "--strict"});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_EQ(outcome.output, "");
   EXPECT_TRUE(outcome.error.starts_with(file + ":2:17: error: <odd> is not known in <world>")) << outcome.error;
@@ -80,7 +80,7 @@ TEST_F(SdfCheck, PrintsJson) {
   const std::string good = write("a.sdf", "<world name='w'/>");
   EXPECT_EQ(check({"--json", good}).output, "[]\n");
   const std::string bad = write("b.sdf", "<world/>");
-  const Outcome outcome = check({"--json", good, bad});
+  const SdfOutcome outcome = check({"--json", good, bad});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_EQ(outcome.error, "");
   EXPECT_EQ(outcome.output, "[{\"file\":\"" + bad +
@@ -95,7 +95,7 @@ TEST(SdfCommand, DoesOneThingAtATime) {
                                                     {"--describe", "joint", "a.sdf"},
                                                     {"--describe", "joint", "--json"},
                                                     {"--describe", "joitn"}}) {
-    const Outcome outcome = runSdf(arguments);
+    const SdfOutcome outcome = runSdf(arguments);
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_EQ(outcome.output, "");
     EXPECT_TRUE(outcome.error.starts_with("pongsim: error: ")) << outcome.error;
@@ -110,7 +110,7 @@ TEST(SdfPrint, PrintsAFileWithWhatItIncludes) {
                                 .write("w.sdf", "<sdf version='1.8'><world name='w'><include><uri>" + model +
                                                     "</uri><pose>1 0 0 0 0 0</pose></include><odd/></world></sdf>")
                                 .string();
-  const Outcome outcome = runSdf({"--print", world});
+  const SdfOutcome outcome = runSdf({"--print", world});
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_NE(outcome.error.find("<odd> is not known"), std::string::npos) << outcome.error;
   EXPECT_EQ(outcome.output,
@@ -127,7 +127,7 @@ TEST(SdfPrint, PrintsAFileWithWhatItIncludes) {
 }
 
 TEST(SdfPrint, PrintsNothingOfAFileWithErrors) {
-  const Outcome outcome = runSdf({"--print", "/no/such.sdf"});
+  const SdfOutcome outcome = runSdf({"--print", "/no/such.sdf"});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.error.substr(0, 40), "/no/such.sdf: error: no such file\n  hint");
@@ -137,7 +137,7 @@ TEST(SdfPrint, PrintsNothingOfAFileWithErrors) {
 TEST(SdfGraph, PrintsText) {
   const test::TempFolder folder;
   const std::string world = folder.write("w.sdf", "<sdf version='1.8'><world name='w'/></sdf>").string();
-  const Outcome outcome = runSdf({"--graph", "frame", world});
+  const SdfOutcome outcome = runSdf({"--graph", "frame", world});
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.output, "digraph {\n  0 [label=\"world\"];\n}\n");
   EXPECT_EQ(outcome.error, "");
@@ -147,7 +147,7 @@ TEST(SdfGraph, PrintsText) {
 }
 
 TEST(SdfDescribe, PrintsWhatTheFormatSays) {
-  const Outcome outcome = runSdf({"--describe", "//joint/axis/limit"});
+  const SdfOutcome outcome = runSdf({"--describe", "//joint/axis/limit"});
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.error, "");
   EXPECT_TRUE(outcome.output.starts_with("<limit> in joint/axis\n")) << outcome.output;

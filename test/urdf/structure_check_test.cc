@@ -5,7 +5,7 @@
 namespace pongsim::urdf::test {
 namespace {
 
-Messages check(std::string_view content) {
+Messages structureOf(std::string_view content) {
   Diagnostics diagnostics;
   const bool isSound = checkStructure(robotWith(content), diagnostics);
   EXPECT_NE(isSound, diagnostics.hasErrors());
@@ -13,24 +13,24 @@ Messages check(std::string_view content) {
 }
 
 TEST(StructureCheck, PassesATree) {
-  EXPECT_EQ(check("<joint name='j'><parent link='a'/><child link='b'/></joint><link name='b'/><link name='a'/>"),
+  EXPECT_EQ(structureOf("<joint name='j'><parent link='a'/><child link='b'/></joint><link name='b'/><link name='a'/>"),
             Messages());
 }
 
 TEST(StructureCheck, NamesMissingAndRepeatedNames) {
-  EXPECT_EQ(check("<link/>\n<link name=''/>\n<joint/>\n<link name='a'/>\n<link name='a'/>"),
+  EXPECT_EQ(structureOf("<link/>\n<link name=''/>\n<joint/>\n<link name='a'/>\n<link name='a'/>"),
             (Messages{
                 "r.urdf:2:1: error: a link has no name",
                 "r.urdf:3:1: error: a link has no name",
                 "r.urdf:4:1: error: a joint has no name",
                 "r.urdf:6:1: error: there is a second link 'a'",
             }));
-  EXPECT_EQ(check(""), Messages{"r.urdf:1:1: error: the robot has no <link>"});
+  EXPECT_EQ(structureOf(""), Messages{"r.urdf:1:1: error: the robot has no <link>"});
 }
 
 TEST(StructureCheck, NamesLinksThatAreNotThere) {
-  EXPECT_EQ(check("<link name='base_link'/><link name='b'/>\n"
-                  "<joint name='j'><parent link='base_lnk'/><child/></joint>"),
+  EXPECT_EQ(structureOf("<link name='base_link'/><link name='b'/>\n"
+                        "<joint name='j'><parent link='base_lnk'/><child/></joint>"),
             (Messages{
                 "r.urdf:3:25: error: joint 'j' names parent link 'base_lnk', which is not there | did you mean "
                 "'base_link'?",
@@ -39,27 +39,27 @@ TEST(StructureCheck, NamesLinksThatAreNotThere) {
 }
 
 TEST(StructureCheck, WantsOneTree) {
-  EXPECT_EQ(check("<link name='a'/>\n<link name='b'/>"),
+  EXPECT_EQ(structureOf("<link name='a'/>\n<link name='b'/>"),
             Messages{"r.urdf:3:1: error: link 'b' hangs on no joint, and neither does 'a' | a robot has one root: the "
                      "other links are children of joints"});
   EXPECT_EQ(
-      check("<link name='a'/><link name='b'/><link name='c'/>" + jointNamed("j", "fixed", "a", "b") +
-            jointNamed("k", "fixed", "a", "c") + jointNamed("l", "fixed", "b", "c")),
+      structureOf("<link name='a'/><link name='b'/><link name='c'/>" + jointNamed("j", "fixed", "a", "b") +
+                  jointNamed("k", "fixed", "a", "c") + jointNamed("l", "fixed", "b", "c")),
       Messages{"r.urdf:4:48: error: joint 'l' has the child 'c', which hangs on joint 'k' already | URDF knows no "
                "closed loops"});
 }
 
 TEST(StructureCheck, ShowsTheCircle) {
-  EXPECT_EQ(
-      check("<link name='a'/><link name='b'/><link name='c'/><link name='d'/>\n" + jointNamed("j", "fixed", "b", "c") +
-            jointNamed("k", "fixed", "c", "b") + jointNamed("l", "fixed", "c", "d")),
-      Messages{"r.urdf:4:1: error: joints go in a circle: 'b' hangs on 'c', which hangs on 'b'"});
+  EXPECT_EQ(structureOf("<link name='a'/><link name='b'/><link name='c'/><link name='d'/>\n" +
+                        jointNamed("j", "fixed", "b", "c") + jointNamed("k", "fixed", "c", "b") +
+                        jointNamed("l", "fixed", "c", "d")),
+            Messages{"r.urdf:4:1: error: joints go in a circle: 'b' hangs on 'c', which hangs on 'b'"});
 }
 
 TEST(StructureCheck, BoundsTheNumberOfLinks) {
   std::string chain = "<link name='0'/>";
   for (int i = 1; i <= 5000; ++i) chain += "<link name='" + std::to_string(i) + "'/>";
-  const Messages messages = check(chain);
+  const Messages messages = structureOf(chain);
   ASSERT_FALSE(messages.empty());
   EXPECT_EQ(messages.front(), "r.urdf:1:1: error: the robot has more than 5000 links");
 }
