@@ -17,6 +17,11 @@ const Logger& editLog() {
   return log;
 }
 
+/// @param refusal Why not, or nothing.
+ServiceAnswer answerFor(const std::optional<std::string>& refusal) {
+  return refusal ? ServiceAnswer::refused(*refusal) : true;
+}
+
 }  // namespace
 
 EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
@@ -56,8 +61,7 @@ std::optional<std::string> EditServices::insert(const msgs::EntityFactory& asked
 
 ServiceAnswer EditServices::create(const Message& request) {
   std::vector<Model> inserted;
-  const std::optional<std::string> error = insert(msgs::entityFactory(request), inserted);
-  return error ? ServiceAnswer::refused(*error) : true;
+  return answerFor(insert(msgs::entityFactory(request), inserted));
 }
 
 // All or none: who asked would not know which ones are there.
@@ -101,8 +105,7 @@ ServiceAnswer EditServices::removeModel(const Message& request) {
   std::string error;
   const std::optional<Model> model = find(asked, error);
   if (!model) return ServiceAnswer::refused(error);
-  const std::optional<std::string> refusal = simulation_.remove(*model);
-  return refusal ? ServiceAnswer::refused(*refusal) : true;
+  return answerFor(simulation_.remove(*model));
 }
 
 ServiceAnswer EditServices::setPose(const Message& request) {
@@ -110,8 +113,7 @@ ServiceAnswer EditServices::setPose(const Message& request) {
   std::string error;
   std::optional<Model> model = find(asked.entity, error);
   if (!model) return ServiceAnswer::refused(error);
-  const std::optional<std::string> refusal = model->setPose(asked.pose);
-  return refusal ? ServiceAnswer::refused(*refusal) : true;
+  return answerFor(model->setPose(asked.pose));
 }
 
 // All or none, as far as it can be known before: that each is there.
