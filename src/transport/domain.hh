@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pongsim::transport {
@@ -9,6 +10,9 @@ namespace pongsim::transport {
 /// @return `wanted`, else what the environment variable PONGSIM_DOMAIN says, else 0.
 /// @throws std::invalid_argument for anything but an integer from 0 to 232.
 int chosenDomain(std::optional<int> wanted);
+
+/// @return What the environment variable IGN_PARTITION says, or else GZ_PARTITION; empty: no partition.
+std::string chosenPartition();
 
 /// The ports by which the processes of a domain find each other, as the RTPS specification (9.6.1.1) numbers them:
 /// one for each participant, two apart.

@@ -12,10 +12,10 @@
 #include <fastdds/dds/log/Log.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "base/parse_number.hh"
@@ -113,8 +113,13 @@ int processOf(std::string_view participantName) {
 
 }  // namespace
 
-Network::Network(std::optional<int> domain) : domain_(chosenDomain(domain)) {
-  if (const char* partition = std::getenv("IGN_PARTITION")) partition_ = partition;
+Network::Network(std::optional<int> domain)
+    : domain_(chosenDomain(domain)),
+      partition_(chosenPartition()),
+      reporter_([this](std::function<void()> readersChanged) {
+        const Contract contract{TrafficReporter::kTrafficTopic, TrafficReporter::kTrafficType, "", false};
+        return std::make_unique<Writer>(*participant_, outbox_, contract, std::move(readersChanged));
+      }) {
   setUpLibrary();
   const auto domainId = static_cast<std::uint32_t>(domain_);
   const std::shared_ptr<GatedUdp> udp = loopbackUdp(domain_);
@@ -134,6 +139,7 @@ Network::Network(std::optional<int> domain) : domain_(chosenDomain(domain)) {
 
 Network::~Network() {
   participant_->set_listener(nullptr);
+  reporter_.stop();
   censusReader_.reset();
   censusWriter_.reset();
   rtps::RTPSDomain::removeRTPSParticipant(participant_);
@@ -147,8 +153,9 @@ std::unique_ptr<Writer> Network::makeWriter(const std::string& topic, const std:
 }
 
 std::unique_ptr<Reader> Network::makeReader(const std::string& topic, const std::string& type,
-                                            Reader::Received received) {
-  auto reader = std::make_unique<Reader>(*participant_, contract(topic, type), std::move(received));
+                                            Reader::Received received, Reader::WriterGone writerGone) {
+  auto reader =
+      std::make_unique<Reader>(*participant_, contract(topic, type), std::move(received), std::move(writerGone));
   changeCensus(1);
   return reader;
 }
@@ -198,6 +205,18 @@ void Network::discover(std::chrono::nanoseconds timeout) {
   }
 }
 
+void Network::watchTraffic(std::chrono::nanoseconds duration) {
+  directory_.forgetTraffic();
+  const auto received = [this](const ParticipantId& sender, std::span<const std::byte> payload) {
+    const auto message = messageInPayload(payload);
+    std::optional<TrafficReport> report = message ? readTraffic(*message) : std::nullopt;
+    if (report) directory_.setTraffic(sender, *std::move(report));
+  };
+  const Contract contract{TrafficReporter::kTrafficTopic, TrafficReporter::kTrafficType, "", false};
+  const Reader reader(*participant_, contract, received);
+  std::this_thread::sleep_until(deadlineAfter(duration));
+}
+
 void Network::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDiscoveryInfo&& info) {
   using Info = rtps::ParticipantDiscoveryInfo;
   const ParticipantId id = participantId(info.info.m_guid.guidPrefix);
@@ -220,6 +239,10 @@ void Network::endpointChanged(const ProxyData& data, Role role, bool removed) {
   }
   const std::string topic = data.topicName().c_str();
   if (topic == kCensusTopic) return;
+  if (topic == TrafficReporter::kTrafficTopic) {
+    if (role == Role::kSubscriber) reporter_.ask();
+    return;
+  }
   const std::vector<std::string> partitions = data.m_qos.m_partition.getNames();
   const bool samePartition = partition_.empty() ? partitions.empty() : std::ranges::count(partitions, partition_) > 0;
   directory_.addEndpoint(id, {topic, data.typeName().c_str(), role,

@@ -12,6 +12,7 @@
 #include "transport/directory.hh"
 #include "transport/endpoint.hh"
 #include "transport/outbox.hh"
+#include "transport/traffic_reporter.hh"
 
 namespace pongsim::transport {
 
@@ -34,13 +35,21 @@ class Network : private rtps::RTPSParticipantListener {
 
   std::unique_ptr<Writer> makeWriter(const std::string& topic, const std::string& type,
                                      std::function<void()> readersChanged);
-  std::unique_ptr<Reader> makeReader(const std::string& topic, const std::string& type, Reader::Received received);
+  std::unique_ptr<Reader> makeReader(const std::string& topic, const std::string& type, Reader::Received received,
+                                     Reader::WriterGone writerGone = {});
   void end(std::unique_ptr<Writer> writer);
   void end(std::unique_ptr<Reader> reader);
 
   /// Waits until all participants of this machine have told of their endpoints, and no longer than `timeout`. One that
   /// stays silent (it may be stopped) is not waited for when the others have been silent for a while too.
   void discover(std::chrono::nanoseconds timeout);
+
+  /// @param source Says what passes through the topics here, when others ask. It is not called any more when another
+  /// one has been set.
+  void reportTraffic(std::function<TrafficReport()> source) { reporter_.setSource(std::move(source)); }
+
+  /// Asks the others for so long, for the directory.
+  void watchTraffic(std::chrono::nanoseconds duration);
 
  private:
   void onParticipantDiscovery(rtps::RTPSParticipant* participant, rtps::ParticipantDiscoveryInfo&& info) override;
@@ -59,6 +68,7 @@ class Network : private rtps::RTPSParticipantListener {
   ParticipantId own_{};
   std::uint32_t ownPort_ = 0;
   Outbox outbox_;
+  TrafficReporter reporter_;
   std::mutex censusMutex_;
   std::uint32_t endpoints_ = 0;
   std::unique_ptr<Writer> censusWriter_;

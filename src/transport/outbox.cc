@@ -59,6 +59,7 @@ void Outbox::add(Target& target, std::size_t size, const std::function<void(std:
 void Outbox::dropOldest() {
   const Entry oldest = waiting_[first_++];
   waitingBytes_ -= oldest.buffer->bytes.size();
+  ++oldest.target->dropped_;
   done(oldest);
   // the dropped ones' room is used again
   if (first_ < kMostWaiting) return;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <span>
@@ -26,10 +28,15 @@ class Outbox {
     virtual void send(std::span<const std::byte> sample) = 0;
     virtual const std::string& topic() const = 0;
 
+   protected:
+    /// @return Samples that the outbox has dropped.
+    std::uint64_t droppedBeforeSending() const { return dropped_; }
+
    private:
     friend class Outbox;
     /// In the outbox or being sent; guarded by the outbox's mutex.
     std::size_t pending_ = 0;
+    std::atomic<std::uint64_t> dropped_ = 0;
   };
 
   Outbox();

@@ -32,6 +32,16 @@ TEST(Domain, SaysWhatIsWrongWithIt) {
   }
 }
 
+TEST(Domain, HasThePartitionThatTheEnvironmentSays) {
+  unsetenv("IGN_PARTITION");
+  unsetenv("GZ_PARTITION");
+  EXPECT_EQ(chosenPartition(), "");
+  setenv("GZ_PARTITION", "new", 1);
+  EXPECT_EQ(chosenPartition(), "new");
+  setenv("IGN_PARTITION", "old", 1);
+  EXPECT_EQ(chosenPartition(), "old");
+}
+
 TEST(Domain, HasPortsOfItsOwn) {
   for (int domain = 0; domain < 232; ++domain) {
     const DiscoveryPorts ports = discoveryPorts(domain);
