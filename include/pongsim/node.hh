@@ -226,23 +226,30 @@ class PONGSIM_API Node {
 };
 
 struct TransportOptions {
-  /// Talk to other processes (over DDS on 127.0.0.1), or only within this `Transport`.
+  /// Talk to other processes (over DDS), or only within this `Transport`.
   bool network = true;
   /// DDS domain, 0 to 232; processes of different domains do not see each other. Unset: what the environment
   /// variable PONGSIM_DOMAIN says, else 0.
   std::optional<int> domain = std::nullopt;
+  /// Talk to other machines too: by which of this machine's network interfaces, as its name or IPv4 address. Anybody
+  /// there can listen, command and stop: nothing is encrypted and nobody is asked who he is. Unset: what the
+  /// environment variable PONGSIM_NETWORK says, else none: nothing leaves this machine, 127.0.0.1.
+  std::optional<std::string> interface = std::nullopt;
 };
 
 /// The way to the topics and services. Makes no thread call user code: messages wait until `dispatch`.
 class PONGSIM_API Transport {
  public:
-  /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain.
+  /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain or interface.
   explicit Transport(const TransportOptions& options = {});
   ~Transport();
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
   Node node() { return Node(*bus_); }
+
+  /// @return Where it can be reached from other machines, "eth0, 192.0.2.7", or nothing where it can't.
+  std::optional<std::string> openTo() const;
 
   /// Hands the messages that have arrived to their subscriptions, then the requests to their services, on the calling
   /// thread, and returns; what the called functions publish meanwhile waits for the next call. Never blocks.

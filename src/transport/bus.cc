@@ -43,6 +43,8 @@ Bus::~Bus() {
   if (network_) network_->reportTraffic({});
 }
 
+std::optional<Interface> Bus::interface() const { return network_ ? network_->interface() : std::nullopt; }
+
 Channel& Bus::channelFor(std::string_view topic, const std::string& type) {
   auto& channel = channels_[{absoluteTopic(topic), type}];
   if (!channel) channel = std::make_unique<Channel>(absoluteTopic(topic), type);

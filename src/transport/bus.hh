@@ -19,6 +19,7 @@
 #include "pongsim/node.hh"
 #include "transport/complaint_limit.hh"
 #include "transport/inbox.hh"
+#include "transport/interfaces.hh"
 #include "transport/service_client.hh"
 #include "transport/service_server.hh"
 
@@ -70,6 +71,9 @@ class Bus {
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
+
+  /// @return Where it talks to other machines, if it does.
+  std::optional<Interface> interface() const;
 
   /// Types are full names.
   /// @throws std::invalid_argument for a bad topic name; std::runtime_error where DDS refuses.

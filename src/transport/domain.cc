@@ -40,8 +40,10 @@ std::string chosenPartition() {
   return {};
 }
 
+std::uint32_t multicastPort(int domain) { return 7400 + 250 * static_cast<std::uint32_t>(domain); }
+
 DiscoveryPorts discoveryPorts(int domain) {
-  const std::uint32_t first = 7400 + 250 * static_cast<std::uint32_t>(domain) + 10;
+  const std::uint32_t first = multicastPort(domain) + 10;
   return {first, std::min(kParticipants, (65535 - 1 - first) / 2)};
 }
 

@@ -22,6 +22,9 @@ struct DiscoveryPorts {
 };
 DiscoveryPorts discoveryPorts(int domain);
 
+/// @return The port at which they listen to their multicast group, where they do.
+std::uint32_t multicastPort(int domain);
+
 /// @return Those of the ports that a process of this machine has open on 127.0.0.1 now; nothing where the system does
 /// not tell.
 std::optional<std::vector<std::uint32_t>> openDiscoveryPorts(int domain);

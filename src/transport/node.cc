@@ -157,10 +157,15 @@ CallResult Node::call(std::string_view service, const Message& request, Message&
 }
 
 Transport::Transport(const TransportOptions& options)
-    : bus_(std::make_unique<transport::Bus>(options.network ? std::make_unique<transport::Network>(options.domain)
-                                                            : nullptr)) {}
+    : bus_(std::make_unique<transport::Bus>(
+          options.network ? std::make_unique<transport::Network>(options.domain, options.interface) : nullptr)) {}
 
 Transport::~Transport() = default;
+
+std::optional<std::string> Transport::openTo() const {
+  const std::optional<transport::Interface> interface = bus_->interface();
+  return interface ? std::optional(interface->name + ", " + interface->address) : std::nullopt;
+}
 
 std::size_t Transport::dispatch() { return bus_->dispatch(); }
 

@@ -40,6 +40,8 @@ TEST(Domain, HasThePartitionThatTheEnvironmentSays) {
   EXPECT_EQ(chosenPartition(), "new");
   setenv("IGN_PARTITION", "old", 1);
   EXPECT_EQ(chosenPartition(), "old");
+  unsetenv("IGN_PARTITION");
+  unsetenv("GZ_PARTITION");
 }
 
 TEST(Domain, HasPortsOfItsOwn) {
@@ -48,6 +50,7 @@ TEST(Domain, HasPortsOfItsOwn) {
     // the data's ports lie one above
     EXPECT_LT(ports.first + 2 * (ports.count - 1) + 1, discoveryPorts(domain + 1).first) << domain;
     EXPECT_GE(ports.count, 60) << domain;
+    EXPECT_LT(multicastPort(domain), ports.first) << domain;
   }
   EXPECT_LE(discoveryPorts(232).first + 2 * discoveryPorts(232).count, 65535);
 }

@@ -6,15 +6,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "support/proc.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
 
@@ -65,35 +65,26 @@ class NodeTest : public testing::Test {
     return false;
   }
 
+  /// @param side Publishers or subscribers.
+  /// @return What has passed a process on "/chatter"; nothing at all where it does not answer.
+  static TopicInfo::Traffic trafficOf(int pid,
+                                      const std::function<std::vector<TopicInfo::Endpoint>(const TopicInfo&)>& side) {
+    Transport watcher;
+    const auto deadline = std::chrono::steady_clock::now() + kDeadline;
+    // a busy machine may take longer to find them
+    while (std::chrono::steady_clock::now() < deadline) {
+      for (const auto& each : side(watcher.watchTopic("/chatter", std::chrono::milliseconds(300)))) {
+        if (each.pid == pid && each.traffic) return *each.traffic;
+      }
+    }
+    ADD_FAILURE() << "process " << pid << " does not answer";
+    return {};
+  }
+
   const int domain_ = test::testDomain();
   Transport transport_;
   Node node_ = transport_.node();
 };
-
-/// Local addresses and ports of this process's UDP sockets, as /proc/net prints them.
-std::set<std::string> ownSockets(const char* table) {
-  std::set<std::string> inodes;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    std::error_code ignored;
-    const std::string target = std::filesystem::read_symlink(entry, ignored).string();
-    if (target.starts_with("socket:[")) inodes.insert(target.substr(8, target.size() - 9));
-  }
-  std::set<std::string> addresses;
-  std::ifstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    char address[64];
-    char inode[64];
-    if (std::sscanf(line.c_str(), " %*u: %63s %*s %*s %*s %*s %*s %*s %*s %63s", address, inode) != 2) continue;
-    if (inodes.contains(inode)) addresses.insert(address);
-  }
-  return addresses;
-}
-
-std::set<std::string> sharedMemory() {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator("/dev/shm")) names.insert(entry.path().filename());
-  return names;
-}
 
 }  // namespace
 
@@ -170,6 +161,13 @@ TEST_F(NodeTest, IsNotHeldUpByAStoppedSubscriber) {
   EXPECT_TRUE(healthy->waitForOutput("got 2999"));
   other->kill(SIGCONT);
   EXPECT_TRUE(other->waitForOutput("got 2999"));
+
+  // each of them was heard or is counted
+  const std::string output = other->output();
+  const std::regex number("got \\d+\n");
+  const auto heard = std::distance(std::sregex_iterator(output.begin(), output.end(), number), std::sregex_iterator());
+  EXPECT_EQ(trafficOf(other->pid(), [](const TopicInfo& topic) { return topic.subscribers; }).dropped, 3000 - heard);
+  EXPECT_GE(trafficOf(getpid(), [](const TopicInfo& topic) { return topic.publishers; }).dropped, 3000 - heard);
 }
 
 TEST_F(NodeTest, GoesOnAfterAKilledSubscriber) {
@@ -276,20 +274,11 @@ TEST_F(NodeTest, KnowsThePeersTraffic) {
   for (int i = 0; i < 5; ++i) publisher.publish(text("x"));
   ASSERT_TRUE(other->waitForOutput("(got x\n){5}"));
 
-  Transport watcher;
-  TopicInfo topic = watcher.watchTopic("/chatter", std::chrono::milliseconds(300));
-  const auto deadline = std::chrono::steady_clock::now() + kDeadline;
-  const auto isKnown = [](const std::vector<TopicInfo::Endpoint>& side) {
-    return side.size() == 1 && side[0].traffic.has_value();
-  };
-  // a busy machine may take longer to find them
-  while (!(isKnown(topic.publishers) && isKnown(topic.subscribers)) && std::chrono::steady_clock::now() < deadline) {
-    topic = watcher.watchTopic("/chatter", std::chrono::milliseconds(300));
-  }
-  ASSERT_TRUE(isKnown(topic.publishers) && isKnown(topic.subscribers));
-  EXPECT_EQ(topic.publishers[0].traffic, (TopicInfo::Traffic{5, 0, 0}));
-  EXPECT_EQ(topic.subscribers[0].traffic, (TopicInfo::Traffic{5, 0, 0}));
-  EXPECT_EQ(topic.subscribers[0].pid, other->pid());
+  const auto publishers = [](const TopicInfo& topic) { return topic.publishers; };
+  const auto subscribers = [](const TopicInfo& topic) { return topic.subscribers; };
+  EXPECT_EQ(trafficOf(getpid(), publishers), (TopicInfo::Traffic{5, 0, 0}));
+  EXPECT_EQ(trafficOf(other->pid(), subscribers), (TopicInfo::Traffic{5, 0, 0}));
+  EXPECT_FALSE(transport_.waitForTopic("/chatter", false, kDeadline).subscribers.at(0).traffic) << "nobody has asked";
 }
 
 TEST_F(NodeTest, DoesNotListWhatHasEnded) {
@@ -352,19 +341,18 @@ TEST_F(NodeTest, KeepsPartitionsApart) {
 TEST_F(NodeTest, OpensSocketsOnLoopbackOnly) {
   const Publisher publisher = node_.advertise<StringMsg>("/chatter");
   const Subscription subscription = node_.subscribe<StringMsg>("/other", [](const StringMsg&) {});
-  const std::set<std::string> sockets = ownSockets("/proc/self/net/udp");
+  const std::set<std::string> sockets = test::socketsOf(getpid(), "udp");
   EXPECT_GE(sockets.size(), 2);
   for (const std::string& socket : sockets) EXPECT_TRUE(socket.starts_with("0100007F:")) << socket;
-  EXPECT_TRUE(ownSockets("/proc/self/net/udp6").empty());
-  EXPECT_TRUE(ownSockets("/proc/self/net/tcp").empty());
+  for (const char* table : {"udp6", "tcp", "tcp6"}) EXPECT_TRUE(test::socketsOf(getpid(), table).empty()) << table;
 }
 
 TEST_F(NodeTest, LeavesNothingInSharedMemory) {
-  const std::set<std::string> before = sharedMemory();
+  const std::set<std::string> before = test::sharedMemory();
   const auto other = listener();
   Publisher publisher = node_.advertise<StringMsg>("/chatter");
   ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
-  for (const std::string& name : sharedMemory()) {
+  for (const std::string& name : test::sharedMemory()) {
     EXPECT_TRUE(before.contains(name) || name.find("fast") == std::string::npos) << name;
   }
 }
@@ -376,6 +364,65 @@ TEST_F(NodeTest, WorksWhereThereIsNothingButLoopback) {
                  " say /chatter 5 0; result=$?; kill $listener; wait $listener; exit $result)"});
   EXPECT_EQ(alone.wait(), 0) << alone.error();
   EXPECT_NE(alone.output().find("got 4"), std::string::npos);
+}
+
+namespace {
+
+/// Two network namespaces with a wire between them stand for two machines. PEER is another machine's program.
+constexpr const char* kTwoMachines = R"sh(
+  ip link set lo up
+  ip link add here type veth peer name there
+  unshare -n sh -c 'while ! ip link set there up 2>/dev/null; do sleep 0.01; done
+    ip link set lo up; ip addr add 10.7.7.2/24 dev there; exec '"$PEER" &
+  other=$!
+  until [ "$(readlink /proc/$other/ns/net)" != "$(readlink /proc/self/ns/net)" ]; do sleep 0.01; done
+  ip link set there netns $other && ip addr add 10.7.7.1/24 dev here && ip link set here up
+)sh";
+
+bool twoMachinesCanBeMade() {
+  return Process({"unshare", "-rn", "sh", "-c", "ip link add here type veth peer name there && unshare -n true"})
+             .wait() == 0;
+}
+
+}  // namespace
+
+TEST_F(NodeTest, TalksToAnotherMachineByTheInterfaceThatItIsGiven) {
+  if (!twoMachinesCanBeMade()) GTEST_SKIP() << "no network namespaces with a wire between them can be made here";
+  Process machines({"unshare", "-rn", "sh", "-c",
+                    "PEER='" TRANSPORT_PEER " listen /chatter'\nPONGSIM_NETWORK=there\nexport PONGSIM_NETWORK\n" +
+                        std::string(kTwoMachines) +
+                        "PONGSIM_NETWORK=10.7.7.1 " TRANSPORT_PEER " say /chatter 5 100000\nresult=$?\n"
+                        "kill $other; wait $other; exit $result"});
+  EXPECT_EQ(machines.wait(), 0) << machines.error();
+  EXPECT_EQ(
+      machines.output(), "ready\n" + [] {
+        std::string all;
+        for (int i = 0; i < 5; ++i) all += "got 100000 bytes\n";
+        return all;
+      }());
+}
+
+TEST_F(NodeTest, IsFoundOnItsOwnMachineByThoseThatAreClosedWhenItIsOpen) {
+  if (!twoMachinesCanBeMade()) GTEST_SKIP() << "no network namespaces with a wire between them can be made here";
+  // the first port of the domain is taken on loopback by a closed one, so that the open one has another
+  Process machines({"unshare", "-rn", "sh", "-c",
+                    "PEER='sleep 1000'\n" + std::string(kTwoMachines) +
+                        TRANSPORT_PEER
+                        " offer 1 0 & closed=$!\n"
+                        "PONGSIM_NETWORK=here " TRANSPORT_PEER " listen /chatter & open=$!\n" TRANSPORT_PEER
+                        " say /chatter 5 0; result=$?\n"
+                        "kill $open; wait $open; kill $closed; wait $closed; kill $other; exit $result"});
+  EXPECT_EQ(machines.wait(), 0) << machines.error();
+  EXPECT_NE(machines.output().find("got 4\n"), std::string::npos) << machines.output();
+}
+
+TEST_F(NodeTest, DoesNotTalkToAnotherMachineUnlessItIsToldTo) {
+  if (!twoMachinesCanBeMade()) GTEST_SKIP() << "no network namespaces with a wire between them can be made here";
+  Process machines({"unshare", "-rn", "sh", "-c",
+                    "PEER='env PONGSIM_NETWORK=there " TRANSPORT_PEER " offer 3 0'\n" + std::string(kTwoMachines) +
+                        TRANSPORT_PEER " discover; kill $other; wait $other"});
+  EXPECT_EQ(machines.wait(), 0) << machines.error();
+  EXPECT_NE(machines.output().find("found 0\n"), std::string::npos) << machines.output();
 }
 
 TEST_F(NodeTest, RefusesADomainThatIsNone) {

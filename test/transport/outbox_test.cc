@@ -26,6 +26,7 @@ class NumberTarget final : public Outbox::Target {
     sent.push_back(number);
   }
   const std::string& topic() const override { return topic_; }
+  std::uint64_t dropped() const { return droppedBeforeSending(); }
 
   void open() {
     {
@@ -79,6 +80,8 @@ TEST(Outbox, WaitsForNobodyAndDropsTheOldestWithAWarning) {
   // and those that were on their way when the first did not go through
   EXPECT_LE(closed.sent.size(), 20'000U);
   EXPECT_EQ(closed.sent.back(), 29'999);
+  EXPECT_EQ(closed.sent.size() + closed.dropped(), 30'000U);
+  EXPECT_EQ(other.dropped(), 0U);
   EXPECT_TRUE(std::ranges::is_sorted(closed.sent));
 }
 

@@ -38,6 +38,8 @@ std::atomic<bool> stopped = false;
 
 void dispatchUntilStopped(Transport& transport) {
   while (!stopped) transport.dispatchFor(std::chrono::milliseconds(20));
+  // what came before the end was asked for
+  transport.dispatch();
 }
 
 int listen(Transport& transport, const std::string& topic) {
