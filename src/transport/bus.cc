@@ -127,7 +127,7 @@ void Bus::openReader(Channel& channel) {
   if (!network_ || channel.reader) return;
   channel.reader = network_->makeReader(
       channel.topic, channel.type,
-      [this, &channel](const ParticipantId& sender, auto payload) { receive(channel, sender, payload); },
+      [this, &channel](const ParticipantId& sender, Buffer& sample) { receive(channel, sender, sample); },
       [this, &channel](const ParticipantId& gone) {
         forgetLatched(channel, [&gone](const ParticipantId& sender) { return sender == gone; });
       });
@@ -204,8 +204,7 @@ void Bus::send(PublisherState& publisher, std::size_t size, const std::function<
     if (elsewhere) channel.writer->write(size, fill, keeping);
     return;
   }
-  Buffer* buffer = takeBuffer();
-  buffer->bytes.resize(size);
+  Buffer* buffer = takeBuffer(size);
   buffer->sender = kThisProcess;
   fill(buffer->bytes);
   if (elsewhere) {
@@ -215,21 +214,24 @@ void Bus::send(PublisherState& publisher, std::size_t size, const std::function<
   deliver(channel, buffer, latched);
 }
 
-void Bus::receive(Channel& channel, const ParticipantId& sender, std::span<const std::byte> payload) {
-  const std::optional<std::span<const std::byte>> message = messageInPayload(payload);
+/// Takes the sample's bytes, and leaves as many of no meaning for the next one.
+void Bus::receive(Channel& channel, const ParticipantId& sender, Buffer& sample) {
+  const std::optional<std::span<const std::byte>> message = messageInPayload(sample.bytes);
   if (!message) {
     complain(channel, sender, "is damaged");
     return;
   }
-  Buffer* buffer = takeBuffer();
-  buffer->bytes.assign(message->begin(), message->end());
+  const bool latched = keepingOf(sample.bytes) != Keeping::kNone;
+  Buffer* buffer = takeBuffer(sample.capacity());
+  buffer->swapBytes(sample);
+  buffer->bytes = buffer->bytes.subspan(kPayloadHeader, message->size());
   buffer->sender = sender;
-  deliver(channel, buffer, keepingOf(payload) != Keeping::kNone);
+  deliver(channel, buffer, latched);
 }
 
-Buffer* Bus::takeBuffer() {
+Buffer* Bus::takeBuffer(std::size_t size) {
   const std::lock_guard lock(mutex_);
-  return buffers_.take();
+  return buffers_.take(size);
 }
 
 void Bus::deliver(Channel& channel, Buffer* buffer, bool latched) {

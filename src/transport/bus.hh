@@ -116,10 +116,10 @@ class Bus {
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
   void deliver(Channel& channel, Buffer* buffer, bool latched);
   void putInto(Inbox& inbox, Buffer* buffer);
-  void receive(Channel& channel, const ParticipantId& sender, std::span<const std::byte> payload);
+  void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
   TrafficReport traffic();
-  Buffer* takeBuffer();
+  Buffer* takeBuffer(std::size_t size);
   std::size_t collectArrivals();
   void releaseArrivals();
   void eraseIfUnused(const Channel& channel);

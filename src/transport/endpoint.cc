@@ -77,6 +77,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
       topic_(contract.topic),
       keepsLast_(contract.keepsLast),
       readersChanged_(std::move(readersChanged)),
+      samples_(std::make_shared<SentSamples>(outbox)),
       history_(historyAttributes()) {
   rtps::WriterAttributes attributes;
   attributes.endpoint.topicKind = rtps::NO_KEY;
@@ -88,7 +89,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
   attributes.times.heartbeatPeriod = kHeartbeatPeriod;
   attributes.times.nackResponseDelay = kAtOnce;
   attributes.times.nackSupressionDuration = kAtOnce;
-  writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, &history_, this);
+  writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, samples_, &history_, this);
   if (writer_ == nullptr) throw std::runtime_error("DDS makes no writer for topic '" + contract.topic + "'");
   if (!participant.registerWriter(writer_, topicAttributes(contract), qosFor<dds::WriterQos>(contract))) {
     rtps::RTPSDomain::removeRTPSWriter(writer_);
@@ -119,30 +120,38 @@ void Writer::write(std::size_t messageSize, const std::function<void(std::span<s
 }
 
 /// Sends a sample, or the one that is kept where it is empty.
-void Writer::send(std::span<const std::byte> sample) {
-  if (keepingOf(sample) == Keeping::kKept) {
-    kept_.assign(sample.begin(), sample.end());
+bool Writer::send(Buffer* sample) {
+  if (sample->bytes.empty()) return sendKeptAgain();
+  if (keepingOf(sample->bytes) == Keeping::kKept) {
+    kept_.assign(sample->bytes.begin(), sample->bytes.end());
     markAsAgain(kept_);
   }
-  if (!sample.empty()) {
-    sendToAll(sample);
-  } else if (!kept_.empty()) {
-    sendToAll(kept_);
-  }
+  return sendToAll(sample);
 }
 
-void Writer::sendToAll(std::span<const std::byte> sample) {
-  const std::size_t size = sample.size();
+/// @return False, for the empty sample that asked for it is not kept.
+bool Writer::sendKeptAgain() {
+  if (kept_.empty()) return false;
+  Buffer* sample = outbox_.take(kept_.size());
+  std::ranges::copy(kept_, sample->bytes.begin());
+  if (!sendToAll(sample)) outbox_.giveBack(sample);
+  return false;
+}
+
+bool Writer::sendToAll(Buffer* sample) {
+  const std::size_t size = sample->bytes.size();
   const std::lock_guard lock(writer_->getMutex());
   removeDelivered();
   makeRoomFor(size);
+  samples_->setNext(sample);
   rtps::CacheChange_t* change = writer_->new_change([size] { return static_cast<std::uint32_t>(size); }, rtps::ALIVE);
-  if (change == nullptr) return;
+  samples_->setNext(nullptr);
+  if (change == nullptr) return false;
   change->serializedPayload.encapsulation = CDR_LE;
   change->serializedPayload.length = static_cast<std::uint32_t>(size);
-  std::ranges::copy(sample, reinterpret_cast<std::byte*>(change->serializedPayload.data));
   keptBytes_ += size;
   history_.add_change(change);
+  return true;
 }
 
 // Not when DDS tells that all have it: in Fast DDS 2.9 that may be in the middle of letting go of a reader, with locks
@@ -205,7 +214,7 @@ Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Rec
   attributes.endpoint.durabilityKind = durability(contract);
   attributes.times.initialAcknackDelay = kAskingPeriod;
   attributes.times.heartbeatResponseDelay = kAtOnce;
-  reader_ = rtps::RTPSDomain::createRTPSReader(&participant, attributes, &history_, this);
+  reader_ = rtps::RTPSDomain::createRTPSReader(&participant, attributes, samples_, &history_, this);
   if (reader_ == nullptr) throw std::runtime_error("DDS makes no reader for topic '" + contract.topic + "'");
   if (!participant.registerReader(reader_, topicAttributes(contract), qosFor<dds::ReaderQos>(contract))) {
     rtps::RTPSDomain::removeRTPSReader(reader_);
@@ -217,15 +226,16 @@ Reader::~Reader() { rtps::RTPSDomain::removeRTPSReader(reader_); }
 
 void Reader::onNewCacheChangeAdded(rtps::RTPSReader* reader, const rtps::CacheChange_t* change) {
   const ParticipantId sender = participantId(change->writerGUID.guidPrefix);
-  const std::span payload(reinterpret_cast<const std::byte*>(change->serializedPayload.data),
-                          change->serializedPayload.length);
-  if (change->kind == rtps::ALIVE && sender != own_ && isNews(*change, payload)) received_(sender, payload);
+  if (change->kind == rtps::ALIVE && sender != own_) {
+    Buffer* sample = samples_->bufferOf(*change);
+    if (sample != nullptr && isNews(*change, *sample)) received_(sender, *sample);
+  }
   reader->getHistory()->remove_change(const_cast<rtps::CacheChange_t*>(change));
 }
 
 /// Counts what was lost before it.
 /// @return False where it is a kept one that came already.
-bool Reader::isNews(const rtps::CacheChange_t& change, std::span<const std::byte> payload) {
+bool Reader::isNews(const rtps::CacheChange_t& change, const Buffer& sample) {
   const std::uint64_t number = change.sequenceNumber.to64long();
   const std::lock_guard lock(sourcesMutex_);
   if (sources_.size() >= kMostSources) sources_.clear();
@@ -235,7 +245,7 @@ bool Reader::isNews(const rtps::CacheChange_t& change, std::span<const std::byte
   // a writer gives up the oldest first, and DDS hands over in order
   if (number > source.last + 1) lost_ += number - source.last - 1;
   source.last = number;
-  return !std::exchange(source.isCurrent, true) || keepingOf(payload) != Keeping::kAgain;
+  return !std::exchange(source.isCurrent, true) || keepingOf(sample.bytes) != Keeping::kAgain;
 }
 
 void Reader::onReaderMatched(rtps::RTPSReader*, rtps::MatchingInfo& info) {

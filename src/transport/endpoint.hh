@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -20,6 +21,7 @@
 
 #include "transport/outbox.hh"
 #include "transport/payload.hh"
+#include "transport/sample_pool.hh"
 
 namespace pongsim::transport {
 
@@ -71,8 +73,9 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
 
  private:
   void onWriterMatched(rtps::RTPSWriter* writer, rtps::MatchingInfo& info) override;
-  void send(std::span<const std::byte> sample) override;
-  void sendToAll(std::span<const std::byte> sample);
+  bool send(Buffer* sample) override;
+  bool sendToAll(Buffer* sample);
+  bool sendKeptAgain();
   const std::string& topic() const override { return topic_; }
   void removeDelivered();
   void makeRoomFor(std::size_t bytes);
@@ -85,6 +88,7 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   std::string topic_;
   bool keepsLast_;
   std::function<void()> readersChanged_;
+  std::shared_ptr<SentSamples> samples_;
   rtps::WriterHistory history_;
   /// In the history, guarded by the writer's mutex.
   std::size_t keptBytes_ = 0;
@@ -101,8 +105,9 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
 /// A topic's way in from other processes.
 class Reader : private rtps::ReaderListener {
  public:
-  /// Called from a DDS thread with each sample that another participant has sent.
-  using Received = std::function<void(const ParticipantId& sender, std::span<const std::byte> payload)>;
+  /// Called from a DDS thread with each sample that another participant has sent. Its bytes may be exchanged for
+  /// others.
+  using Received = std::function<void(const ParticipantId& sender, Buffer& sample)>;
   /// Called from a DDS thread when a participant's writer has ended.
   using WriterGone = std::function<void(const ParticipantId& sender)>;
 
@@ -118,13 +123,14 @@ class Reader : private rtps::ReaderListener {
  private:
   void onNewCacheChangeAdded(rtps::RTPSReader* reader, const rtps::CacheChange_t* change) override;
   void onReaderMatched(rtps::RTPSReader* reader, rtps::MatchingInfo& info) override;
-  bool isNews(const rtps::CacheChange_t& change, std::span<const std::byte> payload);
+  bool isNews(const rtps::CacheChange_t& change, const Buffer& sample);
 
   using rtps::ReaderListener::onReaderMatched;
 
   ParticipantId own_;
   Received received_;
   WriterGone writerGone_;
+  std::shared_ptr<ReceivedSamples> samples_ = std::make_shared<ReceivedSamples>();
   /// A writer that has been heard.
   struct Source {
     /// Number of its last sample.

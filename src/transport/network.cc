@@ -196,8 +196,8 @@ void Network::changeCensus(int endpoints) {
 
 void Network::discover(std::chrono::nanoseconds timeout) {
   if (!censusReader_) {
-    const auto received = [this](const ParticipantId& sender, std::span<const std::byte> payload) {
-      const auto message = messageInPayload(payload);
+    const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
+      const auto message = messageInPayload(sample.bytes);
       std::uint32_t endpoints = 0;
       if (!message || message->size() != sizeof(endpoints)) return;
       std::memcpy(&endpoints, message->data(), sizeof(endpoints));
@@ -225,8 +225,8 @@ void Network::discover(std::chrono::nanoseconds timeout) {
 
 void Network::watchTraffic(std::chrono::nanoseconds duration) {
   directory_.forgetTraffic();
-  const auto received = [this](const ParticipantId& sender, std::span<const std::byte> payload) {
-    const auto message = messageInPayload(payload);
+  const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
+    const auto message = messageInPayload(sample.bytes);
     std::optional<TrafficReport> report = message ? readTraffic(*message) : std::nullopt;
     if (report) directory_.setTraffic(sender, *std::move(report));
   };

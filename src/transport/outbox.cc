@@ -26,12 +26,7 @@ Outbox::~Outbox() {
 }
 
 void Outbox::add(Target& target, std::size_t size, const std::function<void(std::span<std::byte>)>& fill) {
-  Buffer* buffer = nullptr;
-  {
-    const std::lock_guard lock(mutex_);
-    buffer = buffers_.take();
-  }
-  buffer->bytes.resize(size);
+  Buffer* buffer = take(size);
   fill(buffer->bytes);
 
   std::optional<std::uint64_t> unmentioned;
@@ -56,19 +51,29 @@ void Outbox::add(Target& target, std::size_t size, const std::function<void(std:
               (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it, of all topics)" : ""));
 }
 
+Buffer* Outbox::take(std::size_t size) {
+  const std::lock_guard lock(mutex_);
+  return buffers_.take(size);
+}
+
+void Outbox::giveBack(Buffer* sample) {
+  const std::lock_guard lock(mutex_);
+  buffers_.giveBack(sample);
+}
+
 void Outbox::dropOldest() {
   const Entry oldest = waiting_[first_++];
   waitingBytes_ -= oldest.buffer->bytes.size();
   ++oldest.target->dropped_;
-  done(oldest);
+  done(oldest, false);
   // the dropped ones' room is used again
   if (first_ < kMostWaiting) return;
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
   first_ = 0;
 }
 
-void Outbox::done(const Entry& entry) {
-  buffers_.giveBack(entry.buffer);
+void Outbox::done(const Entry& entry, bool isKept) {
+  if (!isKept) buffers_.giveBack(entry.buffer);
   if (--entry.target->pending_ == 0) sent_.notify_all();
 }
 
@@ -89,9 +94,9 @@ void Outbox::run() {
     waitingBytes_ = 0;
     for (const Entry& entry : taken) {
       lock.unlock();
-      entry.target->send(entry.buffer->bytes);
+      const bool isKept = entry.target->send(entry.buffer);
       lock.lock();
-      done(entry);
+      done(entry, isKept);
     }
   }
 }

@@ -67,7 +67,7 @@ Offer& ServiceServer::add(std::string_view service, std::string_view requestType
     offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this] { wake(); });
     offer.reader = network_->makeReader(
         requestTopic(offer.name), type,
-        [this, &offer](const ParticipantId& sender, auto payload) { receive(offer, sender, payload); });
+        [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); });
   } catch (...) {
     end(offer, false);
     throw;

@@ -3,6 +3,8 @@
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "transport/bus.hh"
 #include "transport/endpoint.hh"
 
@@ -18,8 +20,7 @@ class InboxTest : public testing::Test {
 
   /// @return How many are dropped for it.
   std::size_t add(Inbox& places, std::uint64_t number, std::size_t bytes = 0) {
-    Buffer* buffer = pool_.take();
-    buffer->bytes.resize(bytes);
+    Buffer* buffer = pool_.take(bytes);
     std::vector<Buffer*> dropped;
     places.add(number, buffer, dropped);
     return dropped.size();
@@ -78,14 +79,14 @@ TEST_F(InboxTest, WantsNoMoreThanItsRate) {
 
 TEST_F(InboxTest, SaysWhenBytesAreNoMessage) {
   Inbox places = inbox({});
-  Buffer* buffer = pool_.take();
-  buffer->bytes.assign(5, std::byte{0xff});
+  Buffer* buffer = pool_.take(5);
+  std::ranges::fill(buffer->bytes, std::byte{0xff});
   EXPECT_FALSE(places.handOver(*buffer));
   std::size_t size = 0;
   Inbox raw(channel_, [&size](std::span<const std::byte> bytes) { size = bytes.size(); }, {});
   EXPECT_TRUE(raw.handOver(*buffer));
   EXPECT_EQ(size, 5);
-  buffer->bytes.clear();
+  buffer->resize(0);
   EXPECT_TRUE(places.handOver(*buffer));
 }
 

@@ -18,12 +18,13 @@ class NumberTarget final : public Outbox::Target {
  public:
   explicit NumberTarget(bool isOpen = true) : isOpen_(isOpen) {}
 
-  void send(std::span<const std::byte> sample) override {
+  bool send(Buffer* sample) override {
     std::unique_lock lock(mutex_);
     opened_.wait(lock, [this] { return isOpen_; });
     int number = 0;
-    std::memcpy(&number, sample.data(), sizeof number);
+    std::memcpy(&number, sample->bytes.data(), sizeof number);
     sent.push_back(number);
+    return false;
   }
   const std::string& topic() const override { return topic_; }
   std::uint64_t dropped() const { return droppedBeforeSending(); }
