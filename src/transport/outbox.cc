@@ -1,5 +1,7 @@
 #include "transport/outbox.hh"
 
+#include <sched.h>
+
 #include <optional>
 #include <utility>
 
@@ -83,6 +85,9 @@ void Outbox::flush(Target& target) {
 }
 
 void Outbox::run() {
+  // A thread of this policy that wakes does not push away the one that runs, which is who publishes.
+  const sched_param unused{};
+  sched_setscheduler(0, SCHED_BATCH, &unused);
   std::vector<Entry> taken;
   std::unique_lock lock(mutex_);
   while (true) {
