@@ -30,9 +30,11 @@ struct ForceTorqueSensor {
         settings_(*sensor.settings<ForceTorqueSettings>()),
         forceNoise_(noises.add(settings_.force, "force")),
         torqueNoise_(noises.add(settings_.torque, "torque")) {
-    // begins the measuring
-    joint_.reaction();
+    reset();
   }
+
+  /// Begins the measuring.
+  void reset() { joint_.reaction(); }
 
   void measure(Message& message) {
     const Wrench reaction = joint_.reaction();
