@@ -189,7 +189,7 @@ class PONGSIM_API Joint {
   std::vector<Sensor> sensors() const;
   /// @return What the joint does to its child, at the joint frame's origin, during the last step, world frame: the
   /// forces that hold the two together and those of motor, friction, limits and commands. Measured from the first call
-  /// on, which therefore returns zero.
+  /// on, which therefore returns zero; a reset of the world ends it.
   Wrench reaction() const;
 
  private:

@@ -1,45 +1,42 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "pongsim/export.hh"
+#include "pongsim/noise_settings.hh"
 #include "pongsim/random.hh"
-#include "pongsim/sensor_settings.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
 
-/// Falsifies one value as its `<noise>` says.
+/// Falsifies one value as its `<noise>` says. What it draws depends on its stream and on the simulated time of the
+/// reading, so that a reading is the same whoever has listened before.
 class PONGSIM_API Noise {
  public:
   /// None.
   Noise() = default;
-  /// @param random Where the bias is drawn from now, and each value later.
+  /// @param random Its stream; the bias is drawn from it now.
   Noise(const NoiseSettings& settings, Random random);
 
-  /// @param dt Time since the last call [s], in which the bias may have wandered.
-  double apply(double value, double dt);
+  /// Begins a reading. To be called for each that is due, also where nobody wants it, for the bias wanders on.
+  /// @param dt Time since the last reading that was due [s].
+  void begin(Time time, double dt);
+
+  /// @return The value with the noise of the reading that has begun, drawn anew at each call.
+  double apply(double value);
+
+  /// Back to what it was at first.
+  void reset() { bias_ = firstBias_; }
+  void transfer(StateArchive& archive) { archive(bias_); }
 
  private:
   NoiseSettings settings_;
-  std::optional<Random> random_;
+  std::optional<Random> stream_;
+  /// For the reading that has begun.
+  std::optional<Random> draws_;
+  double firstBias_ = 0;
   double bias_ = 0;
-};
-
-/// Noise along three axes.
-class PONGSIM_API Noise3 {
- public:
-  /// None.
-  Noise3() = default;
-  /// @param random The streams of the three axes split off from it.
-  Noise3(const NoiseSettings3& settings, Random& random);
-
-  /// As `Noise::apply`.
-  Vector3 apply(const Vector3& value, double dt);
-
- private:
-  std::array<Noise, 3> axes_;
 };
 
 }  // namespace pongsim

@@ -7,6 +7,7 @@
 #include "pongsim/element.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -46,6 +47,7 @@ class PONGSIM_API Schedule {
     return true;
   }
   void reset() { due_ = Time::zero(); }
+  void transfer(StateArchive& archive) { archive(due_); }
 
  private:
   Time period_;

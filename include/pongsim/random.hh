@@ -19,6 +19,10 @@ class PONGSIM_API Random {
   /// @return A stream of its own for a part of that name: what the part draws later changes nothing for the others.
   Random split(std::string_view name);
 
+  /// @return The stream from a place on that depends on its name, on how far it has come, and on `number`: for what is
+  /// drawn at some moments and must not depend on how much was drawn before.
+  Random at(std::uint64_t number) const;
+
   /// @return A number of [0, 1) with 53 random bits.
   double uniform();
 

@@ -10,8 +10,8 @@
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/node.hh"
-#include "pongsim/noise.hh"
 #include "pongsim/sensor_settings.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/system.hh"
 #include "pongsim/types.hh"
 
@@ -77,18 +77,20 @@ class PONGSIM_API SensorTopic {
   SensorTopic& operator=(const SensorTopic&) = delete;
 
   /// Call it in each `postUpdate`.
-  /// @return Whether a message is to be published in this step: it is due, and somebody listens. As in Fortress, the
-  /// time between two messages is cut off to whole milliseconds, and none is due while paused.
+  /// @return Whether a reading is due in this step. As in Fortress, the time between two is cut off to whole
+  /// milliseconds, and none is due while paused.
   bool isDue(const StepInfo& info);
+  /// @return Whether somebody listens, so that the reading that is due is to be published.
+  bool hasSubscribers() const { return publisher_.hasSubscribers(); }
+  void publish(const Message& message) { publisher_.publish(message); }
 
-  void publish(const Message& message);
-
-  /// @return Time since the last message [s], zero for the first one: what `Noise` asks for.
-  double sinceLast(const StepInfo& info) const;
-  /// @return Messages published, the one that is due not included.
-  std::uint64_t count() const { return count_; }
+  /// @return Time between the last two readings that were due [s], zero for the first one: what `Noise` asks for.
+  double sinceLast() const { return sinceLast_; }
+  /// @return Readings that were due before the last one, whether or not somebody listened.
+  std::uint64_t sequence() const { return count_ - 1; }
   const std::string& frameName() const { return frameName_; }
   void reset();
+  void transfer(StateArchive& archive);
 
  private:
   void setRate(double rate);
@@ -100,6 +102,7 @@ class PONGSIM_API SensorTopic {
   Time due_{0};
   Time now_{0};
   Time last_{0};
+  double sinceLast_ = 0;
   std::uint64_t count_ = 0;
   Publisher publisher_;
   Service rateService_;

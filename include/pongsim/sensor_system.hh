@@ -7,7 +7,9 @@
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/fields.hh"
+#include "pongsim/noise_set.hh"
 #include "pongsim/sensor.hh"
+#include "pongsim/state_archive.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -19,14 +21,15 @@ namespace pongsim {
 ///       static constexpr const char* kType = "thermometer";      // of the <sensor>
 ///       static constexpr const char* kSuffix = "/temperature";   // of its topic, where it names none
 ///       static constexpr const char* kText = "Publishes how warm it is.";
-///       Thermometer(const Sensor& sensor, const World& world, Random random, Message& message);
-///       void measure(double dt, Message& message);
+///       Thermometer(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message);
+///       void measure(Message& message);
 ///     };
 ///
 /// The constructor may fill in what never changes, and throws an `Error` for a sensor that can't be had, which is left
-/// out with a warning. `measure` is called when a message is due, with the time since the last one [s], and fills in
-/// all but the header. Where there are, `void observe(const StepInfo&)` is called before it in each step, `void
-/// reset()` where the world is set back, and `kHolder` names what holds the sensor in its topic, in place of "link/L".
+/// out with a warning. `measure` is called when a message is due and somebody listens, and fills in all but the header.
+/// Where there are, `void observe(const StepInfo&)` is called before it in each step, `void reset()` where the world is
+/// set back, and `kHolder` names what holds the sensor in its topic, in place of "link/L". What it remembers it tells
+/// by `void transfer(StateArchive&)`; its noise is taken care of.
 template <class OneSensor>
 class SensorSystem : public System {
  public:
@@ -65,31 +68,46 @@ class SensorSystem : public System {
     for (Entry& entry : sensors_) entry.reset();
   }
 
+  void transfer(StateArchive& archive) override {
+    for (Entry& entry : sensors_) entry.transfer(archive);
+  }
+
  private:
   struct Entry {
     Entry(const Sensor& of, const World& world, Node& node, Random& random)
         : handle(of),
           topic(of, OneSensor::kSuffix, OneSensor::Message::descriptor()->full_name(), node),
-          sensor(of, world, random.split(of.scopedName()), message) {
+          noises(random.split(of.scopedName())),
+          sensor(of, world, noises, message) {
       setHeaderValue("frame_id", topic.frameName(), *message.mutable_header());
     }
 
     void update(const StepInfo& info) {
       if constexpr (requires { sensor.observe(info); }) sensor.observe(info);
       if (!topic.isDue(info)) return;
+      noises.begin(info.time, topic.sinceLast());
+      if (!topic.hasSubscribers()) return;
       setStamp(info.time, *message.mutable_header());
-      setHeaderValue("seq", std::to_string(topic.count()), *message.mutable_header());
-      sensor.measure(topic.sinceLast(info), message);
+      setHeaderValue("seq", std::to_string(topic.sequence()), *message.mutable_header());
+      sensor.measure(message);
       topic.publish(message);
     }
 
     void reset() {
       topic.reset();
+      noises.reset();
       if constexpr (requires { sensor.reset(); }) sensor.reset();
+    }
+
+    void transfer(StateArchive& archive) {
+      topic.transfer(archive);
+      noises.transfer(archive);
+      if constexpr (requires { sensor.transfer(archive); }) sensor.transfer(archive);
     }
 
     Sensor handle;
     SensorTopic topic;
+    NoiseSet noises;
     typename OneSensor::Message message;
     OneSensor sensor;
   };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <deque>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -16,8 +18,9 @@ namespace pongsim {
 
 /// Takes values into bytes, or gives them back in the same order; one function of the owner does both:
 ///
-///     void transfer(StateArchive& archive) { archive(position_); archive(velocity_); }
+///     void transfer(StateArchive& archive) { archive(position_); archive(pid_); }
 ///
+/// It takes numbers, the types of `types.hh`, texts, what has such a function, and optionals and lists of all of these.
 /// The bytes are those of this machine's numbers.
 class StateArchive {
  public:
@@ -50,12 +53,40 @@ class StateArchive {
     transfer(text.data(), size);
   }
 
+  template <class T>
+  requires requires(T& value, StateArchive& archive) { value.transfer(archive); }
+  void operator()(T& value) { value.transfer(*this); }
+  template <class T>
+  void operator()(std::optional<T>& value) {
+    bool is = value.has_value();
+    (*this)(is);
+    if (isGiving_) is ? void(value.emplace()) : value.reset();
+    if (value) (*this)(*value);
+  }
+  template <class T>
+  void operator()(std::vector<T>& list) {
+    transferList(list);
+  }
+  template <class T>
+  void operator()(std::deque<T>& list) {
+    transferList(list);
+  }
+
   /// @return The bytes of what it has taken.
   std::vector<std::byte> take() { return std::move(taken_); }
   /// @return What it has not given back yet.
   std::span<const std::byte> rest() const { return given_; }
 
  private:
+  template <class List>
+  void transferList(List& list) {
+    std::size_t size = list.size();
+    (*this)(size);
+    // of what can't be there no memory is asked for
+    if (isGiving_) list.resize(std::min(size, given_.size()));
+    for (auto& value : list) (*this)(value);
+  }
+
   void transfer(void* memory, std::size_t size) {
     if (isGiving_) {
       if (size > given_.size()) throw std::out_of_range("a saved state ends early");

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "pongsim/noise.hh"
 #include "pongsim/sensor_system.hh"
 
 namespace pongsim {
@@ -33,21 +32,19 @@ struct AirPressureSensor {
   static constexpr const char* kSuffix = "/air_pressure";
   static constexpr const char* kText = "Publishes the pressure of the air at the world's air pressure sensors.";
 
-  AirPressureSensor(const Sensor& sensor, const World&, Random random, Message& message)
-      : sensor_(sensor), noise_(sensor.settings<AirPressureSettings>()->pressure, random.split("pressure")) {
+  AirPressureSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message)
+      : sensor_(sensor), noise_(noises.add(sensor.settings<AirPressureSettings>()->pressure, "pressure")) {
     const NoiseSettings& settings = sensor.settings<AirPressureSettings>()->pressure;
     // the root of a deviation is no variance, but what Fortress sends
     const bool isNoisy = settings.type != NoiseSettings::Type::kNone;
     message.set_variance(isNoisy ? std::sqrt(settings.standardDeviation) : 0);
   }
 
-  void measure(double dt, Message& message) {
-    message.set_pressure(noise_.apply(pressureAt(sensor_.pose().position.z()), dt));
-  }
+  void measure(Message& message) { message.set_pressure(noise_.apply(pressureAt(sensor_.pose().position.z()))); }
 
  private:
   Sensor sensor_;
-  Noise noise_;
+  Noise& noise_;
 };
 
 using AirPressure = SensorSystem<AirPressureSensor>;

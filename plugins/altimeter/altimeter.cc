@@ -1,6 +1,5 @@
 #include <ignition/msgs/altimeter.pb.h>
 
-#include "pongsim/noise.hh"
 #include "pongsim/sensor_system.hh"
 
 namespace pongsim {
@@ -14,23 +13,23 @@ struct AltimeterSensor {
   static constexpr const char* kText =
       "Publishes how high the world's altimeters are above their start, and how fast they climb.";
 
-  AltimeterSensor(const Sensor& sensor, const World&, Random random, Message& message)
+  AltimeterSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message)
       : sensor_(sensor),
-        positionNoise_(sensor.settings<AltimeterSettings>()->verticalPosition, random.split("position")),
-        velocityNoise_(sensor.settings<AltimeterSettings>()->verticalVelocity, random.split("velocity")),
+        positionNoise_(noises.add(sensor.settings<AltimeterSettings>()->verticalPosition, "position")),
+        velocityNoise_(noises.add(sensor.settings<AltimeterSettings>()->verticalVelocity, "velocity")),
         reference_(sensor.pose().position.z()) {
     message.set_vertical_reference(reference_);
   }
 
-  void measure(double dt, Message& message) {
-    message.set_vertical_position(positionNoise_.apply(sensor_.pose().position.z() - reference_, dt));
-    message.set_vertical_velocity(velocityNoise_.apply(sensor_.linearVelocity().z(), dt));
+  void measure(Message& message) {
+    message.set_vertical_position(positionNoise_.apply(sensor_.pose().position.z() - reference_));
+    message.set_vertical_velocity(velocityNoise_.apply(sensor_.linearVelocity().z()));
   }
 
  private:
   Sensor sensor_;
-  Noise positionNoise_;
-  Noise velocityNoise_;
+  Noise& positionNoise_;
+  Noise& velocityNoise_;
   /// Height at the start [m].
   double reference_;
 };

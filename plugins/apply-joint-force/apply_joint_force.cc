@@ -1,10 +1,8 @@
-#include <ignition/msgs/double.pb.h>
-
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "pongsim/parameters.hh"
+#include "pongsim/setpoint.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -24,33 +22,23 @@ class ApplyJointForce : public System {
   void configure(const SystemContext& context) override {
     const Model& model = *context.model;
     joint_ = requiredJoint(context.sdf, "joint_name", model);
-    log_ = &context.log;
     const std::string topic =
         "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/cmd_force";
-    command_ = context.node.subscribe<ignition::msgs::Double>(
-        cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); });
+    force_.listen(context.node, cleanTopic(topic), 0, "a force", context.log);
   }
 
   void preUpdate(const StepInfo& info) override {
-    if (!info.paused && force_ != 0) joint_->addForce(force_);
+    if (!info.paused && force_.value() != 0) joint_->addForce(force_.value());
   }
 
-  void reset() override { force_ = 0; }
+  void reset() override { force_.reset(); }
+
+  void transfer(StateArchive& archive) override { archive(force_); }
 
  private:
-  void receive(double force) {
-    if (std::isfinite(force)) {
-      force_ = force;
-    } else {
-      log_->warning("a force that is not finite was ignored");
-    }
-  }
-
   std::string jointName_;
   std::optional<Joint> joint_;
-  double force_ = 0;
-  const Logger* log_ = nullptr;
-  Subscription command_;
+  Setpoint force_;
 };
 
 }  // namespace

@@ -55,8 +55,8 @@ class ApplyLinkWrench : public System {
 
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
-    for (LinkWrench& wrench : wrenches_) wrench.link.addWrench(wrench.wrench.force, wrench.wrench.torque);
-    for (LinkWrench& wrench : onceWrenches_) wrench.link.addWrench(wrench.wrench.force, wrench.wrench.torque);
+    apply(wrenches_);
+    apply(onceWrenches_);
     onceWrenches_.clear();
   }
 
@@ -65,11 +65,28 @@ class ApplyLinkWrench : public System {
     onceWrenches_.clear();
   }
 
+  void transfer(StateArchive& archive) override {
+    archive(wrenches_);
+    archive(onceWrenches_);
+  }
+
  private:
   struct LinkWrench {
-    Link link;
+    LinkId link;
     Wrench wrench;
+
+    void transfer(StateArchive& archive) {
+      archive(link.value);
+      archive(wrench.force);
+      archive(wrench.torque);
+    }
   };
+
+  void apply(const std::vector<LinkWrench>& wrenches) {
+    for (const auto& [id, wrench] : wrenches) {
+      if (std::optional<Link> link = world_->link(id)) link->addWrench(wrench.force, wrench.torque);
+    }
+  }
 
   void addWrench(const Element& element) {
     const std::string name = requiredText(element, "entity_name");
@@ -81,7 +98,7 @@ class ApplyLinkWrench : public System {
     if (!link) refuse(*element.child("entity_name"), "there is no " + type + " '" + name + "'");
     const Wrench wrench{element.get("force", Vector3(0, 0, 0)), element.get("torque", Vector3(0, 0, 0))};
     if (!wrench.force.allFinite() || !wrench.torque.allFinite()) refuse(element, "a wrench must be finite");
-    wrenches_.push_back({*link, wrench});
+    wrenches_.push_back({link->id(), wrench});
   }
 
   /// @return The link of that name, or the canonical link of the model of that name.
@@ -122,13 +139,13 @@ class ApplyLinkWrench : public System {
       log_->warning("a force acts at the link's origin: its offset is ignored, as in Fortress");
     }
     if (verbose_) log_->info("a wrench acts on " + link->scopedName());
-    wrenches.push_back({*link, wrench});
+    wrenches.push_back({link->id(), wrench});
   }
 
   /// Ends all wrenches on the link or the model.
   void clear(const ignition::msgs::Entity& entity) {
     const std::optional<Link> link = find(entity);
-    const auto isMeant = [&](const LinkWrench& wrench) { return link && link->id() == wrench.link.id(); };
+    const auto isMeant = [&](const LinkWrench& wrench) { return link && link->id() == wrench.link; };
     const std::size_t count = std::erase_if(wrenches_, isMeant);
     if (count == 0) return log_->warning("there is no wrench to clear on '" + entity.name() + "'");
     if (verbose_) log_->info(std::to_string(count) + " wrenches on " + link->scopedName() + " are cleared");

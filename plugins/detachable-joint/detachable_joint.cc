@@ -73,6 +73,13 @@ class DetachableJoint : public System {
     hasWarned_ = false;
   }
 
+  // the joint itself is the world's, and as there where the state fits
+  void transfer(StateArchive& archive) override {
+    archive(isToAttach_);
+    archive(isToDetach_);
+    archive(hasWarned_);
+  }
+
  private:
   void attach() {
     const std::optional<Link> child = findChild();

@@ -88,19 +88,24 @@ TEST(DetachableJoint, IsLeftOutWithTheReason) {
             (std::vector<std::string>{left + "no <child_model> is given", left + "no <child_link> is given"}));
 }
 
-TEST(DetachableJoint, OfFortressExampleHoldsABoxUntilTheVehicleComes) {
+TEST(DetachableJoint, OfFortressExampleLetsTheBoxesFallAsTheWorldSays) {
   const auto worlds = test::fortressWorlds();
   if (!worlds) GTEST_SKIP() << "no worlds of Fortress here";
   RunningWorld world(*worlds / "examples/triggered_publisher.sdf");
-  const double before = world.model("box1").pose().position.z();
+  const auto heightOf = [&](const char* model) { return world.model(model).pose().position.z(); };
+  const double first = heightOf("box1"), second = heightOf("box2");
   world.step(1000);
-  EXPECT_NEAR(world.model("box1").pose().position.z(), before, 1e-3);
-  // slower than the world's own command, at which the wheels jump over the line
-  ignition::msgs::Twist twist;
-  twist.mutable_linear()->set_x(0.5);
-  world.tell("/cmd_vel", twist);
-  world.step(8000);
-  EXPECT_LT(world.model("box1").pose().position.z(), before - 1);
+  EXPECT_NEAR(heightOf("box1"), first, 1e-3);
+
+  world.tell("/start", ignition::msgs::Empty());
+  world.step(1500);  // at 3 m/s to the line, 3 m ahead
+  EXPECT_LT(heightOf("box1"), first - 0.1);
+  EXPECT_NEAR(heightOf("box2"), second, 1e-3);
+  world.step(2000);  // the first box is down, and the second waits for five seconds
+  EXPECT_NEAR(heightOf("box1"), 0.5, 0.01);
+  EXPECT_NEAR(heightOf("box2"), second, 1e-3);
+  world.step(6000);
+  EXPECT_NEAR(heightOf("box2"), 0.5, 0.01);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "pongsim/noise.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/sensor_system.hh"
 
@@ -25,17 +24,19 @@ struct ForceTorqueSensor {
   static constexpr const char* kHolder = "joint/J";
   static constexpr const char* kText = "Publishes what the joints with force-torque sensors carry.";
 
-  ForceTorqueSensor(const Sensor& sensor, const World&, Random random, Message&)
+  ForceTorqueSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message&)
       : sensor_(sensor),
         joint_(jointOf(sensor)),
         settings_(*sensor.settings<ForceTorqueSettings>()),
-        forceNoise_(settings_.force, random),
-        torqueNoise_(settings_.torque, random) {
-    // begins the measuring
-    joint_.reaction();
+        forceNoise_(noises.add(settings_.force, "force")),
+        torqueNoise_(noises.add(settings_.torque, "torque")) {
+    reset();
   }
 
-  void measure(double dt, Message& message) {
+  /// Begins the measuring.
+  void reset() { joint_.reaction(); }
+
+  void measure(Message& message) {
     const Wrench reaction = joint_.reaction();
     const double sign = settings_.isParentToChild ? 1 : -1;
     // at the sensor, in place of the joint
@@ -43,8 +44,8 @@ struct ForceTorqueSensor {
     const Quaternion q_AxesWorld = axes().conjugate();
     const Vector3 force = q_AxesWorld * (sign * reaction.force);
     const Vector3 torque = q_AxesWorld * (sign * (reaction.torque - arm.cross(reaction.force)));
-    setVector(forceNoise_.apply(force, dt), *message.mutable_force());
-    setVector(torqueNoise_.apply(torque, dt), *message.mutable_torque());
+    setVector(forceNoise_.apply(force), *message.mutable_force());
+    setVector(torqueNoise_.apply(torque), *message.mutable_torque());
   }
 
  private:

@@ -2,7 +2,6 @@
 
 #include <numbers>
 
-#include "pongsim/noise.hh"
 #include "pongsim/sensor_system.hh"
 
 namespace pongsim {
@@ -29,13 +28,13 @@ struct ImuSensor {
   static constexpr const char* kSuffix = "/imu";
   static constexpr const char* kText = "Publishes what the world's inertial measurement units measure.";
 
-  ImuSensor(const Sensor& sensor, const World& world, Random random, Message& message)
+  ImuSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message)
       : sensor_(sensor),
+        world_(world),
         settings_(*sensor.settings<ImuSettings>()),
-        accelerationNoise_(settings_.linearAcceleration, random),
-        turnNoise_(settings_.angularVelocity, random),
+        accelerationNoise_(noises.add(settings_.linearAcceleration, "acceleration")),
+        turnNoise_(noises.add(settings_.angularVelocity, "turn")),
         q_WorldReference_(referenceOf(sensor, settings_, world)),
-        gravity_(world.gravity()),
         lastVelocity_(sensor.linearVelocity()) {
     message.set_entity_name(sensor.scopedName());
   }
@@ -43,30 +42,34 @@ struct ImuSensor {
   /// In each step, for an acceleration is the change of a velocity.
   void observe(const StepInfo& info) {
     const Vector3 velocity = sensor_.linearVelocity();
-    acceleration_ = (velocity - lastVelocity_) / toSeconds(info.dt) - gravity_;
+    acceleration_ = (velocity - lastVelocity_) / toSeconds(info.dt) - world_.gravity();
     lastVelocity_ = velocity;
   }
 
-  void measure(double dt, Message& message) {
+  void measure(Message& message) {
     const Quaternion q_WorldSensor = sensor_.pose().rotation;
     const Quaternion q_SensorWorld = q_WorldSensor.conjugate();
     if (settings_.enableOrientation) {
       setRotation(q_WorldReference_.conjugate() * q_WorldSensor, *message.mutable_orientation());
     }
-    setVector(accelerationNoise_.apply(q_SensorWorld * acceleration_, dt), *message.mutable_linear_acceleration());
-    setVector(turnNoise_.apply(q_SensorWorld * sensor_.link().angularVelocity(), dt),
-              *message.mutable_angular_velocity());
+    setVector(accelerationNoise_.apply(q_SensorWorld * acceleration_), *message.mutable_linear_acceleration());
+    setVector(turnNoise_.apply(q_SensorWorld * sensor_.link().angularVelocity()), *message.mutable_angular_velocity());
   }
 
   void reset() { lastVelocity_ = sensor_.linearVelocity(); }
 
+  void transfer(StateArchive& archive) {
+    archive(lastVelocity_);
+    archive(acceleration_);
+  }
+
  private:
   Sensor sensor_;
+  World world_;
   ImuSettings settings_;
   Noise3 accelerationNoise_;
   Noise3 turnNoise_;
   Quaternion q_WorldReference_;
-  Vector3 gravity_;
   Vector3 lastVelocity_;
   /// What holds the sensor against gravity and moves it, world frame [m/s^2].
   Vector3 acceleration_ = Vector3::Zero();

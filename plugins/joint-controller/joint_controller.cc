@@ -1,11 +1,9 @@
-#include <ignition/msgs/double.pb.h>
-
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "pongsim/parameters.hh"
 #include "pongsim/pid.hh"
+#include "pongsim/setpoint.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -30,43 +28,32 @@ class JointController : public System {
   void configure(const SystemContext& context) override {
     const Model& model = *context.model;
     joint_ = requiredJoint(context.sdf, "joint_name", model);
-    log_ = &context.log;
     pid_ = Pid(settings_);
-    target_ = initialTarget_;
     const std::string topic =
         topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/cmd_vel");
-    command_ = context.node.subscribe<ignition::msgs::Double>(
-        topic, [this](const ignition::msgs::Double& message) { receive(message.data()); });
+    target_.listen(context.node, topic, initialTarget_, "a velocity", context.log);
   }
 
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     if (usesForce_) {
-      joint_->addForce(pid_.update(joint_->velocity() - target_, toSeconds(info.dt)));
+      joint_->addForce(pid_.update(joint_->velocity() - target_.value(), toSeconds(info.dt)));
     } else {
-      joint_->setVelocityTarget(target_);
+      joint_->setVelocityTarget(target_.value());
     }
   }
 
   void reset() override {
     pid_.reset();
-    target_ = initialTarget_;
+    target_.reset();
   }
 
   void transfer(StateArchive& archive) override {
-    pid_.transfer(archive);
+    archive(pid_);
     archive(target_);
   }
 
  private:
-  void receive(double target) {
-    if (std::isfinite(target)) {
-      target_ = target;
-    } else {
-      log_->warning("a velocity that is not finite was ignored");
-    }
-  }
-
   std::string jointName_;
   std::string topic_;
   bool usesForce_ = false;
@@ -74,9 +61,7 @@ class JointController : public System {
   std::optional<Joint> joint_;
   Pid pid_;
   double initialTarget_ = 0;
-  double target_ = 0;
-  const Logger* log_ = nullptr;
-  Subscription command_;
+  Setpoint target_;
 };
 
 }  // namespace

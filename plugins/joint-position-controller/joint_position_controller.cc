@@ -1,5 +1,3 @@
-#include <ignition/msgs/double.pb.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,6 +5,7 @@
 
 #include "pongsim/parameters.hh"
 #include "pongsim/pid.hh"
+#include "pongsim/setpoint.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -36,7 +35,6 @@ class JointPositionController : public System {
     const Element& sdf = context.sdf;
     const Model& model = *context.model;
     joint_ = requiredJoint(sdf, "joint_name", model);
-    log_ = &context.log;
     if (axis_ >= joint_->axisCount()) {
       refuse(*sdf.child("joint_index"),
              "joint '" + std::string(joint_->name()) + "' has no axis " + std::to_string(axis_));
@@ -44,45 +42,35 @@ class JointPositionController : public System {
     pid_ = Pid(settings_);
     // as Fortress, which counts it only where it is given
     if (sdf.child("cmd_max") != nullptr) largestVelocity_ = settings_.commandMax;
-    target_ = initialTarget_;
     const std::string topic =
         topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/" +
                             std::to_string(axis_) + "/cmd_pos");
-    command_ = context.node.subscribe<ignition::msgs::Double>(
-        topic, [this](const ignition::msgs::Double& message) { receive(message.data()); });
+    target_.listen(context.node, topic, initialTarget_, "a position", context.log);
   }
 
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     const double dt = toSeconds(info.dt);
-    const double error = joint_->position(axis_) - target_;
+    const double error = joint_->position(axis_) - target_.value();
     if (!usesVelocity_) return joint_->addForce(pid_.update(error, dt), axis_);
     double velocity = -error / dt;
     if (largestVelocity_ && std::abs(velocity) > *largestVelocity_) {
       velocity = std::copysign(*largestVelocity_, velocity);
     }
-    joint_->setVelocityTarget(velocity);
+    joint_->setVelocityTarget(velocity, axis_);
   }
 
   void reset() override {
     pid_.reset();
-    target_ = initialTarget_;
+    target_.reset();
   }
 
   void transfer(StateArchive& archive) override {
-    pid_.transfer(archive);
+    archive(pid_);
     archive(target_);
   }
 
  private:
-  void receive(double target) {
-    if (std::isfinite(target)) {
-      target_ = target;
-    } else {
-      log_->warning("a position that is not finite was ignored");
-    }
-  }
-
   std::string jointName_;
   std::string topic_;
   PidSettings settings_ = kDefaults;
@@ -92,9 +80,7 @@ class JointPositionController : public System {
   bool usesVelocity_ = false;
   std::optional<double> largestVelocity_;
   double initialTarget_ = 0;
-  double target_ = 0;
-  const Logger* log_ = nullptr;
-  Subscription command_;
+  Setpoint target_;
 };
 
 }  // namespace

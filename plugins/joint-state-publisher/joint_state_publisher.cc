@@ -63,6 +63,8 @@ class JointStatePublisher : public System {
 
   void reset() override { schedule_.reset(); }
 
+  void transfer(StateArchive& archive) override { archive(schedule_); }
+
  private:
   /// Fills in what does not change.
   void describe() {

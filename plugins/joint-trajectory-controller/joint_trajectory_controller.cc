@@ -81,6 +81,12 @@ class ControlledJoint {
     target_ = initial_;
   }
 
+  void transfer(StateArchive& archive) {
+    archive(target_);
+    archive(position_);
+    archive(velocity_);
+  }
+
  private:
   Joint joint_;
   JointTarget initial_;
@@ -145,6 +151,17 @@ class JointTrajectoryController : public System {
     for (ControlledJoint& joint : joints_) joint.reset();
   }
 
+  void transfer(StateArchive& archive) override {
+    std::string waiting = waiting_ ? waiting_->SerializeAsString() : "";
+    archive(waiting);
+    archive(trajectory_);
+    for (ControlledJoint& joint : joints_) archive(joint);
+    if (!archive.isGiving()) return;
+    waiting_.reset();
+    if (!waiting.empty()) waiting_.emplace().ParseFromString(waiting);
+    findActive();
+  }
+
  private:
   std::vector<Joint> jointsOf(const SystemContext& context) const {
     if (!jointNames_.empty()) return requiredJoints(context.sdf, "joint_name", *context.model);
@@ -173,9 +190,14 @@ class JointTrajectoryController : public System {
     const Time start = hasTime ? std::chrono::seconds(stamp.sec()) + std::chrono::nanoseconds(stamp.nsec()) : now;
     trajectory_.emplace(*waiting_, start);
     waiting_.reset();
-    active_.clear();
-    for (const std::string& name : trajectory_->joints()) active_.push_back(find(name));
+    findActive();
     for (ControlledJoint& joint : joints_) joint.resetControllers();
+  }
+
+  void findActive() {
+    active_.clear();
+    if (!trajectory_) return;
+    for (const std::string& name : trajectory_->joints()) active_.push_back(find(name));
   }
 
   ControlledJoint* find(const std::string& name) {

@@ -73,6 +73,14 @@ void Trajectory::target(std::size_t joint, JointTarget& target) const {
   if (joint < point.efforts.size()) target.effort = point.efforts[joint];
 }
 
+void Trajectory::transfer(StateArchive& archive) {
+  archive(joints_);
+  archive(points_);
+  archive(start_);
+  archive(current_);
+  archive(started_);
+}
+
 double Trajectory::progress() const { return static_cast<double>(current_ + 1) / static_cast<double>(points_.size()); }
 
 }  // namespace pongsim

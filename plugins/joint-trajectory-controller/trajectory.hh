@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -19,6 +20,12 @@ struct JointTarget {
   double velocity = 0;
   /// Force beside what it takes to get there [N m or N].
   double effort = 0;
+
+  void transfer(StateArchive& archive) {
+    archive(position);
+    archive(velocity);
+    archive(effort);
+  }
 };
 
 /// A list of points to be at one after another, as a message asks for. There is nothing between two points: each one
@@ -28,6 +35,8 @@ class Trajectory {
   /// @return What is wrong with it, or nothing.
   static std::optional<std::string> fault(const ignition::msgs::JointTrajectory& message);
 
+  /// One without points, for `transfer` to fill in.
+  Trajectory() = default;
   /// @param message Without a fault.
   /// @param start Time from which its points count.
   Trajectory(const ignition::msgs::JointTrajectory& message, Time start);
@@ -44,15 +53,24 @@ class Trajectory {
   /// @return The point that counts and all before it, of all [0 to 1].
   double progress() const;
 
+  void transfer(StateArchive& archive);
+
  private:
   struct Point {
     Time time;
     std::vector<double> positions, velocities, efforts;
+
+    void transfer(StateArchive& archive) {
+      archive(time);
+      archive(positions);
+      archive(velocities);
+      archive(efforts);
+    }
   };
 
   std::vector<std::string> joints_;
   std::vector<Point> points_;
-  Time start_;
+  Time start_{0};
   std::size_t current_ = 0;
   bool started_ = false;
 };

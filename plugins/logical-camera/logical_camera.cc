@@ -29,10 +29,10 @@ struct LogicalCameraSensor {
   static constexpr const char* kText =
       "Publishes which models stand in front of the world's logical cameras, and where.";
 
-  LogicalCameraSensor(const Sensor& sensor, const World& world, const Random&, Message&)
+  LogicalCameraSensor(const Sensor& sensor, const World& world, const NoiseSet&, Message&)
       : sensor_(sensor), world_(world), settings_(*sensor.settings<LogicalCameraSettings>()) {}
 
-  void measure(double, Message& message) {
+  void measure(Message& message) {
     const Pose X_WorldSensor = sensor_.pose();
     const Pose X_SensorWorld = X_WorldSensor.inverse();
     setPose(X_WorldSensor, *message.mutable_pose());

@@ -1,6 +1,5 @@
 #include <ignition/msgs/magnetometer.pb.h>
 
-#include "pongsim/noise.hh"
 #include "pongsim/sensor_system.hh"
 
 namespace pongsim {
@@ -13,13 +12,13 @@ struct MagnetometerSensor {
   static constexpr const char* kSuffix = "/magnetometer";
   static constexpr const char* kText = "Publishes the world's magnetic field as its magnetometers measure it.";
 
-  MagnetometerSensor(const Sensor& sensor, const World& world, Random random, Message&)
+  MagnetometerSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message&)
       : sensor_(sensor),
-        noise_(sensor.settings<MagnetometerSettings>()->field, random),
+        noise_(noises.add(sensor.settings<MagnetometerSettings>()->field, "field")),
         field_(world.magneticField()) {}
 
-  void measure(double dt, Message& message) {
-    setVector(noise_.apply(sensor_.pose().rotation.conjugate() * field_, dt), *message.mutable_field_tesla());
+  void measure(Message& message) {
+    setVector(noise_.apply(sensor_.pose().rotation.conjugate() * field_), *message.mutable_field_tesla());
   }
 
  private:

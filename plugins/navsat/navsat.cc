@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "pongsim/geodesy.hh"
-#include "pongsim/noise.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/sensor_system.hh"
 
@@ -34,28 +33,28 @@ struct NavSatSensor {
   static constexpr const char* kSuffix = "/navsat";
   static constexpr const char* kText = "Publishes where on the earth the world's satellite receivers are.";
 
-  NavSatSensor(const Sensor& sensor, const World& world, Random random, Message& message)
+  NavSatSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message)
       : sensor_(sensor),
         plane_(planeFor(sensor, world)),
-        latitudeNoise_(settings().horizontalPosition, random.split("latitude")),
-        longitudeNoise_(settings().horizontalPosition, random.split("longitude")),
-        altitudeNoise_(settings().verticalPosition, random.split("altitude")),
-        eastNoise_(settings().horizontalVelocity, random.split("east")),
-        northNoise_(settings().horizontalVelocity, random.split("north")),
-        upNoise_(settings().verticalVelocity, random.split("up")) {
+        latitudeNoise_(noises.add(settings().horizontalPosition, "latitude")),
+        longitudeNoise_(noises.add(settings().horizontalPosition, "longitude")),
+        altitudeNoise_(noises.add(settings().verticalPosition, "altitude")),
+        eastNoise_(noises.add(settings().horizontalVelocity, "east")),
+        northNoise_(noises.add(settings().horizontalVelocity, "north")),
+        upNoise_(noises.add(settings().verticalVelocity, "up")) {
     message.set_frame_id(sensor.frameName());
   }
 
-  void measure(double dt, Message& message) {
+  void measure(Message& message) {
     const GeodeticPosition place = plane_.at(sensor_.pose().position);
-    message.set_latitude_deg(wrapped(latitudeNoise_.apply(place.latitude / kDegree, dt)));
-    message.set_longitude_deg(wrapped(longitudeNoise_.apply(place.longitude / kDegree, dt)));
-    message.set_altitude(altitudeNoise_.apply(place.altitude, dt));
+    message.set_latitude_deg(wrapped(latitudeNoise_.apply(place.latitude / kDegree)));
+    message.set_longitude_deg(wrapped(longitudeNoise_.apply(place.longitude / kDegree)));
+    message.set_altitude(altitudeNoise_.apply(place.altitude));
     // x, y and z of the world are east, north and up to Fortress, whatever its heading
     const Vector3 velocity = sensor_.linearVelocity();
-    message.set_velocity_east(eastNoise_.apply(velocity.x(), dt));
-    message.set_velocity_north(northNoise_.apply(velocity.y(), dt));
-    message.set_velocity_up(upNoise_.apply(velocity.z(), dt));
+    message.set_velocity_east(eastNoise_.apply(velocity.x()));
+    message.set_velocity_north(northNoise_.apply(velocity.y()));
+    message.set_velocity_up(upNoise_.apply(velocity.z()));
   }
 
  private:
@@ -63,8 +62,8 @@ struct NavSatSensor {
 
   Sensor sensor_;
   TangentPlane plane_;
-  Noise latitudeNoise_, longitudeNoise_, altitudeNoise_;
-  Noise eastNoise_, northNoise_, upNoise_;
+  Noise &latitudeNoise_, &longitudeNoise_, &altitudeNoise_;
+  Noise &eastNoise_, &northNoise_, &upNoise_;
 };
 
 using NavSat = SensorSystem<NavSatSensor>;

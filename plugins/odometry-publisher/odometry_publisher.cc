@@ -85,6 +85,12 @@ class OdometryPublisher : public System {
     velocity_ = {};
   }
 
+  void transfer(StateArchive& archive) override {
+    archive(schedule_);
+    archive(last_);
+    for (RollingMean<10>& mean : velocity_) archive(mean);
+  }
+
  private:
   Pose basePose() const { return model_->pose() * X_ModelBase_; }
 

@@ -63,6 +63,7 @@ class PoseTopic {
   }
 
   void reset() { schedule_.reset(); }
+  void transfer(StateArchive& archive) { archive(schedule_); }
 
  private:
   static void fill(const Entry& entry, Time time, ignition::msgs::Pose& message) {
@@ -152,6 +153,11 @@ class PosePublisher : public System {
   void reset() override {
     moving_.reset();
     still_.reset();
+  }
+
+  void transfer(StateArchive& archive) override {
+    archive(moving_);
+    archive(still_);
   }
 
  private:

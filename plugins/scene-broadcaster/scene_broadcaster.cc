@@ -95,6 +95,8 @@ class SceneBroadcaster : public System {
 
   void reset() override { due_ = Time::zero(); }
 
+  void transfer(StateArchive& archive) override { archive(due_); }
+
   void worldChanged() override {
     std::vector<Model> all = world_->models();
     std::vector<Model> moving;

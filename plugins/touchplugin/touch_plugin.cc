@@ -96,6 +96,13 @@ class TouchPlugin : public System {
 
   void reset() override { setEnabled(startsEnabled_); }
 
+  void transfer(StateArchive& archive) override {
+    bool enabled = enabled_;
+    archive(enabled);
+    if (archive.isGiving()) setEnabled(enabled);
+    archive(since_);
+  }
+
  private:
   void watchContactSensors(const Model& model) {
     for (const Link& link : model.links()) {

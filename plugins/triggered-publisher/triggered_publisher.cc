@@ -70,6 +70,11 @@ class TriggeredPublisher : public System {
     now_ = Time::zero();
   }
 
+  void transfer(StateArchive& archive) override {
+    archive(due_);
+    archive(now_);
+  }
+
  private:
   struct Output {
     TypedName target;

@@ -66,10 +66,20 @@ class VelocityControl : public System {
     for (LinkCommand& command : links_) command.twist.reset();
   }
 
+  void transfer(StateArchive& archive) override {
+    archive(command_);
+    for (LinkCommand& command : links_) archive(command.twist);
+  }
+
  private:
   struct Twist {
     Vector3 linear = Vector3::Zero();
     Vector3 angular = Vector3::Zero();
+
+    void transfer(StateArchive& archive) {
+      archive(linear);
+      archive(angular);
+    }
   };
   struct LinkCommand {
     Link link;

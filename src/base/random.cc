@@ -21,6 +21,17 @@ Random Random::split(std::string_view name) {
   return Random((high << 32U) | next(), name);
 }
 
+Random Random::at(std::uint64_t number) const {
+  // the finalizer of SplitMix64: Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014
+  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebULL;
+  Random part = *this;
+  part.hasSpare_ = false;
+  part.state_ ^= number ^ (number >> 31U);
+  part.next();
+  return part;
+}
+
 std::uint32_t Random::next() {
   const std::uint64_t old = state_;
   state_ = old * 6364136223846793005ULL + increment_;

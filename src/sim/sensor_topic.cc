@@ -49,17 +49,24 @@ bool SensorTopic::isDue(const StepInfo& info) {
   if (info.time < due_) return false;
   // on a grid, so that the rate is kept where it is no multiple of the step
   if (period_ > Time::zero()) due_ = Time((info.time / period_ + 1) * period_.count());
-  return publisher_.hasSubscribers();
-}
-
-void SensorTopic::publish(const Message& message) {
-  publisher_.publish(message);
-  last_ = now_;
+  sinceLast_ = count_ > 0 ? toSeconds(info.time - last_) : 0;
+  last_ = info.time;
   ++count_;
+  return true;
 }
 
-double SensorTopic::sinceLast(const StepInfo& info) const { return count_ > 0 ? toSeconds(info.time - last_) : 0; }
+void SensorTopic::reset() {
+  due_ = now_ = last_ = Time::zero();
+  sinceLast_ = 0;
+  count_ = 0;
+}
 
-void SensorTopic::reset() { due_ = now_ = last_ = Time::zero(); }
+void SensorTopic::transfer(StateArchive& archive) {
+  archive(period_);
+  archive(due_);
+  archive(now_);
+  archive(last_);
+  archive(count_);
+}
 
 }  // namespace pongsim

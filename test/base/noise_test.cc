@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <vector>
 
 namespace pongsim {
 namespace {
@@ -13,14 +15,30 @@ NoiseSettings gaussian() {
   return settings;
 }
 
+/// @return Noise whose bias wanders.
+NoiseSettings wandering() {
+  NoiseSettings settings = gaussian();
+  settings.dynamicBiasStandardDeviation = 0.5;
+  settings.dynamicBiasCorrelationTime = 2;
+  return settings;
+}
+
+/// @return What a value becomes in the reading at that millisecond.
+double readingOf(Noise& noise, int millisecond, double dt = 0.01, double value = 0) {
+  noise.begin(std::chrono::milliseconds(millisecond), dt);
+  return noise.apply(value);
+}
+
 TEST(Noise, LeavesAValueAsItIsWhereThereIsNone) {
   Noise none;
-  EXPECT_EQ(none.apply(0.3, 1), 0.3);
+  none.begin(Time(5), 1);
+  EXPECT_EQ(none.apply(0.3), 0.3);
   NoiseSettings settings = gaussian();
   settings.type = NoiseSettings::Type::kNone;
   settings.mean = 7;
   Noise ofNoType(settings, Random(1, "n"));
-  EXPECT_EQ(ofNoType.apply(0.3, 1), 0.3);
+  ofNoType.begin(Time(5), 1);
+  EXPECT_EQ(ofNoType.apply(0.3), 0.3);
 }
 
 TEST(Noise, IsOfItsMeanAndDeviation) {
@@ -31,7 +49,7 @@ TEST(Noise, IsOfItsMeanAndDeviation) {
   constexpr int kCount = 20'000;
   double sum = 0, squares = 0;
   for (int i = 0; i < kCount; ++i) {
-    const double error = noise.apply(10, 0.01) - 12;
+    const double error = readingOf(noise, i, 0.01, 10) - 12;
     sum += error;
     squares += error * error;
   }
@@ -45,9 +63,9 @@ TEST(Noise, HasABiasThatIsDrawnOnce) {
   int up = 0, down = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Noise noise(settings, Random(seed, "n"));
-    const double bias = noise.apply(0, 0.01);
+    const double bias = readingOf(noise, 1);
     EXPECT_EQ(std::abs(bias), 3);
-    EXPECT_EQ(noise.apply(0, 0.01), bias);
+    EXPECT_EQ(readingOf(noise, 2), bias);
     ++(bias > 0 ? up : down);
   }
   EXPECT_GT(up, 10);
@@ -55,18 +73,15 @@ TEST(Noise, HasABiasThatIsDrawnOnce) {
 }
 
 TEST(Noise, HasABiasThatWanders) {
-  NoiseSettings settings = gaussian();
-  settings.dynamicBiasStandardDeviation = 0.5;
-  settings.dynamicBiasCorrelationTime = 2;
-  Noise noise(settings, Random(1, "n"));
-  EXPECT_EQ(noise.apply(0, 0), 0);
+  Noise noise(wandering(), Random(1, "n"));
+  EXPECT_EQ(readingOf(noise, 0, 0), 0);
   double squares = 0;
   constexpr int kCount = 20'000;
   // steps so long that each draw is on its own: variance s^2 tau / 2
-  for (int i = 0; i < kCount; ++i) squares += std::pow(noise.apply(0, 100), 2);
+  for (int i = 0; i < kCount; ++i) squares += std::pow(readingOf(noise, i, 100), 2);
   EXPECT_NEAR(squares / kCount, 0.25, 0.01);
-  const double before = noise.apply(0, 100);
-  EXPECT_NEAR(noise.apply(0, 1e-9), before, 1e-3);
+  const double before = readingOf(noise, kCount, 100);
+  EXPECT_NEAR(readingOf(noise, kCount + 1, 1e-9), before, 1e-3);
 }
 
 TEST(Noise, IsRoundedWhereItIsQuantized) {
@@ -76,20 +91,45 @@ TEST(Noise, IsRoundedWhereItIsQuantized) {
   settings.standardDeviation = 1;
   Noise noise(settings, Random(1, "n"));
   for (int i = 0; i < 100; ++i) {
-    const double quarters = noise.apply(0.1, 0.01) * 4;
+    const double quarters = readingOf(noise, i, 0.01, 0.1) * 4;
     EXPECT_EQ(quarters, std::round(quarters));
   }
 }
 
-TEST(Noise, DiffersFromAxisToAxis) {
+TEST(Noise, OfAReadingDependsOnItsTimeOnly) {
   NoiseSettings settings = gaussian();
   settings.standardDeviation = 1;
-  Random random(1, "n");
-  Noise3 noise({settings, NoiseSettings(), settings}, random);
-  const Vector3 value = noise.apply(Vector3::Zero(), 0.01);
-  EXPECT_NE(value.x(), value.z());
-  EXPECT_NE(value.x(), 0);
-  EXPECT_EQ(value.y(), 0);
+  Noise asked(settings, Random(1, "n")), unasked(settings, Random(1, "n"));
+  double last = 0;
+  for (int i = 0; i <= 10; ++i) last = readingOf(asked, i);
+  EXPECT_EQ(readingOf(unasked, 10), last);
+  EXPECT_NE(readingOf(unasked, 11), last);
+  // several values of one reading differ
+  EXPECT_NE(unasked.apply(0), unasked.apply(0));
+}
+
+TEST(Noise, WandersTheSameWayWhetherOrNotAValueIsAskedFor) {
+  Noise asked(wandering(), Random(1, "n")), unasked(wandering(), Random(1, "n"));
+  for (int i = 0; i < 10; ++i) readingOf(asked, i, 0.1);
+  for (int i = 0; i < 10; ++i) unasked.begin(std::chrono::milliseconds(i), 0.1);
+  EXPECT_EQ(readingOf(asked, 10, 0.1), readingOf(unasked, 10, 0.1));
+}
+
+TEST(Noise, BeginsAnewAndGoesOnWhereItWas) {
+  Noise noise(wandering(), Random(1, "n"));
+  const double first = readingOf(noise, 1, 0.1);
+  StateArchive saved;
+  noise.transfer(saved);
+  const double second = readingOf(noise, 2, 0.1);
+  EXPECT_NE(second, first);
+  noise.reset();
+  EXPECT_EQ(readingOf(noise, 1, 0.1), first);
+
+  Noise other(wandering(), Random(1, "n"));
+  const std::vector<std::byte> bytes = saved.take();
+  StateArchive given(bytes);
+  other.transfer(given);
+  EXPECT_EQ(readingOf(other, 2, 0.1), second);
 }
 
 }  // namespace

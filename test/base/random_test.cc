@@ -27,6 +27,30 @@ TEST(Random, SplitsOffStreamsThatGoTheirOwnWay) {
   EXPECT_NE(Random(7, "imu").split("x").uniform(), Random(8, "imu").split("x").uniform());
 }
 
+TEST(Random, GivesTheSameAtANumberWhateverWasDrawnThere) {
+  const Random random(7, "imu");
+  Random first = random.at(1);
+  first.normal(0, 1);
+  EXPECT_EQ(random.at(1).uniform(), Random(7, "imu").at(1).uniform());
+  EXPECT_NE(random.at(1).uniform(), random.at(2).uniform());
+  EXPECT_NE(random.at(1).uniform(), Random(7, "lidar").at(1).uniform());
+}
+
+TEST(Random, SpreadsUniformlyOverNumbers) {
+  const Random random(1, "test");
+  constexpr int kCount = 100'000;
+  double sum = 0, neighbours = 0, last = 0;
+  for (int i = 0; i < kCount; ++i) {
+    // milliseconds in nanoseconds, as it is used
+    const double value = random.at(static_cast<std::uint64_t>(i) * 1'000'000).uniform() - 0.5;
+    sum += value;
+    neighbours += value * last;
+    last = value;
+  }
+  EXPECT_NEAR(sum / kCount, 0, 0.005);
+  EXPECT_NEAR(neighbours / kCount, 0, 0.002);
+}
+
 TEST(Random, SpreadsUniformlyOverTheUnitInterval) {
   Random random(1, "test");
   constexpr int kCount = 100'000;

@@ -95,12 +95,12 @@ class Performance {
       const auto model = simulation_.world().model(name);
       ASSERT_TRUE(model) << line;
       starts_.emplace(name, model->pose().position);
-    } else if (verb != "says") {
+    } else if (verb != "says" && verb != "turns") {
       FAIL() << "the list says '" << line << "'";
     }
   }
 
-  /// After the run: `hear TOPIC TYPE COUNT [PART OF A MESSAGE]`, `moves MODEL METRES`, `rests MODEL METRES`.
+  /// After the run: `hear`, `moves`, `rests` and `turns`.
   void check(const std::string& line) {
     std::istringstream words(line);
     std::string verb, name, type, part;
@@ -120,6 +120,11 @@ class Performance {
       const double moved = (simulation_.world().model(name)->pose().position - starts_.at(name)).norm();
       EXPECT_TRUE(verb == "moves" ? moved >= distance : moved <= distance)
           << line << ": it has moved " << moved << " m";
+    } else if (verb == "turns") {
+      std::string joint;
+      double position = 0;
+      words >> joint >> position;
+      EXPECT_NEAR(simulation_.world().model(name)->joint(joint)->position(), position, 0.02) << line;
     }
   }
 

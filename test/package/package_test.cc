@@ -36,7 +36,7 @@ class PackageTest : public testing::Test {
   }
 
   void build(const std::string& source, const std::string& to) {
-    run("'" PONGSIM_CMAKE "' -S '" + source + "' -B " + to +
+    run("'" PONGSIM_CMAKE "' -G '" PONGSIM_GENERATOR "' -S '" + source + "' -B " + to +
         " -DCMAKE_BUILD_TYPE=Debug -DCMAKE_PREFIX_PATH=\"$PWD/moved\" -DCMAKE_CXX_FLAGS='" PONGSIM_FOREIGN_FLAGS
         "' && '" PONGSIM_CMAKE "' --build " +
         to + " --parallel 2");

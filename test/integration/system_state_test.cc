@@ -1,0 +1,172 @@
+// All systems repeat to the bit: after a reset, from a saved state, and whoever listens. Each runs in the world of its
+// folder, and is told what the comment of that world says.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <ostream>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pongsim/message.hh"
+#include "pongsim/simulation.hh"
+#include "support/fortress_worlds.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A step in which the systems have received the commands and are in the middle of things, and the last one.
+constexpr std::uint64_t kHalf = 300, kEnd = 600;
+
+struct Command {
+  std::string topic, type, text;
+};
+
+/// @return The commands `pongsim topic -t TOPIC -m TYPE -p "TEXT"` in a world's comment.
+std::vector<Command> commandsIn(const fs::path& file) {
+  std::ifstream stream(file);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::regex command(R"re(pongsim topic -t (\S+) -m (\S+) -p "([^"]*)")re");
+  std::vector<Command> commands;
+  for (std::sregex_iterator match(text.begin(), text.end(), command), end; match != end; ++match) {
+    commands.push_back({(*match)[1], (*match)[2], (*match)[3]});
+  }
+  return commands;
+}
+
+/// @return The topics that a world's systems publish, with their types.
+std::vector<std::pair<std::string, std::string>> topicsOf(const fs::path& file) {
+  Transport transport({.network = true, .domain = testDomain()});
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromFile(file, {.transport = &transport}, diagnostics);
+  std::vector<std::pair<std::string, std::string>> topics;
+  Transport looker({.network = true, .domain = testDomain()});
+  for (const TopicInfo& topic : looker.discover(std::chrono::seconds(60))) {
+    if (!topic.publishers.empty()) topics.emplace_back(topic.name, topic.publishers.front().type);
+  }
+  return topics;
+}
+
+/// A world that is told its commands, and whose messages are kept.
+class Recorder {
+ public:
+  explicit Recorder(const fs::path& file) : commands_(commandsIn(file)), topics_(topicsOf(file)) {
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromFile(file, {.seed = 3}, diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  }
+
+  Simulation& simulation() { return *simulation_; }
+
+  void listen() {
+    for (const auto& [name, type] : topics_) {
+      subscriptions_.push_back(simulation_->transport().node().subscribe(
+          name, type,
+          [this, name = name](const Message& message) { messages_.push_back(name + ": " + messageText(message)); }));
+    }
+  }
+
+  /// @return What is published from now on until `step`.
+  std::vector<std::string> stepTo(std::uint64_t step) {
+    messages_.clear();
+    while (simulation_->iterations() < step) {
+      // one command after another, for some belong together
+      const std::uint64_t now = simulation_->iterations();
+      if (now % 50 == 0 && now > 0 && now / 50 <= commands_.size()) tell(commands_[now / 50 - 1]);
+      simulation_->step(1);
+    }
+    simulation_->transport().dispatch();
+    messages_.push_back("state " + std::to_string(simulation_->stateHash()));
+    return std::exchange(messages_, {});
+  }
+
+  void reset() {
+    Diagnostics diagnostics;
+    simulation_->reset(diagnostics);
+    for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+    // what is told of the reset itself
+    simulation_->transport().dispatch();
+  }
+
+ private:
+  void tell(const Command& command) {
+    publishers_.push_back(simulation_->transport().node().advertise(command.topic, command.type));
+    const MessagePointer message = newMessage(command.type);
+    ASSERT_FALSE(parseMessage(command.text, *message)) << command.text;
+    publishers_.back().publish(*message);
+  }
+
+  std::vector<Command> commands_;
+  std::vector<std::pair<std::string, std::string>> topics_;
+  std::unique_ptr<Simulation> simulation_;
+  std::vector<Subscription> subscriptions_;
+  std::vector<Publisher> publishers_;
+  std::vector<std::string> messages_;
+};
+
+void expectSame(const std::vector<std::string>& found, const std::vector<std::string>& expected,
+                const std::string& when) {
+  const auto [one, other] = std::ranges::mismatch(found, expected);
+  if (one != found.end() && other != expected.end()) {
+    FAIL() << when << ", message " << one - found.begin() << "\n" << *one << "\nin place of\n" << *other;
+  }
+  EXPECT_EQ(found.size(), expected.size()) << when;
+}
+
+std::vector<std::string> systemWorlds() {
+  std::vector<std::string> files;
+  for (const auto& folder : fs::directory_iterator(projectFolder() / "plugins")) {
+    if (!folder.is_directory()) continue;
+    for (const auto& file : fs::directory_iterator(folder)) {
+      if (file.path().extension() == ".sdf") {
+        files.push_back((folder.path().filename() / file.path().filename()).string());
+      }
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+class SystemState : public testing::TestWithParam<std::string> {};
+
+TEST_P(SystemState, RepeatsToTheBit) {
+  const fs::path file = projectFolder() / "plugins" / GetParam();
+  Recorder recorder(file);
+  recorder.listen();
+  const std::vector<std::string> first = recorder.stepTo(kHalf);
+  const std::vector<std::byte> state = recorder.simulation().saveState();
+  const std::vector<std::string> second = recorder.stepTo(kEnd);
+
+  EXPECT_EQ(recorder.simulation().restoreState(state), std::nullopt);
+  expectSame(recorder.stepTo(kEnd), second, "from a saved state");
+
+  recorder.reset();
+  expectSame(recorder.stepTo(kHalf), first, "after a reset");
+  expectSame(recorder.stepTo(kEnd), second, "later after a reset");
+
+  Recorder lateListener(file);
+  lateListener.stepTo(kHalf);
+  lateListener.listen();
+  expectSame(lateListener.stepTo(kEnd), second, "to one who listens late");
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, SystemState, testing::ValuesIn(systemWorlds()), [](const auto& parameter) {
+  std::string name = fs::path(parameter.param).stem().string();
+  std::erase(name, '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace pongsim::test
