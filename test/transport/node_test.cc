@@ -16,6 +16,7 @@
 
 #include "support/proc.hh"
 #include "support/process.hh"
+#include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim {
@@ -418,11 +419,14 @@ TEST_F(NodeTest, IsFoundOnItsOwnMachineByThoseThatAreClosedWhenItIsOpen) {
 
 TEST_F(NodeTest, DoesNotTalkToAnotherMachineUnlessItIsToldTo) {
   if (!twoMachinesCanBeMade()) GTEST_SKIP() << "no network namespaces with a wire between them can be made here";
+  const test::TempFolder folder;
+  const std::string said = (folder.path() / "said").string();
   Process machines({"unshare", "-rn", "sh", "-c",
-                    "PEER='env PONGSIM_NETWORK=there " TRANSPORT_PEER " offer 3 0'\n" + std::string(kTwoMachines) +
-                        TRANSPORT_PEER " discover; kill $other; wait $other"});
+                    "PEER='env PONGSIM_NETWORK=there " TRANSPORT_PEER " offer 3 0 >" + said + "'\n" +
+                        std::string(kTwoMachines) + "until grep -qs ready " + said + "; do sleep 0.01; done\n" +
+                        TRANSPORT_PEER " discover; result=$?\nkill $other; wait $other; exit $result"});
   EXPECT_EQ(machines.wait(), 0) << machines.error();
-  EXPECT_NE(machines.output().find("found 0\n"), std::string::npos) << machines.output();
+  EXPECT_EQ(machines.output(), "found 0\n");
 }
 
 TEST_F(NodeTest, RefusesADomainThatIsNone) {
