@@ -26,7 +26,7 @@ struct Simulation::Parts {
       : description(std::move(world)),
         entities(description),
         state(entities),
-        engine(entities),
+        engine(entities, {.threads = std::max(options.threads, 1)}),
         access{entities, state, engine} {
     if (options.transport == nullptr) ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
     transport = options.transport != nullptr ? options.transport : &*ownTransport;
