@@ -13,6 +13,7 @@
 #include "cli/console.hh"
 #include "cli/key_reader.hh"
 #include "cli/key_terminal.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/stop_signal.hh"
 #include "cli/topic_command.hh"
@@ -139,6 +140,7 @@ void addKeyCommand(CLI::App& program, Work& work) {
           },
           "Wait so many milliseconds (1000) for a listener, and for the last keys to arrive")
       ->type_name("MS");
+  addNetworkOption(*command);
   command->footer(
       "Sends the codes of Fortress's key publisher (Qt's): arrows, letters, digits, space, Enter, Tab, Backspace,\n"
       "Escape. q, Ctrl-C or the end of the input ends. What comes from a pipe is read as keys too.\n"

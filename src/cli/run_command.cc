@@ -10,6 +10,7 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/stop_signal.hh"
 #include "cli/world_file.hh"
@@ -73,7 +74,10 @@ int runWorld(const RunCommandOptions& options) {
     return kFailed;
   }
 
-  if (options.verbosity != LogLevel::kNone) say(startLine(*simulation, options.run));
+  if (options.verbosity != LogLevel::kNone) {
+    say(startLine(*simulation, options.run));
+    if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
+  }
   sim::Runner runner(*simulation, options.run);
   signal.onStop([&runner] { runner.stop(); });
   runner.run();
@@ -133,6 +137,7 @@ void addRunCommand(CLI::App& program, Work& work) {
   addFlag("--strict", options->strict,
           "Take warnings about the file for errors, and end with exit code 1 where a system fails");
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"

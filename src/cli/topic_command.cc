@@ -13,6 +13,7 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/message_option.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/topic_name.hh"
 #include "pongsim/log.hh"
@@ -188,6 +189,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
   addFlag("--csv", given->csv, "Echo as a table for spreadsheets: the fields asked for, or all single values");
   add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without the message",
       given->timeout);
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim topic -l\n"

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,10 +14,27 @@ namespace pongsim::cli {
 
 namespace {
 
-std::string table(const char* title, const std::vector<TopicInfo::Endpoint>& endpoints) {
-  std::string text = std::string(title) + " [Process, Message Type]:\n";
+/// How long `-i` looks at what passes.
+constexpr std::chrono::milliseconds kWatchTime{500};
+
+/// @return "1000 Hz", "0.5 Hz".
+std::string rateText(double rate) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f Hz", rate < 10 ? 1 : 0, rate);
+  return text;
+}
+
+/// @param passed What became of the messages: "sent".
+std::string table(const char* title, const char* passed, const std::vector<TopicInfo::Endpoint>& endpoints) {
+  std::string text = std::string(title) + " [Process, Message Type, Rate, Messages]:\n";
   for (const TopicInfo::Endpoint& endpoint : endpoints) {
-    text += "  " + (endpoint.pid > 0 ? std::to_string(endpoint.pid) : "?") + ", " + endpoint.type + "\n";
+    text += "  " + (endpoint.pid > 0 ? std::to_string(endpoint.pid) : "?") + ", " + endpoint.type + ", ";
+    if (const auto& traffic = endpoint.traffic) {
+      text += rateText(traffic->rate) + ", " + std::to_string(traffic->messages) + " " + passed + ", " +
+              std::to_string(traffic->dropped) + " dropped\n";
+    } else {
+      text += "does not answer\n";
+    }
   }
   return text;
 }
@@ -55,13 +74,19 @@ int listTopics(bool isVerbose) {
 int showTopic(const std::string& name) {
   Transport transport;
   const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
-  const auto topic =
+  const auto found =
       std::find_if(topics.begin(), topics.end(), [&name](const TopicInfo& each) { return each.name == name; });
-  if (topic == topics.end()) return fail("no publishers on " + name, nearestTopic(name, topics));
+  if (found == topics.end()) return fail("no publishers on " + name, nearestTopic(name, topics));
 
-  std::string text =
-      topic->publishers.empty() ? "No publishers on topic [" + name + "]\n" : table("Publishers", topic->publishers);
-  if (!topic->subscribers.empty()) text += table("Subscribers", topic->subscribers);
+  // nothing is sent, at any rate, while nobody listens
+  Subscription listening;
+  if (found->subscribers.empty()) {
+    listening = transport.node().subscribeBytes(name, found->publishers.front().type, [](auto) {}, {.queueLength = 1});
+  }
+  const TopicInfo topic = transport.watchTopic(name, kWatchTime);
+  std::string text = topic.publishers.empty() ? "No publishers on topic [" + name + "]\n"
+                                              : table("Publishers", "sent", topic.publishers);
+  if (!topic.subscribers.empty()) text += table("Subscribers", "received", topic.subscribers);
   return print(text) ? kDone : kFailed;
 }
 

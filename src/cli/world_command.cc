@@ -11,6 +11,7 @@
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "pongsim/log.hh"
 
@@ -85,6 +86,7 @@ void addWorldCommand(CLI::App& program, Work& work) {
   add("-w,--world", "WORLD", "The world's name, where several run", given->world);
   add("-n,--num", "N", "With stats: N lines, then end", given->lines);
   add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its answer", given->timeout);
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf --paused &\n"
