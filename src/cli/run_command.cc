@@ -27,6 +27,7 @@ struct RunCommandOptions {
   sim::RunOptions run;
   bool runAtOnce = false;
   std::uint64_t seed = 0;
+  int threads = 1;
   LogLevel verbosity = LogLevel::kWarning;
   bool hash = false;
   bool strict = false;
@@ -61,9 +62,10 @@ int runWorld(const RunCommandOptions& options) {
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::unique_ptr<Simulation> simulation =
-      Simulation::fromFile(findWorldFile(options.world),
-                           {.seed = options.seed, .strict = options.strict, .transport = &transport}, diagnostics);
+  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(
+      findWorldFile(options.world),
+      {.seed = options.seed, .strict = options.strict, .threads = options.threads, .transport = &transport},
+      diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) {
@@ -124,6 +126,10 @@ void addRunCommand(CLI::App& program, Work& work) {
       });
   add("--seed", "N", "Where all random numbers come from, 0 to 2^64-1 (0)",
       [options](const std::string& text) { options->seed = wholeNumber("--seed", text); });
+  add("--threads", "N", "Move bodies on N threads, 1 to 256 (1); the result is the same",
+      [options](const std::string& text) {
+        options->threads = static_cast<int>(wholeNumber("--threads", text, 1, 256));
+      });
   add("-v,--verbose", "LEVEL", "How much is said: 0 nothing, 1 errors, 2 warnings, 3 information, 4 all (2)",
       [options](const std::string& text) {
         options->verbosity = static_cast<LogLevel>(wholeNumber("-v", text, 0, 4));
