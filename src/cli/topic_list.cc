@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,12 +25,30 @@ std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// @return "/clock [ignition.msgs.Clock] 1 publisher, 0 subscribers", with all types that the topic is used with.
-std::string line(const TopicInfo& topic) {
+/// @return All types that the topic is used with.
+std::set<std::string> typesOf(const TopicInfo& topic) {
   std::set<std::string> types;
   for (const auto* side : {&topic.publishers, &topic.subscribers}) {
     for (const TopicInfo::Endpoint& endpoint : *side) types.insert(endpoint.type);
   }
+  return types;
+}
+
+/// @return An array with an object for each topic, those that are only subscribed to among them.
+std::string jsonOf(const std::vector<TopicInfo>& topics) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const TopicInfo& topic : topics) {
+    list.push_back({{"name", topic.name},
+                    {"types", typesOf(topic)},
+                    {"publishers", topic.publishers.size()},
+                    {"subscribers", topic.subscribers.size()}});
+  }
+  return list.dump() + "\n";
+}
+
+/// @return "/clock [ignition.msgs.Clock] 1 publisher, 0 subscribers", with all types that the topic is used with.
+std::string line(const TopicInfo& topic) {
+  const std::set<std::string> types = typesOf(topic);
   std::string text = topic.name + " [";
   for (const std::string& type : types) text += (type == *types.begin() ? "" : ", ") + type;
   return text + "] " + counted(topic.publishers.size(), "publisher") + ", " +
@@ -38,10 +57,12 @@ std::string line(const TopicInfo& topic) {
 
 }  // namespace
 
-int listTopics(bool isVerbose) {
+int listTopics(bool isVerbose, bool asJson) {
   Transport transport;
+  const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
+  if (asJson) return print(jsonOf(topics)) ? kDone : kFailed;
   std::string text;
-  for (const TopicInfo& topic : transport.discover(kDiscoveryTime)) {
+  for (const TopicInfo& topic : topics) {
     if (isVerbose) {
       text += line(topic);
     } else if (!topic.publishers.empty()) {
