@@ -28,18 +28,17 @@ class PONGSIM_API BackgroundCalls {
     std::string replyType;
     std::chrono::milliseconds timeout{5000};
   };
-  /// How many may wait. One that comes then is not made, with a warning.
-  static constexpr std::size_t kMostWaiting = 1000;
-
   /// @param log Must outlive it.
-  BackgroundCalls(const Node& node, const Logger& log);
+  /// @param mostWaiting How many may wait.
+  BackgroundCalls(const Node& node, const Logger& log, std::size_t mostWaiting = 1000);
   /// Waits for the call that is being made; the others are not made any more.
   ~BackgroundCalls();
   BackgroundCalls(const BackgroundCalls&) = delete;
   BackgroundCalls& operator=(const BackgroundCalls&) = delete;
 
   /// Has the service called. Returns at once.
-  void post(Call call);
+  /// @return Whether it will be: not, with a warning, where too many wait already.
+  bool post(Call call);
 
  private:
   void work(const std::stop_token& stop);
@@ -47,6 +46,7 @@ class PONGSIM_API BackgroundCalls {
 
   Node node_;
   const Logger& log_;
+  const std::size_t mostWaiting_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<Call> waiting_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
@@ -25,6 +26,9 @@ namespace pongsim {
 namespace {
 
 namespace im = ignition::msgs;
+
+/// How many states may wait for their services to be called: each may be large.
+constexpr std::size_t kMostCallbacks = 8;
 
 /// Publishes what is in the world and where it is.
 class SceneBroadcaster : public System {
@@ -55,7 +59,7 @@ class SceneBroadcaster : public System {
     states_ = Schedule(periodOf(stateRate_));
     world_ = &context.world;
     scene_.emplace(context.world);
-    calls_.emplace(context.node, context.log);
+    calls_.emplace(context.node, context.log, kMostCallbacks);
 
     const std::string prefix = cleanTopic("/world/" + std::string(context.world.name()));
     allPoses_.open(context.node, prefix + "/pose/info");
@@ -119,11 +123,11 @@ class SceneBroadcaster : public System {
     if (service.empty()) return ServiceAnswer::refused("the request names no service");
     auto state = std::make_shared<im::SerializedStepMap>();
     scene_->fillInState(*state, StateContent::kAll, isPaused_);
-    calls_->post({.service = service,
-                  .request = std::move(state),
-                  .replyType = im::Empty::descriptor()->full_name(),
-                  .timeout = std::chrono::seconds(5)});
-    return true;
+    const bool isPosted = calls_->post({.service = service,
+                                        .request = std::move(state),
+                                        .replyType = im::Empty::descriptor()->full_name(),
+                                        .timeout = std::chrono::seconds(5)});
+    return isPosted ? true : ServiceAnswer::refused("too many wait for the state already");
   }
 
   void publishState(const StepInfo& info) {

@@ -6,22 +6,24 @@
 
 namespace pongsim {
 
-BackgroundCalls::BackgroundCalls(const Node& node, const Logger& log) : node_(node), log_(log) {}
+BackgroundCalls::BackgroundCalls(const Node& node, const Logger& log, std::size_t mostWaiting)
+    : node_(node), log_(log), mostWaiting_(mostWaiting) {}
 
 BackgroundCalls::~BackgroundCalls() = default;
 
-void BackgroundCalls::post(Call call) {
+bool BackgroundCalls::post(Call call) {
   {
     const std::lock_guard lock(mutex_);
-    if (waiting_.size() < kMostWaiting) {
-      waiting_.push_back(std::move(call));
-    } else {
-      log_.warning("service '" + call.service + "' is not called: " + std::to_string(kMostWaiting) +
+    if (waiting_.size() >= mostWaiting_) {
+      log_.warning("service '" + call.service + "' is not called: " + std::to_string(mostWaiting_) +
                    " calls wait already");
+      return false;
     }
+    waiting_.push_back(std::move(call));
   }
   changed_.notify_one();
   if (!worker_.joinable()) worker_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+  return true;
 }
 
 void BackgroundCalls::work(const std::stop_token& stop) {

@@ -41,6 +41,25 @@ TEST_F(BackgroundCallsTest, AreMadeInOrderWhileTheCallerGoesOn) {
   EXPECT_EQ(requests_, (std::vector<std::string>{"data: \"a\"\n", "data: \"b\"\n", "data: \"c\"\n"}));
 }
 
+TEST_F(BackgroundCallsTest, AreRefusedWhereTooManyWait) {
+  testing::internal::CaptureStderr();
+  {
+    BackgroundCalls calls(transport_.node(), log_, 2);
+    const Service service = serve();
+    // nobody dispatches: one is being made, or is not yet, and two may wait
+    int posted = 0;
+    for (int i = 0; i < 10; ++i) {
+      posted += calls.post({.service = "/echo",
+                            .request = newMessage("StringMsg"),
+                            .replyType = "ignition.msgs.Empty",
+                            .timeout = std::chrono::milliseconds(100)});
+    }
+    EXPECT_GE(posted, 2);
+    EXPECT_LE(posted, 3);
+  }
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("2 calls wait already"), std::string::npos);
+}
+
 TEST_F(BackgroundCallsTest, SayWhatGoesWrongAndGoOn) {
   testing::internal::CaptureStderr();
   {
