@@ -191,8 +191,8 @@ void addTopicCommand(CLI::App& program, Work& work) {
       ->allow_extra_args(false);
   addFlag(
       "--json,--json-output", given->json,
-      "Print JSON: echo a line each message, --hz, --bw and --delay an object a line, list an array with types and\n"
-      "counts");
+      "Print JSON: echo a line each message, --hz, --bw and --delay a line each second,\n"
+      "list an array with types and counts");
   addFlag("--csv", given->csv, "Echo as a table for spreadsheets: the fields asked for, or all single values");
   add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without the message",
       given->timeout);

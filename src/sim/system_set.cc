@@ -151,12 +151,11 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
     if (slot != world::kNoSlot) loadOwnPlugins(slot, diagnostics);
   }
   putInOrder();
-  const auto switchOn = [this](SystemSlot& slot) { slot.switchOn(Random(seed_, slot.stream())); };
-  for (SystemSlot& slot : slots_) switchOn(slot);
+  for (SystemSlot& slot : slots_) slot.switchOn(Random(seed_, slot.stream()));
   announceChanges();
   for (SystemSlot& slot : slots_) {
     // once more: who is told of changes may draw numbers
-    switchOn(slot);
+    slot.setRandom(Random(seed_, slot.stream()));
     slot.reset();
   }
 }
