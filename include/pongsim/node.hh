@@ -1,11 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +20,26 @@ namespace pongsim {
 
 namespace transport {
 class Bus;
+class Channel;
 class PublisherState;
 class SubscriptionState;
 }  // namespace transport
+
+struct PublisherOptions {
+  /// Whether the last message is kept and given to every subscriber that comes later, in this process or another, for
+  /// as long as the publisher lives: for what is said once or seldom, such as a scene. It is published then whether
+  /// somebody listens or not.
+  bool latched = false;
+};
+
+struct SubscriptionOptions {
+  /// So many messages wait for `dispatch`, at least 1, and 64 MiB of them unless it is a single one. Then the oldest is
+  /// dropped and counted.
+  std::size_t queueLength = 1000;
+  /// So many messages a second of wall time are taken, above 0; those between pass unheard and uncounted. Unset: all.
+  /// It is for watching: what a system hears in this way is not the same in each run.
+  std::optional<double> messagesPerSecond = std::nullopt;
+};
 
 /// Publishes messages of one type on one topic, for as long as it lives. It must not outlive its `Transport`.
 class PONGSIM_API Publisher {
@@ -36,8 +55,16 @@ class PONGSIM_API Publisher {
   /// @return Whether somebody listens, in this process or another. Cheap: ask before filling in a message.
   bool hasSubscribers() const;
 
-  /// Sends a message to whoever listens now; never waits for them. The message's type must be the topic's.
+  /// Sends a message to whoever listens now; never waits for them.
+  /// @throws std::invalid_argument where the message's type is not the topic's.
   void publish(const Message& message);
+
+  /// As `publish`, a message in protobuf's binary form. Bytes that are no message of the topic's type are dropped, with
+  /// a warning, where somebody reads them as one.
+  void publishBytes(std::span<const std::byte> bytes);
+
+  /// @return Messages sent so far. What is published while nobody listens is not sent, unless it is latched.
+  std::uint64_t sent() const;
 
   /// Waits until somebody listens.
   /// @return Whether somebody does; false after `timeout`.
@@ -62,7 +89,10 @@ class PONGSIM_API Subscription {
 
   explicit operator bool() const { return state_ != nullptr; }
 
-  /// @return Messages thrown away since the start because `dispatch` did not keep up.
+  /// @return Messages that have come so far, without the dropped ones.
+  std::uint64_t received() const;
+
+  /// @return Messages lost so far because `dispatch`, or this process, did not keep up.
   std::uint64_t dropped() const;
 
  private:
@@ -72,11 +102,23 @@ class PONGSIM_API Subscription {
 /// What a topic offers in this process and in others.
 struct TopicInfo {
   std::string name;
+  /// What has passed through the publishers or the subscriptions of a process.
+  struct Traffic {
+    /// Messages sent or received since the first of them is there.
+    std::uint64_t messages = 0;
+    /// Messages that some subscriber, or these subscriptions, did not get.
+    std::uint64_t dropped = 0;
+    /// Messages a second of wall time, while it was watched.
+    double rate = 0;
+    bool operator==(const Traffic&) const = default;
+  };
   struct Endpoint {
     /// Full name of the message type.
     std::string type;
     /// Process that it belongs to, 0 where it is not known.
     int pid = 0;
+    /// Known where `Transport::watchTopic` has asked for it, and the process has answered.
+    std::optional<Traffic> traffic = std::nullopt;
     bool operator==(const Endpoint&) const = default;
   };
   std::vector<Endpoint> publishers;
@@ -112,20 +154,33 @@ class PONGSIM_API Node {
   /// @return A node whose subscriptions and services are called with `guard` around them, which must outlive them.
   Node guardedBy(CallGuard& guard) const;
 
-  /// @param topic Relative names get a leading slash.
+  /// @return A node whose relative names, "scan", stand for names within `nameSpace`: "/robot/scan". Absolute ones,
+  /// with a slash in front, stay as they are.
+  /// @throws std::invalid_argument where it can't be part of a name.
+  Node within(std::string_view nameSpace) const;
+
+  /// @param topic Relative names get a leading slash, or the node's namespace.
   /// @throws std::invalid_argument for a bad name or an unknown type.
-  Publisher advertise(std::string_view topic, std::string_view type);
+  Publisher advertise(std::string_view topic, std::string_view type, const PublisherOptions& options = {});
+
+  /// As `advertise`, for messages whose type need not be known here: they are published by `publishBytes`.
+  Publisher advertiseBytes(std::string_view topic, std::string_view type, const PublisherOptions& options = {});
 
   /// Calls `received` from within `Transport::dispatch` with each message of that type on the topic, in the order
-  /// in which they came. The message lives until `received` returns. Up to `queueLength` messages wait for
-  /// `dispatch`; then the oldest is dropped and counted.
-  /// @throws std::invalid_argument for a bad name or an unknown type.
+  /// in which they came. The message lives until `received` returns.
+  /// @throws std::invalid_argument for a bad name, an unknown type or a rate that is not above 0.
   Subscription subscribe(std::string_view topic, std::string_view type, std::function<void(const Message&)> received,
-                         std::size_t queueLength = 1000);
+                         const SubscriptionOptions& options = {});
+
+  /// As `subscribe`, with the messages as they came, in protobuf's binary form and unchecked. The type need not be
+  /// known here.
+  Subscription subscribeBytes(std::string_view topic, std::string_view type,
+                              std::function<void(std::span<const std::byte>)> received,
+                              const SubscriptionOptions& options = {});
 
   /// Offers a service: `handler` is called from within `Transport::dispatch` with each request, after the messages
   /// that came before it. Requests beyond a thousand that wait, or 32 MiB of them, are dropped with a warning.
-  /// @param service Relative names get a leading slash. A name has up to 230 letters.
+  /// @param service Relative names get a leading slash, or the node's namespace. A name has up to 230 letters.
   /// @throws std::invalid_argument for a bad name, an unknown type, or a name that this transport offers already.
   Service serve(std::string_view service, std::string_view requestType, std::string_view replyType,
                 ServiceHandler handler);
@@ -138,16 +193,16 @@ class PONGSIM_API Node {
   CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
 
   template <class M>
-  Publisher advertise(std::string_view topic) {
-    return advertise(topic, M::descriptor()->full_name());
+  Publisher advertise(std::string_view topic, const PublisherOptions& options = {}) {
+    return advertise(topic, M::descriptor()->full_name(), options);
   }
   template <class M>
   Subscription subscribe(std::string_view topic, std::function<void(const M&)> received,
-                         std::size_t queueLength = 1000) {
+                         const SubscriptionOptions& options = {}) {
     return subscribe(
         topic, M::descriptor()->full_name(),
         [received = std::move(received)](const Message& message) { received(static_cast<const M&>(message)); },
-        queueLength);
+        options);
   }
   template <class Request, class Reply>
   Service serve(std::string_view service, std::function<ServiceAnswer(const Request&, Reply&)> handler) {
@@ -160,28 +215,41 @@ class PONGSIM_API Node {
  private:
   friend class Transport;
   explicit Node(transport::Bus& bus) : bus_(&bus) {}
+  Publisher advertiseOn(transport::Channel& channel, bool latched);
+
+  std::string fullName(std::string_view name) const;
+
   transport::Bus* bus_;
   CallGuard* guard_ = nullptr;
+  /// Begins with a slash, or is empty.
+  std::string nameSpace_;
 };
 
 struct TransportOptions {
-  /// Talk to other processes (over DDS on 127.0.0.1), or only within this `Transport`.
+  /// Talk to other processes (over DDS), or only within this `Transport`.
   bool network = true;
   /// DDS domain, 0 to 232; processes of different domains do not see each other. Unset: what the environment
   /// variable PONGSIM_DOMAIN says, else 0.
   std::optional<int> domain = std::nullopt;
+  /// Talk to other machines too: by which of this machine's network interfaces, as its name or IPv4 address. Anybody
+  /// there can listen, command and stop: nothing is encrypted and nobody is asked who he is. Unset: what the
+  /// environment variable PONGSIM_NETWORK says, else none: nothing leaves this machine, 127.0.0.1.
+  std::optional<std::string> interface = std::nullopt;
 };
 
 /// The way to the topics and services. Makes no thread call user code: messages wait until `dispatch`.
 class PONGSIM_API Transport {
  public:
-  /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain.
+  /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain or interface.
   explicit Transport(const TransportOptions& options = {});
   ~Transport();
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
   Node node() { return Node(*bus_); }
+
+  /// @return Where it can be reached from other machines, "eth0, 192.0.2.7", or nothing where it can't.
+  std::optional<std::string> openTo() const;
 
   /// Hands the messages that have arrived to their subscriptions, then the requests to their services, on the calling
   /// thread, and returns; what the called functions publish meanwhile waits for the next call. Never blocks.
@@ -201,6 +269,10 @@ class PONGSIM_API Transport {
   /// Waits until the topic has a publisher (or a subscriber) in another process, up to `timeout`.
   /// @return What is known of the topic then.
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);
+
+  /// Asks the processes, for so long, what passes through the topic's publishers and subscriptions.
+  /// @return What is known of the topic then, with its traffic.
+  TopicInfo watchTopic(std::string_view topic, std::chrono::nanoseconds duration);
 
   /// As `discover`, for services.
   std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);

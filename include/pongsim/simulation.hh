@@ -31,6 +31,9 @@ struct SimulationOptions {
   /// A system that throws, or gives a command that makes no sense, ends the step with an exception that names it, in
   /// place of being switched off.
   bool strict = false;
+  /// How many threads move the bodies, from 1 on. Groups of bodies that touch nothing of each other's are shared out
+  /// among them; the result has the same bits. Systems are called on the thread that steps, whatever it says.
+  int threads = 1;
   /// Where the systems' topics go; null keeps them within this simulation. Must outlive it.
   Transport* transport = nullptr;
 };

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstddef>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -116,27 +117,38 @@ int parse(CLI::App& program, std::vector<std::string> arguments) {
   return kDone;
 }
 
-}  // namespace
-
-int run(int argc, char** argv) {
-  // a reader that goes away is seen where the writing is done
-  std::signal(SIGPIPE, SIG_IGN);
-  CLI::App program("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
-  program.set_version_flag("--version", "pongsim " PONGSIM_VERSION, "Print the version and end");
-  program.set_help_flag("-h,--help", "Print this and end");
-  program.footer(
+/// As users see it, without commands.
+std::unique_ptr<CLI::App> makeProgram() {
+  auto program =
+      std::make_unique<CLI::App>("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
+  program->set_version_flag("--version", "pongsim " PONGSIM_VERSION, "Print the version and end");
+  program->set_help_flag("-h,--help", "Print this and end");
+  program->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim topic --list\n"
       "  pongsim topic --help");
-  Work work;
-  for (const auto add : kCommands) add(program, work);
+  return program;
+}
 
+}  // namespace
+
+Work workOf(int argc, char** argv) {
+  const std::shared_ptr<CLI::App> program = makeProgram();
+  const auto work = std::make_shared<Work>();
+  for (const auto add : kCommands) add(*program, *work);
+  const std::vector<std::string> arguments = argumentsOf(argc, argv);
+  if (arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
+  const int done = parse(*program, arguments);
+  // what the commands have read stands in the program
+  return [program, work, done] { return *work ? (*work)() : done; };
+}
+
+int run(int argc, char** argv) {
+  // a reader that goes away is seen where the writing is done
+  std::signal(SIGPIPE, SIG_IGN);
   try {
-    const std::vector<std::string> arguments = argumentsOf(argc, argv);
-    if (arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
-    const int done = parse(program, arguments);
-    return work ? work() : done;
+    return workOf(argc, argv)();
   } catch (const UsageError& error) {
     sayError(error.what(), error.hint());
     return kWrongUsage;

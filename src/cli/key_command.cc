@@ -14,6 +14,7 @@
 #include "cli/console.hh"
 #include "cli/key_reader.hh"
 #include "cli/key_terminal.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/stop_signal.hh"
 #include "cli/topic_command.hh"
@@ -149,6 +150,7 @@ void addKeyCommand(CLI::App& program, Work& work) {
       ->type_name("MS");
   command->add_flag("--json", options->json, "Tell of each key that is sent as a line of JSON on stdout, not in words")
       ->disable_flag_override();
+  addNetworkOption(*command);
   command->footer(
       "Sends the codes of Fortress's key publisher (Qt's): arrows, letters, digits, space, Enter, Tab, Backspace,\n"
       "Escape. q, Ctrl-C or the end of the input ends. What comes from a pipe is read as keys too.\n"

@@ -7,6 +7,7 @@
 
 #include "cli/command.hh"
 #include "cli/console.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "pongsim/log.hh"
 
@@ -74,6 +75,7 @@ void addModelCommand(CLI::App& program, Work& work) {
   addFlag("--json", given->json, "Print JSON: an array of all models, or an object, a line each");
   add("-w,--world", "WORLD", "The world's name, where several run", given->world);
   add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its answer", given->timeout);
+  addNetworkOption(*command);
   command->footer(
       "Metres, radians and kilograms; each pose is in the frame of what holds the thing, a joint's in its child's.\n"
       "Examples:\n"

@@ -10,6 +10,7 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/stop_signal.hh"
 #include "cli/world_file.hh"
@@ -26,6 +27,7 @@ struct RunCommandOptions {
   sim::RunOptions run;
   bool runAtOnce = false;
   std::uint64_t seed = 0;
+  int threads = 1;
   LogLevel verbosity = LogLevel::kWarning;
   bool hash = false;
   bool strict = false;
@@ -60,9 +62,10 @@ int runWorld(const RunCommandOptions& options) {
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::unique_ptr<Simulation> simulation =
-      Simulation::fromFile(findWorldFile(options.world),
-                           {.seed = options.seed, .strict = options.strict, .transport = &transport}, diagnostics);
+  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(
+      findWorldFile(options.world),
+      {.seed = options.seed, .strict = options.strict, .threads = options.threads, .transport = &transport},
+      diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) {
@@ -71,7 +74,10 @@ int runWorld(const RunCommandOptions& options) {
     return kFailed;
   }
 
-  if (options.verbosity != LogLevel::kNone) say(startLine(*simulation, options.run));
+  if (options.verbosity != LogLevel::kNone) {
+    say(startLine(*simulation, options.run));
+    if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
+  }
   sim::Runner runner(*simulation, options.run);
   signal.onStop([&runner] { runner.stop(); });
   runner.run();
@@ -120,6 +126,10 @@ void addRunCommand(CLI::App& program, Work& work) {
       });
   add("--seed", "N", "Where all random numbers come from, 0 to 2^64-1 (0)",
       [options](const std::string& text) { options->seed = wholeNumber("--seed", text); });
+  add("--threads", "N", "Move bodies on N threads, 1 to 256 (1); the result is the same",
+      [options](const std::string& text) {
+        options->threads = static_cast<int>(wholeNumber("--threads", text, 1, 256));
+      });
   add("-v,--verbose", "LEVEL", "How much is said: 0 nothing, 1 errors, 2 warnings, 3 information, 4 all (2)",
       [options](const std::string& text) {
         options->verbosity = static_cast<LogLevel>(wholeNumber("-v", text, 0, 4));
@@ -127,6 +137,7 @@ void addRunCommand(CLI::App& program, Work& work) {
   addFlag("--strict", options->strict,
           "Take warnings about the file for errors, and end with exit code 1 where a system fails");
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"

@@ -8,6 +8,7 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/message_option.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/service_name.hh"
 #include "pongsim/log.hh"
@@ -81,6 +82,7 @@ void addServiceCommand(CLI::App& program, Work& work) {
   add("--reptype", "TYPE", "The reply's type; what the service says where it is left out", given->replyType);
   add("--timeout", "MS", "Give up after MS milliseconds (1000 where there is no such service, else 5000)",
       given->timeout);
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim service -l --json\n"

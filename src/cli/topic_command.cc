@@ -13,6 +13,7 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/message_option.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/topic_name.hh"
 #include "pongsim/log.hh"
@@ -43,7 +44,7 @@ void refuseOthers(const TopicCommandLine& given, std::string_view action) {
                {"-d", given.duration.has_value(), "-e --hz --bw --delay"},
                {"--rate", given.rate.has_value(), "-p"},
                {"--field", !given.fields.empty(), "-e wait"},
-               {"--json", given.json, "-l -e --hz --bw --delay"},
+               {"--json", given.json, "-l -i -e --hz --bw --delay"},
                {"--csv", given.csv, "-e"},
                {"--timeout", given.timeout.has_value(), "-p wait"}};
   for (const auto& rule : rules) {
@@ -140,7 +141,9 @@ Work workFor(const TopicCommandLine& given) {
   if (given.list) return [v = given.verbose, json = given.json] { return listTopics(v, json); };
   if (!given.topic) throw UsageError("'" + std::string(action) + "' needs a topic", "-t TOPIC");
   if (given.echo) return echoWork(given);
-  if (given.info) return [topic = topicOption(*given.topic)] { return showTopic(topic); };
+  if (given.info) {
+    return [topic = topicOption(*given.topic), json = given.json] { return showTopic(topic, json); };
+  }
   if (given.hz || given.bw) {
     const RateKind kind = given.hz ? RateKind::kMessages : RateKind::kBytes;
     return [options = readOptions(given), kind, json = given.json] { return measureTopic(options, kind, json); };
@@ -189,13 +192,13 @@ void addTopicCommand(CLI::App& program, Work& work) {
                    "wait: a condition, such as 'pose.position.x >= 1'")
       ->type_name("PATH")
       ->allow_extra_args(false);
-  addFlag(
-      "--json,--json-output", given->json,
-      "Print JSON: echo a line each message, --hz, --bw and --delay a line each second,\n"
-      "list an array with types and counts");
+  addFlag("--json,--json-output", given->json,
+          "Print JSON: echo a line each message, --hz, --bw and --delay a line each second,\n"
+          "list an array with types and counts, info an object");
   addFlag("--csv", given->csv, "Echo as a table for spreadsheets: the fields asked for, or all single values");
   add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without the message",
       given->timeout);
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim topic -l\n"

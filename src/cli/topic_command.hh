@@ -13,8 +13,12 @@
 
 namespace pongsim::cli {
 
-/// How long a look around waits for the other processes to tell of their topics.
-inline constexpr std::chrono::milliseconds kDiscoveryTime{1000};
+/// How long a look around waits for the other processes to tell of their topics. It ends when they have, or are silent:
+/// only many of them on a busy machine take as long.
+inline constexpr std::chrono::milliseconds kDiscoveryTime{5000};
+
+/// How long to wait for somebody to come, where the user does not say.
+inline constexpr std::chrono::milliseconds kArrivalTime{1000};
 
 enum class EchoFormat { kText, kJson, kCsv };
 
@@ -44,7 +48,7 @@ enum class RateKind { kMessages, kBytes };
 /// What `pongsim topic` does; each returns the exit code.
 /// @param isVerbose With types and counts, and those that are only subscribed to.
 int listTopics(bool isVerbose, bool asJson);
-int showTopic(const std::string& topic);
+int showTopic(const std::string& topic, bool asJson);
 int echoTopic(const EchoOptions& options);
 int publish(const PublishOptions& options);
 int measureTopic(const ReadOptions& options, RateKind kind, bool asJson);

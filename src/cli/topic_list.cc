@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -13,12 +15,42 @@ namespace pongsim::cli {
 
 namespace {
 
-std::string table(const char* title, const std::vector<TopicInfo::Endpoint>& endpoints) {
-  std::string text = std::string(title) + " [Process, Message Type]:\n";
+/// How long `-i` looks at what passes.
+constexpr std::chrono::milliseconds kWatchTime{500};
+
+/// @return "1000 Hz", "0.5 Hz".
+std::string rateText(double rate) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f Hz", rate < 10 ? 1 : 0, rate);
+  return text;
+}
+
+/// @param passed What became of the messages: "sent".
+std::string table(const char* title, const char* passed, const std::vector<TopicInfo::Endpoint>& endpoints) {
+  std::string text = std::string(title) + " [Process, Message Type, Rate, Messages]:\n";
   for (const TopicInfo::Endpoint& endpoint : endpoints) {
-    text += "  " + (endpoint.pid > 0 ? std::to_string(endpoint.pid) : "?") + ", " + endpoint.type + "\n";
+    text += "  " + (endpoint.pid > 0 ? std::to_string(endpoint.pid) : "?") + ", " + endpoint.type + ", ";
+    if (const auto& traffic = endpoint.traffic) {
+      text += rateText(traffic->rate) + ", " + std::to_string(traffic->messages) + " " + passed + ", " +
+              std::to_string(traffic->dropped) + " dropped\n";
+    } else {
+      text += "does not answer\n";
+    }
   }
   return text;
+}
+
+nlohmann::ordered_json jsonOf(const std::vector<TopicInfo::Endpoint>& endpoints) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const TopicInfo::Endpoint& endpoint : endpoints) {
+    nlohmann::ordered_json& added = list.emplace_back();
+    added = {{"pid", endpoint.pid}, {"type", endpoint.type}};
+    if (!endpoint.traffic) continue;
+    added["hz"] = endpoint.traffic->rate;
+    added["messages"] = endpoint.traffic->messages;
+    added["dropped"] = endpoint.traffic->dropped;
+  }
+  return list;
 }
 
 std::string counted(std::size_t count, const char* what) {
@@ -73,16 +105,27 @@ int listTopics(bool isVerbose, bool asJson) {
   return print(text) ? kDone : kFailed;
 }
 
-int showTopic(const std::string& name) {
+int showTopic(const std::string& name, bool asJson) {
   Transport transport;
   const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
-  const auto topic =
+  const auto found =
       std::find_if(topics.begin(), topics.end(), [&name](const TopicInfo& each) { return each.name == name; });
-  if (topic == topics.end()) return fail("no publishers on " + name, nearestTopic(name, topics));
+  if (found == topics.end()) return fail("no publishers on " + name, nearestTopic(name, topics));
 
-  std::string text =
-      topic->publishers.empty() ? "No publishers on topic [" + name + "]\n" : table("Publishers", topic->publishers);
-  if (!topic->subscribers.empty()) text += table("Subscribers", topic->subscribers);
+  // nothing is sent, at any rate, while nobody listens
+  Subscription listening;
+  if (found->subscribers.empty()) {
+    listening = transport.node().subscribeBytes(name, found->publishers.front().type, [](auto) {}, {.queueLength = 1});
+  }
+  const TopicInfo topic = transport.watchTopic(name, kWatchTime);
+  if (asJson) {
+    const nlohmann::ordered_json json = {
+        {"name", topic.name}, {"publishers", jsonOf(topic.publishers)}, {"subscribers", jsonOf(topic.subscribers)}};
+    return print(json.dump() + "\n") ? kDone : kFailed;
+  }
+  std::string text = topic.publishers.empty() ? "No publishers on topic [" + name + "]\n"
+                                              : table("Publishers", "sent", topic.publishers);
+  if (!topic.subscribers.empty()) text += table("Subscribers", "received", topic.subscribers);
   return print(text) ? kDone : kFailed;
 }
 

@@ -11,6 +11,7 @@
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "pongsim/log.hh"
 
@@ -102,6 +103,7 @@ void addWorldCommand(CLI::App& program, Work& work) {
   command->add_flag("--json", given->json, "With stats and info: print JSON, an object a line")
       ->disable_flag_override();
   add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its answer", given->timeout);
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf --paused &\n"

@@ -134,7 +134,7 @@ bool WorldControl::waitForStatus(Done done) {
       });
   while (!over && !signal_.stopped() && !outputIsClosed()) {
     transport_.dispatchFor(kLongestDispatch);
-    if (over || Clock::now() - lastHeard < std::max<Clock::duration>(options_.timeout, kDiscoveryTime)) {
+    if (over || Clock::now() - lastHeard < std::max<Clock::duration>(options_.timeout, kArrivalTime)) {
       continue;
     }
     fail("nothing heard of world '" + world_ + "' any more");

@@ -80,10 +80,12 @@ void Body::setPose(const Pose& X_WorldLink) {
   rigid_.updateInertiaTensor();
 }
 
-void Body::addGyroscopicTorque(double dt) {
-  if (isRound_) return;
-  rigid_.applyTorque(
-      gyroscopicTorque(rigid_.getWorldTransform().getBasis(), rigid_.getAngularVelocity(), moments_, dt));
+void Body::addForces(double dt) {
+  if (!isRound_) {
+    rigid_.applyTorque(
+        gyroscopicTorque(rigid_.getWorldTransform().getBasis(), rigid_.getAngularVelocity(), moments_, dt));
+  }
+  rigid_.applyGravity();
 }
 
 void Body::addWrench(const Vector3& force, const Vector3& torque) {

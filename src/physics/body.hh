@@ -39,8 +39,8 @@ class Body {
   /// Sets where the link is. Its velocity stays.
   void setPose(const Pose& X_WorldLink);
 
-  /// For the next step of `dt` [s]: the torque that its own turning asks for.
-  void addGyroscopicTorque(double dt);
+  /// For the next step of `dt` [s]: the torque that its own turning asks for, and gravity.
+  void addForces(double dt);
 
   /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
   void addWrench(const Vector3& force, const Vector3& torque);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 namespace pongsim::physics {
 
@@ -16,7 +17,9 @@ constexpr double kLargestImpulse = 1e6;
 constexpr double kContactSoftness = 1e-4;
 
 // the method's infinity is that of IEEE, the rows' the largest number
-double bound(double limit) { return std::abs(limit) >= SIMD_INFINITY ? std::copysign(BT_INFINITY, limit) : limit; }
+double bound(double limit) {
+  return std::abs(limit) >= SIMD_INFINITY ? std::copysign(std::numeric_limits<double>::infinity(), limit) : limit;
+}
 
 }  // namespace
 
@@ -79,16 +82,12 @@ void DirectSolver::buildMatrix(double softness) {
 
 // the first `rows` of them, into `x_`; `b_` is set
 bool DirectSolver::solve(int rows) {
-  ACopy_.resizeNoInitialize(rows * rows);
   x_.resizeNoInitialize(rows);
-  w_.resizeNoInitialize(rows);
   lowest_.resizeNoInitialize(rows);
   highest_.resizeNoInitialize(rows);
   normalOf_.resizeNoInitialize(rows);
   const int firstContact = m_tmpSolverNonContactConstraintPool.size();
   for (int i = 0; i < rows; ++i) {
-    for (int j = 0; j < rows; ++j) ACopy_[i * rows + j] = A_[i * rows_.size() + j];
-    x_[i] = 0;
     lowest_[i] = bound(rows_[i]->m_lowerLimit);
     highest_[i] = bound(rows_[i]->m_upperLimit);
     normalOf_[i] = i < unfrictionalRows_ ? -1 : firstContact + rows_[i]->m_frictionIndex;
@@ -98,10 +97,8 @@ bool DirectSolver::solve(int rows) {
       highest_[i] = rows_[i]->m_friction;
     }
   }
-  if (!btSolveDantzigLCP(rows, &ACopy_[0], &x_[0], &b_[0], &w_[0], 0, &lowest_[0], &highest_[0], &normalOf_[0],
-                         scratch_)) {
-    return false;
-  }
+  const Lcp::Problem problem{rows, &A_[0], rows_.size(), &b_[0], &lowest_[0], &highest_[0], &normalOf_[0]};
+  if (!lcp_.solve(problem, &x_[0])) return false;
   for (int i = 0; i < rows; ++i) {
     if (!(std::abs(x_[i]) < kLargestImpulse)) return false;
   }

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <BulletDynamics/MLCPSolvers/btDantzigLCP.h>
-
 #include "physics/contact_solver.hh"
+#include "physics/lcp.hh"
 
 namespace pongsim::physics {
 
 /// Solves all rows of a group of bodies at once by Dantzig's direct method for mixed linear complementarity problems;
 /// where that finds no sound solution, by iterations. Does what Bullet's `btMLCPSolver` does, without allocating in
-/// each step.
-///
-/// Reference: D. Baraff, Fast contact force computation for nonpenetrating rigid bodies, SIGGRAPH 1994.
+/// each step, and without the variable that all threads share there.
 class DirectSolver final : public ContactSolver {
  public:
   btConstraintSolverType getSolverType() const override { return BT_MLCP_SOLVER; }
@@ -33,15 +30,12 @@ class DirectSolver final : public ContactSolver {
   /// Rows of joints and of contacts' normal directions: all but friction.
   int unfrictionalRows_ = 0;
   btAlignedObjectArray<btScalar> A_;
-  // what the method is given and destroys
-  btAlignedObjectArray<btScalar> ACopy_;
   btAlignedObjectArray<btScalar> b_;
   btAlignedObjectArray<btScalar> x_;
-  btAlignedObjectArray<btScalar> w_;
   btAlignedObjectArray<btScalar> lowest_;
   btAlignedObjectArray<btScalar> highest_;
   btAlignedObjectArray<int> normalOf_;
-  btDantzigScratchMemory scratch_;
+  Lcp lcp_;
 };
 
 }  // namespace pongsim::physics

@@ -3,6 +3,9 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 
+#include <memory>
+#include <vector>
+
 #include "physics/contact_solver.hh"
 #include "physics/group_solver.hh"
 #include "physics/manifold_state.hh"
@@ -27,19 +30,25 @@ std::unique_ptr<btConstraintSolver> makeSolver(const Settings& settings) {
   return std::make_unique<GroupSolver>(settings.mostDirectRows);
 }
 
+std::vector<std::unique_ptr<btConstraintSolver>> makeSolvers(const Settings& settings) {
+  std::vector<std::unique_ptr<btConstraintSolver>> solvers;
+  for (int i = 0; i < settings.threads; ++i) solvers.push_back(makeSolver(settings));
+  return solvers;
+}
+
 }  // namespace
 
-DynamicsWorld::DynamicsWorld(const Settings& settings)
+DynamicsWorld::DynamicsWorld(const Settings& settings, GroupWork& work)
     : dispatcher_(&configuration_),
-      solver_(makeSolver(settings)),
-      world_(std::make_unique<GroupedWorld>(&dispatcher_, &broadphase_, solver_.get(), &configuration_)) {
+      workers_(settings.threads),
+      world_(dispatcher_, broadphase_, configuration_, makeSolvers(settings), workers_, work) {
   // a body on a plane finds all its corners in one step instead of one a step
   configuration_.setPlaneConvexMultipointIterations(4, 4);
 
-  world_->setGravity(btVector3(0, 0, 0));
-  world_->setForceUpdateAllAabbs(false);
+  world_.setGravity(btVector3(0, 0, 0));
+  world_.setForceUpdateAllAabbs(false);
 
-  btContactSolverInfo& info = world_->getSolverInfo();
+  btContactSolverInfo& info = world_.getSolverInfo();
   info.m_numIterations = settings.iterations;
   info.m_leastSquaresResidualThreshold = settings.residual;
   info.m_globalCfm = settings.softness;
@@ -57,7 +66,7 @@ DynamicsWorld::DynamicsWorld(const Settings& settings)
 
 void DynamicsWorld::moved(btRigidBody& body) {
   if (body.getBroadphaseProxy() == nullptr) return;
-  world_->updateSingleAabb(&body);
+  world_.updateSingleAabb(&body);
   broadphase_.getOverlappingPairCache()->cleanProxyFromPairs(body.getBroadphaseProxy(), &dispatcher_);
 }
 
@@ -75,13 +84,13 @@ void DynamicsWorld::findPairsOf(btRigidBody& body) {
 
 void DynamicsWorld::transferContacts(StateArchive& archive) {
   // what algorithms and manifolds there must be follows from where the bodies are
-  if (archive.isGiving()) world_->performDiscreteCollisionDetection();
+  if (archive.isGiving()) world_.performDiscreteCollisionDetection();
   transferManifolds(archive, dispatcher_);
 }
 
 void DynamicsWorld::step(double dt) {
   forgetRolledContacts(dt);
-  world_->stepSimulation(dt, 0);
+  world_.stepSimulation(dt, 0);
 }
 
 // A rolling wheel's old points of contact lie behind it and would push it forward. The step finds those on a plane

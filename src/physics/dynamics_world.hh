@@ -2,9 +2,6 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
-
-#include <memory>
 
 #include "physics/dispatcher.hh"
 #include "physics/grouped_world.hh"
@@ -16,9 +13,9 @@ namespace pongsim::physics {
 /// A Bullet world with all that it stands on, set up as `Settings` say.
 class DynamicsWorld {
  public:
-  explicit DynamicsWorld(const Settings& settings);
+  DynamicsWorld(const Settings& settings, GroupWork& work);
 
-  GroupedWorld& bullet() { return *world_; }
+  GroupedWorld& bullet() { return world_; }
 
   /// Forgets what touches the body, which is somewhere else now, and finds what it may touch there.
   void moved(btRigidBody& body);
@@ -41,8 +38,8 @@ class DynamicsWorld {
   btDefaultCollisionConfiguration configuration_;
   Dispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  std::unique_ptr<btConstraintSolver> solver_;
-  std::unique_ptr<GroupedWorld> world_;
+  base::Workers workers_;
+  GroupedWorld world_;
 };
 
 }  // namespace pongsim::physics

@@ -1,5 +1,7 @@
 #include "physics/engine.hh"
 
+#include <atomic>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,18 +16,23 @@
 
 namespace pongsim::physics {
 
-struct Engine::Parts {
+struct Engine::Parts final : GroupWork {
   Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld)
       : entities(entitiesOfWorld),
         settings(settingsOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
-        world(settings),
+        world(settings, *this),
         anchor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)) {
     world.bullet().getPairCache()->setOverlapFilterCallback(&filter);
     grow();
   }
-  ~Parts();
+  ~Parts() override;
+
+  void prepare(std::span<btCollisionObject* const> groupBodies, std::span<btTypedConstraint* const> groupJoints,
+               double seconds) override;
+  void finish(std::span<btCollisionObject* const> groupBodies,
+              std::span<btTypedConstraint* const> groupJoints) override;
 
   void grow();
   void addJoints();
@@ -33,6 +40,7 @@ struct Engine::Parts {
   void renumber();
   JointEnd end(world::Slot link, const Pose& X_LinkJoint);
   Joint& jointWithAxis(world::Slot slot, std::size_t axis);
+  Body& bodyOf(const btCollisionObject& object) { return *bodies[static_cast<world::Slot>(object.getUserIndex())]; }
   [[noreturn]] void reportExplosion(world::Slot link) const;
 
   const world::Entities& entities;
@@ -49,11 +57,38 @@ struct Engine::Parts {
   std::vector<std::unique_ptr<Joint>> joints;
   /// Length of the last step [s].
   double dt = 1;
+
+  /// What the step writes to.
+  world::State* state = nullptr;
+  /// The first link whose motion has exploded, else `world::kNoSlot`.
+  std::atomic<world::Slot> exploded = world::kNoSlot;
 };
 
 Engine::Parts::~Parts() {
   for (const auto& body : bodies) {
     if (body->rigid().getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&body->rigid());
+  }
+}
+
+void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
+                            std::span<btTypedConstraint* const> groupJoints, double seconds) {
+  for (btTypedConstraint* joint : groupJoints) static_cast<Joint*>(joint)->prepare(seconds);
+  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds);
+}
+
+void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
+                           std::span<btTypedConstraint* const> groupJoints) {
+  for (btCollisionObject* object : groupBodies) {
+    const Body& body = bodyOf(*object);
+    if (body.read(state->links[body.link()])) continue;
+    world::Slot first = exploded;
+    while (body.link() < first && !exploded.compare_exchange_weak(first, body.link())) {
+    }
+  }
+  for (btTypedConstraint* constraint : groupJoints) {
+    Joint& joint = static_cast<Joint&>(*constraint);
+    joint.update();
+    state->joints[joint.slot()] = joint.state();
   }
 }
 
@@ -112,9 +147,9 @@ void Engine::Parts::renumber() {
     movingRigid.push_back(&bodies[link]->rigid());
   }
   std::vector<btTypedConstraint*> holding;
-  for (const auto& joint : joints) {
-    const bool holdsSomething = joint->getRigidBodyA().getInvMass() > 0 || joint->getRigidBodyB().getInvMass() > 0;
-    if (holdsSomething) holding.push_back(joint.get());
+  for (world::Slot slot = 0; slot < joints.size(); ++slot) {
+    joints[slot]->setSlot(slot);
+    if (joints[slot]->holdsSomething()) holding.push_back(joints[slot].get());
   }
   world.bullet().setMembers(std::move(movingRigid), std::move(holding));
 }
@@ -212,18 +247,11 @@ void Engine::transfer(StateArchive& archive) {
 }
 
 void Engine::step(Time dt, world::State& state) {
-  const double seconds = toSeconds(dt);
-  parts_->dt = seconds;
-  for (const auto& joint : parts_->joints) joint->prepare(seconds);
-  for (Body* body : parts_->moving) body->addGyroscopicTorque(seconds);
-  parts_->world.step(seconds);
-  for (const Body* body : parts_->moving) {
-    if (!body->read(state.links[body->link()])) parts_->reportExplosion(body->link());
-  }
-  for (world::Slot i = 0; i < parts_->joints.size(); ++i) {
-    parts_->joints[i]->update();
-    state.joints[i] = parts_->joints[i]->state();
-  }
+  parts_->dt = toSeconds(dt);
+  parts_->state = &state;
+  parts_->world.step(parts_->dt);
+  const world::Slot exploded = parts_->exploded.exchange(world::kNoSlot);
+  if (exploded != world::kNoSlot) parts_->reportExplosion(exploded);
 }
 
 }  // namespace pongsim::physics

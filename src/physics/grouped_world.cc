@@ -24,9 +24,16 @@ T* dataOf(std::vector<T>& array, std::size_t first) {
   return array.empty() ? nullptr : array.data() + first;
 }
 
-int countOf(std::size_t first, std::size_t end) { return static_cast<int>(end - first); }
-
 }  // namespace
+
+GroupedWorld::GroupedWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase,
+                           btCollisionConfiguration& configuration,
+                           std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers,
+                           GroupWork& work)
+    : btDiscreteDynamicsWorld(&dispatcher, &broadphase, solvers.front().get(), &configuration),
+      solvers_(std::move(solvers)),
+      workers_(workers),
+      work_(work) {}
 
 void GroupedWorld::setMembers(std::vector<btRigidBody*> bodies, std::vector<btTypedConstraint*> joints) {
   bodies_ = std::move(bodies);
@@ -41,16 +48,29 @@ void GroupedWorld::solveConstraints(btContactSolverInfo& info) {
   uniteBodies();
   countMembers();
   sortByGroup();
-  m_constraintSolver->prepareSolve(getNumCollisionObjects(), static_cast<int>(touches_.size()));
-  for (std::size_t i = 0; i + 1 < groups_.size(); ++i) {
-    const Group& first = groups_[i];
-    const Group& end = groups_[i + 1];
-    m_constraintSolver->solveGroup(dataOf(bodiesByGroup_, first.bodies), countOf(first.bodies, end.bodies),
-                                   dataOf(manifoldsByGroup_, first.manifolds), countOf(first.manifolds, end.manifolds),
-                                   dataOf(jointsByGroup_, first.joints), countOf(first.joints, end.joints), info,
-                                   getDebugDrawer(), getDispatcher());
+  workers_.forEach(groups_.size() - 1, [&](std::size_t group, int worker) {
+    solveGroup(group, *solvers_[static_cast<std::size_t>(worker)], info);
+  });
+}
+
+void GroupedWorld::solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info) {
+  const Group& first = groups_[group];
+  const Group& end = groups_[group + 1];
+  const std::span bodies(dataOf(bodiesByGroup_, first.bodies), end.bodies - first.bodies);
+  const std::span manifolds(dataOf(manifoldsByGroup_, first.manifolds), end.manifolds - first.manifolds);
+  const std::span joints(dataOf(jointsByGroup_, first.joints), end.joints - first.joints);
+  const double dt = info.m_timeStep;
+  work_.prepare(bodies, joints, dt);
+  solver.solveGroup(bodies.data(), static_cast<int>(bodies.size()), manifolds.data(),
+                    static_cast<int>(manifolds.size()), joints.data(), static_cast<int>(joints.size()), info,
+                    getDebugDrawer(), getDispatcher());
+  for (btCollisionObject* object : bodies) {
+    btRigidBody& body = static_cast<btRigidBody&>(*object);
+    btTransform moved;
+    body.predictIntegratedTransform(dt, moved);
+    body.proceedToTransform(moved);
   }
-  m_constraintSolver->allSolved(info, getDebugDrawer());
+  work_.finish(bodies, joints);
 }
 
 void GroupedWorld::collectTouches() {

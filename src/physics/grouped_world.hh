@@ -4,23 +4,44 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
+#include "base/workers.hh"
+
 namespace pongsim::physics {
+
+/// What is done to a group of bodies that hold or touch each other, beside solving it.
+class GroupWork {
+ public:
+  virtual ~GroupWork() = default;
+  /// Puts the forces of the coming step of `dt` [s] on the bodies. Groups may be prepared on several threads at once.
+  virtual void prepare(std::span<btCollisionObject* const> bodies, std::span<btTypedConstraint* const> joints,
+                       double dt) = 0;
+  /// Likewise, when the bodies are where the step has moved them.
+  virtual void finish(std::span<btCollisionObject* const> bodies, std::span<btTypedConstraint* const> joints) = 0;
+};
 
 /// A Bullet world that solves each group of bodies that hold or touch each other by itself, bodies, points of contact
 /// and joints always in the same order, whatever happened before: that of the links' and joints' slots. What Bullet's
 /// own grouping gives depends on the order in which pairs have come near each other, and so on a past that no saved
-/// state has.
+/// state has. Groups share nothing but bodies that do not move, so that it makes no difference to the result which of
+/// several threads takes which, and when.
 class GroupedWorld final : public btDiscreteDynamicsWorld {
  public:
-  using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+  /// @param solvers One for each of the `workers`.
+  GroupedWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btCollisionConfiguration& configuration,
+               std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers, GroupWork& work);
 
   /// Sets which bodies forces move, and which joints are solved, in the order of their slots. Bullet's own list of
   /// joints is not used.
   void setMembers(std::vector<btRigidBody*> bodies, std::vector<btTypedConstraint*> joints);
 
  protected:
+  // gravity is among the forces of `GroupWork`, and each group is moved once it is solved
+  void applyGravity() override {}
+  void integrateTransforms(btScalar) override {}
   void calculateSimulationIslands() override {}
   void updateActivationState(btScalar) override {}
   void solveConstraints(btContactSolverInfo& info) override;
@@ -39,6 +60,7 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
     std::size_t joints = 0;
   };
 
+  void solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info);
   void collectTouches();
   void uniteBodies();
   void countMembers();
@@ -49,6 +71,10 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   std::size_t groupOf(const btCollisionObject& a, const btCollisionObject& b) const;
   std::size_t groupOf(const btPersistentManifold& manifold) const;
   std::size_t groupOf(const btTypedConstraint& joint) const;
+
+  std::vector<std::unique_ptr<btConstraintSolver>> solvers_;
+  base::Workers& workers_;
+  GroupWork& work_;
 
   std::vector<btRigidBody*> bodies_;
   std::vector<btTypedConstraint*> joints_;

@@ -31,6 +31,13 @@ class Joint final : public btTypedConstraint {
  public:
   Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child);
 
+  /// Of the joint in the world.
+  world::Slot slot() const { return slot_; }
+  void setSlot(world::Slot slot) { slot_ = slot; }
+
+  /// @return Whether one of its ends moves.
+  bool holdsSomething() const { return parentMoves_ || childMoves_; }
+
   /// How many axes it has to command.
   std::size_t axisCount() const { return axisCount_; }
   void setVelocityTarget(double velocity, std::size_t axis);
@@ -99,6 +106,7 @@ class Joint final : public btTypedConstraint {
   void addCrossRow(Row& row, const Frames& frames, double errorRate) const;
   void addAxisRows(Row& row, const Axis& axis, const btVector3& along, double fps, double erp) const;
 
+  world::Slot slot_ = world::kNoSlot;
   const description::JointType type_;
   const std::size_t axisCount_;
   const bool slides_;

@@ -14,6 +14,8 @@ enum class Solver {
 
 /// How the step is computed. The defaults are what the measurements in `docs/physics.md` speak for.
 struct Settings {
+  /// How many threads solve groups of bodies; the result is the same.
+  int threads = 1;
   Solver solver = Solver::kDirect;
   /// At most, where there are iterations.
   int iterations = 50;

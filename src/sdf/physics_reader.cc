@@ -1,10 +1,12 @@
 #include "sdf/physics_reader.hh"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
 
+#include "base/nearest_word.hh"
 #include "description/world.hh"
 #include "sdf/values.hh"
 
@@ -16,7 +18,7 @@ namespace {
 constexpr double kShortestStep = 1e-9;
 constexpr double kLongestStep = 1e6;
 
-/// Reads what the engines of Gazebo are told: nothing is done with it here, so that any number is good.
+/// Reads what the engines of Gazebo are told. Nothing is done with numbers, so that any is good.
 class EngineReader {
  public:
   explicit EngineReader(Context& context) : context_(context) {}
@@ -80,14 +82,26 @@ class EngineReader {
     return simbody;
   }
 
-  static description::DartSettings readDart(const Element& element) {
+  description::DartSettings readDart(const Element& element) {
     description::DartSettings dart;
-    if (const Element* solver = element.child("solver")) dart.solver = readText(*solver, "solver_type", dart.solver);
+    if (const Element* solver = element.child("solver")) {
+      dart.solver = readText(*solver, "solver_type", dart.solver);
+      checkSolver(*solver, dart.solver);
+    }
     dart.collisionDetector = readText(element, "collision_detector", dart.collisionDetector);
     return dart;
   }
 
  private:
+  void checkSolver(const Element& element, const std::string& solver) {
+    constexpr std::array<std::string_view, 2> kSolvers = {"dantzig", "pgs"};
+    if (std::ranges::find(kSolvers, solver) != kSolvers.end()) return;
+    std::string hint = base::didYouMean(solver, kSolvers);
+    context_.diagnostics.warning(element.child("solver_type")->position,
+                                 "there is no solver '" + solver + "': 'dantzig' is taken",
+                                 hint.empty() ? "the solvers are dantzig and pgs" : hint);
+  }
+
   void number(const Element& element, std::string_view child, double& value) {
     value = readLimit(element, child, value, context_);
   }
@@ -123,7 +137,7 @@ description::PhysicsProfile readProfile(const Element& element, Context& context
   if (const Element* ode = element.child("ode")) profile.ode = engines.readOde(*ode);
   if (const Element* bullet = element.child("bullet")) profile.bullet = engines.readBullet(*bullet);
   if (const Element* simbody = element.child("simbody")) profile.simbody = engines.readSimbody(*simbody);
-  if (const Element* dart = element.child("dart")) profile.dart = EngineReader::readDart(*dart);
+  if (const Element* dart = element.child("dart")) profile.dart = engines.readDart(*dart);
   return profile;
 }
 

@@ -25,12 +25,24 @@
 
 namespace pongsim {
 
+namespace {
+
+/// @param profile Of the world, which chooses between the solvers as Fortress's engine understands it.
+physics::Settings settingsFor(const description::PhysicsProfile& profile, const SimulationOptions& options) {
+  physics::Settings settings;
+  settings.threads = std::max(options.threads, 1);
+  if (profile.dart.solver == "pgs") settings.solver = physics::Solver::kSequentialImpulse;
+  return settings;
+}
+
+}  // namespace
+
 struct Simulation::Parts {
   Parts(description::World world, const SimulationOptions& options)
       : description(std::move(world)),
         entities(description),
         state(entities),
-        engine(entities),
+        engine(entities, settingsFor(description.physics, options)),
         access{entities, state, engine} {
     if (options.transport == nullptr) ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
     transport = options.transport != nullptr ? options.transport : &*ownTransport;

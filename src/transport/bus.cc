@@ -16,6 +16,8 @@ namespace pongsim::transport {
 
 namespace {
 
+constexpr ParticipantId kThisProcess{};
+
 const Logger& busLog() {
   static const Logger logger("transport");
   return logger;
@@ -33,19 +35,19 @@ Bus::Bus(std::unique_ptr<Network> network)
       server_(
           network_.get(), [this] { requestArrived(); },
           [this](std::uint64_t call, const auto& header, auto message) { client_.answerOwn(call, header, message); }),
-      client_(network_.get(), server_) {}
+      client_(network_.get(), server_) {
+  if (network_) network_->reportTraffic([this] { return traffic(); });
+}
 
-Bus::~Bus() = default;
+Bus::~Bus() {
+  if (network_) network_->reportTraffic({});
+}
 
-Channel& Bus::channelFor(std::string_view topic, std::string_view type) {
-  const std::optional<std::string> typeName = messageTypeName(type);
-  if (!typeName) {
-    const std::string nearest = nearestMessageType(type);
-    throw std::invalid_argument("there is no message type '" + std::string(type) + "'" +
-                                (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
-  }
-  auto& channel = channels_[{absoluteTopic(topic), *typeName}];
-  if (!channel) channel = std::make_unique<Channel>(absoluteTopic(topic), *typeName);
+std::optional<Interface> Bus::interface() const { return network_ ? network_->interface() : std::nullopt; }
+
+Channel& Bus::channelFor(std::string_view topic, const std::string& type) {
+  auto& channel = channels_[{absoluteTopic(topic), type}];
+  if (!channel) channel = std::make_unique<Channel>(absoluteTopic(topic), type);
   return *channel;
 }
 
@@ -53,7 +55,7 @@ void Bus::eraseIfUnused(const Channel& channel) {
   if (channel.publishers + channel.subscriptions == 0) channels_.erase({channel.topic, channel.type});
 }
 
-Channel& Bus::addPublisher(std::string_view topic, std::string_view type) {
+Channel& Bus::addPublisher(std::string_view topic, const std::string& type, bool latched) {
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
   if (network_ && !channel.writer) {
@@ -61,11 +63,16 @@ Channel& Bus::addPublisher(std::string_view topic, std::string_view type) {
     network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
   }
   ++channel.publishers;
+  if (latched) ++channel.latchedPublishers;
   return channel;
 }
 
-void Bus::endPublisher(Channel& channel) {
+void Bus::endPublisher(Channel& channel, bool latched) {
   const std::lock_guard lock(setUp_);
+  if (latched && --channel.latchedPublishers == 0) {
+    forgetLatched(channel, [](const ParticipantId& sender) { return sender == kThisProcess; });
+    if (channel.writer) channel.writer->forgetKept();
+  }
   if (--channel.publishers > 0) return;
   if (channel.writer) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kPublisher});
@@ -74,11 +81,21 @@ void Bus::endPublisher(Channel& channel) {
   eraseIfUnused(channel);
 }
 
-Inbox& Bus::addSubscription(std::string_view topic, std::string_view type, Inbox::Received received,
-                            std::size_t limit) {
+Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, Inbox::Received received,
+                            const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
-  auto owned = std::make_unique<Inbox>(channel, newMessage(channel.type), std::move(received), limit);
+  return addInbox(channel, std::make_unique<Inbox>(channel, newMessage(type), std::move(received), options));
+}
+
+Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, Inbox::ReceivedBytes received,
+                            const SubscriptionOptions& options) {
+  const std::lock_guard lock(setUp_);
+  Channel& channel = channelFor(topic, type);
+  return addInbox(channel, std::make_unique<Inbox>(channel, std::move(received), options));
+}
+
+Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
   Inbox& inbox = *owned;
   ++channel.subscriptions;
   {
@@ -86,18 +103,22 @@ Inbox& Bus::addSubscription(std::string_view topic, std::string_view type, Inbox
     inboxes_.emplace(&inbox, std::move(owned));
     channel.inboxes.push_back(&inbox);
     ++channel.inboxCount;
+    if (channel.latched != nullptr) putInto(inbox, channel.latched);
   }
   try {
     openReader(channel);
   } catch (...) {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
+    std::erase(inboxesWithArrivals_, &inbox);
     --channel.inboxCount;
     --channel.subscriptions;
     inboxes_.erase(&inbox);
     throw;
   }
+  if (channel.reader) inbox.lostBefore = channel.reader->lost();
   subscribersChanged_.notify_all();
+  arrived_.notify_one();
   return inbox;
 }
 
@@ -106,7 +127,10 @@ void Bus::openReader(Channel& channel) {
   if (!network_ || channel.reader) return;
   channel.reader = network_->makeReader(
       channel.topic, channel.type,
-      [this, &channel](const ParticipantId& sender, auto payload) { receive(channel, sender, payload); });
+      [this, &channel](const ParticipantId& sender, Buffer& sample) { receive(channel, sender, sample); },
+      [this, &channel](const ParticipantId& gone) {
+        forgetLatched(channel, [&gone](const ParticipantId& sender) { return sender == gone; });
+      });
   network_->directory().addOwn({channel.topic, channel.type, Role::kSubscriber});
 }
 
@@ -133,6 +157,8 @@ void Bus::endSubscription(Inbox& inbox) {
   if (channel.reader) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kSubscriber});
     network_->end(std::move(channel.reader));
+    // from now on nobody would tell that what another process latched is out of date
+    forgetLatched(channel, [](const ParticipantId& sender) { return sender != kThisProcess; });
   }
   eraseIfUnused(channel);
 }
@@ -141,66 +167,103 @@ bool Bus::hasSubscribers(const Channel& channel) const {
   return channel.inboxCount.load(std::memory_order_relaxed) > 0 || (channel.writer && channel.writer->hasReaders());
 }
 
-void Bus::publish(Channel& channel, const Message& message) {
+bool Bus::isAwaited(const PublisherState& publisher) const {
+  return publisher.latched || hasSubscribers(publisher.channel);
+}
+
+void Bus::publish(PublisherState& publisher, const Message& message) {
+  const Channel& channel = publisher.channel;
   if (msgs::typeName(message) != channel.type) {
     throw std::invalid_argument("topic '" + channel.topic + "' is of " + channel.type + ", not of " +
                                 msgs::typeName(message));
   }
-  const bool here = channel.inboxCount.load(std::memory_order_relaxed) > 0;
-  const bool elsewhere = channel.writer && channel.writer->hasReaders();
-  if (!here && !elsewhere) return;
+  if (!isAwaited(publisher)) return;
+  send(publisher, msgs::byteSize(message),
+       [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); });
+}
 
-  const std::size_t size = msgs::byteSize(message);
+void Bus::publishBytes(PublisherState& publisher, std::span<const std::byte> bytes) {
+  if (!isAwaited(publisher)) return;
+  send(publisher, bytes.size(), [bytes](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
+}
+
+void Bus::send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill) {
+  Channel& channel = publisher.channel;
   if (size > kMaximumMessage) {
     busLog().error("topic '" + channel.topic + "': a message of " + std::to_string(size) +
                    " bytes is too large to send");
     return;
   }
-  const auto serialize = [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); };
+  ++publisher.sent;
+  ++channel.sent;
+  const bool latched = publisher.latched;
+  const bool here = latched || channel.inboxCount.load(std::memory_order_relaxed) > 0;
+  const bool elsewhere = channel.writer && (latched || channel.writer->hasReaders());
+  const Keeping keeping = latched ? Keeping::kKept : Keeping::kNone;
   if (!here) {
-    channel.writer->write(size, serialize);
+    if (elsewhere) channel.writer->write(size, fill, keeping);
     return;
   }
-  Buffer* buffer = takeBuffer();
-  buffer->bytes.resize(size);
-  buffer->sender = {};
-  serialize(buffer->bytes);
+  Buffer* buffer = takeBuffer(size);
+  buffer->sender = kThisProcess;
+  fill(buffer->bytes);
   if (elsewhere) {
-    channel.writer->write(size,
-                          [buffer](std::span<std::byte> place) { std::ranges::copy(buffer->bytes, place.begin()); });
+    const auto copy = [buffer](std::span<std::byte> place) { std::ranges::copy(buffer->bytes, place.begin()); };
+    channel.writer->write(size, copy, keeping);
   }
-  deliver(channel, buffer);
+  deliver(channel, buffer, latched);
 }
 
-void Bus::receive(Channel& channel, const ParticipantId& sender, std::span<const std::byte> payload) {
-  const std::optional<std::span<const std::byte>> message = messageInPayload(payload);
+/// Takes the sample's bytes, and leaves as many of no meaning for the next one.
+void Bus::receive(Channel& channel, const ParticipantId& sender, Buffer& sample) {
+  const std::optional<std::span<const std::byte>> message = messageInPayload(sample.bytes);
   if (!message) {
     complain(channel, sender, "is damaged");
     return;
   }
-  Buffer* buffer = takeBuffer();
-  buffer->bytes.assign(message->begin(), message->end());
+  const bool latched = keepingOf(sample.bytes) != Keeping::kNone;
+  Buffer* buffer = takeBuffer(sample.capacity());
+  buffer->swapBytes(sample);
+  buffer->bytes = buffer->bytes.subspan(kPayloadHeader, message->size());
   buffer->sender = sender;
-  deliver(channel, buffer);
+  deliver(channel, buffer, latched);
 }
 
-Buffer* Bus::takeBuffer() {
+Buffer* Bus::takeBuffer(std::size_t size) {
   const std::lock_guard lock(mutex_);
-  return buffers_.take();
+  return buffers_.take(size);
 }
 
-void Bus::deliver(Channel& channel, Buffer* buffer) {
+void Bus::deliver(Channel& channel, Buffer* buffer, bool latched) {
   {
     const std::lock_guard lock(mutex_);
     for (Inbox* inbox : channel.inboxes) {
-      if (inbox->size() == 0) inboxesWithArrivals_.push_back(inbox);
-      ++buffer->users;
-      if (Buffer* oldest = inbox->add(nextArrival_++, buffer)) buffers_.giveBack(oldest);
+      if (inbox->wants()) putInto(*inbox, buffer);
     }
-    buffers_.giveBack(buffer);
-    waiting_ = !inboxesWithArrivals_.empty();
+    if (latched) {
+      if (channel.latched != nullptr) buffers_.giveBack(channel.latched);
+      channel.latched = buffer;
+    } else {
+      buffers_.giveBack(buffer);
+    }
   }
   arrived_.notify_one();
+}
+
+/// With the mutex held.
+void Bus::putInto(Inbox& inbox, Buffer* buffer) {
+  if (inbox.size() == 0) inboxesWithArrivals_.push_back(&inbox);
+  ++buffer->users;
+  inbox.add(nextArrival_++, buffer, dropped_);
+  for (Buffer* each : dropped_) buffers_.giveBack(each);
+  dropped_.clear();
+  waiting_ = true;
+}
+
+void Bus::forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant) {
+  const std::lock_guard lock(mutex_);
+  if (channel.latched == nullptr || !isMeant(channel.latched->sender)) return;
+  buffers_.giveBack(std::exchange(channel.latched, nullptr));
 }
 
 std::size_t Bus::collectArrivals() {
@@ -242,9 +305,8 @@ std::size_t Bus::dispatch() {
   for (const Arrival& arrival : arrivals_) {
     Inbox& inbox = *arrival.inbox;
     if (inbox.ended) continue;
-    if (inbox.parse(*arrival.buffer)) {
+    if (inbox.handOver(*arrival.buffer)) {
       ++handedOver;
-      inbox.handOver();
     } else {
       complain(inbox.channel(), arrival.buffer->sender, "is no " + inbox.channel().type);
     }
@@ -278,7 +340,7 @@ void Bus::complain(Channel& channel, const ParticipantId& sender, std::string_vi
   if (!unmentioned) return;
   const int pid = network_ ? network_->directory().pidOf(sender) : 0;
   busLog().warning("topic '" + channel.topic + "': a message from " +
-                   (sender == ParticipantId{} ? "this process" : "process " + std::to_string(pid)) + " " +
+                   (sender == kThisProcess ? "this process" : "process " + std::to_string(pid)) + " " +
                    std::string(what) + "; dropped" +
                    (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
 }
@@ -303,9 +365,39 @@ bool Bus::waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeo
   return !channel.writer || channel.writer->waitForAcknowledgement(timeout);
 }
 
-std::uint64_t Bus::dropped(const Inbox& inbox) const {
+std::uint64_t Bus::received(const Inbox& inbox) const {
   const std::lock_guard lock(mutex_);
-  return inbox.dropped();
+  return inbox.received();
+}
+
+std::uint64_t Bus::dropped(const Inbox& inbox) const {
+  const Channel& channel = inbox.channel();
+  const std::uint64_t lost = channel.reader ? channel.reader->lost() - inbox.lostBefore : 0;
+  const std::lock_guard lock(mutex_);
+  return inbox.dropped() + lost;
+}
+
+/// What has passed through each channel.
+TrafficReport Bus::traffic() {
+  const std::lock_guard lock(setUp_);
+  TrafficReport report;
+  report.at = std::chrono::steady_clock::now().time_since_epoch();
+  for (const auto& [key, channel] : channels_) {
+    if (channel->publishers > 0) {
+      report.endpoints.push_back({channel->topic, channel->type, Role::kPublisher, channel->sent,
+                                  channel->writer ? channel->writer->dropped() : 0});
+    }
+    if (channel->subscriptions == 0) continue;
+    EndpointTraffic heard{channel->topic, channel->type, Role::kSubscriber, 0,
+                          channel->reader ? channel->reader->lost() : 0};
+    const std::lock_guard inboxesLock(mutex_);
+    for (const Inbox* inbox : channel->inboxes) {
+      heard.messages += inbox->received();
+      heard.dropped += inbox->dropped();
+    }
+    report.endpoints.push_back(std::move(heard));
+  }
+  return report;
 }
 
 std::vector<TopicInfo> Bus::discover(std::chrono::nanoseconds timeout) {
@@ -319,6 +411,13 @@ TopicInfo Bus::waitForTopic(std::string_view topic, bool wantPublisher, std::chr
   if (!network_) return {name, {}, {}};
   network_->directory().waitForTopic(name, wantPublisher ? Role::kPublisher : Role::kSubscriber,
                                      deadlineAfter(timeout));
+  return network_->directory().topic(name);
+}
+
+TopicInfo Bus::watchTopic(std::string_view topic, std::chrono::nanoseconds duration) {
+  const std::string name = absoluteTopic(topic);
+  if (!network_) return {name, {}, {}};
+  network_->watchTraffic(duration);
   return network_->directory().topic(name);
 }
 

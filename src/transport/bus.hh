@@ -19,13 +19,16 @@
 #include "pongsim/node.hh"
 #include "transport/complaint_limit.hh"
 #include "transport/inbox.hh"
+#include "transport/interfaces.hh"
 #include "transport/service_client.hh"
 #include "transport/service_server.hh"
 
 namespace pongsim::transport {
 
 class Network;
+class PublisherState;
 class Reader;
+struct TrafficReport;
 class Writer;
 
 /// A topic as one type of message: all publishers and subscriptions of this transport.
@@ -39,6 +42,7 @@ class Channel {
 
   /// Guarded by the bus's set-up mutex. The writer is there while a publisher is, the reader while a subscription is.
   int publishers = 0;
+  int latchedPublishers = 0;
   int subscriptions = 0;
   std::unique_ptr<Writer> writer;
   std::unique_ptr<Reader> reader;
@@ -46,6 +50,10 @@ class Channel {
   /// Guarded by the bus's mutex, in the order of subscribing.
   std::vector<Inbox*> inboxes;
   std::atomic<int> inboxCount = 0;
+  std::atomic<std::uint64_t> sent = 0;
+
+  /// For who comes later, or null; guarded by the bus's mutex.
+  Buffer* latched = nullptr;
 
   /// Of bad messages; guarded by the bus's mutex.
   ComplaintLimit complaints;
@@ -64,15 +72,25 @@ class Bus {
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  Channel& addPublisher(std::string_view topic, std::string_view type);
-  void endPublisher(Channel& channel);
-  Inbox& addSubscription(std::string_view topic, std::string_view type, Inbox::Received received, std::size_t limit);
+  /// @return Where it talks to other machines, if it does.
+  std::optional<Interface> interface() const;
+
+  /// Types are full names.
+  /// @throws std::invalid_argument for a bad topic name; std::runtime_error where DDS refuses.
+  Channel& addPublisher(std::string_view topic, const std::string& type, bool latched);
+  void endPublisher(Channel& channel, bool latched);
+  Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::Received received,
+                         const SubscriptionOptions& options);
+  Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::ReceivedBytes received,
+                         const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
 
   bool hasSubscribers(const Channel& channel) const;
-  void publish(Channel& channel, const Message& message);
+  void publish(PublisherState& publisher, const Message& message);
+  void publishBytes(PublisherState& publisher, std::span<const std::byte> bytes);
   bool waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout);
   bool waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout);
+  std::uint64_t received(const Inbox& inbox) const;
   std::uint64_t dropped(const Inbox& inbox) const;
 
   std::size_t dispatch();
@@ -81,6 +99,7 @@ class Bus {
 
   std::vector<TopicInfo> discover(std::chrono::nanoseconds timeout);
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);
+  TopicInfo watchTopic(std::string_view topic, std::chrono::nanoseconds duration);
 
   Offer& addService(std::string_view service, std::string_view requestType, std::string_view replyType,
                     ServiceHandler handler);
@@ -90,11 +109,17 @@ class Bus {
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:
-  Channel& channelFor(std::string_view topic, std::string_view type);
+  Channel& channelFor(std::string_view topic, const std::string& type);
+  Inbox& addInbox(Channel& channel, std::unique_ptr<Inbox> inbox);
   void openReader(Channel& channel);
-  void deliver(Channel& channel, Buffer* buffer);
-  void receive(Channel& channel, const ParticipantId& sender, std::span<const std::byte> payload);
-  Buffer* takeBuffer();
+  bool isAwaited(const PublisherState& publisher) const;
+  void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
+  void deliver(Channel& channel, Buffer* buffer, bool latched);
+  void putInto(Inbox& inbox, Buffer* buffer);
+  void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
+  void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
+  TrafficReport traffic();
+  Buffer* takeBuffer(std::size_t size);
   std::size_t collectArrivals();
   void releaseArrivals();
   void eraseIfUnused(const Channel& channel);
@@ -121,6 +146,7 @@ class Bus {
   std::map<Inbox*, std::unique_ptr<Inbox>> inboxes_;
   std::vector<Inbox*> inboxesWithArrivals_;
   BufferPool buffers_;
+  std::vector<Buffer*> dropped_;
   std::uint64_t nextArrival_ = 0;
   std::atomic<bool> waiting_ = false;
   bool woken_ = false;
@@ -132,13 +158,15 @@ class Bus {
 /// A publisher's share in its topic.
 class PublisherState {
  public:
-  PublisherState(Bus& owner, Channel& topic) : bus(owner), channel(topic) {}
-  ~PublisherState() { bus.endPublisher(channel); }
+  PublisherState(Bus& owner, Channel& topic, bool isLatched) : bus(owner), channel(topic), latched(isLatched) {}
+  ~PublisherState() { bus.endPublisher(channel, latched); }
   PublisherState(const PublisherState&) = delete;
   PublisherState& operator=(const PublisherState&) = delete;
 
   Bus& bus;
   Channel& channel;
+  const bool latched;
+  std::atomic<std::uint64_t> sent = 0;
 };
 
 /// A service's share in its transport.

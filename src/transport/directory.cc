@@ -22,6 +22,13 @@ EndpointId firstOf(const ParticipantId& participant) {
   return id;
 }
 
+const EndpointTraffic* trafficIn(const TrafficReport& report, const Endpoint& endpoint) {
+  const auto found = std::ranges::find_if(report.endpoints, [&](const EndpointTraffic& each) {
+    return each.topic == endpoint.topic && each.type == endpoint.type && each.role == endpoint.role;
+  });
+  return found == report.endpoints.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 void Directory::changed() {
@@ -63,6 +70,19 @@ void Directory::setCensus(const ParticipantId& id, std::uint32_t endpoints) {
   const std::lock_guard lock(mutex_);
   participants_[id].census = endpoints;
   changed();
+}
+
+void Directory::setTraffic(const ParticipantId& id, TrafficReport report) {
+  const std::lock_guard lock(mutex_);
+  const auto participant = participants_.find(id);
+  if (participant == participants_.end()) return;
+  if (!participant->second.firstTraffic) participant->second.firstTraffic = report;
+  participant->second.traffic = std::move(report);
+}
+
+void Directory::forgetTraffic() {
+  const std::lock_guard lock(mutex_);
+  for (auto& [id, participant] : participants_) participant.firstTraffic.reset();
 }
 
 void Directory::addOwn(const Endpoint& endpoint) {
@@ -112,7 +132,7 @@ std::vector<TopicInfo> Directory::topics() const {
     if (!isListed(id, endpoint) || !endpoint.topic.starts_with('/')) continue;
     TopicInfo& info = byName[endpoint.topic];
     auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
-    side.push_back({endpoint.type, pidOfLocked(participantOf(id))});
+    side.push_back({endpoint.type, pidOfLocked(participantOf(id)), std::nullopt});
   }
   std::vector<TopicInfo> all;
   for (auto& [name, info] : byName) {
@@ -123,10 +143,30 @@ std::vector<TopicInfo> Directory::topics() const {
 }
 
 TopicInfo Directory::topic(std::string_view name) const {
-  for (TopicInfo& info : topics()) {
-    if (info.name == name) return std::move(info);
+  const std::lock_guard lock(mutex_);
+  TopicInfo info{std::string(name), {}, {}};
+  for (const auto& [id, endpoint] : endpoints_) {
+    if (endpoint.topic != name || !isListed(id, endpoint)) continue;
+    const ParticipantId participant = participantOf(id);
+    auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
+    side.push_back({endpoint.type, pidOfLocked(participant), trafficOf(participant, endpoint)});
   }
-  return {std::string(name), {}, {}};
+  return info;
+}
+
+std::optional<TopicInfo::Traffic> Directory::trafficOf(const ParticipantId& id, const Endpoint& endpoint) const {
+  const auto participant = participants_.find(id);
+  if (participant == participants_.end() || !participant->second.firstTraffic) return std::nullopt;
+  const TrafficReport& first = *participant->second.firstTraffic;
+  const TrafficReport& last = participant->second.traffic;
+  // times that others tell, whose difference may be too long for an integer
+  const auto watched = std::chrono::duration<double>(last.at) - std::chrono::duration<double>(first.at);
+  const EndpointTraffic* now = trafficIn(last, endpoint);
+  if (now == nullptr || watched.count() <= 0) return std::nullopt;
+  const EndpointTraffic* before = trafficIn(first, endpoint);
+  const std::uint64_t earlier = before == nullptr ? 0 : before->messages;
+  const std::uint64_t since = now->messages < earlier ? 0 : now->messages - earlier;
+  return TopicInfo::Traffic{now->messages, now->dropped, static_cast<double>(since) / watched.count()};
 }
 
 std::vector<ServiceInfo> Directory::services() const {

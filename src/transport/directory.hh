@@ -14,12 +14,11 @@
 #include "pongsim/node.hh"
 #include "transport/deadline.hh"
 #include "transport/inbox.hh"
+#include "transport/traffic_report.hh"
 
 namespace pongsim::transport {
 
 using EndpointId = std::array<std::uint8_t, 16>;
-
-enum class Role { kPublisher, kSubscriber };
 
 /// A publisher or a subscriber of a topic.
 struct Endpoint {
@@ -42,6 +41,10 @@ class Directory {
   /// Takes note of how many endpoints a participant says it has.
   void setCensus(const ParticipantId& id, std::uint32_t endpoints);
 
+  /// Takes note of what a participant says of its traffic; `forgetTraffic` begins anew.
+  void setTraffic(const ParticipantId& id, TrafficReport report);
+  void forgetTraffic();
+
   /// Says of an endpoint of ours that it is there or gone, to be warned of others that speak another type.
   void addOwn(const Endpoint& endpoint);
   void removeOwn(const Endpoint& endpoint);
@@ -51,6 +54,7 @@ class Directory {
 
   /// @return All visible topics of pongsim processes, sorted by name.
   std::vector<TopicInfo> topics() const;
+  /// @return One of them, with its traffic where that was told twice since `forgetTraffic`.
   TopicInfo topic(std::string_view name) const;
 
   /// @return All services of pongsim processes, sorted by name.
@@ -72,9 +76,12 @@ class Directory {
     int pid = 0;
     std::vector<std::uint32_t> ports;
     std::optional<std::uint32_t> census;
+    std::optional<TrafficReport> firstTraffic;
+    TrafficReport traffic;
   };
 
   bool isListed(const EndpointId& id, const Endpoint& endpoint) const;
+  std::optional<TopicInfo::Traffic> trafficOf(const ParticipantId& id, const Endpoint& endpoint) const;
   bool isComplete(std::span<const std::uint32_t> ports) const;
   void warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other);
   void changed();

@@ -32,8 +32,18 @@ int chosenDomain(std::optional<int> wanted) {
   throw std::invalid_argument("PONGSIM_DOMAIN is '" + std::string(text) + "', not an integer between 0 and 232");
 }
 
+std::string chosenPartition() {
+  for (const char* name : {"IGN_PARTITION", "GZ_PARTITION"}) {
+    const char* text = std::getenv(name);
+    if (text != nullptr && *text != '\0') return text;
+  }
+  return {};
+}
+
+std::uint32_t multicastPort(int domain) { return 7400 + 250 * static_cast<std::uint32_t>(domain); }
+
 DiscoveryPorts discoveryPorts(int domain) {
-  const std::uint32_t first = 7400 + 250 * static_cast<std::uint32_t>(domain) + 10;
+  const std::uint32_t first = multicastPort(domain) + 10;
   return {first, std::min(kParticipants, (65535 - 1 - first) / 2)};
 }
 

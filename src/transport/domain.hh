@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pongsim::transport {
@@ -10,6 +11,9 @@ namespace pongsim::transport {
 /// @throws std::invalid_argument for anything but an integer from 0 to 232.
 int chosenDomain(std::optional<int> wanted);
 
+/// @return What the environment variable IGN_PARTITION says, or else GZ_PARTITION; empty: no partition.
+std::string chosenPartition();
+
 /// The ports by which the processes of a domain find each other, as the RTPS specification (9.6.1.1) numbers them:
 /// one for each participant, two apart.
 struct DiscoveryPorts {
@@ -17,6 +21,9 @@ struct DiscoveryPorts {
   std::uint32_t count = 0;
 };
 DiscoveryPorts discoveryPorts(int domain);
+
+/// @return The port at which they listen to their multicast group, where they do.
+std::uint32_t multicastPort(int domain);
 
 /// @return Those of the ports that a process of this machine has open on 127.0.0.1 now; nothing where the system does
 /// not tell.

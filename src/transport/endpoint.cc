@@ -34,6 +34,9 @@ const eprosima::fastrtps::Duration_t kAtOnce{0, 0};
 // A reader asks so often for what it missed until its writer has answered for the first time.
 const eprosima::fastrtps::Duration_t kAskingPeriod{0, 5'000'000};
 
+// Of these a reader remembers what it heard last.
+constexpr std::size_t kMostSources = 10'000;
+
 rtps::HistoryAttributes historyAttributes() {
   // small at first, growing to the size of the messages that come
   return {rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE, 256, 4, 0};
@@ -74,6 +77,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
       topic_(contract.topic),
       keepsLast_(contract.keepsLast),
       readersChanged_(std::move(readersChanged)),
+      samples_(std::make_shared<SentSamples>(outbox)),
       history_(historyAttributes()) {
   rtps::WriterAttributes attributes;
   attributes.endpoint.topicKind = rtps::NO_KEY;
@@ -85,7 +89,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
   attributes.times.heartbeatPeriod = kHeartbeatPeriod;
   attributes.times.nackResponseDelay = kAtOnce;
   attributes.times.nackSupressionDuration = kAtOnce;
-  writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, &history_, this);
+  writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, samples_, &history_, this);
   if (writer_ == nullptr) throw std::runtime_error("DDS makes no writer for topic '" + contract.topic + "'");
   if (!participant.registerWriter(writer_, topicAttributes(contract), qosFor<dds::WriterQos>(contract))) {
     rtps::RTPSDomain::removeRTPSWriter(writer_);
@@ -108,23 +112,46 @@ std::optional<ParticipantId> Writer::newestReader() const {
   return readersOf_.empty() ? std::nullopt : std::optional(readersOf_.back());
 }
 
-void Writer::write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill) {
+void Writer::write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill, Keeping keeping) {
+  // before the message is in the outbox: whoever matches from now on has it sent again, whoever did before gets it
+  if (keeping == Keeping::kKept) keeping_ = true;
   outbox_.add(*this, payloadSize(messageSize),
-              [&](std::span<std::byte> sample) { fill(framePayload(sample, messageSize)); });
+              [&](std::span<std::byte> sample) { fill(framePayload(sample, messageSize, keeping)); });
 }
 
-void Writer::send(std::span<const std::byte> sample) {
-  const std::size_t size = sample.size();
+/// Sends a sample, or the one that is kept where it is empty.
+bool Writer::send(Buffer* sample) {
+  if (sample->bytes.empty()) return sendKeptAgain();
+  if (keepingOf(sample->bytes) == Keeping::kKept) {
+    kept_.assign(sample->bytes.begin(), sample->bytes.end());
+    markAsAgain(kept_);
+  }
+  return sendToAll(sample);
+}
+
+/// @return False, for the empty sample that asked for it is not kept.
+bool Writer::sendKeptAgain() {
+  if (kept_.empty()) return false;
+  Buffer* sample = outbox_.take(kept_.size());
+  std::ranges::copy(kept_, sample->bytes.begin());
+  if (!sendToAll(sample)) outbox_.giveBack(sample);
+  return false;
+}
+
+bool Writer::sendToAll(Buffer* sample) {
+  const std::size_t size = sample->bytes.size();
   const std::lock_guard lock(writer_->getMutex());
   removeDelivered();
   makeRoomFor(size);
+  samples_->setNext(sample);
   rtps::CacheChange_t* change = writer_->new_change([size] { return static_cast<std::uint32_t>(size); }, rtps::ALIVE);
-  if (change == nullptr) return;
+  samples_->setNext(nullptr);
+  if (change == nullptr) return false;
   change->serializedPayload.encapsulation = CDR_LE;
   change->serializedPayload.length = static_cast<std::uint32_t>(size);
-  std::ranges::copy(sample, reinterpret_cast<std::byte*>(change->serializedPayload.data));
   keptBytes_ += size;
   history_.add_change(change);
+  return true;
 }
 
 // Not when DDS tells that all have it: in Fast DDS 2.9 that may be in the middle of letting go of a reader, with locks
@@ -140,6 +167,7 @@ void Writer::makeRoomFor(std::size_t bytes) {
   rtps::CacheChange_t* oldest = nullptr;
   while (history_.getHistorySize() >= limit || (keptBytes_ + bytes > kHistoryBytes && history_.getHistorySize() > 1)) {
     if (!history_.get_min_change(&oldest)) return;
+    if (!keepsLast_ && !writer_->is_acked_by_all(oldest)) ++dropped_;
     removeOldest(*oldest);
   }
 }
@@ -170,12 +198,15 @@ void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
     }
     readers_ = static_cast<int>(readersOf_.size());
   }
+  // in its turn, after what was published before
+  if (info.status == rtps::MATCHED_MATCHING && keeping_) outbox_.add(*this, 0, [](std::span<std::byte>) {});
   if (readersChanged_) readersChanged_();
 }
 
-Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received)
+Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received, WriterGone writerGone)
     : own_(participantId(participant.getGuid().guidPrefix)),
       received_(std::move(received)),
+      writerGone_(std::move(writerGone)),
       history_(historyAttributes()) {
   rtps::ReaderAttributes attributes;
   attributes.endpoint.topicKind = rtps::NO_KEY;
@@ -183,7 +214,7 @@ Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Rec
   attributes.endpoint.durabilityKind = durability(contract);
   attributes.times.initialAcknackDelay = kAskingPeriod;
   attributes.times.heartbeatResponseDelay = kAtOnce;
-  reader_ = rtps::RTPSDomain::createRTPSReader(&participant, attributes, &history_, this);
+  reader_ = rtps::RTPSDomain::createRTPSReader(&participant, attributes, samples_, &history_, this);
   if (reader_ == nullptr) throw std::runtime_error("DDS makes no reader for topic '" + contract.topic + "'");
   if (!participant.registerReader(reader_, topicAttributes(contract), qosFor<dds::ReaderQos>(contract))) {
     rtps::RTPSDomain::removeRTPSReader(reader_);
@@ -196,10 +227,36 @@ Reader::~Reader() { rtps::RTPSDomain::removeRTPSReader(reader_); }
 void Reader::onNewCacheChangeAdded(rtps::RTPSReader* reader, const rtps::CacheChange_t* change) {
   const ParticipantId sender = participantId(change->writerGUID.guidPrefix);
   if (change->kind == rtps::ALIVE && sender != own_) {
-    received_(sender,
-              {reinterpret_cast<const std::byte*>(change->serializedPayload.data), change->serializedPayload.length});
+    Buffer* sample = samples_->bufferOf(*change);
+    if (sample != nullptr && isNews(*change, *sample)) received_(sender, *sample);
   }
   reader->getHistory()->remove_change(const_cast<rtps::CacheChange_t*>(change));
+}
+
+/// Counts what was lost before it.
+/// @return False where it is a kept one that came already.
+bool Reader::isNews(const rtps::CacheChange_t& change, const Buffer& sample) {
+  const std::uint64_t number = change.sequenceNumber.to64long();
+  const std::lock_guard lock(sourcesMutex_);
+  if (sources_.size() >= kMostSources) sources_.clear();
+  const auto [entry, isNew] = sources_.try_emplace(change.writerGUID, Source{number, true});
+  if (isNew) return true;
+  Source& source = entry->second;
+  // a writer gives up the oldest first, and DDS hands over in order
+  if (number > source.last + 1) lost_ += number - source.last - 1;
+  source.last = number;
+  return !std::exchange(source.isCurrent, true) || keepingOf(sample.bytes) != Keeping::kAgain;
+}
+
+void Reader::onReaderMatched(rtps::RTPSReader*, rtps::MatchingInfo& info) {
+  if (info.status == rtps::MATCHED_MATCHING) return;
+  {
+    const std::lock_guard lock(sourcesMutex_);
+    const auto source = sources_.find(info.remoteEndpointGuid);
+    if (source != sources_.end()) source->second.isCurrent = false;
+  }
+  const ParticipantId participant = participantId(info.remoteEndpointGuid.guidPrefix);
+  if (participant != own_ && writerGone_) writerGone_(participant);
 }
 
 }  // namespace pongsim::transport

@@ -2,6 +2,7 @@
 
 #include <fastdds/rtps/network/SenderResource.h>
 #include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastrtps/utils/IPLocator.h>
 
 #include <utility>
 
@@ -12,16 +13,82 @@ namespace {
 namespace dds_rtps = eprosima::fastdds::rtps;
 namespace rtps = eprosima::fastrtps::rtps;
 
+constexpr const char* kLocalAddress = "127.0.0.1";
+
+/// @return Whether sending to the locator is that side's business.
+bool isOn(GatedUdp::Side side, const rtps::Locator_t& locator) {
+  constexpr rtps::octet kLoopbackNet = 127;
+  return (rtps::IPLocator::getIPv4(locator)[0] == kLoopbackNet) == (side == GatedUdp::Side::kLoopback);
+}
+
+/// Those of other locators that are on one side.
+class OwnSide : public rtps::LocatorsIterator {
+ public:
+  OwnSide(GatedUdp::Side side, rtps::LocatorsIterator& all, const rtps::LocatorsIterator& end)
+      : side_(side), all_(all), end_(end) {
+    skipOthers();
+  }
+
+  rtps::LocatorsIterator& operator++() override {
+    ++all_;
+    skipOthers();
+    return *this;
+  }
+  bool operator==(const rtps::LocatorsIterator& other) const override { return all_ == other; }
+  bool operator!=(const rtps::LocatorsIterator& other) const override { return all_ != other; }
+  const rtps::Locator_t& operator*() const override { return *all_; }
+
+ private:
+  void skipOthers() {
+    while (all_ != end_ && !isOn(side_, *all_)) ++all_;
+  }
+
+  GatedUdp::Side side_;
+  rtps::LocatorsIterator& all_;
+  const rtps::LocatorsIterator& end_;
+};
+
 class GatedUdpTransport : public dds_rtps::ChainingTransport {
  public:
-  GatedUdpTransport(const dds_rtps::ChainingTransportDescriptor& descriptor, std::shared_ptr<std::atomic<bool>> isOpen)
-      : ChainingTransport(descriptor), descriptor_(descriptor), isOpen_(std::move(isOpen)) {}
+  GatedUdpTransport(const dds_rtps::ChainingTransportDescriptor& descriptor, GatedUdp::Side side,
+                    std::shared_ptr<UdpGate> gate)
+      : ChainingTransport(descriptor), descriptor_(descriptor), side_(side), gate_(std::move(gate)) {}
 
   dds_rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
 
+  bool OpenInputChannel(const rtps::Locator_t& locator, dds_rtps::TransportReceiverInterface* receiver,
+                        std::uint32_t size) override {
+    const bool isMulticast = rtps::IPLocator::isMulticast(locator);
+    if (side_ == GatedUdp::Side::kLoopback) {
+      // the participant listens at its other address, of which this way does not know
+      rtps::Locator_t local = locator;
+      rtps::IPLocator::setIPv4(local, kLocalAddress);
+      if (isMulticast || !ChainingTransport::OpenInputChannel(local, receiver, size)) return false;
+      const std::lock_guard lock(gate_->mutex);
+      gate_->ports.insert(locator.port);
+      return true;
+    }
+    {
+      const std::lock_guard lock(gate_->mutex);
+      if (!isMulticast && !gate_->ports.contains(locator.port)) return false;
+    }
+    return ChainingTransport::OpenInputChannel(locator, receiver, size);
+  }
+
+  /// The addresses of this machine are all reached by 127.0.0.1, for whoever listens at another one listens there too.
+  bool transform_remote_locator(const rtps::Locator_t& remote, rtps::Locator_t& result) const override {
+    if (side_ == GatedUdp::Side::kBeyond) return ChainingTransport::transform_remote_locator(remote, result);
+    if (!IsLocatorSupported(remote) || !is_local_locator(remote)) return false;
+    result = remote;
+    rtps::IPLocator::setIPv4(result, kLocalAddress);
+    return true;
+  }
+
   bool send(rtps::SenderResource* udp, const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator* begin,
             rtps::LocatorsIterator* end, const std::chrono::steady_clock::time_point& deadline) override {
-    return !*isOpen_ || udp->send(bytes, size, begin, end, deadline);
+    if (!gate_->isOpen) return true;
+    OwnSide own(side_, *begin, *end);
+    return own == *end || udp->send(bytes, size, &own, end, deadline);
   }
 
   void receive(dds_rtps::TransportReceiverInterface* receiver, const rtps::octet* bytes, std::uint32_t size,
@@ -39,14 +106,15 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
   };
 
   Descriptor descriptor_;
-  std::shared_ptr<std::atomic<bool>> isOpen_;
+  GatedUdp::Side side_;
+  std::shared_ptr<UdpGate> gate_;
 };
 
 }  // namespace
 
-GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp)
-    : ChainingTransportDescriptor(std::move(udp)) {}
+GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp, Side side, std::shared_ptr<UdpGate> gate)
+    : ChainingTransportDescriptor(std::move(udp)), side_(side), gate_(std::move(gate)) {}
 
-dds_rtps::TransportInterface* GatedUdp::create_transport() const { return new GatedUdpTransport(*this, isOpen_); }
+dds_rtps::TransportInterface* GatedUdp::create_transport() const { return new GatedUdpTransport(*this, side_, gate_); }
 
 }  // namespace pongsim::transport

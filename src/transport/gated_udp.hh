@@ -4,26 +4,50 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
+#include <mutex>
+#include <set>
 
 namespace pongsim::transport {
+
+/// What the ways out of a participant share.
+struct UdpGate {
+  /// Lets out what is sent from now on; what was sent before is lost.
+  void open() { isOpen = true; }
+
+  std::atomic<bool> isOpen = false;
+  std::mutex mutex;
+  /// Ports that are open on loopback.
+  std::set<std::uint32_t> ports;
+};
 
 /// UDP whose way out can be shut.
 ///
 /// Fast DDS 2.9 announces a new participant before it hands on what the participant's sockets receive. Whoever is there
 /// answers at once and only once, and where the answer is quicker than the participant it is lost: the two meet at the
 /// next periodic announcement, seconds later. So nothing may leave until the participant listens.
+///
+/// A participant that talks to other machines too has two of them, loopback first. Each sends only what is for its
+/// side, where the library sends everything from each socket; and the second listens at a port only where the first
+/// does, for otherwise a participant could be deaf for its own machine.
 class GatedUdp : public eprosima::fastdds::rtps::ChainingTransportDescriptor {
  public:
-  explicit GatedUdp(std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp);
+  enum class Side {
+    /// This machine: what is for 127.0.0.0/8, and no multicast.
+    kLoopback,
+    /// All else.
+    kBeyond
+  };
 
-  /// Lets out what is sent from now on; what was sent before is lost.
-  void open() { *isOpen_ = true; }
+  GatedUdp(std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp, Side side,
+           std::shared_ptr<UdpGate> gate);
 
   eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
 
  private:
-  std::shared_ptr<std::atomic<bool>> isOpen_ = std::make_shared<std::atomic<bool>>(false);
+  Side side_;
+  std::shared_ptr<UdpGate> gate_;
 };
 
 }  // namespace pongsim::transport

@@ -1,32 +1,73 @@
 #include "transport/inbox.hh"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "msgs/bytes.hh"
 
 namespace pongsim::transport {
 
-Inbox::Inbox(Channel& channel, MessagePointer message, Received received, std::size_t limit)
-    : channel_(channel),
-      message_(std::move(message)),
-      received_(std::move(received)),
-      limit_(std::max<std::size_t>(limit, 1)) {}
+namespace {
+
+// What waits for one subscription, unless it is a single message.
+constexpr std::size_t kMostInboxBytes = 64 << 20;
+
+// A rate below this is as good as no message at all, and fits the clock.
+constexpr double kLowestRate = 1e-6;
+
+}  // namespace
+
+Inbox::Inbox(Channel& channel, const SubscriptionOptions& options)
+    : channel_(channel), limit_(std::max<std::size_t>(options.queueLength, 1)) {
+  if (!options.messagesPerSecond) return;
+  const std::chrono::duration<double> period(1 / std::max(*options.messagesPerSecond, kLowestRate));
+  period_ = std::chrono::duration_cast<Clock::duration>(period);
+}
+
+Inbox::Inbox(Channel& channel, MessagePointer message, Received received, const SubscriptionOptions& options)
+    : Inbox(channel, options) {
+  take_ = [message = std::shared_ptr<Message>(std::move(message)), received = std::move(received)](auto bytes) {
+    if (!msgs::parseBytes(bytes, *message)) return false;
+    received(*message);
+    return true;
+  };
+}
+
+Inbox::Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions& options) : Inbox(channel, options) {
+  take_ = [received = std::move(received)](auto bytes) {
+    received(bytes);
+    return true;
+  };
+}
 
 Inbox::~Inbox() = default;
 
-Buffer* Inbox::add(std::uint64_t number, Buffer* buffer) {
-  Buffer* oldest = nullptr;
-  if (size() >= limit_) {
-    oldest = waiting_[first_++].buffer;
-    ++dropped_;
-    // the dropped ones' room is used again before the vector grows past twice the limit
-    if (first_ >= limit_) {
-      waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
-      first_ = 0;
-    }
-  }
+bool Inbox::wants() {
+  if (!period_) return true;
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return false;
+  // the mean is kept where messages come unevenly, and a long silence is not made up for
+  next_ = now - next_ < *period_ ? next_ + *period_ : now + *period_;
+  return true;
+}
+
+void Inbox::add(std::uint64_t number, Buffer* buffer, std::vector<Buffer*>& dropped) {
+  ++came_;
+  waitingBytes_ += buffer->bytes.size();
+  while (size() >= limit_ || (size() > 0 && waitingBytes_ > kMostInboxBytes)) dropped.push_back(removeOldest());
   waiting_.push_back({number, this, buffer});
+}
+
+Buffer* Inbox::removeOldest() {
+  Buffer* oldest = waiting_[first_++].buffer;
+  ++dropped_;
+  waitingBytes_ -= oldest->bytes.size();
+  // the dropped ones' room is used again
+  if (first_ >= size()) {
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
+    first_ = 0;
+  }
   return oldest;
 }
 
@@ -34,8 +75,7 @@ void Inbox::moveTo(std::vector<Arrival>& arrivals) {
   arrivals.insert(arrivals.end(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end());
   waiting_.clear();
   first_ = 0;
+  waitingBytes_ = 0;
 }
-
-bool Inbox::parse(const Buffer& buffer) { return msgs::parseBytes(buffer.bytes, *message_); }
 
 }  // namespace pongsim::transport

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "pongsim/message.hh"
+#include "pongsim/node.hh"
 #include "transport/buffer_pool.hh"
 
 namespace pongsim::transport {
@@ -24,36 +28,52 @@ struct Arrival {
 class Inbox {
  public:
   using Received = std::function<void(const Message&)>;
+  using ReceivedBytes = std::function<void(std::span<const std::byte>)>;
 
-  Inbox(Channel& channel, MessagePointer message, Received received, std::size_t limit);
-
+  /// @param message What each arrival is read into.
+  Inbox(Channel& channel, MessagePointer message, Received received, const SubscriptionOptions& options);
+  Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions& options);
   ~Inbox();
 
-  /// @return The oldest arrival where there is no room for another; it is dropped and counted.
-  Buffer* add(std::uint64_t number, Buffer* buffer);
+  /// @return Whether the subscription wants a message that comes now, for it has not had as many as it may lately.
+  bool wants();
+
+  /// Puts the buffer behind the others. Where there is no room, the oldest go to `dropped`, and are counted.
+  void add(std::uint64_t number, Buffer* buffer, std::vector<Buffer*>& dropped);
 
   /// Moves all that waits to the end of `arrivals`.
   void moveTo(std::vector<Arrival>& arrivals);
 
   std::size_t size() const { return waiting_.size() - first_; }
+  /// What came, without the dropped ones.
+  std::uint64_t received() const { return came_ - dropped_; }
   std::uint64_t dropped() const { return dropped_; }
   Channel& channel() const { return channel_; }
 
-  /// Fills in the one message object that all arrivals share.
-  /// @return Whether the bytes are a message of its type.
-  bool parse(const Buffer& buffer);
-  void handOver() const { received_(*message_); }
+  /// @return Whether the bytes are a message of its type; else nobody gets it.
+  bool handOver(const Buffer& buffer) const { return take_(buffer.bytes); }
 
   /// Whether its subscription has gone.
   bool ended = false;
 
+  /// What its channel's reader had lost before there was this subscription.
+  std::uint64_t lostBefore = 0;
+
  private:
+  using Clock = std::chrono::steady_clock;
+
+  Inbox(Channel& channel, const SubscriptionOptions& options);
+  Buffer* removeOldest();
+
   Channel& channel_;
-  MessagePointer message_;
-  Received received_;
+  std::function<bool(std::span<const std::byte>)> take_;
   std::size_t limit_;
+  std::optional<Clock::duration> period_;
+  Clock::time_point next_;
   std::vector<Arrival> waiting_;
   std::size_t first_ = 0;
+  std::size_t waitingBytes_ = 0;
+  std::uint64_t came_ = 0;
   std::uint64_t dropped_ = 0;
 };
 

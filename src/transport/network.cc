@@ -12,10 +12,10 @@
 #include <fastdds/dds/log/Log.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "base/parse_number.hh"
@@ -32,6 +32,9 @@ using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 using eprosima::fastrtps::Duration_t;
 
 constexpr const char* kLoopback = "127.0.0.1";
+// Where participants are looked for on other machines (RTPS 9.6.1.1.3).
+constexpr const char* kMulticastGroup = "239.255.0.1";
+
 constexpr std::string_view kNamePrefix = "pongsim/";
 
 // No topic's name, for it has no leading slash.
@@ -63,38 +66,49 @@ void setUpLibrary() {
   static_cast<void>(once);
 }
 
-rtps::Locator_t loopbackLocator() {
+rtps::Locator_t locatorOf(const std::string& address) {
   rtps::Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
-  rtps::IPLocator::setIPv4(locator, kLoopback);
+  rtps::IPLocator::setIPv4(locator, address);
   return locator;
 }
 
-std::shared_ptr<GatedUdp> loopbackUdp(int domain) {
+std::shared_ptr<GatedUdp> udpOn(const std::string& address, GatedUdp::Side side, int domain,
+                                const std::shared_ptr<UdpGate>& gate) {
   const auto udp = std::make_shared<UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = {kLoopback};
+  udp->interfaceWhiteList = {address};
   udp->sendBufferSize = kSocketBuffer;
   udp->receiveBufferSize = kSocketBuffer;
   udp->maxInitialPeersRange = discoveryPorts(domain).count;
-  return std::make_shared<GatedUdp>(udp);
+  return std::make_shared<GatedUdp>(udp, side, gate);
 }
 
-rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::shared_ptr<GatedUdp>& udp) {
+rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::optional<Interface>& interface,
+                                                      const std::shared_ptr<UdpGate>& gate) {
   rtps::RTPSParticipantAttributes attributes;
   attributes.setName((std::string(kNamePrefix) + std::to_string(getpid())).c_str());
   attributes.useBuiltinTransports = false;
-  attributes.userTransports.push_back(udp);
+  attributes.userTransports.push_back(udpOn(kLoopback, GatedUdp::Side::kLoopback, domain, gate));
   attributes.sendSocketBufferSize = kSocketBuffer;
   attributes.listenSocketBufferSize = kSocketBuffer;
-  attributes.defaultUnicastLocatorList.push_back(loopbackLocator());
 
   // to listen at one port alone keeps the library from joining its multicast group
-  attributes.builtin.metatrafficUnicastLocatorList.push_back(loopbackLocator());
-  attributes.builtin.initialPeersList.push_back(loopbackLocator());
+  const rtps::Locator_t own = locatorOf(interface ? interface->address : kLoopback);
+  attributes.defaultUnicastLocatorList.push_back(own);
+  attributes.builtin.metatrafficUnicastLocatorList.push_back(own);
+  attributes.builtin.initialPeersList.push_back(locatorOf(kLoopback));
+  if (interface) {
+    attributes.userTransports.push_back(udpOn(interface->address, GatedUdp::Side::kBeyond, domain, gate));
+    rtps::Locator_t group = locatorOf(kMulticastGroup);
+    group.port = multicastPort(domain);
+    attributes.builtin.metatrafficMulticastLocatorList.push_back(group);
+    attributes.builtin.initialPeersList.push_back(group);
+  }
   attributes.builtin.mutation_tries = discoveryPorts(domain).count;
   attributes.builtin.use_WriterLivelinessProtocol = false;
   attributes.builtin.discovery_config.leaseDuration = kLease;
   attributes.builtin.discovery_config.leaseDuration_announcementperiod = kAnnouncementPeriod;
+  // DDS-Security, who may join and what is encrypted, is `attributes.properties` with certificates: it belongs here.
   return attributes;
 }
 
@@ -113,19 +127,27 @@ int processOf(std::string_view participantName) {
 
 }  // namespace
 
-Network::Network(std::optional<int> domain) : domain_(chosenDomain(domain)) {
-  if (const char* partition = std::getenv("IGN_PARTITION")) partition_ = partition;
+Network::Network(std::optional<int> domain, const std::optional<std::string>& interface)
+    : domain_(chosenDomain(domain)),
+      partition_(chosenPartition()),
+      interface_(chosenInterface(interface)),
+      reporter_([this](std::function<void()> readersChanged) {
+        const Contract contract{TrafficReporter::kTrafficTopic, TrafficReporter::kTrafficType, "", false};
+        return std::make_unique<Writer>(*participant_, outbox_, contract, std::move(readersChanged));
+      }) {
   setUpLibrary();
   const auto domainId = static_cast<std::uint32_t>(domain_);
-  const std::shared_ptr<GatedUdp> udp = loopbackUdp(domain_);
-  participant_ = rtps::RTPSDomain::createParticipant(domainId, false, participantAttributes(domain_, udp), this);
+  const auto gate = std::make_shared<UdpGate>();
+  participant_ =
+      rtps::RTPSDomain::createParticipant(domainId, false, participantAttributes(domain_, interface_, gate), this);
   if (participant_ == nullptr) {
-    throw std::runtime_error("cannot open DDS domain " + std::to_string(domain_) + " on 127.0.0.1");
+    throw std::runtime_error("cannot open DDS domain " + std::to_string(domain_) + " on 127.0.0.1" +
+                             (interface_ ? " and " + interface_->address : ""));
   }
   own_ = participantId(participant_->getGuid().guidPrefix);
   ownPort_ = participant_->getRTPSParticipantAttributes().builtin.metatrafficUnicastLocatorList.begin()->port;
   participant_->enable();
-  udp->open();
+  gate->open();
   participant_->announceRTPSParticipantState();
   censusWriter_ =
       std::make_unique<Writer>(*participant_, outbox_, Contract{kCensusTopic, kCensusType, "", true}, nullptr);
@@ -134,6 +156,7 @@ Network::Network(std::optional<int> domain) : domain_(chosenDomain(domain)) {
 
 Network::~Network() {
   participant_->set_listener(nullptr);
+  reporter_.stop();
   censusReader_.reset();
   censusWriter_.reset();
   rtps::RTPSDomain::removeRTPSParticipant(participant_);
@@ -147,8 +170,9 @@ std::unique_ptr<Writer> Network::makeWriter(const std::string& topic, const std:
 }
 
 std::unique_ptr<Reader> Network::makeReader(const std::string& topic, const std::string& type,
-                                            Reader::Received received) {
-  auto reader = std::make_unique<Reader>(*participant_, contract(topic, type), std::move(received));
+                                            Reader::Received received, Reader::WriterGone writerGone) {
+  auto reader =
+      std::make_unique<Reader>(*participant_, contract(topic, type), std::move(received), std::move(writerGone));
   changeCensus(1);
   return reader;
 }
@@ -172,8 +196,8 @@ void Network::changeCensus(int endpoints) {
 
 void Network::discover(std::chrono::nanoseconds timeout) {
   if (!censusReader_) {
-    const auto received = [this](const ParticipantId& sender, std::span<const std::byte> payload) {
-      const auto message = messageInPayload(payload);
+    const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
+      const auto message = messageInPayload(sample.bytes);
       std::uint32_t endpoints = 0;
       if (!message || message->size() != sizeof(endpoints)) return;
       std::memcpy(&endpoints, message->data(), sizeof(endpoints));
@@ -187,8 +211,9 @@ void Network::discover(std::chrono::nanoseconds timeout) {
   TimePoint silentUntil = deadlineAfter(kSilence);
   for (TimePoint now = std::chrono::steady_clock::now(); now < std::min(deadline, silentUntil);
        now = std::chrono::steady_clock::now()) {
-    // where the system does not tell who is there, the silence alone must do
-    std::vector<std::uint32_t> ports = openDiscoveryPorts(domain_).value_or(std::vector<std::uint32_t>{0});
+    // where nobody tells who is there, as for other machines, the silence alone must do
+    const auto open = interface_ ? std::nullopt : openDiscoveryPorts(domain_);
+    std::vector<std::uint32_t> ports = open.value_or(std::vector<std::uint32_t>{0});
     std::erase(ports, ownPort_);
     if (directory_.waitForAll(ports, std::min(deadline, now + kLookAgain))) return;
     if (const std::uint64_t newVersion = directory_.version(); newVersion != version) {
@@ -196,6 +221,18 @@ void Network::discover(std::chrono::nanoseconds timeout) {
       silentUntil = deadlineAfter(kSilence);
     }
   }
+}
+
+void Network::watchTraffic(std::chrono::nanoseconds duration) {
+  directory_.forgetTraffic();
+  const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
+    const auto message = messageInPayload(sample.bytes);
+    std::optional<TrafficReport> report = message ? readTraffic(*message) : std::nullopt;
+    if (report) directory_.setTraffic(sender, *std::move(report));
+  };
+  const Contract contract{TrafficReporter::kTrafficTopic, TrafficReporter::kTrafficType, "", false};
+  const Reader reader(*participant_, contract, received);
+  std::this_thread::sleep_until(deadlineAfter(duration));
 }
 
 void Network::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDiscoveryInfo&& info) {
@@ -220,6 +257,10 @@ void Network::endpointChanged(const ProxyData& data, Role role, bool removed) {
   }
   const std::string topic = data.topicName().c_str();
   if (topic == kCensusTopic) return;
+  if (topic == TrafficReporter::kTrafficTopic) {
+    if (role == Role::kSubscriber) reporter_.ask();
+    return;
+  }
   const std::vector<std::string> partitions = data.m_qos.m_partition.getNames();
   const bool samePartition = partition_.empty() ? partitions.empty() : std::ranges::count(partitions, partition_) > 0;
   directory_.addEndpoint(id, {topic, data.typeName().c_str(), role,

@@ -1,12 +1,43 @@
 #include "pongsim/node.hh"
 
+#include <cmath>
 #include <exception>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "transport/bus.hh"
 #include "transport/network.hh"
+#include "transport/topic_name.hh"
+#include "transport/type_name.hh"
 
 namespace pongsim {
+
+namespace {
+
+/// @return `call`, with the guard around it where there is one.
+template <class Argument>
+std::function<void(Argument)> guarded(CallGuard* guard, std::function<void(Argument)> call) {
+  if (guard == nullptr) return call;
+  return [guard, inner = std::move(call)](Argument argument) {
+    if (!guard->enter()) return;
+    try {
+      inner(argument);
+    } catch (const std::exception& error) {
+      guard->failed(error);
+    }
+    guard->leave();
+  };
+}
+
+void checkRate(const SubscriptionOptions& options) {
+  const std::optional<double>& rate = options.messagesPerSecond;
+  if (!rate || (std::isfinite(*rate) && *rate > 0)) return;
+  throw std::invalid_argument("a subscription to " + std::to_string(*rate) +
+                              " messages a second: the rate must be above 0");
+}
+
+}  // namespace
 
 Publisher::Publisher() = default;
 Publisher::Publisher(std::unique_ptr<transport::PublisherState> state) : state_(std::move(state)) {}
@@ -17,8 +48,14 @@ Publisher::~Publisher() = default;
 bool Publisher::hasSubscribers() const { return state_ && state_->bus.hasSubscribers(state_->channel); }
 
 void Publisher::publish(const Message& message) {
-  if (state_) state_->bus.publish(state_->channel, message);
+  if (state_) state_->bus.publish(*state_, message);
 }
+
+void Publisher::publishBytes(std::span<const std::byte> bytes) {
+  if (state_) state_->bus.publishBytes(*state_, bytes);
+}
+
+std::uint64_t Publisher::sent() const { return state_ ? state_->sent.load() : 0; }
 
 bool Publisher::waitForSubscribers(std::chrono::nanoseconds timeout) const {
   return state_ && state_->bus.waitForSubscribers(state_->channel, timeout);
@@ -34,37 +71,58 @@ Subscription::Subscription(Subscription&&) noexcept = default;
 Subscription& Subscription::operator=(Subscription&&) noexcept = default;
 Subscription::~Subscription() = default;
 
+std::uint64_t Subscription::received() const { return state_ ? state_->bus.received(state_->inbox) : 0; }
+
 std::uint64_t Subscription::dropped() const { return state_ ? state_->bus.dropped(state_->inbox) : 0; }
 
 CallGuard::~CallGuard() = default;
 
 Node Node::guardedBy(CallGuard& guard) const {
-  Node node(*bus_);
+  Node node = *this;
   node.guard_ = &guard;
   return node;
 }
 
-Publisher Node::advertise(std::string_view topic, std::string_view type) {
-  auto state = std::make_unique<transport::PublisherState>(*bus_, bus_->addPublisher(topic, type));
-  if (guard_ != nullptr) guard_->advertised(state->channel.topic, state->channel.type);
+Node Node::within(std::string_view nameSpace) const {
+  Node node = *this;
+  node.nameSpace_ = transport::absoluteTopic(fullName(nameSpace));
+  return node;
+}
+
+std::string Node::fullName(std::string_view name) const {
+  if (nameSpace_.empty() || name.empty() || name.starts_with('/')) return std::string(name);
+  return nameSpace_ + "/" + std::string(name);
+}
+
+Publisher Node::advertise(std::string_view topic, std::string_view type, const PublisherOptions& options) {
+  return advertiseOn(bus_->addPublisher(fullName(topic), transport::knownType(type), options.latched), options.latched);
+}
+
+Publisher Node::advertiseBytes(std::string_view topic, std::string_view type, const PublisherOptions& options) {
+  return advertiseOn(bus_->addPublisher(fullName(topic), transport::anyType(type), options.latched), options.latched);
+}
+
+Publisher Node::advertiseOn(transport::Channel& channel, bool latched) {
+  auto state = std::make_unique<transport::PublisherState>(*bus_, channel, latched);
+  if (guard_ != nullptr) guard_->advertised(channel.topic, channel.type);
   return Publisher(std::move(state));
 }
 
 Subscription Node::subscribe(std::string_view topic, std::string_view type,
-                             std::function<void(const Message&)> received, std::size_t queueLength) {
-  if (guard_ != nullptr) {
-    received = [guard = guard_, inner = std::move(received)](const Message& message) {
-      if (!guard->enter()) return;
-      try {
-        inner(message);
-      } catch (const std::exception& error) {
-        guard->failed(error);
-      }
-      guard->leave();
-    };
-  }
+                             std::function<void(const Message&)> received, const SubscriptionOptions& options) {
+  checkRate(options);
+  const std::string name = transport::knownType(type);
   return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(topic, type, std::move(received), queueLength)));
+      *bus_, bus_->addSubscription(fullName(topic), name, guarded(guard_, std::move(received)), options)));
+}
+
+Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
+                                  std::function<void(std::span<const std::byte>)> received,
+                                  const SubscriptionOptions& options) {
+  checkRate(options);
+  const std::string name = transport::anyType(type);
+  return Subscription(std::make_unique<transport::SubscriptionState>(
+      *bus_, bus_->addSubscription(fullName(topic), name, guarded(guard_, std::move(received)), options)));
 }
 
 Service::Service() = default;
@@ -90,19 +148,24 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
     };
   }
   return Service(std::make_unique<transport::ServiceState>(
-      *bus_, bus_->addService(service, requestType, replyType, std::move(handler))));
+      *bus_, bus_->addService(fullName(service), requestType, replyType, std::move(handler))));
 }
 
 CallResult Node::call(std::string_view service, const Message& request, Message& reply,
                       std::chrono::nanoseconds timeout) {
-  return bus_->call(service, request, reply, timeout);
+  return bus_->call(fullName(service), request, reply, timeout);
 }
 
 Transport::Transport(const TransportOptions& options)
-    : bus_(std::make_unique<transport::Bus>(options.network ? std::make_unique<transport::Network>(options.domain)
-                                                            : nullptr)) {}
+    : bus_(std::make_unique<transport::Bus>(
+          options.network ? std::make_unique<transport::Network>(options.domain, options.interface) : nullptr)) {}
 
 Transport::~Transport() = default;
+
+std::optional<std::string> Transport::openTo() const {
+  const std::optional<transport::Interface> interface = bus_->interface();
+  return interface ? std::optional(interface->name + ", " + interface->address) : std::nullopt;
+}
 
 std::size_t Transport::dispatch() { return bus_->dispatch(); }
 
@@ -114,6 +177,10 @@ std::vector<TopicInfo> Transport::discover(std::chrono::nanoseconds timeout) { r
 
 TopicInfo Transport::waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout) {
   return bus_->waitForTopic(topic, wantPublisher, timeout);
+}
+
+TopicInfo Transport::watchTopic(std::string_view topic, std::chrono::nanoseconds duration) {
+  return bus_->watchTopic(topic, duration);
 }
 
 std::vector<ServiceInfo> Transport::discoverServices(std::chrono::nanoseconds timeout) {

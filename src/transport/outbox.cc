@@ -1,5 +1,7 @@
 #include "transport/outbox.hh"
 
+#include <sched.h>
+
 #include <optional>
 #include <utility>
 
@@ -26,12 +28,7 @@ Outbox::~Outbox() {
 }
 
 void Outbox::add(Target& target, std::size_t size, const std::function<void(std::span<std::byte>)>& fill) {
-  Buffer* buffer = nullptr;
-  {
-    const std::lock_guard lock(mutex_);
-    buffer = buffers_.take();
-  }
-  buffer->bytes.resize(size);
+  Buffer* buffer = take(size);
   fill(buffer->bytes);
 
   std::optional<std::uint64_t> unmentioned;
@@ -56,18 +53,29 @@ void Outbox::add(Target& target, std::size_t size, const std::function<void(std:
               (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it, of all topics)" : ""));
 }
 
+Buffer* Outbox::take(std::size_t size) {
+  const std::lock_guard lock(mutex_);
+  return buffers_.take(size);
+}
+
+void Outbox::giveBack(Buffer* sample) {
+  const std::lock_guard lock(mutex_);
+  buffers_.giveBack(sample);
+}
+
 void Outbox::dropOldest() {
   const Entry oldest = waiting_[first_++];
   waitingBytes_ -= oldest.buffer->bytes.size();
-  done(oldest);
+  ++oldest.target->dropped_;
+  done(oldest, false);
   // the dropped ones' room is used again
   if (first_ < kMostWaiting) return;
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
   first_ = 0;
 }
 
-void Outbox::done(const Entry& entry) {
-  buffers_.giveBack(entry.buffer);
+void Outbox::done(const Entry& entry, bool isKept) {
+  if (!isKept) buffers_.giveBack(entry.buffer);
   if (--entry.target->pending_ == 0) sent_.notify_all();
 }
 
@@ -77,6 +85,9 @@ void Outbox::flush(Target& target) {
 }
 
 void Outbox::run() {
+  // A thread of this policy that wakes does not push away the one that runs, which is who publishes.
+  const sched_param unused{};
+  sched_setscheduler(0, SCHED_BATCH, &unused);
   std::vector<Entry> taken;
   std::unique_lock lock(mutex_);
   while (true) {
@@ -88,9 +99,9 @@ void Outbox::run() {
     waitingBytes_ = 0;
     for (const Entry& entry : taken) {
       lock.unlock();
-      entry.target->send(entry.buffer->bytes);
+      const bool isKept = entry.target->send(entry.buffer);
       lock.lock();
-      done(entry);
+      done(entry, isKept);
     }
   }
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <span>
@@ -23,13 +25,19 @@ class Outbox {
    public:
     virtual ~Target() = default;
     /// Called from the outbox's thread.
-    virtual void send(std::span<const std::byte> sample) = 0;
+    /// @return Whether it keeps the sample, which it then gives back.
+    virtual bool send(Buffer* sample) = 0;
     virtual const std::string& topic() const = 0;
+
+   protected:
+    /// @return Samples that the outbox has dropped.
+    std::uint64_t droppedBeforeSending() const { return dropped_; }
 
    private:
     friend class Outbox;
     /// In the outbox or being sent; guarded by the outbox's mutex.
     std::size_t pending_ = 0;
+    std::atomic<std::uint64_t> dropped_ = 0;
   };
 
   Outbox();
@@ -43,6 +51,10 @@ class Outbox {
   /// @param fill Writes the sample to the place of that size which it is given.
   void add(Target& target, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
 
+  /// @return Room for a sample of so many bytes, to be given back.
+  Buffer* take(std::size_t size);
+  void giveBack(Buffer* sample);
+
   /// Waits until all that was added for the target has been sent.
   void flush(Target& target);
 
@@ -54,7 +66,7 @@ class Outbox {
 
   void run();
   void dropOldest();
-  void done(const Entry& entry);
+  void done(const Entry& entry, bool isKept);
 
   std::mutex mutex_;
   std::condition_variable added_;

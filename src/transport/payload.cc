@@ -10,16 +10,28 @@ namespace {
 constexpr std::byte kBigEndian{0};
 constexpr std::byte kLittleEndian{1};
 
+// In the first byte of the options: their last two bits are XTypes' (7.6.3.1.2), the others nobody's.
+constexpr std::size_t kOptions = 2;
+constexpr std::byte kKeptOption{0x40};
+constexpr std::byte kAgainOption{0x80};
+
 }  // namespace
 
-std::span<std::byte> framePayload(std::span<std::byte> payload, std::size_t messageSize) {
+std::span<std::byte> framePayload(std::span<std::byte> payload, std::size_t messageSize, Keeping keeping) {
   payload[0] = std::byte{0};
   payload[1] = kLittleEndian;
-  payload[2] = std::byte{0};
+  payload[kOptions] = keeping == Keeping::kNone ? std::byte{0} : kKeptOption;
   payload[3] = std::byte{0};
   for (std::size_t i = 0; i < 4; ++i) payload[4 + i] = static_cast<std::byte>(messageSize >> (8 * i));
   std::ranges::fill(payload.subspan(kPayloadHeader + messageSize), std::byte{0});
   return payload.subspan(kPayloadHeader, messageSize);
+}
+
+void markAsAgain(std::span<std::byte> payload) { payload[kOptions] |= kAgainOption; }
+
+Keeping keepingOf(std::span<const std::byte> payload) {
+  if (payload.size() < kPayloadHeader || (payload[kOptions] & kKeptOption) == std::byte{0}) return Keeping::kNone;
+  return (payload[kOptions] & kAgainOption) == std::byte{0} ? Keeping::kKept : Keeping::kAgain;
 }
 
 std::optional<std::span<const std::byte>> messageInPayload(std::span<const std::byte> payload) {

@@ -128,9 +128,10 @@ ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std
   line->service = service;
   line->type = type;
   // the way back first: a request waits at the service until that is known
-  line->reader = network_->makeReader(
-      replyTopic(service), type,
-      [this, to = line.get()](const ParticipantId& sender, auto payload) { receive(*to, sender, payload); });
+  line->reader = network_->makeReader(replyTopic(service), type,
+                                      [this, to = line.get()](const ParticipantId& sender, const Buffer& sample) {
+                                        receive(*to, sender, sample.bytes);
+                                      });
   line->writer = network_->makeWriter(requestTopic(service), type, [this] { changed(); });
   place = std::move(line);
   return *place;

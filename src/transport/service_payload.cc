@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transport/wire_number.hh"
+
 namespace pongsim::transport {
 
 namespace {
@@ -16,25 +18,12 @@ void putId(const ParticipantId& id, std::span<std::byte>& place) {
   place = place.subspan(kIdSize);
 }
 
-/// Least significant byte first.
-void putNumber(std::uint64_t number, std::size_t bytes, std::span<std::byte>& place) {
-  for (std::size_t i = 0; i < bytes; ++i) place[i] = static_cast<std::byte>(number >> (8 * i));
-  place = place.subspan(bytes);
-}
-
 ParticipantId takeId(std::span<const std::byte>& bytes) {
   ParticipantId id{};
   std::ranges::transform(bytes.first(kIdSize), id.begin(),
                          [](std::byte byte) { return std::to_integer<uint8_t>(byte); });
   bytes = bytes.subspan(kIdSize);
   return id;
-}
-
-std::uint64_t takeNumber(std::size_t size, std::span<const std::byte>& bytes) {
-  std::uint64_t number = 0;
-  for (std::size_t i = 0; i < size; ++i) number |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
-  bytes = bytes.subspan(size);
-  return number;
 }
 
 }  // namespace

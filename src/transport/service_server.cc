@@ -9,6 +9,7 @@
 #include "transport/network.hh"
 #include "transport/payload.hh"
 #include "transport/service_name.hh"
+#include "transport/type_name.hh"
 
 namespace pongsim::transport {
 
@@ -29,11 +30,6 @@ constexpr ParticipantId kOwn{};
 const Logger& serverLog() {
   static const Logger logger("transport");
   return logger;
-}
-
-std::string knownType(std::string_view type) {
-  if (std::optional<std::string> name = messageTypeName(type)) return *std::move(name);
-  throw std::invalid_argument("there is no message type '" + std::string(type) + "'");
 }
 
 }  // namespace
@@ -71,7 +67,7 @@ Offer& ServiceServer::add(std::string_view service, std::string_view requestType
     offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this] { wake(); });
     offer.reader = network_->makeReader(
         requestTopic(offer.name), type,
-        [this, &offer](const ParticipantId& sender, auto payload) { receive(offer, sender, payload); });
+        [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); });
   } catch (...) {
     end(offer, false);
     throw;

@@ -12,8 +12,8 @@
 
 #include "benchmark/bare_bullet.hh"
 #include "benchmark/medians.hh"
+#include "benchmark/robots.hh"
 #include "physics/engine.hh"
-#include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "sdf/loader.hh"
 #include "support/fortress_worlds.hh"
@@ -22,11 +22,8 @@ namespace pongsim::benchmark {
 namespace {
 
 constexpr double kStep = 0.001;
-constexpr double kLinear = 0.5;
-constexpr double kAngular = 0.4;
 constexpr double kLeft = (kLinear - kAngular * 0.6) / 0.4;
 constexpr double kRight = (kLinear + kAngular * 0.6) / 0.4;
-constexpr int kSettlingSteps = 500;
 
 struct Case {
   std::string name;
@@ -36,22 +33,6 @@ struct Case {
 std::string textOf(const std::filesystem::path& file) {
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-// the world with further copies of the tutorial's robot, 3 m apart
-std::string withRobots(std::string text, int count) {
-  const std::size_t begin = text.find("<model name='vehicle_blue'");
-  const std::string closing = "</model>";
-  const std::size_t end = text.find(closing, begin) + closing.size();
-  const std::string robot = text.substr(begin, end - begin);
-  std::string copies;
-  for (int i = 1; i < count; ++i) {
-    std::string copy = robot;
-    copy.insert(copy.find("vehicle_blue") + std::string("vehicle_blue").size(), std::to_string(i));
-    const std::size_t pose = copy.find("0 0 0 0 0 0</pose>");
-    copies += copy.replace(pose, 3, "0 " + std::to_string(3 * i));
-  }
-  return text.insert(end, copies);
 }
 
 std::vector<Case> cases() {
@@ -71,13 +52,6 @@ description::World load(const Case& which) {
   sdf::Root root = sdf::loadText(which.text, which.name, diagnostics);
   if (diagnostics.hasErrors()) throw std::runtime_error(format(diagnostics.all().front()));
   return std::move(root.worlds.front());
-}
-
-// what stands still costs nothing to compare
-void requireMoved(double distance) {
-  if (!(distance > 0.15 && distance < 0.3)) {
-    throw std::runtime_error("a robot went " + std::to_string(distance) + " m and not as commanded");
-  }
 }
 
 void stepBare(::benchmark::State& run, const Case& which, BareSolver solver) {
@@ -115,25 +89,11 @@ void stepEngine(::benchmark::State& run, const Case& which) {
   for (auto _ : run) engine.step(dt, state);
 }
 
-Link chassisOf(Simulation& simulation) {
-  for (const Model& model : simulation.world().models()) {
-    if (const auto link = model.link("chassis")) return *link;
-  }
-  throw std::runtime_error("no robot here");
-}
-
 void stepSimulation(::benchmark::State& run, const Case& which) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(which.text, which.name, SimulationOptions(), diagnostics);
   if (!simulation) throw std::runtime_error(format(diagnostics.all().front()));
-  const auto twist = newMessage("ignition.msgs.Twist");
-  parseMessage("linear: {x: " + std::to_string(kLinear) + "}, angular: {z: " + std::to_string(kAngular) + "}", *twist);
-  Publisher publisher = simulation->transport().node().advertise("/cmd_vel", "ignition.msgs.Twist");
-  publisher.publish(*twist);
-  const Link chassis = chassisOf(*simulation);
-  const Vector3 start = chassis.pose().position;
-  simulation->step(kSettlingSteps);
-  requireMoved((chassis.pose().position - start).norm());
+  driveOff(*simulation);
   for (auto _ : run) simulation->step();
 }
 

@@ -7,6 +7,7 @@
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/laserscan.pb.h>
+#include <ignition/msgs/pointcloud_packed.pb.h>
 #include <ignition/msgs/twist.pb.h>
 #include <signal.h>
 #include <unistd.h>
@@ -52,7 +53,9 @@ struct Kind {
 constexpr Kind kKinds[] = {{"Twist", 1000, 2000},
                            {"LaserScan, 640 beams", 100, 300},
                            {"Image, 640x480 RGB", 30, 100},
+                           {"PointCloudPacked, 2 MB", 10, 50},
                            {"Image, 1920x1080 RGB", 10, 30}};
+constexpr int kImage = 2;
 
 ignition::msgs::Image image(unsigned width, unsigned height) {
   ignition::msgs::Image message;
@@ -68,6 +71,12 @@ ignition::msgs::LaserScan scan() {
   return message;
 }
 
+ignition::msgs::PointCloudPacked cloud() {
+  ignition::msgs::PointCloudPacked message;
+  message.mutable_data()->assign(2'000'000, 'x');
+  return message;
+}
+
 /// Calls `use` with an empty message of the kind, ready to be sent.
 template <class Use>
 void withMessage(int kind, Use use) {
@@ -78,6 +87,8 @@ void withMessage(int kind, Use use) {
       return use(scan());
     case 2:
       return use(image(640, 480));
+    case 3:
+      return use(cloud());
     default:
       return use(image(1920, 1080));
   }
@@ -218,6 +229,27 @@ std::string reportOf(Process& process) {
   return text.substr(begin, text.rfind('\n') - begin);
 }
 
+/// One publishes, several listen.
+void measureMany(int kind, int listeners) {
+  const Kind& what = kKinds[kind];
+  std::printf("%s at %.0f Hz to %d processes\n", what.name, what.rate, listeners);
+  withMessage(kind, [&]<class M>(M message) {
+    std::vector<std::unique_ptr<Process>> others;
+    for (int i = 0; i < listeners; ++i) others.push_back(listener("pongsim", kind, what.count));
+    pongsim::Transport transport;
+    auto publisher = transport.node().advertise<M>(kTopic);
+    // all of them are there for the first message
+    while (transport.watchTopic(kTopic, std::chrono::milliseconds(200)).subscribers.size() < others.size()) continue;
+    const std::string publishing = summary(publishAt(what.rate, what.count, [&] {
+      stamp(message);
+      publisher.publish(message);
+    }));
+    for (const auto& other : others) std::printf("  pongsim       %s\n", reportOf(*other).c_str());
+    std::printf("  (publishing)  %s\n", publishing.c_str());
+  });
+  std::fflush(stdout);
+}
+
 void measureDelivery(int kind) {
   const Kind& what = kKinds[kind];
   std::string there, publishing;
@@ -326,6 +358,7 @@ int main(int count, char** texts) {
   pongsim::test::testDomain();
   setenv("IGN_IP", "127.0.0.1", 1);
   for (int kind = 0; kind < static_cast<int>(std::size(kKinds)); ++kind) measureDelivery(kind);
+  measureMany(kImage, 5);
   measureTroubles();
   return 0;
 }

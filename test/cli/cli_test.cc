@@ -86,7 +86,7 @@ const Case kWrong[] = {
     {{"world", "play", "--seed", "1"}, "option '--seed' means nothing with 'play' | it goes with reset"},
     {{"world", "reset", "--seed", "0"}, "option '--seed' takes a whole number from 1 to 4294967295, not '0'"},
     {{"topic", "-t", "/x", "-m", "Int32", "-p", "", "--json"},
-     "option '--json' means nothing with '-p' | it goes with -l -e --hz --bw --delay"},
+     "option '--json' means nothing with '-p' | it goes with -l -i -e --hz --bw --delay"},
     {{"topic"},
      "nothing to do given | one of --list, --info, --echo, --pub, --hz, --bw, --delay and wait; pongsim topic "
      "--help tells more"},

@@ -78,9 +78,13 @@ void expectSameFuture(const description::World& world, int before, void (*comman
   other.engine.transfer(giving);
   EXPECT_TRUE(giving.rest().empty());
   other.state = state;
-  StateArchive again;
-  other.engine.transfer(again);
-  EXPECT_EQ(again.take().size(), bytes.size()) << "not all points of contact have found their place";
+  // points that the next step drops need not have found their place
+  original.step();
+  other.step();
+  StateArchive one, another;
+  original.engine.transfer(one);
+  other.engine.transfer(another);
+  EXPECT_EQ(another.take().size(), one.take().size()) << "not all points of contact have found their place";
   for (int i = 0; i < 20; ++i) {
     original.step(50);
     other.step(50);

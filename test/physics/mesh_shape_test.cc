@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/rig.hh"
@@ -132,12 +133,20 @@ TEST(MeshShape, LetsABoxSlideOverTheEdgesOfItsTriangles) {
   world.models = {makeFloor(), makeModel("body", {box})};
   world.gravity = {0.5, 0, -9.8};
   Rig rig(std::move(world));
-  rig.step(4000);
-  // x = a t^2 / 2, and level
   const auto& state = rig.link("body::link");
+  double highest = 0, lowest = 1, tilt = 0;
+  for (int i = 0; i < 4000; ++i) {
+    rig.step();
+    highest = std::max(highest, state.X_WorldLink.position.z());
+    lowest = std::min(lowest, state.X_WorldLink.position.z());
+    const Vector3 up = state.X_WorldLink.rotation * Vector3::UnitZ();
+    tilt = std::max(tilt, std::hypot(up.x(), up.y()));
+  }
+  // x = a t^2 / 2, and level
   EXPECT_NEAR(state.X_WorldLink.position.x(), -8 + 0.25 * 16, 0.01);
-  EXPECT_NEAR(state.X_WorldLink.position.z(), 0.1, 1e-4);
-  EXPECT_LT(state.w_WorldLink.norm(), 5e-3);
+  EXPECT_NEAR(highest, 0.1, 5e-4);
+  EXPECT_NEAR(lowest, 0.1, 5e-4);
+  EXPECT_LT(tilt, 1e-3);
 }
 
 TEST(MeshShape, LetsAWheelRollOverTheEdgesOfItsTriangles) {

@@ -4,6 +4,8 @@
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 
+#include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -72,11 +74,72 @@ TEST_F(BusTest, KeepsWhatIsPublishedDuringADispatchForTheNext) {
 
 TEST_F(BusTest, DropsTheOldestAndCounts) {
   Publisher a = node_.advertise<Int32>("/a");
-  Subscription sub = node_.subscribe<Int32>("/a", noteAs(""), 2);
+  Subscription sub = node_.subscribe<Int32>("/a", noteAs(""), {.queueLength = 2});
   for (int i = 0; i < 5; ++i) a.publish(number(i));
   EXPECT_EQ(sub.dropped(), 3);
+  EXPECT_EQ(sub.received(), 2);
+  EXPECT_EQ(a.sent(), 5);
   transport_.dispatch();
   EXPECT_EQ(heard_, (Words{"3", "4"}));
+}
+
+TEST_F(BusTest, GivesWhatIsLatchedToWhoComesLater) {
+  Publisher latched = node_.advertise<Int32>("/a", {.latched = true});
+  Publisher plain = node_.advertise<Int32>("/a");
+  latched.publish(number(1));
+  latched.publish(number(2));
+  plain.publish(number(3));
+  EXPECT_EQ(plain.sent(), 0) << "nobody listens";
+  Subscription first = node_.subscribe<Int32>("/a", noteAs("a"));
+  EXPECT_EQ(transport_.dispatch(), 1);
+  Subscription second = node_.subscribe<Int32>("/a", noteAs("b"));
+  EXPECT_EQ(transport_.dispatchFor(test::kDeadline), 1);
+  EXPECT_EQ(heard_, (Words{"a2", "b2"}));
+  latched = Publisher();
+  Subscription third = node_.subscribe<Int32>("/a", noteAs("c"));
+  EXPECT_EQ(transport_.dispatch(), 0);
+}
+
+TEST_F(BusTest, TakesAsManyMessagesASecondAsAreWanted) {
+  Publisher a = node_.advertise<Int32>("/a");
+  const Subscription seldom = node_.subscribe<Int32>("/a", noteAs("a"), {.messagesPerSecond = 1e-3});
+  const Subscription all = node_.subscribe<Int32>("/a", noteAs("b"));
+  for (int i = 0; i < 3; ++i) a.publish(number(i));
+  transport_.dispatch();
+  EXPECT_EQ(heard_, (Words{"a0", "b0", "b1", "b2"}));
+  EXPECT_EQ(seldom.received(), 1);
+  EXPECT_EQ(seldom.dropped(), 0) << "what it does not want is not lost";
+  for (double rate : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(node_.subscribe<Int32>("/a", noteAs(""), {.messagesPerSecond = rate}), std::invalid_argument);
+  }
+}
+
+TEST_F(BusTest, CarriesBytes) {
+  std::vector<std::string> bytes;
+  const auto note = [&bytes](std::span<const std::byte> each) {
+    bytes.emplace_back(reinterpret_cast<const char*>(each.data()), each.size());
+  };
+  const Subscription raw = node_.subscribeBytes("/a", "gz.msgs.Int32", note);
+  const Subscription typed = node_.subscribe<Int32>("/a", noteAs("a"));
+  const Subscription unknown = node_.subscribeBytes("/b", "acme.Rocket", note);
+  node_.advertise<Int32>("/a").publish(number(7));
+  transport_.dispatch();
+  ASSERT_EQ(bytes, Words{number(7).SerializeAsString()});
+
+  const std::string eight = number(8).SerializeAsString();
+  node_.advertiseBytes("/a", "Int32").publishBytes(std::as_bytes(std::span(eight)));
+  node_.advertiseBytes("/b", "acme.Rocket").publishBytes(std::as_bytes(std::span("?", 1)));
+  transport_.dispatch();
+  EXPECT_EQ(bytes, (Words{number(7).SerializeAsString(), eight, "?"}));
+  EXPECT_EQ(heard_, (Words{"a7", "a8"}));
+
+  const std::string broken(3, '\xff');
+  testing::internal::CaptureStderr();
+  node_.advertiseBytes("/a", "Int32").publishBytes(std::as_bytes(std::span(broken)));
+  EXPECT_EQ(transport_.dispatch(), 1);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("a message from this process is no ignition.msgs.Int32"), std::string::npos) << said;
+  EXPECT_THROW(node_.advertiseBytes("/a", ""), std::invalid_argument);
 }
 
 TEST_F(BusTest, KnowsWhetherSomebodyListens) {
@@ -157,6 +220,21 @@ TEST_F(BusTest, KeepsTypesApart) {
   a.publish(number(1));
   EXPECT_EQ(transport_.dispatch(), 0);
   EXPECT_THROW(a.publish(StringMsg()), std::invalid_argument);
+}
+
+TEST_F(BusTest, PutsRelativeNamesIntoTheNodesNamespace) {
+  Node robot = node_.within("fleet").within("robot/");
+  Publisher relative = robot.advertise<Int32>("scan");
+  Publisher absolute = robot.advertise<Int32>("/scan");
+  const Subscription within = node_.subscribe<Int32>("/fleet/robot/scan", noteAs("r"));
+  const Subscription outside = node_.subscribe<Int32>("scan", noteAs("a"));
+  relative.publish(number(1));
+  absolute.publish(number(2));
+  transport_.dispatch();
+  EXPECT_EQ(heard_, (Words{"r1", "a2"}));
+  EXPECT_THROW(node_.within("a b"), std::invalid_argument);
+  EXPECT_THROW(node_.within(""), std::invalid_argument);
+  EXPECT_THROW(robot.advertise<Int32>(""), std::invalid_argument);
 }
 
 TEST_F(BusTest, RefusesBadNamesAndUnknownTypes) {

@@ -78,6 +78,34 @@ TEST(Directory, IsCompleteWhenEveryPortHasAnsweredAndToldAll) {
   EXPECT_TRUE(directory.waitForAll(ports({7410, 7412}), kNow)) << "what is no pongsim takes no census";
 }
 
+TEST(Directory, TellsTheTrafficBetweenTwoReports) {
+  Directory directory;
+  directory.addParticipant(kFirst, 11, {7410});
+  directory.addEndpoint(kFirstsPublisher, {"/a", kTwist, Role::kPublisher});
+  const auto report = [](std::chrono::milliseconds at, std::uint64_t messages) {
+    return TrafficReport{at, {{"/a", kTwist, Role::kSubscriber, 7, 0}, {"/a", kTwist, Role::kPublisher, messages, 5}}};
+  };
+  const auto traffic = [&] { return directory.topic("/a").publishers.at(0).traffic; };
+  EXPECT_FALSE(traffic());
+  directory.setTraffic(kFirst, report(std::chrono::milliseconds(1000), 100));
+  EXPECT_FALSE(traffic()) << "a rate takes two";
+  directory.setTraffic(kFirst, report(std::chrono::milliseconds(1500), 150));
+  directory.setTraffic(kFirst, report(std::chrono::milliseconds(3000), 300));
+  EXPECT_EQ(traffic(), (TopicInfo::Traffic{300, 5, 100}));
+
+  directory.forgetTraffic();
+  EXPECT_FALSE(traffic());
+  directory.setTraffic(kFirst, report(std::chrono::milliseconds(1000), 400));
+  directory.setTraffic(kFirst, report(std::chrono::milliseconds(2000), 300));
+  EXPECT_EQ(traffic(), (TopicInfo::Traffic{300, 5, 0})) << "what can't be is no rate";
+  directory.forgetTraffic();
+  directory.setTraffic(kFirst, {std::chrono::nanoseconds::min(), {}});
+  directory.setTraffic(kFirst, {std::chrono::nanoseconds::max(), {}});
+  EXPECT_FALSE(traffic());
+  // of nobody who is known
+  directory.setTraffic(kSecond, report(std::chrono::milliseconds(1000), 1));
+}
+
 TEST(Directory, WarnsOnceOfAnotherTypeWithTopicTypesAndProcess) {
   Directory directory;
   directory.addParticipant(kFirst, 4711, {7410});

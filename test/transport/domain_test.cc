@@ -32,12 +32,25 @@ TEST(Domain, SaysWhatIsWrongWithIt) {
   }
 }
 
+TEST(Domain, HasThePartitionThatTheEnvironmentSays) {
+  unsetenv("IGN_PARTITION");
+  unsetenv("GZ_PARTITION");
+  EXPECT_EQ(chosenPartition(), "");
+  setenv("GZ_PARTITION", "new", 1);
+  EXPECT_EQ(chosenPartition(), "new");
+  setenv("IGN_PARTITION", "old", 1);
+  EXPECT_EQ(chosenPartition(), "old");
+  unsetenv("IGN_PARTITION");
+  unsetenv("GZ_PARTITION");
+}
+
 TEST(Domain, HasPortsOfItsOwn) {
   for (int domain = 0; domain < 232; ++domain) {
     const DiscoveryPorts ports = discoveryPorts(domain);
     // the data's ports lie one above
     EXPECT_LT(ports.first + 2 * (ports.count - 1) + 1, discoveryPorts(domain + 1).first) << domain;
     EXPECT_GE(ports.count, 60) << domain;
+    EXPECT_LT(multicastPort(domain), ports.first) << domain;
   }
   EXPECT_LE(discoveryPorts(232).first + 2 * discoveryPorts(232).count, 65535);
 }

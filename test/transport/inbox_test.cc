@@ -3,6 +3,8 @@
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "transport/bus.hh"
 #include "transport/endpoint.hh"
 
@@ -12,8 +14,16 @@ namespace {
 
 class InboxTest : public testing::Test {
  protected:
-  Inbox inbox(std::size_t limit) {
-    return {channel_, newMessage("ignition.msgs.StringMsg"), [](const Message&) {}, limit};
+  Inbox inbox(const SubscriptionOptions& options) {
+    return {channel_, newMessage("ignition.msgs.StringMsg"), [](const Message&) {}, options};
+  }
+
+  /// @return How many are dropped for it.
+  std::size_t add(Inbox& places, std::uint64_t number, std::size_t bytes = 0) {
+    Buffer* buffer = pool_.take(bytes);
+    std::vector<Buffer*> dropped;
+    places.add(number, buffer, dropped);
+    return dropped.size();
   }
 
   Channel channel_{"/chatter", "ignition.msgs.StringMsg"};
@@ -23,33 +33,61 @@ class InboxTest : public testing::Test {
 }  // namespace
 
 TEST_F(InboxTest, DropsTheOldestWhenItIsFull) {
-  Inbox places = inbox(3);
-  for (std::uint64_t number = 0; number < 10; ++number) {
-    Buffer* oldest = places.add(number, pool_.take());
-    EXPECT_EQ(oldest != nullptr, number >= 3);
-  }
+  Inbox places = inbox({.queueLength = 3});
+  for (std::uint64_t number = 0; number < 10; ++number) EXPECT_EQ(add(places, number), number >= 3 ? 1 : 0);
   EXPECT_EQ(places.dropped(), 7);
+  EXPECT_EQ(places.received(), 3);
   std::vector<Arrival> arrivals;
   places.moveTo(arrivals);
   ASSERT_EQ(arrivals.size(), 3);
   EXPECT_EQ(arrivals[0].number, 7);
   EXPECT_EQ(arrivals[2].number, 9);
   EXPECT_EQ(places.size(), 0);
+  EXPECT_EQ(add(places, 10), 0);
+}
+
+TEST_F(InboxTest, KeepsNoMoreBytesThanItMayButOneMessage) {
+  Inbox places = inbox({});
+  constexpr std::size_t kLarge = 30 << 20;
+  EXPECT_EQ(add(places, 0, kLarge), 0);
+  EXPECT_EQ(add(places, 1, kLarge), 0);
+  EXPECT_EQ(add(places, 2, kLarge), 1);
+  EXPECT_EQ(add(places, 3, 100 << 20), 2);
+  EXPECT_EQ(places.size(), 1);
+  EXPECT_EQ(add(places, 4, 1), 1);
+  EXPECT_EQ(places.dropped(), 4);
 }
 
 TEST_F(InboxTest, HoldsOneMessageAtLeast) {
-  Inbox places = inbox(0);
-  EXPECT_EQ(places.add(0, pool_.take()), nullptr);
+  Inbox places = inbox({.queueLength = 0});
+  EXPECT_EQ(add(places, 0), 0);
   EXPECT_EQ(places.size(), 1);
 }
 
+TEST_F(InboxTest, WantsNoMoreThanItsRate) {
+  Inbox all = inbox({});
+  Inbox seldom = inbox({.queueLength = 1000, .messagesPerSecond = 1e-4});
+  EXPECT_TRUE(seldom.wants());
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_TRUE(all.wants());
+    EXPECT_FALSE(seldom.wants());
+  }
+  Inbox never = inbox({.queueLength = 1000, .messagesPerSecond = 1e-300});
+  EXPECT_TRUE(never.wants());
+  EXPECT_FALSE(never.wants());
+}
+
 TEST_F(InboxTest, SaysWhenBytesAreNoMessage) {
-  Inbox places = inbox(1);
-  Buffer* buffer = pool_.take();
-  buffer->bytes.assign(5, std::byte{0xff});
-  EXPECT_FALSE(places.parse(*buffer));
-  buffer->bytes.clear();
-  EXPECT_TRUE(places.parse(*buffer));
+  Inbox places = inbox({});
+  Buffer* buffer = pool_.take(5);
+  std::ranges::fill(buffer->bytes, std::byte{0xff});
+  EXPECT_FALSE(places.handOver(*buffer));
+  std::size_t size = 0;
+  Inbox raw(channel_, [&size](std::span<const std::byte> bytes) { size = bytes.size(); }, {});
+  EXPECT_TRUE(raw.handOver(*buffer));
+  EXPECT_EQ(size, 5);
+  buffer->resize(0);
+  EXPECT_TRUE(places.handOver(*buffer));
 }
 
 }  // namespace pongsim::transport

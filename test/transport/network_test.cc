@@ -36,6 +36,8 @@ class Sender {
     return changed_.wait_for(lock, test::kDeadline, [this] { return writer_->hasReaders(); });
   }
 
+  std::uint64_t dropped() const { return writer_->dropped(); }
+
   /// @param damage Done to the frame's eight bytes.
   void send(const std::string& bytes, const std::function<void(std::byte*)>& damage) {
     writer_->write(bytes.size(), [&](std::span<std::byte> place) {
@@ -98,6 +100,7 @@ TEST(Network, KeepsNoMoreForASlowReaderThanItMay) {
   sender.send(message.SerializeAsString(), noDamage);
   listener.kill(SIGCONT);
   EXPECT_TRUE(listener.waitForOutput("got the end"));
+  EXPECT_GT(sender.dropped(), 0);
 }
 
 }  // namespace pongsim::transport

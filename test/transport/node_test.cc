@@ -6,15 +6,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "support/proc.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
 
@@ -65,35 +65,26 @@ class NodeTest : public testing::Test {
     return false;
   }
 
+  /// @param side Publishers or subscribers.
+  /// @return What has passed a process on "/chatter"; nothing at all where it does not answer.
+  static TopicInfo::Traffic trafficOf(int pid,
+                                      const std::function<std::vector<TopicInfo::Endpoint>(const TopicInfo&)>& side) {
+    Transport watcher;
+    const auto deadline = std::chrono::steady_clock::now() + kDeadline;
+    // a busy machine may take longer to find them
+    while (std::chrono::steady_clock::now() < deadline) {
+      for (const auto& each : side(watcher.watchTopic("/chatter", std::chrono::milliseconds(300)))) {
+        if (each.pid == pid && each.traffic) return *each.traffic;
+      }
+    }
+    ADD_FAILURE() << "process " << pid << " does not answer";
+    return {};
+  }
+
   const int domain_ = test::testDomain();
   Transport transport_;
   Node node_ = transport_.node();
 };
-
-/// Local addresses and ports of this process's UDP sockets, as /proc/net prints them.
-std::set<std::string> ownSockets(const char* table) {
-  std::set<std::string> inodes;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    std::error_code ignored;
-    const std::string target = std::filesystem::read_symlink(entry, ignored).string();
-    if (target.starts_with("socket:[")) inodes.insert(target.substr(8, target.size() - 9));
-  }
-  std::set<std::string> addresses;
-  std::ifstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    char address[64];
-    char inode[64];
-    if (std::sscanf(line.c_str(), " %*u: %63s %*s %*s %*s %*s %*s %*s %*s %63s", address, inode) != 2) continue;
-    if (inodes.contains(inode)) addresses.insert(address);
-  }
-  return addresses;
-}
-
-std::set<std::string> sharedMemory() {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator("/dev/shm")) names.insert(entry.path().filename());
-  return names;
-}
 
 }  // namespace
 
@@ -170,6 +161,13 @@ TEST_F(NodeTest, IsNotHeldUpByAStoppedSubscriber) {
   EXPECT_TRUE(healthy->waitForOutput("got 2999"));
   other->kill(SIGCONT);
   EXPECT_TRUE(other->waitForOutput("got 2999"));
+
+  // each of them was heard or is counted
+  const std::string output = other->output();
+  const std::regex number("got \\d+\n");
+  const auto heard = std::distance(std::sregex_iterator(output.begin(), output.end(), number), std::sregex_iterator());
+  EXPECT_EQ(trafficOf(other->pid(), [](const TopicInfo& topic) { return topic.subscribers; }).dropped, 3000 - heard);
+  EXPECT_GE(trafficOf(getpid(), [](const TopicInfo& topic) { return topic.publishers; }).dropped, 3000 - heard);
 }
 
 TEST_F(NodeTest, GoesOnAfterAKilledSubscriber) {
@@ -188,7 +186,7 @@ TEST_F(NodeTest, FindsEveryTopicOfEveryProcess) {
   constexpr int kProcesses = 4;
   constexpr int kTopics = 200;
   std::vector<std::unique_ptr<Process>> others;
-  for (int i = 0; i < kProcesses; ++i) others.push_back(peer({"offer", std::to_string(kTopics)}));
+  for (int i = 0; i < kProcesses; ++i) others.push_back(peer({"offer", std::to_string(kTopics), "0"}));
   for (const auto& other : others) ASSERT_TRUE(other->waitForOutput("ready"));
 
   Transport newcomer;
@@ -206,8 +204,85 @@ TEST_F(NodeTest, FindsEveryTopicOfEveryProcess) {
   EXPECT_EQ(finder->output(), "found 800\n");
 }
 
+TEST_F(NodeTest, FindsEveryServiceOfEveryProcess) {
+  constexpr int kProcesses = 4;
+  constexpr int kServices = 50;
+  std::vector<std::unique_ptr<Process>> others;
+  for (int i = 0; i < kProcesses; ++i) others.push_back(peer({"offer", "1", std::to_string(kServices)}));
+  for (const auto& other : others) ASSERT_TRUE(other->waitForOutput("ready"));
+  Transport newcomer;
+  EXPECT_EQ(newcomer.discoverServices(kDeadline).size(), kProcesses * kServices);
+  EXPECT_EQ(newcomer.discover(kDeadline).size(), kProcesses);
+}
+
+TEST_F(NodeTest, GivesWhatIsLatchedToWhoComesLaterAndOnce) {
+  Publisher publisher = node_.advertise<StringMsg>("/scene", {.latched = true});
+  publisher.publish(text("old"));
+  publisher.publish(text("scene"));
+  const auto first = listener("/scene");
+  ASSERT_TRUE(first->waitForOutput("got scene\n"));
+  const auto second = listener("/scene");
+  ASSERT_TRUE(second->waitForOutput("got scene\n"));
+  publisher.publish(text("new"));
+  for (const auto* other : {&first, &second}) {
+    ASSERT_TRUE((*other)->waitForOutput("got new\n"));
+    EXPECT_EQ((*other)->output(), "ready\ngot scene\ngot new\n");
+  }
+}
+
+TEST_F(NodeTest, HearsWhatAnotherProcessLatchedInEverySubscription) {
+  auto other = peer({"latch", "/scene", "scene"});
+  ASSERT_TRUE(other->waitForOutput("ready"));
+  std::vector<std::string> heard;
+  const auto note = [&heard](const StringMsg& message) { heard.push_back(message.data()); };
+  const Subscription first = node_.subscribe<StringMsg>("/scene", note);
+  EXPECT_TRUE(dispatchUntil([&] { return heard.size() == 1; }));
+  const Subscription second = node_.subscribe<StringMsg>("/scene", note);
+  EXPECT_TRUE(dispatchUntil([&] { return heard.size() == 2; }));
+  EXPECT_EQ(heard, (std::vector<std::string>{"scene", "scene"}));
+  EXPECT_EQ(first.dropped() + second.dropped(), 0);
+
+  // when it has gone, so has what it latched
+  other->kill(SIGTERM);
+  EXPECT_EQ(other->wait(), 0);
+  EXPECT_TRUE(dispatchUntil([&] { return transport_.waitForTopic("/scene", true, {}).publishers.empty(); }));
+  const Subscription third = node_.subscribe<StringMsg>("/scene", note);
+  transport_.dispatch();
+  EXPECT_EQ(heard.size(), 2);
+}
+
+TEST_F(NodeTest, CountsWhatASubscriberThatIsStoppedLoses) {
+  Transport sender;
+  Publisher publisher = sender.node().advertise<StringMsg>("/chatter");
+  int heard = 0;
+  // one that does not dispatch stands for one that is stopped: the same messages are dropped here that would be there
+  const Subscription slow = node_.subscribe<StringMsg>("/chatter", [&](const StringMsg&) { ++heard; });
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  for (int i = 0; i < 3000; ++i) publisher.publish(text("x"));
+  EXPECT_EQ(publisher.sent(), 3000);
+  ASSERT_TRUE(publisher.waitForDelivery(kDeadline));
+  EXPECT_TRUE(dispatchUntil([&] { return slow.received() + slow.dropped() == 3000; }));
+  transport_.dispatch();
+  EXPECT_EQ(slow.received(), heard);
+  EXPECT_GT(slow.dropped(), 0);
+}
+
+TEST_F(NodeTest, KnowsThePeersTraffic) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  const auto other = listener();
+  ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+  for (int i = 0; i < 5; ++i) publisher.publish(text("x"));
+  ASSERT_TRUE(other->waitForOutput("(got x\n){5}"));
+
+  const auto publishers = [](const TopicInfo& topic) { return topic.publishers; };
+  const auto subscribers = [](const TopicInfo& topic) { return topic.subscribers; };
+  EXPECT_EQ(trafficOf(getpid(), publishers), (TopicInfo::Traffic{5, 0, 0}));
+  EXPECT_EQ(trafficOf(other->pid(), subscribers), (TopicInfo::Traffic{5, 0, 0}));
+  EXPECT_FALSE(transport_.waitForTopic("/chatter", false, kDeadline).subscribers.at(0).traffic) << "nobody has asked";
+}
+
 TEST_F(NodeTest, DoesNotListWhatHasEnded) {
-  auto other = peer({"offer", "3"});
+  auto other = peer({"offer", "3", "0"});
   ASSERT_TRUE(other->waitForOutput("ready"));
   EXPECT_EQ(transport_.discover(kDeadline).size(), 3);
   other->kill(SIGTERM);
@@ -252,30 +327,32 @@ TEST_F(NodeTest, WarnsWhenAnotherProcessSpeaksAnotherType) {
 TEST_F(NodeTest, KeepsPartitionsApart) {
   Process::Options elsewhere;
   elsewhere.environment["IGN_PARTITION"] = "elsewhere";
-  const auto other = peer({"offer", "3"}, elsewhere);
+  const auto other = peer({"offer", "3", "0"}, elsewhere);
   ASSERT_TRUE(other->waitForOutput("ready"));
   EXPECT_TRUE(transport_.discover(kDeadline).empty());
-  const auto finder = peer({"discover"}, elsewhere);
-  EXPECT_EQ(finder->wait(), 0);
-  EXPECT_EQ(finder->output(), "found 3\n");
+  // by Gazebo's later name too
+  for (const char* name : {"IGN_PARTITION", "GZ_PARTITION"}) {
+    const auto finder = peer({"discover"}, {.environment = {{name, "elsewhere"}}, .folder = {}});
+    EXPECT_EQ(finder->wait(), 0);
+    EXPECT_EQ(finder->output(), "found 3\n") << name;
+  }
 }
 
 TEST_F(NodeTest, OpensSocketsOnLoopbackOnly) {
   const Publisher publisher = node_.advertise<StringMsg>("/chatter");
   const Subscription subscription = node_.subscribe<StringMsg>("/other", [](const StringMsg&) {});
-  const std::set<std::string> sockets = ownSockets("/proc/self/net/udp");
+  const std::set<std::string> sockets = test::socketsOf(getpid(), "udp");
   EXPECT_GE(sockets.size(), 2);
   for (const std::string& socket : sockets) EXPECT_TRUE(socket.starts_with("0100007F:")) << socket;
-  EXPECT_TRUE(ownSockets("/proc/self/net/udp6").empty());
-  EXPECT_TRUE(ownSockets("/proc/self/net/tcp").empty());
+  for (const char* table : {"udp6", "tcp", "tcp6"}) EXPECT_TRUE(test::socketsOf(getpid(), table).empty()) << table;
 }
 
 TEST_F(NodeTest, LeavesNothingInSharedMemory) {
-  const std::set<std::string> before = sharedMemory();
+  const std::set<std::string> before = test::sharedMemory();
   const auto other = listener();
   Publisher publisher = node_.advertise<StringMsg>("/chatter");
   ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
-  for (const std::string& name : sharedMemory()) {
+  for (const std::string& name : test::sharedMemory()) {
     EXPECT_TRUE(before.contains(name) || name.find("fast") == std::string::npos) << name;
   }
 }
@@ -289,6 +366,65 @@ TEST_F(NodeTest, WorksWhereThereIsNothingButLoopback) {
   EXPECT_NE(alone.output().find("got 4"), std::string::npos);
 }
 
+namespace {
+
+/// Two network namespaces with a wire between them stand for two machines. PEER is another machine's program.
+constexpr const char* kTwoMachines = R"sh(
+  ip link set lo up
+  ip link add here type veth peer name there
+  unshare -n sh -c 'while ! ip link set there up 2>/dev/null; do sleep 0.01; done
+    ip link set lo up; ip addr add 10.7.7.2/24 dev there; exec '"$PEER" &
+  other=$!
+  until [ "$(readlink /proc/$other/ns/net)" != "$(readlink /proc/self/ns/net)" ]; do sleep 0.01; done
+  ip link set there netns $other && ip addr add 10.7.7.1/24 dev here && ip link set here up
+)sh";
+
+bool twoMachinesCanBeMade() {
+  return Process({"unshare", "-rn", "sh", "-c", "ip link add here type veth peer name there && unshare -n true"})
+             .wait() == 0;
+}
+
+}  // namespace
+
+TEST_F(NodeTest, TalksToAnotherMachineByTheInterfaceThatItIsGiven) {
+  if (!twoMachinesCanBeMade()) GTEST_SKIP() << "no network namespaces with a wire between them can be made here";
+  Process machines({"unshare", "-rn", "sh", "-c",
+                    "PEER='" TRANSPORT_PEER " listen /chatter'\nPONGSIM_NETWORK=there\nexport PONGSIM_NETWORK\n" +
+                        std::string(kTwoMachines) +
+                        "PONGSIM_NETWORK=10.7.7.1 " TRANSPORT_PEER " say /chatter 5 100000\nresult=$?\n"
+                        "kill $other; wait $other; exit $result"});
+  EXPECT_EQ(machines.wait(), 0) << machines.error();
+  EXPECT_EQ(
+      machines.output(), "ready\n" + [] {
+        std::string all;
+        for (int i = 0; i < 5; ++i) all += "got 100000 bytes\n";
+        return all;
+      }());
+}
+
+TEST_F(NodeTest, IsFoundOnItsOwnMachineByThoseThatAreClosedWhenItIsOpen) {
+  if (!twoMachinesCanBeMade()) GTEST_SKIP() << "no network namespaces with a wire between them can be made here";
+  // the first port of the domain is taken on loopback by a closed one, so that the open one has another
+  Process machines({"unshare", "-rn", "sh", "-c",
+                    "PEER='sleep 1000'\n" + std::string(kTwoMachines) +
+                        TRANSPORT_PEER
+                        " offer 1 0 & closed=$!\n"
+                        "PONGSIM_NETWORK=here " TRANSPORT_PEER " listen /chatter & open=$!\n" TRANSPORT_PEER
+                        " say /chatter 5 0; result=$?\n"
+                        "kill $open; wait $open; kill $closed; wait $closed; kill $other; exit $result"});
+  EXPECT_EQ(machines.wait(), 0) << machines.error();
+  EXPECT_NE(machines.output().find("got 4\n"), std::string::npos) << machines.output();
+}
+
+TEST_F(NodeTest, DoesNotTalkToAnotherMachineUnlessItIsToldTo) {
+  if (!twoMachinesCanBeMade()) GTEST_SKIP() << "no network namespaces with a wire between them can be made here";
+  Process machines({"unshare", "-rn", "sh", "-c",
+                    "PEER='env PONGSIM_NETWORK=there " TRANSPORT_PEER " offer 3 0'\n" + std::string(kTwoMachines) +
+                        TRANSPORT_PEER " discover; kill $other; wait $other"});
+  EXPECT_EQ(machines.wait(), 0) << machines.error();
+  EXPECT_NE(machines.output().find("found 0\n"), std::string::npos) << machines.output();
+}
+
 TEST_F(NodeTest, RefusesADomainThatIsNone) {
   EXPECT_THROW(Transport({.network = true, .domain = 233}), std::invalid_argument);
 }
@@ -297,7 +433,7 @@ TEST_F(NodeTest, HearsNothingOfAnotherDomain) {
   // beyond those that tests are given
   Process::Options elsewhere;
   elsewhere.environment["PONGSIM_DOMAIN"] = std::to_string(domain_ + 100);
-  const auto other = peer({"offer", "3"}, elsewhere);
+  const auto other = peer({"offer", "3", "0"}, elsewhere);
   ASSERT_TRUE(other->waitForOutput("ready"));
   EXPECT_TRUE(transport_.discover(kDeadline).empty());
 }

@@ -18,14 +18,16 @@ class NumberTarget final : public Outbox::Target {
  public:
   explicit NumberTarget(bool isOpen = true) : isOpen_(isOpen) {}
 
-  void send(std::span<const std::byte> sample) override {
+  bool send(Buffer* sample) override {
     std::unique_lock lock(mutex_);
     opened_.wait(lock, [this] { return isOpen_; });
     int number = 0;
-    std::memcpy(&number, sample.data(), sizeof number);
+    std::memcpy(&number, sample->bytes.data(), sizeof number);
     sent.push_back(number);
+    return false;
   }
   const std::string& topic() const override { return topic_; }
+  std::uint64_t dropped() const { return droppedBeforeSending(); }
 
   void open() {
     {
@@ -79,6 +81,8 @@ TEST(Outbox, WaitsForNobodyAndDropsTheOldestWithAWarning) {
   // and those that were on their way when the first did not go through
   EXPECT_LE(closed.sent.size(), 20'000U);
   EXPECT_EQ(closed.sent.back(), 29'999);
+  EXPECT_EQ(closed.sent.size() + closed.dropped(), 30'000U);
+  EXPECT_EQ(other.dropped(), 0U);
   EXPECT_TRUE(std::ranges::is_sorted(closed.sent));
 }
 

@@ -36,6 +36,18 @@ TEST(Payload, ReadsBigEndianToo) {
   EXPECT_EQ(messageInPayload(payload)->size(), 5);
 }
 
+TEST(Payload, SaysWhetherItIsKept) {
+  std::vector<std::byte> payload = framed(5);
+  EXPECT_EQ(keepingOf(payload), Keeping::kNone);
+  framePayload(payload, 5, Keeping::kKept);
+  EXPECT_EQ(keepingOf(payload), Keeping::kKept);
+  markAsAgain(payload);
+  EXPECT_EQ(keepingOf(payload), Keeping::kAgain);
+  // to whom that means nothing it is a message as any other
+  EXPECT_TRUE(messageInPayload(payload));
+  EXPECT_EQ(keepingOf({payload.data(), 3}), Keeping::kNone);
+}
+
 TEST(Payload, RefusesWhatIsTruncatedOrHasAWrongLength) {
   const std::vector<std::byte> good = framed(5);
   for (std::size_t size = 0; size < good.size(); ++size) EXPECT_FALSE(messageInPayload({good.data(), size})) << size;

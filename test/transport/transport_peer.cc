@@ -1,7 +1,10 @@
 // The other process in the tests of topics.
 //   listen TOPIC            says "ready", then "got TEXT" for each text that comes, "got N bytes" for a long one
 //   say TOPIC COUNT BYTES   waits for a listener, then publishes so many texts "0", "1", ..., filled up to BYTES
-//   offer COUNT             publishes on so many topics /PID/0, /PID/1, ..., says "ready"
+//   latch TOPIC TEXT        publishes the text once, latched, says "ready"
+//   flood TOPIC TYPE RATE   publishes empty messages, tries so many a second, says "ready" with the first
+//   offer COUNT SERVICES    publishes on so many topics /PID/0, /PID/1, ..., and offers so many services of such names,
+//                           says "ready"
 //   discover                says how many topics it finds
 //   serve SERVICE HOW       offers to echo texts ("echo"), to refuse them ("refuse"), to hang ("hang") or to answer the
 //                           first and end ("once"); says "ready", then "asked TEXT" for each request
@@ -17,6 +20,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "pongsim/node.hh"
@@ -34,6 +38,8 @@ std::atomic<bool> stopped = false;
 
 void dispatchUntilStopped(Transport& transport) {
   while (!stopped) transport.dispatchFor(std::chrono::milliseconds(20));
+  // what came before the end was asked for
+  transport.dispatch();
 }
 
 int listen(Transport& transport, const std::string& topic) {
@@ -61,11 +67,36 @@ int say(Transport& transport, const std::string& topic, int count, std::size_t b
   return publisher.waitForDelivery(kDeadline) ? 0 : 1;
 }
 
-int offer(Transport& transport, int count) {
+int latch(Transport& transport, const std::string& topic, const std::string& text) {
+  Publisher publisher = transport.node().advertise<StringMsg>(topic, {.latched = true});
+  StringMsg message;
+  message.set_data(text);
+  publisher.publish(message);
+  std::cout << "ready" << std::endl;
+  dispatchUntilStopped(transport);
+  return 0;
+}
+
+int flood(Transport& transport, const std::string& topic, const std::string& type, int rate) {
+  Publisher publisher = transport.node().advertise(topic, type);
+  if (!publisher.waitForSubscribers(kDeadline)) return 1;
+  const pongsim::MessagePointer message = pongsim::newMessage(type);
+  std::cout << "ready" << std::endl;
+  for (auto next = std::chrono::steady_clock::now(); !stopped; next += std::chrono::milliseconds(1)) {
+    for (int i = 0; i < rate / 1000; ++i) publisher.publish(*message);
+    std::this_thread::sleep_until(next);
+  }
+  return 0;
+}
+
+int offer(Transport& transport, int count, int serviceCount) {
   std::vector<Publisher> publishers;
-  for (int i = 0; i < count; ++i) {
-    const std::string topic = "/" + std::to_string(getpid()) + "/" + std::to_string(i);
-    publishers.push_back(transport.node().advertise<StringMsg>(topic));
+  std::vector<pongsim::Service> services;
+  const auto name = [](int i) { return "/" + std::to_string(getpid()) + "/" + std::to_string(i); };
+  for (int i = 0; i < count; ++i) publishers.push_back(transport.node().advertise<StringMsg>(name(i)));
+  for (int i = 0; i < serviceCount; ++i) {
+    services.push_back(
+        transport.node().serve<StringMsg, StringMsg>(name(i), [](const StringMsg&, StringMsg&) { return true; }));
   }
   std::cout << "ready" << std::endl;
   dispatchUntilStopped(transport);
@@ -107,7 +138,11 @@ int main(int count, char** texts) {
   if (arguments.at(0) == "say") {
     return say(transport, arguments.at(1), std::stoi(arguments.at(2)), std::stoul(arguments.at(3)));
   }
-  if (arguments.at(0) == "offer") return offer(transport, std::stoi(arguments.at(1)));
+  if (arguments.at(0) == "latch") return latch(transport, arguments.at(1), arguments.at(2));
+  if (arguments.at(0) == "flood") {
+    return flood(transport, arguments.at(1), arguments.at(2), std::stoi(arguments.at(3)));
+  }
+  if (arguments.at(0) == "offer") return offer(transport, std::stoi(arguments.at(1)), std::stoi(arguments.at(2)));
   if (arguments.at(0) == "serve") return serve(transport, arguments.at(1), arguments.at(2));
   if (arguments.at(0) == "ask") return ask(transport, arguments.at(1), std::stoi(arguments.at(2)));
   std::cout << "found " << transport.discover(kDeadline).size() << std::endl;

@@ -1,0 +1,70 @@
+#include "base/workers.hh"
+
+namespace pongsim::base {
+
+namespace {
+
+/// In `inside_`, beside the number of threads.
+constexpr std::uint32_t kOpen = 1U << 31U;
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
+Workers::Workers(int threads, int looks) : looks_(looks) {
+  for (int worker = 1; worker < threads; ++worker) threads_.emplace_back([this, worker] { help(worker); });
+}
+
+Workers::~Workers() {
+  ends_ = true;
+  ++round_;
+  round_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void Workers::share(std::size_t count, Call call, void* context) {
+  count_ = count;
+  call_ = call;
+  context_ = context;
+  next_ = 0;
+  inside_ = kOpen;
+  ++round_;
+  round_.notify_all();
+  take(0);
+  // all is taken; who sleeps needs not wake for it, but who is at it must end
+  inside_.fetch_and(~kOpen);
+  while (inside_ != 0) pause();
+}
+
+void Workers::take(int worker) {
+  for (std::size_t i = next_++; i < count_; i = next_++) call_(context_, i, worker);
+}
+
+void Workers::help(int worker) {
+  for (std::uint32_t round = 0;;) {
+    round = waitForRound(round);
+    if (ends_) return;
+    std::uint32_t inside = inside_;
+    while ((inside & kOpen) != 0 && !inside_.compare_exchange_weak(inside, inside + 1)) {
+    }
+    if ((inside & kOpen) == 0) continue;
+    take(worker);
+    --inside_;
+  }
+}
+
+std::uint32_t Workers::waitForRound(std::uint32_t last) const {
+  for (int i = 0; i < looks_; ++i) {
+    const std::uint32_t round = round_;
+    if (round != last) return round;
+    pause();
+  }
+  round_.wait(last);
+  return round_;
+}
+
+}  // namespace pongsim::base

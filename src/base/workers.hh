@@ -1,0 +1,64 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace pongsim::base {
+
+/// Threads that share a piece of work which comes again and again, thousands of times a second: they wait awake for a
+/// moment before they sleep. Allocates nothing once made.
+class Workers {
+ public:
+  /// @param threads How many work, the caller of `forEach` included; at least 1.
+  /// @param looks How often a thread looks for work before it sleeps. 2,000 are some tens of microseconds: what lies
+  /// between two pieces of work in a step.
+  explicit Workers(int threads, int looks = 2000);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  int count() const { return static_cast<int>(threads_.size()) + 1; }
+
+  /// Calls `work(index, worker)` for each index below `count` and returns when all calls have; `worker` is below
+  /// `this->count()`, and no two calls at once have the same. Which worker does what is not said. The work must not
+  /// throw.
+  template <class Work>
+  void forEach(std::size_t count, Work&& work) {
+    if (threads_.empty() || count < 2) {
+      for (std::size_t i = 0; i < count; ++i) work(i, 0);
+      return;
+    }
+    share(
+        count, [](void* context, std::size_t index, int worker) { (*static_cast<Work*>(context))(index, worker); },
+        &work);
+  }
+
+ private:
+  using Call = void (*)(void* context, std::size_t index, int worker);
+
+  void share(std::size_t count, Call call, void* context);
+  void help(int worker);
+  void take(int worker);
+  /// Waits until there is another round than `last`.
+  std::uint32_t waitForRound(std::uint32_t last) const;
+
+  const int looks_;
+
+  // the work; written only while nobody is in it
+  std::size_t count_ = 0;
+  Call call_ = nullptr;
+  void* context_ = nullptr;
+  std::atomic<std::size_t> next_ = 0;
+
+  /// How many threads are in the work, and whether more may come in.
+  std::atomic<std::uint32_t> inside_ = 0;
+  /// Counts the pieces of work.
+  std::atomic<std::uint32_t> round_ = 0;
+  std::atomic<bool> ends_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace pongsim::base

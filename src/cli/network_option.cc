@@ -1,0 +1,30 @@
+#include "cli/network_option.hh"
+
+#include <CLI/App.hpp>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include "cli/console.hh"
+#include "transport/interfaces.hh"
+
+namespace pongsim::cli {
+
+void addNetworkOption(CLI::App& command) {
+  const auto open = [](const std::string& interface) {
+    if (interface.empty()) throw UsageError("option '--network' takes an interface's name or address, not ''");
+    try {
+      transport::chosenInterface(interface);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());
+    }
+    setenv("PONGSIM_NETWORK", interface.c_str(), 1);
+  };
+  command
+      .add_option_function<std::string>("--network", open,
+                                        "Talk to other machines too, by a network interface's name or address,\n"
+                                        "and let anybody there talk to it")
+      ->type_name("INTERFACE");
+}
+
+}  // namespace pongsim::cli

@@ -1,0 +1,231 @@
+#include "physics/lcp.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace pongsim::physics {
+
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// Pivots after which a row goes in circles.
+int mostPivots(int rows) { return 30 + 3 * rows; }
+
+/// Four sums side by side, always in the same order.
+double dot(const double* a, const double* b, std::size_t count) {
+  double sums[4] = {0, 0, 0, 0};
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) {
+    for (std::size_t j = 0; j < 4; ++j) sums[j] += a[i + j] * b[i + j];
+  }
+  for (; i < count; ++i) sums[0] += a[i] * b[i];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+}  // namespace
+
+bool Lcp::solve(const Problem& problem, double* x) {
+  begin(problem, x);
+  if (!solveUnbounded()) return false;
+  bool hasFriction = false;
+  for (int row = 0; row < problem.rows; ++row) {
+    if (states_[static_cast<std::size_t>(row)] != State::kOut) continue;
+    if (problem.normalOf[row] >= 0 && !hasFriction) {
+      hasFriction = true;
+      setFrictionBounds();
+    }
+    if (!drive(row)) return false;
+  }
+  return true;
+}
+
+void Lcp::begin(const Problem& problem, double* x) {
+  problem_ = problem;
+  x_ = x;
+  rows_ = static_cast<std::size_t>(problem.rows);
+  std::fill(x, x + rows_, 0.0);
+  states_.assign(rows_, State::kOut);
+  w_.assign(rows_, 0);
+  lowest_.assign(problem.lowest, problem.lowest + rows_);
+  highest_.assign(problem.highest, problem.highest + rows_);
+  dx_.assign(rows_, 0);
+  dw_.assign(rows_, 0);
+  free_.clear();
+  free_.reserve(rows_);
+  L_.resize(std::max(L_.size(), rows_ * rows_));
+  D_.resize(std::max(D_.size(), rows_));
+  values_.reserve(rows_);
+}
+
+// equations: they hold whatever the others do
+bool Lcp::solveUnbounded() {
+  for (int row = 0; row < problem_.rows; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (problem_.normalOf[row] >= 0 || lowest_[i] != -kUnbounded || highest_[i] != kUnbounded) continue;
+    if (!setFree(row)) return false;
+  }
+  values_.clear();
+  for (const int row : free_) values_.push_back(problem_.b[row]);
+  solveFactors(values_);
+  for (std::size_t i = 0; i < free_.size(); ++i) x_[free_[i]] = values_[i];
+  return true;
+}
+
+void Lcp::setFrictionBounds() {
+  for (std::size_t i = 0; i < rows_; ++i) {
+    if (problem_.normalOf[i] < 0) continue;
+    const double normal = std::abs(x_[problem_.normalOf[i]]);
+    // a factor without end is no friction without a normal force
+    lowest_[i] = normal > 0 ? lowest_[i] * normal : 0;
+    highest_[i] = normal > 0 ? highest_[i] * normal : 0;
+  }
+}
+
+bool Lcp::drive(int row) {
+  const auto i = static_cast<std::size_t>(row);
+  w_[i] = dot(rowOfA(i), x_, rows_) - problem_.b[row];
+  if (lowest_[i] == 0 && w_[i] >= 0) {
+    setBound(row, State::kLowest);
+    return true;
+  }
+  if (highest_[i] == 0 && w_[i] <= 0) {
+    setBound(row, State::kHighest);
+    return true;
+  }
+  for (int pivots = 0; pivots < mostPivots(problem_.rows); ++pivots) {
+    if (w_[i] == 0) return setFree(row);
+    const double direction = w_[i] < 0 ? 1 : -1;
+    takeDirection(row, direction);
+    if (!(direction * dw_[i] > 0)) return false;
+    const Way way = findWay(row, direction);
+    for (std::size_t k = 0; k < rows_; ++k) {
+      x_[k] += way.length * dx_[k];
+      w_[k] += way.length * dw_[k];
+    }
+    if (way.becomes == State::kFree) {
+      w_[static_cast<std::size_t>(way.row)] = 0;
+      if (!setFree(way.row)) return false;
+    } else {
+      setBound(way.row, way.becomes);
+    }
+    if (way.row == row) return true;
+  }
+  return false;
+}
+
+/// Sets how the free x follow where the row's x goes into the direction, and what that does to w of the others.
+void Lcp::takeDirection(int row, double direction) {
+  const double* const A = rowOfA(static_cast<std::size_t>(row));
+  values_.clear();
+  for (const int each : free_) values_.push_back(-direction * A[each]);
+  solveFactors(values_);
+  std::fill(dx_.begin(), dx_.end(), 0.0);
+  for (std::size_t i = 0; i < free_.size(); ++i) dx_[static_cast<std::size_t>(free_[i])] = values_[i];
+  dx_[static_cast<std::size_t>(row)] = direction;
+  for (std::size_t k = 0; k < rows_; ++k) {
+    const bool counts =
+        states_[k] == State::kLowest || states_[k] == State::kHighest || k == static_cast<std::size_t>(row);
+    dw_[k] = counts ? dot(rowOfA(k), dx_.data(), rows_) : 0;
+  }
+}
+
+Lcp::Way Lcp::findWay(int row, double direction) const {
+  const auto i = static_cast<std::size_t>(row);
+  Way way{-w_[i] / dw_[i], row, State::kFree};
+  if (direction > 0) {
+    shorten(way, row, highest_[i] - x_[i], State::kHighest);
+  } else {
+    shorten(way, row, x_[i] - lowest_[i], State::kLowest);
+  }
+  for (std::size_t k = 0; k < rows_; ++k) {
+    const int other = static_cast<int>(k);
+    if (states_[k] == State::kFree) {
+      if (dx_[k] < 0) shorten(way, other, (lowest_[k] - x_[k]) / dx_[k], State::kLowest);
+      if (dx_[k] > 0) shorten(way, other, (highest_[k] - x_[k]) / dx_[k], State::kHighest);
+    } else if (lowest_[k] != highest_[k]) {
+      const bool leaves = (states_[k] == State::kLowest && dw_[k] < 0) || (states_[k] == State::kHighest && dw_[k] > 0);
+      if (leaves) shorten(way, other, -w_[k] / dw_[k], State::kFree);
+    }
+  }
+  return way;
+}
+
+void Lcp::shorten(Way& way, int row, double length, State becomes) const {
+  // rounding may have taken it beyond already
+  length = std::max(length, 0.0);
+  if (length < way.length) way = {length, row, becomes};
+}
+
+/// @return False where A is not positive definite.
+bool Lcp::setFree(int row) {
+  const double* const A = rowOfA(static_cast<std::size_t>(row));
+  const std::size_t place = free_.size();
+  double* const l = factorRow(place);
+  for (std::size_t j = 0; j < place; ++j) l[j] = A[free_[j]] - dot(l, factorRow(j), j);
+  double d = A[row];
+  for (std::size_t j = 0; j < place; ++j) {
+    const double unscaled = l[j];
+    l[j] /= D_[j];
+    d -= unscaled * l[j];
+  }
+  if (!(d > 0)) return false;
+  D_[place] = d;
+  free_.push_back(row);
+  states_[static_cast<std::size_t>(row)] = State::kFree;
+  return true;
+}
+
+void Lcp::setBound(int row, State state) {
+  const auto i = static_cast<std::size_t>(row);
+  if (states_[i] == State::kFree) dropFactor(static_cast<std::size_t>(std::ranges::find(free_, row) - free_.begin()));
+  states_[i] = state;
+  x_[i] = state == State::kLowest ? lowest_[i] : highest_[i];
+}
+
+/// Takes a row and column out of the factored matrix. What stands behind them gets what they had taken from it: an
+/// update of rank one. P. E. Gill, G. H. Golub, W. Murray, M. A. Saunders, Methods for modifying matrix factorizations,
+/// Mathematics of Computation 28, 1974, method C1.
+void Lcp::dropFactor(std::size_t place) {
+  const std::size_t end = free_.size();
+  double alpha = D_[place];
+  values_.clear();
+  for (std::size_t row = place + 1; row < end; ++row) {
+    double* const to = factorRow(row - 1);
+    const double* const from = factorRow(row);
+    values_.push_back(from[place]);
+    std::copy(from, from + place, to);
+    std::copy(from + place + 1, from + row, to + place);
+    D_[row - 1] = D_[row];
+  }
+  free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(place));
+  for (std::size_t j = 0; j < values_.size(); ++j) {
+    const double p = values_[j];
+    const double before = D_[place + j];
+    const double after = before + alpha * p * p;
+    const double beta = alpha * p / after;
+    alpha *= before / after;
+    D_[place + j] = after;
+    for (std::size_t r = j + 1; r < values_.size(); ++r) {
+      double& l = factorRow(place + r)[place + j];
+      values_[r] -= p * l;
+      l += beta * values_[r];
+    }
+  }
+}
+
+/// Solves L D L^T y = `values` in place.
+void Lcp::solveFactors(std::vector<double>& values) const {
+  const std::size_t count = free_.size();
+  for (std::size_t i = 0; i < count; ++i) values[i] -= dot(factorRow(i), values.data(), i);
+  for (std::size_t i = 0; i < count; ++i) values[i] /= D_[i];
+  for (std::size_t i = count; i-- > 0;) {
+    const double* const l = factorRow(i);
+    const double value = values[i];
+    for (std::size_t j = 0; j < i; ++j) values[j] -= l[j] * value;
+  }
+}
+
+}  // namespace pongsim::physics

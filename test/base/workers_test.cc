@@ -1,0 +1,50 @@
+#include "base/workers.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pongsim::base {
+namespace {
+
+TEST(Workers, DoAllOnceWhoeverDoesIt) {
+  // those that go to sleep at once, and those that look around
+  for (const auto& [threads, looks] : {std::pair(1, 0), std::pair(2, 0), std::pair(5, 0), std::pair(2, 2000)}) {
+    Workers workers(threads, looks);
+    EXPECT_EQ(workers.count(), threads);
+    for (std::size_t round = 0; round < 2000; ++round) {
+      std::vector<int> done(round % 50);
+      workers.forEach(done.size(), [&](std::size_t i, int) { ++done[i]; });
+      ASSERT_EQ(std::ranges::count(done, 1), static_cast<std::ptrdiff_t>(done.size())) << threads << " " << round;
+    }
+  }
+}
+
+TEST(Workers, GiveNoTwoCallsAtOnceTheSameNumber) {
+  Workers workers(4);
+  std::vector<std::atomic<int>> at(4);
+  std::atomic<int> clashes = 0;
+  for (int round = 0; round < 200; ++round) {
+    workers.forEach(100, [&](std::size_t, int worker) {
+      if (at[static_cast<std::size_t>(worker)]++ != 0) ++clashes;
+      --at[static_cast<std::size_t>(worker)];
+    });
+  }
+  EXPECT_EQ(clashes, 0);
+}
+
+TEST(Workers, SeeWhatWasWrittenBefore) {
+  Workers workers(3);
+  std::vector<int> values(1000, 0);
+  for (int round = 1; round <= 300; ++round) {
+    workers.forEach(values.size(), [&](std::size_t i, int) { ++values[i]; });
+    ASSERT_EQ(std::ranges::count(values, round), 1000);
+  }
+}
+
+}  // namespace
+}  // namespace pongsim::base

@@ -1,0 +1,40 @@
+// Any lines as the words of a command line: whatever they are, they are read to the end, and are something to do or are
+// refused with a message. Nothing is done.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/command.hh"
+#include "cli/console.hh"
+
+namespace {
+
+/// Help goes to stdout, where nobody reads it.
+[[maybe_unused]] const bool kQuiet = std::freopen("/dev/null", "w", stdout) != nullptr;
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
+  std::vector<std::string> words = {"pongsim"};
+  for (std::string word; std::getline(text, word);) {
+    // as no shell hands on
+    if (word.find('\0') != std::string::npos) return 0;
+    // what a command line names is read at once, and stdin and devices may not end
+    if (word.find("/dev/") != std::string::npos || word == "-" || word == "--file=-") return 0;
+    words.push_back(std::move(word));
+  }
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  try {
+    pongsim::cli::workOf(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const pongsim::cli::UsageError& error) {
+    if (std::string(error.what()).empty()) std::abort();
+  }
+  return 0;
+}
