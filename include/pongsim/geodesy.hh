@@ -24,6 +24,9 @@ class PONGSIM_API TangentPlane {
   /// @param position In this frame [m].
   GeodeticPosition at(const Vector3& position) const;
 
+  /// @return Where that place is in this frame [m].
+  Vector3 positionOf(const GeodeticPosition& place) const;
+
  private:
   /// In the frame that turns with the earth: x to the meridian zero, z to the north pole.
   Vector3 origin_;

@@ -22,6 +22,7 @@ class SystemSet;
 
 class Collision;
 class Link;
+class Scene;
 class Simulation;
 class Model;
 class Sensor;
@@ -61,6 +62,8 @@ class PONGSIM_API Link {
   std::string_view name() const;
   /// @return Pose of the link frame in the world frame.
   Pose pose() const;
+  /// @return Pose of the link frame in the frame of its model.
+  Pose poseInModel() const;
   /// @return Velocity of the link frame's origin, world frame [m/s].
   Vector3 linearVelocity() const;
   /// @return Angular velocity, world frame [rad/s].
@@ -120,13 +123,16 @@ class PONGSIM_API Collision {
 /// One visual of a link.
 class PONGSIM_API Visual {
  public:
-  Visual(std::string name, const Pose& X_LinkVisual) : name_(std::move(name)), X_LinkVisual_(X_LinkVisual) {}
+  Visual(VisualId id, std::string name, const Pose& X_LinkVisual)
+      : id_(id), name_(std::move(name)), X_LinkVisual_(X_LinkVisual) {}
+  VisualId id() const { return id_; }
   /// @return Its name in the link.
   const std::string& name() const { return name_; }
   /// @return Pose of the visual frame in the link frame; never changes.
   const Pose& poseInLink() const { return X_LinkVisual_; }
 
  private:
+  VisualId id_;
   std::string name_;
   Pose X_LinkVisual_;
 };
@@ -213,6 +219,8 @@ class PONGSIM_API Model {
   std::string scopedName() const;
   /// @return Pose of the model frame in the world frame.
   Pose pose() const;
+  /// @return Pose of the model frame in that of the model that it is nested in, or in the world frame.
+  Pose poseInParent() const;
   bool isStatic() const;
   /// @return The link that the model frame moves with; nothing for a model without links.
   std::optional<Link> canonicalLink() const;
@@ -286,6 +294,7 @@ class PONGSIM_API World {
   std::optional<TangentPlane> tangentPlane() const;
 
  private:
+  friend class Scene;
   sim::Access* access_;
 };
 

@@ -26,8 +26,6 @@ class PONGSIM_API Noise {
   /// @return The value with the noise of the reading that has begun, drawn anew at each call.
   double apply(double value);
 
-  /// Back to what it was at first.
-  void reset() { bias_ = firstBias_; }
   void transfer(StateArchive& archive) { archive(bias_); }
 
  private:
@@ -35,7 +33,6 @@ class PONGSIM_API Noise {
   std::optional<Random> stream_;
   /// For the reading that has begun.
   std::optional<Random> draws_;
-  double firstBias_ = 0;
   double bias_ = 0;
 };
 

@@ -46,13 +46,20 @@ class PONGSIM_API NoiseSet {
 
   /// As the functions of `Noise`, for all of them.
   void begin(Time time, double dt);
-  void reset();
   void transfer(StateArchive& archive);
+
+  /// Begins anew, with the streams of what was added split off from this one as they were from that at first.
+  void reset(const Random& random);
 
  private:
   Random random_;
+  struct Part {
+    NoiseSettings settings;
+    std::string name;
+    Noise noise;
+  };
   // they stay where they are
-  std::deque<Noise> noises_;
+  std::deque<Part> parts_;
 };
 
 }  // namespace pongsim

@@ -65,7 +65,9 @@ class SensorSystem : public System {
   }
 
   void reset() override {
-    for (Entry& entry : sensors_) entry.reset();
+    // in the order of the start, in which they took their random streams
+    sensors_.sort([](const Entry& a, const Entry& b) { return a.handle.id() < b.handle.id(); });
+    for (Entry& entry : sensors_) entry.reset(random_->split(entry.handle.scopedName()));
   }
 
   void transfer(StateArchive& archive) override {
@@ -93,9 +95,9 @@ class SensorSystem : public System {
       topic.publish(message);
     }
 
-    void reset() {
+    void reset(const Random& random) {
       topic.reset();
-      noises.reset();
+      noises.reset(random);
       if constexpr (requires { sensor.reset(); }) sensor.reset();
     }
 

@@ -14,6 +14,7 @@
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/node.hh"
+#include "pongsim/outcome.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -91,10 +92,27 @@ class PONGSIM_API Simulation {
   std::optional<Model> insertText(std::string_view text, std::string_view name, const InsertOptions& options,
                                   Diagnostics& diagnostics);
 
+  /// Inserts a copy of a model of the top level as it was when it came, with systems of its own, where the model is now
+  /// or as `options` do. The name must be another one, or `allowRenaming` be set.
+  std::optional<Model> insertCopy(const Model& model, const InsertOptions& options, Diagnostics& diagnostics);
+
   /// Removes a model of the top level with all that is in it, its systems, and the joints that hold on to it. Handles
   /// to all that throw `Gone` from then on.
   /// @return Why not, or nothing; likewise below.
   std::optional<std::string> remove(const Model& model);
+
+  /// Adds a light of the world.
+  /// @param light An ignition.msgs.Light that says how it is.
+  /// @return Its name, or why not.
+  Outcome<std::string> insertLight(const Message& light, const InsertOptions& options);
+  /// Changes a light. Colours, direction and position that the message has not stay, as the rotation always does;
+  /// single values that it leaves out become 0 or false, for it can't tell the one from the other.
+  /// @param light An ignition.msgs.Light that names it, by `id`, or by `name` with the `parent_id` of its link or that
+  /// of the world, or 0.
+  std::optional<std::string> changeLight(const Message& light);
+  /// Removes a light of the world.
+  /// @param id 0: it is named by its name.
+  std::optional<std::string> removeLight(LightId id, const std::string& name);
 
   /// @param size Above zero and up to `kLongestStep`.
   std::optional<std::string> setStepSize(Time size);
@@ -105,7 +123,8 @@ class PONGSIM_API Simulation {
   /// Sets the world back to its start: time zero, every bit of the state, step size, gravity and random numbers as they
   /// were then. Models inserted and joints made since go, removed ones come back with their systems; the other systems'
   /// `reset` is called. What is wrong with the systems that come back is added to `diagnostics`.
-  void reset(Diagnostics& diagnostics);
+  /// @param seed Where all random numbers come from then, as `SimulationOptions::seed`. Unset: from where they did.
+  void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed = std::nullopt);
 
   /// @return All that the next steps depend on: time, poses, velocities, joints and what drives them, points of contact
   /// with their forces, step size, gravity, random streams, and what the systems remember, as far as they tell it
@@ -117,6 +136,15 @@ class PONGSIM_API Simulation {
   std::optional<std::string> restoreState(std::span<const std::byte> state);
 
   static constexpr Time kLongestStep = std::chrono::seconds(1);
+
+  /// Looks for what inserted models name in that folder, too, after those that were there before. It is for models of
+  /// this simulation only.
+  /// @return Why not, or nothing.
+  std::optional<std::string> addResourceFolder(const std::filesystem::path& folder);
+  /// @return Where it looks, in this order.
+  std::vector<std::filesystem::path> resourceFolders() const;
+  /// @return The file or folder that an address names, as "model://box"; nothing where there is none.
+  std::optional<std::filesystem::path> resolve(const std::string& address) const;
 
   /// @return A number made of all bits of the state (time, poses, velocities, joints): equal for two runs of the
   /// same world with the same seed and inputs, different in practice for any two that differ.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <compare>
@@ -55,6 +56,13 @@ inline double yawOf(const Quaternion& rotation) {
   return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
 }
 
+/// @return Roll, pitch, yaw [rad] from which `fromRollPitchYaw` makes this rotation; the pitch within a quarter turn.
+inline Vector3 rollPitchYawOf(const Quaternion& rotation) {
+  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
+  return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
+          std::asin(std::min(std::max(2 * (w * y - z * x), -1.0), 1.0)), yawOf(rotation)};
+}
+
 /// An entity's number, of one kind only (a joint's does not pass for a link's). Never reused within a run;
 /// 0 names nothing.
 template <class Kind>
@@ -69,5 +77,7 @@ using LinkId = Id<struct LinkKind>;
 using JointId = Id<struct JointKind>;
 using CollisionId = Id<struct CollisionKind>;
 using SensorId = Id<struct SensorKind>;
+using VisualId = Id<struct VisualKind>;
+using LightId = Id<struct LightKind>;
 
 }  // namespace pongsim

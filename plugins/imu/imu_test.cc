@@ -55,6 +55,15 @@ class ImuTest : public testing::Test {
         topic, [this](const auto& message) { received_.push_back(message); });
   }
 
+  /// @return What was measured in a few steps, as text.
+  std::string measured() {
+    received_.clear();
+    step(3);
+    std::string text;
+    for (const auto& message : received_) text += messageText(message);
+    return text;
+  }
+
   /// Steps until the message of the last step has come.
   void step(std::uint64_t count) {
     simulation_->step(count);
@@ -226,6 +235,24 @@ TEST_F(ImuTest, OfFortressDemoTellsWhatItsLinkDoes) {
   EXPECT_NEAR(started[0].angularDistance(Quaternion::Identity()), 0, 1e-6);
   EXPECT_NEAR(enu[1].angularDistance(simulation_->world().model("imu_model_1")->link("link")->pose().rotation), 0,
               1e-2);
+}
+
+TEST_F(ImuTest, DrawsTheSameNoiseAgainAfterAReset) {
+  const auto begin = [this](std::uint64_t seed) {
+    start({.gravity = "0 0 0", .environment = {}, .modelPose = "0 0 9 0 0 0", .link = {}, .sensor = kNoisy},
+          "/world/w/model/m/link/l/sensor/s/imu", seed);
+  };
+  Diagnostics diagnostics;
+  begin(5);
+  const std::string first = measured();
+  EXPECT_NE(measured(), first);
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(measured(), first);
+  simulation_->reset(diagnostics, 6);
+  const std::string other = measured();
+  EXPECT_NE(other, first);
+  begin(6);
+  EXPECT_EQ(measured(), other);
 }
 
 }  // namespace

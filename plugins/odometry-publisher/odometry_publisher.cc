@@ -18,12 +18,6 @@ namespace pongsim {
 
 namespace {
 
-/// Roll, pitch and yaw [rad] of R = Rz(yaw) Ry(pitch) Rx(roll).
-Vector3 anglesOf(const Quaternion& rotation) {
-  const Matrix3 R = rotation.toRotationMatrix();
-  return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)), std::atan2(R(1, 0), R(0, 0))};
-}
-
 /// Publishes where a model is and how fast, as the simulation knows it.
 class OdometryPublisher : public System {
  public:
@@ -96,10 +90,10 @@ class OdometryPublisher : public System {
 
   /// The change of pose in a step, in the axes of the base, as Fortress takes it.
   void addVelocity(const Pose& X_WorldBase, double dt) {
-    Vector3 turn = anglesOf(X_WorldBase.rotation) - anglesOf(last_.rotation);
+    Vector3 turn = rollPitchYawOf(X_WorldBase.rotation) - rollPitchYawOf(last_.rotation);
     for (double& angle : turn) angle = std::remainder(angle, 2 * std::numbers::pi);
     const Quaternion axes =
-        isSpatial_ ? X_WorldBase.rotation : fromRollPitchYaw(0, 0, anglesOf(X_WorldBase.rotation).z());
+        isSpatial_ ? X_WorldBase.rotation : fromRollPitchYaw(0, 0, rollPitchYawOf(X_WorldBase.rotation).z());
     const Vector3 way = axes.conjugate() * (X_WorldBase.position - last_.position);
     for (Eigen::Index i = 0; i < 3; ++i) {
       velocity_[static_cast<std::size_t>(i)].add(way[i] / dt);

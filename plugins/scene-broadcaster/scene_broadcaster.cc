@@ -1,117 +1,179 @@
-#include <ignition/msgs/pose_v.pb.h>
+#include <ignition/msgs/empty.pb.h>
+#include <ignition/msgs/scene.pb.h>
+#include <ignition/msgs/serialized_map.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+#include <ignition/msgs/uint32_v.pb.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "pongsim/fields.hh"
+#include "pongsim/background_calls.hh"
 #include "pongsim/parameters.hh"
+#include "pongsim/scene.hh"
 #include "pongsim/system.hh"
+#include "pose_topic.hh"
 
 namespace pongsim {
 
 namespace {
 
-/// A topic with the poses of some models and of their links, each in the frame of what holds it: models before links,
-/// as Fortress orders them.
-class PoseTopic {
- public:
-  void open(Node& node, const std::string& topic) { publisher_ = node.advertise<ignition::msgs::Pose_V>(topic); }
+namespace im = ignition::msgs;
 
-  /// Sets of which models it tells from now on.
-  void tellOf(std::vector<Model> models) {
-    models_ = std::move(models);
-    links_.clear();
-    message_.Clear();
-    for (const Model& model : models_) add(model.name(), model.id().value);
-    for (const Model& model : models_) {
-      for (const Link& link : model.links()) {
-        add(link.name(), link.id().value);
-        links_.push_back({model, link});
-      }
-    }
-  }
+/// How many states may wait for their services to be called: each may be large.
+constexpr std::size_t kMostCallbacks = 8;
 
-  void publish(Time time) {
-    if (!publisher_.hasSubscribers()) return;
-    setStamp(time, *message_.mutable_header());
-    int next = 0;
-    for (const Model& model : models_) setPose(model.pose(), *message_.mutable_pose(next++));
-    for (const auto& [model, link] : links_) {
-      setPose(model.pose().inverse() * link.pose(), *message_.mutable_pose(next++));
-    }
-    publisher_.publish(message_);
-  }
-
- private:
-  struct LinkOfModel {
-    Model model;
-    Link link;
-  };
-
-  void add(std::string_view name, std::uint64_t id) {
-    ignition::msgs::Pose& pose = *message_.add_pose();
-    pose.set_name(std::string(name));
-    pose.set_id(static_cast<std::uint32_t>(id));
-  }
-
-  Publisher publisher_;
-  std::vector<Model> models_;
-  std::vector<LinkOfModel> links_;
-  ignition::msgs::Pose_V message_;
-};
-
-/// Publishes where the models and links are.
+/// Publishes what is in the world and where it is.
 class SceneBroadcaster : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes where the models and links are.", Declaration::Place::kWorld);
-    declaration.parameter("dynamic_pose_hertz", &rate_, "Hz", "messages a simulated second").above(0);
-    declaration.element("state_hertz", "rate of `/world/W/state`, which is not there");
+    declaration.is("Publishes what is in the world and where it is.", Declaration::Place::kWorld);
+    declaration.parameter("dynamic_pose_hertz", &poseRate_, "Hz", "messages with poses a simulated second").above(0);
+    declaration.parameter("state_hertz", &stateRate_, "Hz", "messages with the state a simulated second").above(0);
     declaration.publishes("/world/W/pose/info", "ignition.msgs.Pose_V",
-                          "models in the world and links in their models");
-    declaration.publishes("/world/W/dynamic_pose/info", "ignition.msgs.Pose_V", "the same of what is not static");
+                          "models, links, visuals and lights, each in the frame of what holds it");
+    declaration.publishes("/world/W/dynamic_pose/info", "ignition.msgs.Pose_V", "models and links that are not static");
+    declaration.publishes("/world/W/scene/info", "ignition.msgs.Scene", "models and lights when they come");
+    declaration.publishes("/world/W/scene/deletion", "ignition.msgs.UInt32_V",
+                          "the ids of models and lights that went");
+    declaration.publishes("/world/W/state", "ignition.msgs.SerializedStepMap",
+                          "what moves; where something came or went, all");
+    declaration.serves("/world/W/scene/info", "ignition.msgs.Empty", "ignition.msgs.Scene", "all models and lights");
+    declaration.serves("/world/W/scene/graph", "ignition.msgs.Empty", "ignition.msgs.StringMsg",
+                       "who holds whom, as text for Graphviz");
+    declaration.serves("/world/W/state", "ignition.msgs.Empty", "ignition.msgs.SerializedStepMap",
+                       "all entities with their components");
+    declaration.serves("/world/W/state_async", "ignition.msgs.StringMsg", "ignition.msgs.Empty",
+                       "calls the service that the request names with the state; of it is expected an Empty");
   }
 
   void configure(const SystemContext& context) override {
-    period_ = periodOf(rate_);
+    poses_ = Schedule(periodOf(poseRate_));
+    states_ = Schedule(periodOf(stateRate_));
+    world_ = &context.world;
+    scene_.emplace(context.world);
+    calls_.emplace(context.node, context.log, kMostCallbacks);
 
     const std::string prefix = cleanTopic("/world/" + std::string(context.world.name()));
-    all_.open(context.node, prefix + "/pose/info");
-    moving_.open(context.node, prefix + "/dynamic_pose/info");
-    world_ = &context.world;
+    allPoses_.open(context.node, prefix + "/pose/info");
+    movingPoses_.open(context.node, prefix + "/dynamic_pose/info");
+    scenePublisher_ = context.node.advertise<im::Scene>(prefix + "/scene/info");
+    deletionPublisher_ = context.node.advertise<im::UInt32_V>(prefix + "/scene/deletion");
+    statePublisher_ = context.node.advertise<im::SerializedStepMap>(prefix + "/state");
+    offer(context.node, prefix);
     worldChanged();
   }
 
   void postUpdate(const StepInfo& info) override {
-    if (!info.paused && info.time < due_) return;
-    // On a grid, so that the rate is kept where it is no multiple of the step.
-    due_ = Time((info.time / period_ + 1) * period_.count());
-    all_.publish(info.time);
-    moving_.publish(info.time);
+    isPaused_ = info.paused;
+    if (poses_.isDue(info.time) || info.paused) {
+      allPoses_.publish(info.time);
+      movingPoses_.publish(info.time);
+    }
+    // while paused every third time, which is about 30 Hz
+    const bool isDue = states_.isDue(info.time) || (info.paused && pausedSteps_++ % 3 == 0);
+    if (hasChanged_ || isDue) publishState(info);
   }
 
-  void reset() override { due_ = Time::zero(); }
+  void reset() override {
+    poses_.reset();
+    states_.reset();
+    hasChanged_ = true;
+  }
 
-  void transfer(StateArchive& archive) override { archive(due_); }
+  void transfer(StateArchive& archive) override {
+    poses_.transfer(archive);
+    states_.transfer(archive);
+  }
 
   void worldChanged() override {
-    std::vector<Model> all = world_->models();
-    std::vector<Model> moving;
-    std::ranges::copy_if(all, std::back_inserter(moving), [](const Model& model) { return !model.isStatic(); });
-    all_.tellOf(std::move(all));
-    moving_.tellOf(std::move(moving));
+    allPoses_.tellOf(*world_, false);
+    movingPoses_.tellOf(*world_, true);
+    tellOfChanges();
+    hasChanged_ = true;
   }
 
  private:
-  double rate_ = 60;
+  void offer(Node& node, const std::string& prefix) {
+    services_.push_back(node.serve<im::Empty, im::Scene>(prefix + "/scene/info", [this](const auto&, auto& reply) {
+      scene_->fillIn(reply);
+      return true;
+    }));
+    services_.push_back(node.serve<im::Empty, im::StringMsg>(prefix + "/scene/graph", [this](const auto&, auto& reply) {
+      reply.set_data(scene_->graph());
+      return true;
+    }));
+    services_.push_back(
+        node.serve<im::Empty, im::SerializedStepMap>(prefix + "/state", [this](const auto&, auto& reply) {
+          scene_->fillInState(reply, StateContent::kAll, isPaused_);
+          return true;
+        }));
+    services_.push_back(node.serve<im::StringMsg, im::Empty>(
+        prefix + "/state_async", [this](const auto& request, auto&) { return sendState(request.data()); }));
+  }
+
+  ServiceAnswer sendState(const std::string& service) {
+    if (service.empty()) return ServiceAnswer::refused("the request names no service");
+    auto state = std::make_shared<im::SerializedStepMap>();
+    scene_->fillInState(*state, StateContent::kAll, isPaused_);
+    const bool isPosted = calls_->post({.service = service,
+                                        .request = std::move(state),
+                                        .replyType = im::Empty::descriptor()->full_name(),
+                                        .timeout = std::chrono::seconds(5)});
+    return isPosted ? true : ServiceAnswer::refused("too many wait for the state already");
+  }
+
+  void publishState(const StepInfo& info) {
+    const StateContent content = std::exchange(hasChanged_, false) ? StateContent::kAll : StateContent::kMoving;
+    if (!statePublisher_.hasSubscribers()) return;
+    im::SerializedStepMap message;
+    scene_->fillInState(message, content, info.paused);
+    statePublisher_.publish(message);
+  }
+
+  /// Who has come and who has gone since the last time.
+  void tellOfChanges() {
+    std::vector<std::uint64_t> now = scene_->topLevelIds();
+    std::vector<std::uint64_t> come, gone;
+    std::ranges::set_difference(now, known_, std::back_inserter(come));
+    std::ranges::set_difference(known_, now, std::back_inserter(gone));
+    known_ = std::move(now);
+    if (!come.empty()) {
+      im::Scene message;
+      scene_->fillIn(message, [&come](std::uint64_t id) { return std::ranges::binary_search(come, id); });
+      scenePublisher_.publish(message);
+    }
+    if (gone.empty()) return;
+    im::UInt32_V message;
+    for (const std::uint64_t id : gone) message.add_data(static_cast<std::uint32_t>(id));
+    deletionPublisher_.publish(message);
+  }
+
+  double poseRate_ = 60;
+  double stateRate_ = 60;
   World* world_ = nullptr;
-  Time period_{0};
-  Time due_{0};
-  PoseTopic all_;
-  PoseTopic moving_;
+  std::optional<Scene> scene_;
+  Schedule poses_;
+  Schedule states_;
+  PoseTopic allPoses_;
+  PoseTopic movingPoses_;
+  Publisher scenePublisher_;
+  Publisher deletionPublisher_;
+  Publisher statePublisher_;
+  std::optional<BackgroundCalls> calls_;
+  std::vector<Service> services_;
+  /// Ids of the models and lights that have been told of, in ascending order.
+  std::vector<std::uint64_t> known_;
+  bool hasChanged_ = true;
+  bool isPaused_ = true;
+  std::uint64_t pausedSteps_ = 0;
 };
 
 }  // namespace

@@ -1,11 +1,18 @@
 #include <gtest/gtest.h>
+#include <ignition/msgs/empty.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
+#include <ignition/msgs/scene.pb.h>
+#include <ignition/msgs/serialized_map.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+#include <ignition/msgs/uint32_v.pb.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "pongsim/simulation.hh"
+#include "support/ask_service.hh"
 
 namespace pongsim::scene_broadcaster_test {
 namespace {
@@ -39,6 +46,26 @@ class SceneBroadcasterTest : public testing::Test {
     };
     allSubscription_ = listen("/world/drop_test/pose/info", all_);
     movingSubscription_ = listen("/world/drop_test/dynamic_pose/info", moving_);
+  }
+
+  /// Calls a service of the world, which goes on being paused meanwhile.
+  template <class Reply>
+  CallResult ask(const std::string& service, const Message& request, Reply& reply) {
+    return test::askService(simulation_->transport(), "/world/drop_test" + service, request, reply,
+                            [this] { simulation_->stepPaused(); });
+  }
+
+  template <class M>
+  Subscription listenTo(const std::string& topic, std::vector<M>& into) {
+    return simulation_->transport().node().subscribe<M>("/world/drop_test" + topic,
+                                                        [&into](const M& message) { into.push_back(message); });
+  }
+
+  void insertBox() {
+    Diagnostics diagnostics;
+    simulation_->insertText("<sdf version='1.9'><model name='box'><link name='l'/></model></sdf>", "box", {},
+                            diagnostics);
+    EXPECT_FALSE(diagnostics.hasErrors());
   }
 
   std::unique_ptr<Simulation> simulation_;
@@ -94,6 +121,74 @@ TEST_F(SceneBroadcasterTest, SpeaksWhilePaused) {
   simulation_->stepPaused();
   ASSERT_EQ(moving_.size(), 1U);
   EXPECT_EQ(moving_[0].pose(0).position().z(), 2);
+}
+
+TEST_F(SceneBroadcasterTest, AnswersWithTheSceneTheGraphAndTheState) {
+  start(world(broadcaster("")));
+  ignition::msgs::Scene scene;
+  EXPECT_TRUE(ask("/scene/info", ignition::msgs::Empty(), scene));
+  ASSERT_EQ(scene.model_size(), 2);
+  EXPECT_EQ(scene.model(1).link(0).name(), "skin");
+  ignition::msgs::StringMsg graph;
+  EXPECT_TRUE(ask("/scene/graph", ignition::msgs::Empty(), graph));
+  EXPECT_NE(graph.data().find("[label=\"ball ("), std::string::npos) << graph.data();
+  ignition::msgs::SerializedStepMap state;
+  EXPECT_TRUE(ask("/state", ignition::msgs::Empty(), state));
+  EXPECT_TRUE(state.stats().paused());
+  EXPECT_EQ(state.state().entities_size(), 5) << "world, floor, slab, ball, skin";
+}
+
+TEST_F(SceneBroadcasterTest, CallsBackWithTheState) {
+  start(world(broadcaster("")));
+  std::vector<ignition::msgs::SerializedStepMap> states;
+  const Service service =
+      simulation_->transport().node().serve<ignition::msgs::SerializedStepMap, ignition::msgs::Empty>(
+          "/call_me", [&states](const auto& request, auto&) {
+            states.push_back(request);
+            return true;
+          });
+  ignition::msgs::StringMsg request;
+  ignition::msgs::Empty reply;
+  const CallResult nobody = ask("/state_async", request, reply);
+  EXPECT_EQ(nobody.outcome, CallOutcome::kRefused);
+  request.set_data("/call_me");
+  EXPECT_TRUE(ask("/state_async", request, reply));
+  while (states.empty()) simulation_->transport().dispatchFor(std::chrono::milliseconds(10));
+  EXPECT_EQ(states[0].state().entities_size(), 5);
+}
+
+TEST_F(SceneBroadcasterTest, TellsWhoComesAndWhoGoes) {
+  start(world(broadcaster("")));
+  std::vector<ignition::msgs::Scene> come;
+  std::vector<ignition::msgs::UInt32_V> gone;
+  const Subscription scenes = listenTo("/scene/info", come);
+  const Subscription deletions = listenTo("/scene/deletion", gone);
+  insertBox();
+  simulation_->step(2);
+  ASSERT_EQ(come.size(), 1U);
+  ASSERT_EQ(come[0].model_size(), 1);
+  EXPECT_EQ(come[0].model(0).name(), "box");
+  EXPECT_TRUE(gone.empty());
+  simulation_->remove(*simulation_->world().model("box"));
+  simulation_->step(2);
+  ASSERT_EQ(gone.size(), 1U);
+  ASSERT_EQ(gone[0].data_size(), 1);
+  EXPECT_EQ(gone[0].data(0), come[0].model(0).id());
+}
+
+TEST_F(SceneBroadcasterTest, TellsAllOfTheStateFirstAndThenWhatMoves) {
+  start(world(broadcaster("<state_hertz>10</state_hertz>")));
+  std::vector<ignition::msgs::SerializedStepMap> states;
+  const Subscription subscription = listenTo("/state", states);
+  simulation_->step(1001);
+  ASSERT_NEAR(static_cast<double>(states.size()), 10, 1);
+  EXPECT_EQ(states[0].state().entities_size(), 5);
+  EXPECT_EQ(states[1].state().entities_size(), 2) << "ball, skin";
+  insertBox();
+  const std::size_t before = states.size();
+  simulation_->step(2);
+  ASSERT_EQ(states.size(), before + 1) << "at once";
+  EXPECT_EQ(states.back().state().entities_size(), 7);
 }
 
 TEST(SceneBroadcasterParameters, RefusesARateOfZero) {

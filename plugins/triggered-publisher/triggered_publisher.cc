@@ -13,7 +13,7 @@
 #include "match.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
-#include "service_caller.hh"
+#include "service_call.hh"
 #include "typed_name.hh"
 
 namespace pongsim {
@@ -46,10 +46,9 @@ class TriggeredPublisher : public System {
     source_ = typedName(*input, "topic", "type");
     readMatches(*input, context.diagnostics);
     for (const Element* output : sdf.childrenNamed("output")) addOutput(*output, context);
-    std::vector<ServiceCall> calls;
-    for (const Element* service : sdf.childrenNamed("service")) calls.emplace_back(*service);
-    if (outputs_.empty() && calls.empty()) refuse(sdf, "a TriggeredPublisher needs an <output> or a <service>");
-    if (!calls.empty()) services_ = std::make_unique<ServiceCaller>(std::move(calls), context.node, context.log);
+    for (const Element* service : sdf.childrenNamed("service")) calls_.push_back(serviceCall(*service));
+    if (outputs_.empty() && calls_.empty()) refuse(sdf, "a TriggeredPublisher needs an <output> or a <service>");
+    services_.emplace(context.node, context.log);
     delay_ = std::chrono::milliseconds(delayMs_);
     checkForLoop(context);
     subscription_ =
@@ -164,14 +163,15 @@ class TriggeredPublisher : public System {
 
   void publish() {
     for (Output& output : outputs_) output.publisher.publish(*output.message);
-    if (services_) services_->call();
+    for (const BackgroundCalls::Call& call : calls_) services_->post(call);
   }
 
   int delayMs_ = 0;
   TypedName source_;
   std::vector<Match> matches_;
   std::vector<Output> outputs_;
-  std::unique_ptr<ServiceCaller> services_;
+  std::vector<BackgroundCalls::Call> calls_;
+  std::optional<BackgroundCalls> services_;
   Time delay_{0};
   Time now_{0};
   /// When to publish, soonest first.

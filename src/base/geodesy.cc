@@ -54,4 +54,8 @@ GeodeticPosition TangentPlane::at(const Vector3& position) const {
   return fromEarth(origin_ + R_EarthLocal_ * position);
 }
 
+Vector3 TangentPlane::positionOf(const GeodeticPosition& place) const {
+  return R_EarthLocal_.transpose() * (toEarth(place) - origin_);
+}
+
 }  // namespace pongsim

@@ -9,7 +9,6 @@ Noise::Noise(const NoiseSettings& settings, Random random) : settings_(settings)
   if (settings.type == NoiseSettings::Type::kNone) return;
   bias_ = random.normal(settings.biasMean, settings.biasStandardDeviation);
   if (random.uniform() < 0.5) bias_ = -bias_;
-  firstBias_ = bias_;
   stream_ = draws_ = random;
 }
 

@@ -24,6 +24,7 @@ void addSdfCommand(CLI::App& program, Work& work);
 void addCompletionCommand(CLI::App& program, Work& work);
 void addTopicCommand(CLI::App& program, Work& work);
 void addServiceCommand(CLI::App& program, Work& work);
+void addModelCommand(CLI::App& program, Work& work);
 void addWorldCommand(CLI::App& program, Work& work);
 void addKeyCommand(CLI::App& program, Work& work);
 void addPluginCommand(CLI::App& program, Work& work);

@@ -1,6 +1,7 @@
 #include <CLI/App.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "cli/command.hh"
@@ -14,15 +15,21 @@ namespace {
 constexpr const char* kBash = R"sh(# Completion of pongsim: source <(pongsim completion bash)
 _pongsim() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} choices=
+  local program=${COMP_WORDS[0]} command=${COMP_WORDS[1]}
   if [ "$COMP_CWORD" -eq 1 ]; then
     choices='@COMMANDS@'
   else
-    case $before in
-      -t | --topic | -et | -it) choices=$("${COMP_WORDS[0]}" topic -l 2>/dev/null) ;;
-      -s | --service | -is) choices=$("${COMP_WORDS[0]}" service -l 2>/dev/null) ;;
-      -m | --msgtype | --reqtype | --reptype) choices=$("${COMP_WORDS[0]}" msg -l 2>/dev/null) ;;
+    case $command/$before in
+      topic/-t | topic/--topic | topic/-et | topic/-it | key/-t | key/--topic)
+        choices=$("$program" topic -l 2>/dev/null) ;;
+      service/-s | service/--service | service/-is) choices=$("$program" service -l 2>/dev/null) ;;
+      topic/-m | topic/--msgtype | service/--reqtype | service/--reptype | msg/-[it] | msg/--info | msg/--template)
+        choices=$("$program" msg -l 2>/dev/null) ;;
+      model/-m | model/--model) choices=$("$program" model --list 2>/dev/null | sed -n 's/^ *- //p') ;;
+      */-w | */--world)
+        choices=$("$program" service -l 2>/dev/null | sed -n 's|^/world/\([^/]*\)/control$|\1|p') ;;
       *)
-        case ${COMP_WORDS[1]} in
+        case $command in
 @CASES@        esac
         [[ $word == -* ]] || choices+=" $(compgen -f -- "$word")"
         ;;
@@ -40,6 +47,10 @@ void replace(std::string& text, std::string_view mark, std::string_view by) {
   text.replace(text.find(mark), mark.size(), by);
 }
 
+/// What may stand in a command as a word of its own.
+constexpr std::pair<std::string_view, std::string_view> kActionWords[] = {
+    {"topic", "wait"}, {"world", "pause play step reset stats info"}, {"plugin", "new"}, {"completion", "bash zsh"}};
+
 /// @return The names of a command's options.
 std::string wordsOf(const CLI::App& command) {
   std::string words;
@@ -54,7 +65,11 @@ std::string script(const CLI::App& program, bool isZsh) {
   std::string commands, cases;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
     commands += command->get_name() + " ";
-    cases += "          " + command->get_name() + ") choices='" + wordsOf(*command) + "' ;;\n";
+    std::string words = wordsOf(*command);
+    for (const auto& [name, actions] : kActionWords) {
+      if (name == command->get_name()) words += " " + std::string(actions);
+    }
+    cases += "          " + command->get_name() + ") choices='" + words + "' ;;\n";
   }
   commands += wordsOf(program);
   std::string text = kBash;

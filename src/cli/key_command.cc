@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,8 @@ namespace {
 struct KeyOptions {
   std::string topic = "/keyboard/keypress";
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
+  /// Tell each key as JSON on stdout, in place of in words on stderr.
+  bool json = false;
 };
 
 /// What follows an escape in less time belongs to it: a terminal sends a key's bytes in one go.
@@ -116,7 +119,12 @@ std::optional<std::string> Keyboard::readBytes() {
 void Keyboard::send(const std::vector<Key>& keys) {
   for (const Key& key : keys) {
     publisher_.publish(*msgs::int32Message(key.code));
-    say(key.name + " (" + std::to_string(key.code) + ")");
+    if (options_.json) {
+      const nlohmann::ordered_json json = {{"key", key.name}, {"code", key.code}};
+      print(json.dump() + "\n");
+    } else {
+      say(key.name + " (" + std::to_string(key.code) + ")");
+    }
   }
 }
 
@@ -140,6 +148,8 @@ void addKeyCommand(CLI::App& program, Work& work) {
           },
           "Wait so many milliseconds (1000) for a listener, and for the last keys to arrive")
       ->type_name("MS");
+  command->add_flag("--json", options->json, "Tell of each key that is sent as a line of JSON on stdout, not in words")
+      ->disable_flag_override();
   addNetworkOption(*command);
   command->footer(
       "Sends the codes of Fortress's key publisher (Qt's): arrows, letters, digits, space, Enter, Tab, Backspace,\n"

@@ -1,11 +1,13 @@
 #include <CLI/App.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/message_option.hh"
+#include "cli/world_file.hh"
 #include "msgs/definition.hh"
 #include "msgs/message_template.hh"
 #include "pongsim/message.hh"
@@ -16,11 +18,12 @@ namespace {
 
 /// The command line as it was given.
 struct MsgCommandLine {
-  bool list = false;
+  bool list = false, json = false;
   std::optional<std::string> infoType, templateType;
 };
 
-int listTypes() {
+int listTypes(bool asJson) {
+  if (asJson) return print(nlohmann::ordered_json(messageTypes()).dump() + "\n") ? kDone : kFailed;
   std::string text;
   for (const std::string& type : messageTypes()) text += type + "\n";
   return print(text) ? kDone : kFailed;
@@ -31,11 +34,14 @@ Work workFor(const MsgCommandLine& given) {
     throw UsageError(given.list || given.infoType ? "one thing at a time" : "nothing to do given",
                      "one of --list, --info TYPE and --template TYPE");
   }
-  if (given.list) return listTypes;
+  if (given.list) return [json = given.json] { return listTypes(json); };
   const std::string type = messageTypeOption(given.infoType ? *given.infoType : *given.templateType);
-  const std::string text = given.infoType ? "// " + type + "\n" + msgs::definition(type).value_or("")
-                                          : msgs::messageTemplate(type).value_or("");
-  return [text] { return print(text) ? kDone : kFailed; };
+  const std::string text =
+      given.infoType ? "// " + type + "\n" + msgs::definition(type, ownFolder() / "message_comments").value_or("")
+                     : msgs::messageTemplate(type).value_or("");
+  if (!given.json) return [text] { return print(text) ? kDone : kFailed; };
+  const nlohmann::ordered_json json = {{"type", type}, {given.infoType ? "definition" : "template", text}};
+  return [line = json.dump() + "\n"] { return print(line) ? kDone : kFailed; };
 }
 
 }  // namespace
@@ -45,6 +51,9 @@ void addMsgCommand(CLI::App& program, Work& work) {
   CLI::App* command = program.add_subcommand("msg", "List message types, print how one is made up");
   command->set_help_flag("-h,--help", "Print this and end");
   command->add_flag("-l,--list", given->list, "Print the message types, sorted")->disable_flag_override();
+  command
+      ->add_flag("--json", given->json, "Print JSON: the list as an array, else an object with the type and its text")
+      ->disable_flag_override();
   const auto add = [command](const char* names, const char* description, std::optional<std::string>& target) {
     const auto keep = [&target](const std::string& text) { target = text; };
     command->add_option_function<std::string>(names, keep, description)->type_name("TYPE");

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,15 @@ namespace pongsim::cli {
 namespace {
 
 constexpr std::chrono::seconds kAnswerTime{5};
+
+nlohmann::ordered_json jsonOf(const ServiceInfo& service) {
+  nlohmann::ordered_json json = {{"name", service.name}, {"providers", nlohmann::ordered_json::array()}};
+  for (const ServiceInfo::Provider& provider : service.providers) {
+    json["providers"].push_back(
+        {{"pid", provider.pid}, {"requestType", provider.requestType}, {"replyType", provider.replyType}});
+  }
+  return json;
+}
 
 /// Fills in the types that the user left out.
 /// @return The exit code where they can't be had, after saying why.
@@ -40,20 +50,27 @@ std::optional<int> findTypes(Transport& transport, CallOptions& options) {
 
 }  // namespace
 
-int listServices() {
+int listServices(bool asJson) {
   Transport transport;
+  const std::vector<ServiceInfo> services = transport.discoverServices(kDiscoveryTime);
+  if (asJson) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const ServiceInfo& service : services) list.push_back(jsonOf(service));
+    return print(list.dump() + "\n") ? kDone : kFailed;
+  }
   std::string text;
-  for (const ServiceInfo& service : transport.discoverServices(kDiscoveryTime)) text += service.name + "\n";
+  for (const ServiceInfo& service : services) text += service.name + "\n";
   if (text.empty()) say("no services: nobody offers one");
   return print(text) ? kDone : kFailed;
 }
 
-int showService(const std::string& name) {
+int showService(const std::string& name, bool asJson) {
   Transport transport;
   const std::vector<ServiceInfo> services = transport.discoverServices(kDiscoveryTime);
   const auto service = std::ranges::find(services, name, &ServiceInfo::name);
   if (service == services.end()) return fail("no service " + name, nearestService(name, services));
 
+  if (asJson) return print(jsonOf(*service).dump() + "\n") ? kDone : kFailed;
   std::string text = "Service providers [Process, Request Message Type, Response Message Type]:\n";
   for (const ServiceInfo::Provider& provider : service->providers) {
     text += "  " + std::to_string(provider.pid) + ", " + provider.requestType + ", " + provider.replyType + "\n";
@@ -77,6 +94,7 @@ int callService(const CallOptions& given) {
   const CallResult result = transport.node().call(options.service, *request, *reply, timeout);
   if (result.outcome == CallOutcome::kNoService) return failWithoutService(transport, options.service);
   if (!result) return fail(result.error);
+  if (options.asJson) return print(messageJson(*reply) + "\n") ? kDone : kFailed;
   const std::string text = messageText(*reply);
   // protobuf's text leaves out what is false, 0 or empty
   if (text.empty()) say("the reply, " + options.replyType + ", has nothing but default values");

@@ -19,7 +19,7 @@ namespace {
 
 /// The command line as it was given.
 struct ServiceCommandLine {
-  bool list = false, info = false;
+  bool list = false, info = false, json = false;
   std::optional<std::string> service, requestType, replyType, timeout, text;
 };
 
@@ -27,6 +27,7 @@ Work callWork(const ServiceCommandLine& given) {
   CallOptions options;
   options.service = serviceOption(*given.service);
   options.text = *given.text;
+  options.asJson = given.json;
   if (given.requestType) options.requestType = messageTypeOption(*given.requestType);
   if (given.replyType) options.replyType = messageTypeOption(*given.replyType);
   if (given.timeout)
@@ -52,10 +53,10 @@ Work workFor(const ServiceCommandLine& given) {
     }
   }
   if (given.list && given.service) throw UsageError("option '-s' means nothing with '-l'", "it goes with -i -r");
-  if (given.list) return listServices;
+  if (given.list) return [json = given.json] { return listServices(json); };
   if (!given.service) throw UsageError("'" + std::string(action) + "' needs a service", "-s SERVICE");
   if (given.text) return callWork(given);
-  return [service = serviceOption(*given.service)] { return showService(service); };
+  return [service = serviceOption(*given.service), json = given.json] { return showService(service, json); };
 }
 
 }  // namespace
@@ -72,6 +73,8 @@ void addServiceCommand(CLI::App& program, Work& work) {
   command->add_flag("-l,--list", given->list, "Print the services that somebody offers, sorted")
       ->disable_flag_override();
   command->add_flag("-i,--info", given->info, "Print who offers a service, and its types")->disable_flag_override();
+  command->add_flag("--json", given->json, "Print JSON: the list as an array, the providers as an object, the reply")
+      ->disable_flag_override();
   add("-r,--req", "TEXT", "Call the service with that request, in protobuf's text format, and print the reply",
       given->text);
   add("-s,--service", "SERVICE", "The service", given->service);
@@ -82,7 +85,7 @@ void addServiceCommand(CLI::App& program, Work& work) {
   addNetworkOption(*command);
   command->footer(
       "Examples:\n"
-      "  pongsim service -l\n"
+      "  pongsim service -l --json\n"
       "  pongsim service -i -s /world/pong_world/control\n"
       "  pongsim service -s /world/pong_world/control --req 'pause: true'\n"
       "  pongsim service -s /world/pong_world/control --reqtype ignition.msgs.WorldControl \\\n"

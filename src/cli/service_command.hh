@@ -13,13 +13,15 @@ struct CallOptions {
   std::string replyType;
   /// The request, as protobuf's text.
   std::string text;
+  /// Print the reply as JSON.
+  bool asJson = false;
   /// For all of it; unset: a second to find the service, and five for the answer.
   std::optional<std::chrono::nanoseconds> timeout;
 };
 
 /// What `pongsim service` does; each returns the exit code.
-int listServices();
-int showService(const std::string& service);
+int listServices(bool asJson);
+int showService(const std::string& service, bool asJson);
 int callService(const CallOptions& options);
 
 }  // namespace pongsim::cli

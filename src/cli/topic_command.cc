@@ -25,7 +25,8 @@ namespace {
 /// The command line as it was given.
 struct TopicCommandLine {
   std::string action;
-  bool list = false, info = false, echo = false, hz = false, bw = false, json = false, csv = false, verbose = false;
+  bool list = false, info = false, echo = false, hz = false, bw = false, delay = false, json = false, csv = false,
+       verbose = false;
   std::optional<std::string> topic, type, text, file, count, duration, timeout, rate;
   std::vector<std::string> fields;
 };
@@ -37,13 +38,13 @@ void refuseOthers(const TopicCommandLine& given, std::string_view action) {
     bool isGiven;
     std::string_view actions;
   } rules[] = {{"-v", given.verbose, "-l"},
-               {"-t", given.topic.has_value(), "-i -e -p --hz --bw wait"},
-               {"-m", given.type.has_value(), "-e -p --hz --bw wait"},
-               {"-n", given.count.has_value(), "-e -p --hz --bw"},
-               {"-d", given.duration.has_value(), "-e --hz --bw"},
+               {"-t", given.topic.has_value(), "-i -e -p --hz --bw --delay wait"},
+               {"-m", given.type.has_value(), "-e -p --hz --bw --delay wait"},
+               {"-n", given.count.has_value(), "-e -p --hz --bw --delay"},
+               {"-d", given.duration.has_value(), "-e --hz --bw --delay"},
                {"--rate", given.rate.has_value(), "-p"},
                {"--field", !given.fields.empty(), "-e wait"},
-               {"--json-output", given.json, "-e"},
+               {"--json", given.json, "-l -i -e --hz --bw --delay"},
                {"--csv", given.csv, "-e"},
                {"--timeout", given.timeout.has_value(), "-p wait"}};
   for (const auto& rule : rules) {
@@ -74,7 +75,7 @@ Work echoWork(const TopicCommandLine& given) {
   EchoOptions options;
   options.read = readOptions(given);
   if (given.json && (given.csv || !given.fields.empty())) {
-    throw UsageError(std::string("options '--json-output' and '") + (given.csv ? "--csv" : "--field") +
+    throw UsageError(std::string("options '--json' and '") + (given.csv ? "--csv" : "--field") +
                      "' exclude each other");
   }
   options.format = given.json ? EchoFormat::kJson : given.csv ? EchoFormat::kCsv : EchoFormat::kText;
@@ -123,28 +124,32 @@ Work workFor(const TopicCommandLine& given) {
   if (!given.action.empty() && given.action != "wait") {
     throw UsageError("unexpected argument '" + given.action + "'", "the only word that may stand there is wait");
   }
-  const std::pair<std::string_view, bool> actions[] = {{"-l", given.list},
-                                                       {"-i", given.info},
-                                                       {"-e", given.echo},
-                                                       {"-p", given.text.has_value() || given.file.has_value()},
-                                                       {"--hz", given.hz},
-                                                       {"--bw", given.bw},
-                                                       {"wait", !given.action.empty()}};
+  const std::pair<std::string_view, bool> actions[] = {
+      {"-l", given.list},       {"-i", given.info},
+      {"-e", given.echo},       {"-p", given.text.has_value() || given.file.has_value()},
+      {"--hz", given.hz},       {"--bw", given.bw},
+      {"--delay", given.delay}, {"wait", !given.action.empty()}};
   const auto isGiven = [](const auto& action) { return action.second; };
   const auto chosen = std::find_if(std::begin(actions), std::end(actions), isGiven);
   if (std::count_if(std::begin(actions), std::end(actions), isGiven) != 1) {
-    throw UsageError(chosen == std::end(actions) ? "nothing to do given" : "one thing at a time",
-                     "one of --list, --info, --echo, --pub, --hz, --bw and wait; pongsim topic --help tells more");
+    throw UsageError(
+        chosen == std::end(actions) ? "nothing to do given" : "one thing at a time",
+        "one of --list, --info, --echo, --pub, --hz, --bw, --delay and wait; pongsim topic --help tells more");
   }
   const std::string_view action = chosen->first;
   refuseOthers(given, action);
-  if (given.list) return [isVerbose = given.verbose] { return listTopics(isVerbose); };
+  if (given.list) return [v = given.verbose, json = given.json] { return listTopics(v, json); };
   if (!given.topic) throw UsageError("'" + std::string(action) + "' needs a topic", "-t TOPIC");
   if (given.echo) return echoWork(given);
-  if (given.info) return [topic = topicOption(*given.topic)] { return showTopic(topic); };
+  if (given.info) {
+    return [topic = topicOption(*given.topic), json = given.json] { return showTopic(topic, json); };
+  }
   if (given.hz || given.bw) {
     const RateKind kind = given.hz ? RateKind::kMessages : RateKind::kBytes;
-    return [options = readOptions(given), kind] { return measureTopic(options, kind); };
+    return [options = readOptions(given), kind, json = given.json] { return measureTopic(options, kind, json); };
+  }
+  if (given.delay) {
+    return [options = readOptions(given), json = given.json] { return measureDelay(options, json); };
   }
   return given.action == "wait" ? waitWork(given) : publishWork(given);
 }
@@ -174,6 +179,8 @@ void addTopicCommand(CLI::App& program, Work& work) {
   add("--file", "FILE", "Publish the message that the file has, - for stdin", given->file);
   addFlag("--hz", given->hz, "Print once a second how often messages come, by the wall clock");
   addFlag("--bw", given->bw, "Print once a second how many bytes come");
+  addFlag("--delay", given->delay,
+          "Print once a second how long after their step messages come; they have a header with a time");
   add("-t,--topic", "TOPIC", "The topic", given->topic);
   add("-m,--msgtype", "TYPE", "The messages' type: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->type);
   add("-n,--num,--count", "N", "End after N messages", given->count);
@@ -185,7 +192,9 @@ void addTopicCommand(CLI::App& program, Work& work) {
                    "wait: a condition, such as 'pose.position.x >= 1'")
       ->type_name("PATH")
       ->allow_extra_args(false);
-  addFlag("--json-output", given->json, "Echo as JSON, a line each message");
+  addFlag("--json,--json-output", given->json,
+          "Print JSON: echo a line each message, --hz, --bw and --delay a line each second,\n"
+          "list an array with types and counts, info an object");
   addFlag("--csv", given->csv, "Echo as a table for spreadsheets: the fields asked for, or all single values");
   add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without the message",
       given->timeout);
@@ -193,6 +202,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
   command->footer(
       "Examples:\n"
       "  pongsim topic -l\n"
+      "  pongsim topic -l --json\n"
       "  pongsim topic -e -t /model/pong_bot/odometry -n 1\n"
       "  pongsim topic -e -t /model/pong_bot/odometry --field pose.position.x\n"
       "  pongsim topic -t /cmd_vel -m ignition.msgs.Twist -p 'linear: {x: 0.5}, angular: {z: 0.05}'\n"

@@ -47,11 +47,13 @@ enum class RateKind { kMessages, kBytes };
 
 /// What `pongsim topic` does; each returns the exit code.
 /// @param isVerbose With types and counts, and those that are only subscribed to.
-int listTopics(bool isVerbose);
-int showTopic(const std::string& topic);
+int listTopics(bool isVerbose, bool asJson);
+int showTopic(const std::string& topic, bool asJson);
 int echoTopic(const EchoOptions& options);
 int publish(const PublishOptions& options);
-int measureTopic(const ReadOptions& options, RateKind kind);
+int measureTopic(const ReadOptions& options, RateKind kind, bool asJson);
+/// How late messages come, by the clock of the run that stamps them.
+int measureDelay(const ReadOptions& options, bool asJson);
 /// @param condition Unset: any message will do.
 int waitForMessage(const ReadOptions& options, const std::optional<FieldCondition>& condition);
 

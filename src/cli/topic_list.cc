@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -39,16 +40,47 @@ std::string table(const char* title, const char* passed, const std::vector<Topic
   return text;
 }
 
+nlohmann::ordered_json jsonOf(const std::vector<TopicInfo::Endpoint>& endpoints) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const TopicInfo::Endpoint& endpoint : endpoints) {
+    nlohmann::ordered_json& added = list.emplace_back();
+    added = {{"pid", endpoint.pid}, {"type", endpoint.type}};
+    if (!endpoint.traffic) continue;
+    added["hz"] = endpoint.traffic->rate;
+    added["messages"] = endpoint.traffic->messages;
+    added["dropped"] = endpoint.traffic->dropped;
+  }
+  return list;
+}
+
 std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// @return "/clock [ignition.msgs.Clock] 1 publisher, 0 subscribers", with all types that the topic is used with.
-std::string line(const TopicInfo& topic) {
+/// @return All types that the topic is used with.
+std::set<std::string> typesOf(const TopicInfo& topic) {
   std::set<std::string> types;
   for (const auto* side : {&topic.publishers, &topic.subscribers}) {
     for (const TopicInfo::Endpoint& endpoint : *side) types.insert(endpoint.type);
   }
+  return types;
+}
+
+/// @return An array with an object for each topic, those that are only subscribed to among them.
+std::string jsonOf(const std::vector<TopicInfo>& topics) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const TopicInfo& topic : topics) {
+    list.push_back({{"name", topic.name},
+                    {"types", typesOf(topic)},
+                    {"publishers", topic.publishers.size()},
+                    {"subscribers", topic.subscribers.size()}});
+  }
+  return list.dump() + "\n";
+}
+
+/// @return "/clock [ignition.msgs.Clock] 1 publisher, 0 subscribers", with all types that the topic is used with.
+std::string line(const TopicInfo& topic) {
+  const std::set<std::string> types = typesOf(topic);
   std::string text = topic.name + " [";
   for (const std::string& type : types) text += (type == *types.begin() ? "" : ", ") + type;
   return text + "] " + counted(topic.publishers.size(), "publisher") + ", " +
@@ -57,10 +89,12 @@ std::string line(const TopicInfo& topic) {
 
 }  // namespace
 
-int listTopics(bool isVerbose) {
+int listTopics(bool isVerbose, bool asJson) {
   Transport transport;
+  const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
+  if (asJson) return print(jsonOf(topics)) ? kDone : kFailed;
   std::string text;
-  for (const TopicInfo& topic : transport.discover(kDiscoveryTime)) {
+  for (const TopicInfo& topic : topics) {
     if (isVerbose) {
       text += line(topic);
     } else if (!topic.publishers.empty()) {
@@ -71,7 +105,7 @@ int listTopics(bool isVerbose) {
   return print(text) ? kDone : kFailed;
 }
 
-int showTopic(const std::string& name) {
+int showTopic(const std::string& name, bool asJson) {
   Transport transport;
   const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
   const auto found =
@@ -84,6 +118,11 @@ int showTopic(const std::string& name) {
     listening = transport.node().subscribeBytes(name, found->publishers.front().type, [](auto) {}, {.queueLength = 1});
   }
   const TopicInfo topic = transport.watchTopic(name, kWatchTime);
+  if (asJson) {
+    const nlohmann::ordered_json json = {
+        {"name", topic.name}, {"publishers", jsonOf(topic.publishers)}, {"subscribers", jsonOf(topic.subscribers)}};
+    return print(json.dump() + "\n") ? kDone : kFailed;
+  }
   std::string text = topic.publishers.empty() ? "No publishers on topic [" + name + "]\n"
                                               : table("Publishers", "sent", topic.publishers);
   if (!topic.subscribers.empty()) text += table("Subscribers", "received", topic.subscribers);

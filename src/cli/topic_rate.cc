@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/console.hh"
+#include "cli/spread.hh"
 #include "cli/topic_command.hh"
 #include "msgs/bytes.hh"
 
@@ -18,23 +19,6 @@ using Seconds = std::chrono::duration<double>;
 
 /// How long a line of the output looks at.
 constexpr std::chrono::seconds kWindow{1};
-
-struct Spread {
-  double mean = 0, least = 0, most = 0, deviation = 0;
-};
-
-Spread spreadOf(const std::vector<double>& values) {
-  Spread spread{0, values.front(), values.front(), 0};
-  for (const double value : values) {
-    spread.mean += value / static_cast<double>(values.size());
-    spread.least = std::min(spread.least, value);
-    spread.most = std::max(spread.most, value);
-  }
-  double squares = 0;
-  for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
-  spread.deviation = std::sqrt(squares / static_cast<double>(values.size()));
-  return spread;
-}
 
 /// What `begin` to the last arrival had.
 class Window {
@@ -50,8 +34,9 @@ class Window {
   Clock::time_point begin() const { return begin_; }
   Clock::time_point last() const { return last_; }
 
-  std::string line(RateKind kind) const {
+  std::string line(RateKind kind, bool asJson) const {
     const double seconds = std::max(Seconds(last_ - begin_).count(), 1e-9);
+    if (asJson) return json(kind, seconds).dump() + "\n";
     char text[160];
     if (kind == RateKind::kMessages) {
       const Spread spread = spreadOf(spacings_);
@@ -69,13 +54,28 @@ class Window {
   }
 
  private:
+  nlohmann::ordered_json json(RateKind kind, double seconds) const {
+    const double rate = static_cast<double>(sizes_.size()) / seconds;
+    if (kind == RateKind::kBytes) {
+      const Spread spread = spreadOf(sizes_);
+      return {{"bytesPerSecond", spread.mean * rate},
+              {"mean", spread.mean},
+              {"min", spread.least},
+              {"max", spread.most},
+              {"messages", sizes_.size()}};
+    }
+    const Spread spread = spreadOf(spacings_);
+    return {{"hz", rate},         {"mean", spread.mean},           {"min", spread.least},
+            {"max", spread.most}, {"deviation", spread.deviation}, {"messages", sizes_.size()}};
+  }
+
   Clock::time_point begin_, last_;
   std::vector<double> spacings_, sizes_;
 };
 
 class RateTask final : public TopicTask {
  public:
-  explicit RateTask(RateKind kind) : kind_(kind) {}
+  RateTask(RateKind kind, bool asJson) : kind_(kind), asJson_(asJson) {}
 
   std::optional<int> take(const Message& message) override {
     const auto now = Clock::now();
@@ -92,7 +92,8 @@ class RateTask final : public TopicTask {
     if (!window_ || Clock::now() - std::max(saidNothing_, window_->last()) < 2 * kWindow) return std::nullopt;
     if (!window_->isEmpty()) return printed();
     saidNothing_ = Clock::now();
-    return print("no messages\n") ? std::nullopt : std::optional(kFailed);
+    say("no messages");
+    return std::nullopt;
   }
 
   int end(bool) override {
@@ -103,7 +104,7 @@ class RateTask final : public TopicTask {
 
  private:
   std::optional<int> printed() {
-    const std::string line = window_->line(kind_);
+    const std::string line = window_->line(kind_, asJson_);
     window_ = Window(window_->last());
     hasPrinted_ = true;
     if (print(line)) return std::nullopt;
@@ -111,6 +112,7 @@ class RateTask final : public TopicTask {
   }
 
   const RateKind kind_;
+  const bool asJson_;
   std::optional<Window> window_;
   Clock::time_point saidNothing_;
   bool hasPrinted_ = false;
@@ -118,9 +120,9 @@ class RateTask final : public TopicTask {
 
 }  // namespace
 
-int measureTopic(const ReadOptions& options, RateKind kind) {
+int measureTopic(const ReadOptions& options, RateKind kind, bool asJson) {
   TopicReader reader(options);
-  RateTask task(kind);
+  RateTask task(kind, asJson);
   return reader.run(task);
 }
 

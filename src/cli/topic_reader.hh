@@ -45,6 +45,9 @@ class TopicReader {
   /// @return The exit code.
   int run(TopicTask& task);
 
+  /// For what a task reads beside the topic.
+  Transport& transport() { return transport_; }
+
  private:
   using Clock = std::chrono::steady_clock;
 

@@ -22,16 +22,18 @@ namespace {
 /// The command line as it was given.
 struct WorldCommandLine {
   std::string action;
-  std::optional<std::string> steps, world, lines, timeout;
+  std::optional<std::string> steps, world, lines, timeout, seed;
+  bool json = false;
 };
 
-constexpr std::array<std::pair<std::string_view, WorldAction>, 5> kActions{{{"pause", WorldAction::kPause},
+constexpr std::array<std::pair<std::string_view, WorldAction>, 6> kActions{{{"pause", WorldAction::kPause},
                                                                             {"play", WorldAction::kPlay},
                                                                             {"step", WorldAction::kStep},
                                                                             {"reset", WorldAction::kReset},
-                                                                            {"stats", WorldAction::kStats}}};
+                                                                            {"stats", WorldAction::kStats},
+                                                                            {"info", WorldAction::kInfo}}};
 
-constexpr const char* kActionList = "one of pause, play, step, reset, stats";
+constexpr const char* kActionList = "one of pause, play, step, reset, stats, info";
 
 WorldAction actionOf(const std::string& word) {
   std::array<std::string_view, kActions.size()> words;
@@ -53,6 +55,16 @@ Work workFor(const WorldCommandLine& given) {
   if (given.lines && options.action != WorldAction::kStats) {
     throw UsageError("option '-n' means nothing with '" + given.action + "'", "it goes with stats");
   }
+  if (given.seed && options.action != WorldAction::kReset) {
+    throw UsageError("option '--seed' means nothing with '" + given.action + "'", "it goes with reset");
+  }
+  if (given.json && options.action != WorldAction::kStats && options.action != WorldAction::kInfo) {
+    throw UsageError("option '--json' means nothing with '" + given.action + "'", "it goes with stats and info");
+  }
+  options.json = given.json;
+  // 0 stands for none in the message
+  constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max();
+  if (given.seed) options.seed = static_cast<std::uint32_t>(wholeNumber("--seed", *given.seed, 1, kLargest));
   if (given.world) options.world = *given.world;
   if (given.world && given.world->empty()) throw UsageError("option '-w' needs a world's name");
   if (given.steps) {
@@ -69,7 +81,8 @@ Work workFor(const WorldCommandLine& given) {
 
 void addWorldCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<WorldCommandLine>();
-  CLI::App* command = program.add_subcommand("world", "Pause a running world, step it, reset it, tell how it goes");
+  CLI::App* command =
+      program.add_subcommand("world", "Pause a running world, step it, reset it, tell how it goes and what is in it");
   command->set_help_flag("-h,--help", "Print this and end");
   const auto add = [command](const char* names, const char* value, const char* description,
                              std::optional<std::string>& target) {
@@ -80,11 +93,15 @@ void addWorldCommand(CLI::App& program, Work& work) {
       ->add_option("ACTION", given->action,
                    "pause, play, step (pauses, makes N steps and ends when they are made),\n"
                    "reset (back to the first instant, and on from there, or paused if it was),\n"
-                   "stats (a line each update, ten times a second)")
+                   "stats (a line each update, ten times a second),\n"
+                   "info (what the world is made of)")
       ->type_name("");
   add("N", "", "With step: how many (1)", given->steps);
   add("-w,--world", "WORLD", "The world's name, where several run", given->world);
   add("-n,--num", "N", "With stats: N lines, then end", given->lines);
+  add("--seed", "N", "With reset: where all random numbers come from then, 1 to 2^32-1", given->seed);
+  command->add_flag("--json", given->json, "With stats and info: print JSON, an object a line")
+      ->disable_flag_override();
   add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its answer", given->timeout);
   addNetworkOption(*command);
   command->footer(
@@ -93,7 +110,8 @@ void addWorldCommand(CLI::App& program, Work& work) {
       "  pongsim world step 100\n"
       "  pongsim world reset\n"
       "  pongsim world play\n"
-      "  pongsim world stats -n 10");
+      "  pongsim world stats -n 10\n"
+      "  pongsim world info --json");
   command->callback([given, &work] {
     work = workFor(*given);
     setLogLevel(LogLevel::kError);

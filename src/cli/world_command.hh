@@ -7,7 +7,7 @@
 
 namespace pongsim::cli {
 
-enum class WorldAction { kPause, kPlay, kStep, kReset, kStats };
+enum class WorldAction { kPause, kPlay, kStep, kReset, kStats, kInfo };
 
 struct WorldOptions {
   WorldAction action = WorldAction::kStats;
@@ -15,6 +15,10 @@ struct WorldOptions {
   std::string world;
   /// Of `kStep`.
   std::uint32_t steps = 1;
+  /// Of `kReset`: where all random numbers come from then; unset: from where they did.
+  std::optional<std::uint32_t> seed;
+  /// Of `kStats` and `kInfo`.
+  bool json = false;
   /// Of `kStats`: end after that many lines.
   std::optional<std::uint64_t> lines;
   /// For finding the world, and for its answer.

@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "base/nearest_word.hh"
 #include "cli/console.hh"
 #include "cli/stop_signal.hh"
 #include "cli/topic_command.hh"
 #include "cli/world_command.hh"
+#include "cli/world_finder.hh"
+#include "cli/world_info.hh"
+#include "cli/world_state.hh"
 #include "msgs/control_messages.hh"
 #include "msgs/status_messages.hh"
 #include "pongsim/node.hh"
@@ -21,19 +24,21 @@ using Clock = std::chrono::steady_clock;
 /// How long a wait may last before the rest of the world is looked at.
 constexpr std::chrono::milliseconds kLongestDispatch{20};
 
-constexpr std::string_view kBefore = "/world/", kAfter = "/control";
+std::string statisticsText(const msgs::Status& status) {
+  char line[160];
+  std::snprintf(line, sizeof line, "simulated %.3f s, real %.3f s, factor %.3f, %llu iterations, %s\n",
+                toSeconds(status.simulated), toSeconds(status.real), status.realTimeFactor,
+                static_cast<unsigned long long>(status.iterations), status.paused ? "paused" : "running");
+  return line;
+}
 
-/// @return The names of the worlds that can be controlled, as they stand in topics.
-std::vector<std::string> worldsOf(const std::vector<ServiceInfo>& services) {
-  std::vector<std::string> worlds;
-  for (const ServiceInfo& service : services) {
-    const std::string_view name = service.name;
-    if (name.size() <= kBefore.size() + kAfter.size() || !name.starts_with(kBefore) || !name.ends_with(kAfter))
-      continue;
-    const std::string_view world = name.substr(kBefore.size(), name.size() - kBefore.size() - kAfter.size());
-    if (world.find('/') == std::string_view::npos) worlds.emplace_back(world);
-  }
-  return worlds;
+std::string statisticsJson(const msgs::Status& status) {
+  const nlohmann::ordered_json json = {{"simulated", toSeconds(status.simulated)},
+                                       {"real", toSeconds(status.real)},
+                                       {"factor", status.realTimeFactor},
+                                       {"iterations", status.iterations},
+                                       {"paused", status.paused}};
+  return json.dump() + "\n";
 }
 
 class WorldControl {
@@ -43,10 +48,12 @@ class WorldControl {
 
  private:
   bool findWorld();
+  std::string nameOf(const char* what) const;
   bool ask(const msgs::WorldControl& control);
   bool step();
   bool reset();
   bool showStatistics();
+  void showInfo();
   template <class Done>
   bool waitForStatus(Done done);
   void fail(const std::string& message, const std::string& hint = {}) { exitCode_ = cli::fail(message, hint); }
@@ -79,44 +86,30 @@ int WorldControl::run() {
       case WorldAction::kStats:
         showStatistics();
         break;
+      case WorldAction::kInfo:
+        showInfo();
+        break;
     }
   }
   signal_.onStop({});
   return exitCode_;
 }
 
-/// @return Whether there is the world asked for, or one alone; says why where not.
 bool WorldControl::findWorld() {
-  const std::string wanted = cleanTopic(options_.world);
-  const Clock::time_point deadline = Clock::now() + options_.timeout;
-  std::vector<std::string> worlds;
-  while (true) {
-    worlds = worldsOf(transport_.discoverServices(kDiscoveryTime));
-    const bool found = wanted.empty() ? !worlds.empty() : std::ranges::count(worlds, wanted) > 0;
-    if (found || signal_.stopped() || Clock::now() >= deadline) break;
-    transport_.dispatchFor(kLongestDispatch);
-  }
-  if (worlds.empty()) {
-    fail("no world runs", "start one with pongsim run WORLD");
-  } else if (!wanted.empty() && std::ranges::count(worlds, wanted) == 0) {
-    fail("no world '" + options_.world + "' runs",
-         base::didYouMean(wanted, std::vector<std::string_view>(worlds.begin(), worlds.end())));
-  } else if (wanted.empty() && worlds.size() > 1) {
-    std::string names;
-    for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
-    fail("several worlds run: " + names, "choose with -w WORLD");
-  } else {
-    world_ = wanted.empty() ? worlds.front() : wanted;
-  }
-  return !world_.empty();
+  const std::optional<std::string> found = cli::findWorld(transport_, signal_, options_.world, options_.timeout);
+  if (found) world_ = *found;
+  if (!found) exitCode_ = kFailed;
+  return found.has_value();
 }
+
+/// @return The name of one of the world's topics or services.
+std::string WorldControl::nameOf(const char* what) const { return "/world/" + world_ + "/" + what; }
 
 /// @return Whether the world did it; says why where not.
 bool WorldControl::ask(const msgs::WorldControl& control) {
   const MessagePointer request = msgs::worldControlMessage(control);
   const MessagePointer reply = newMessage("ignition.msgs.Boolean");
-  const std::string service = std::string(kBefore) + world_ + std::string(kAfter);
-  const CallResult result = transport_.node().call(service, *request, *reply, options_.timeout);
+  const CallResult result = transport_.node().call(nameOf("control"), *request, *reply, options_.timeout);
   if (!result) {
     fail(result.error);
   } else if (!msgs::boolean(*reply)) {
@@ -132,8 +125,8 @@ template <class Done>
 bool WorldControl::waitForStatus(Done done) {
   bool over = false;
   Clock::time_point lastHeard = Clock::now();
-  const Subscription subscription = transport_.node().subscribe(
-      std::string(kBefore) + world_ + "/stats", "ignition.msgs.WorldStatistics", [&](const Message& message) {
+  const Subscription subscription =
+      transport_.node().subscribe(nameOf("stats"), "ignition.msgs.WorldStatistics", [&](const Message& message) {
         if (over) return;
         status_ = msgs::statusOf(message);
         lastHeard = Clock::now();
@@ -159,22 +152,24 @@ bool WorldControl::step() {
 
 /// As it was told last, running or paused, it is afterwards.
 bool WorldControl::reset() {
-  return waitForStatus([] { return true; }) && ask({.pause = status_.paused, .reset = msgs::Reset::kAll});
+  return waitForStatus([] { return true; }) &&
+         ask({.pause = status_.paused, .reset = msgs::Reset::kAll, .seed = options_.seed.value_or(0)});
 }
 
 bool WorldControl::showStatistics() {
   std::uint64_t shown = 0;
   return waitForStatus([&] {
-    char line[160];
-    std::snprintf(line, sizeof line, "simulated %.3f s, real %.3f s, factor %.3f, %llu iterations, %s\n",
-                  toSeconds(status_.simulated), toSeconds(status_.real), status_.realTimeFactor,
-                  static_cast<unsigned long long>(status_.iterations), status_.paused ? "paused" : "running");
-    if (!print(line)) {
+    if (!print(options_.json ? statisticsJson(status_) : statisticsText(status_))) {
       exitCode_ = outputIsClosed() ? kDone : kFailed;
       return true;
     }
     return ++shown == options_.lines;
   });
+}
+
+void WorldControl::showInfo() {
+  const MessagePointer state = askForState(transport_, world_, options_.timeout);
+  if (state == nullptr || !print(worldInfo(*state, options_.json))) exitCode_ = kFailed;
 }
 
 }  // namespace

@@ -15,12 +15,17 @@ fs::path findWorldFile(const std::string& name) {
   if (given.empty() || given.is_absolute() || fs::exists(given, error)) return given;
 
   std::vector<fs::path> folders = assets::Places::fromEnvironment().folders;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) folders.push_back(program.parent_path().parent_path() / "share/pongsim/worlds");
+  if (const fs::path own = ownFolder(); !own.empty()) folders.push_back(own / "worlds");
   for (const fs::path& folder : folders) {
     if (fs::is_regular_file(folder / given, error)) return folder / given;
   }
   return given;
+}
+
+fs::path ownFolder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path().parent_path() / "share/pongsim";
 }
 
 }  // namespace pongsim::cli

@@ -4,6 +4,7 @@
 #include <ignition/msgs/double.pb.h>
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/server_control.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
 #include <ignition/msgs/stringmsg_v.pb.h>
 #include <ignition/msgs/world_control.pb.h>
 
@@ -39,16 +40,24 @@ void addString(const std::string& value, Message& stringMsgV) {
   static_cast<ignition::msgs::StringMsg_V&>(stringMsgV).add_data(value);
 }
 
+std::vector<std::string> strings(const Message& stringMsgV) {
+  const auto& data = static_cast<const ignition::msgs::StringMsg_V&>(stringMsgV).data();
+  return {data.begin(), data.end()};
+}
+
+void setString(const std::string& value, Message& stringMsg) {
+  static_cast<ignition::msgs::StringMsg&>(stringMsg).set_data(value);
+}
+
+std::string string(const Message& stringMsg) { return static_cast<const ignition::msgs::StringMsg&>(stringMsg).data(); }
+
 MessagePointer worldControlMessage(const WorldControl& control) {
   auto message = std::make_unique<ignition::msgs::WorldControl>();
   message->set_pause(control.pause);
   message->set_multi_step(control.steps);
   if (control.reset == Reset::kAll) message->mutable_reset()->set_all(true);
-  if (control.runTo) {
-    const auto seconds = std::chrono::floor<std::chrono::seconds>(*control.runTo);
-    message->mutable_run_to_sim_time()->set_sec(seconds.count());
-    message->mutable_run_to_sim_time()->set_nsec(static_cast<std::int32_t>((*control.runTo - seconds).count()));
-  }
+  message->set_seed(control.seed);
+  if (control.runTo) setTime(*control.runTo, *message->mutable_run_to_sim_time());
   return MessagePointer(message.release());
 }
 

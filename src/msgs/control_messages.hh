@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pongsim/message.hh"
 #include "pongsim/types.hh"
@@ -36,8 +37,11 @@ WorldControl worldControl(const Message& message);
 ServerControl serverControl(const Message& message);
 void setBoolean(bool value, Message& message);
 void addString(const std::string& value, Message& stringMsgV);
+std::vector<std::string> strings(const Message& stringMsgV);
+void setString(const std::string& value, Message& stringMsg);
+std::string string(const Message& stringMsg);
 
-/// @return `ignition.msgs.WorldControl` that asks for that; of resets that of all, and no `seed`.
+/// @return `ignition.msgs.WorldControl` that asks for that; of resets that of all.
 MessagePointer worldControlMessage(const WorldControl& control);
 /// @return The value of an `ignition.msgs.Boolean`.
 bool boolean(const Message& message);

@@ -5,6 +5,8 @@
 #include <ignition/msgs/physics.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
+#include <numbers>
+
 namespace pongsim::msgs {
 
 namespace {
@@ -23,6 +25,12 @@ Pose poseFrom(const im::Pose& message) {
   return pose;
 }
 
+PlaceOnEarth placeFrom(const im::SphericalCoordinates& message) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  return {{message.latitude_deg() * kDegree, message.longitude_deg() * kDegree, message.elevation()},
+          message.heading_deg() * kDegree};
+}
+
 EntityFactory factoryFrom(const im::EntityFactory& message) {
   EntityFactory factory;
   factory.text = message.sdf();
@@ -31,9 +39,9 @@ EntityFactory factoryFrom(const im::EntityFactory& message) {
   factory.allowRenaming = message.allow_renaming();
   if (message.has_pose()) factory.pose = poseFrom(message.pose());
   if (message.has_model()) factory.unknownField = "model";
-  if (message.has_light()) factory.unknownField = "light";
-  if (!message.clone_name().empty()) factory.unknownField = "clone_name";
-  if (message.has_spherical_coordinates()) factory.unknownField = "spherical_coordinates";
+  if (message.has_light()) factory.light = &message.light();
+  factory.original = message.clone_name();
+  if (message.has_spherical_coordinates()) factory.place = placeFrom(message.spherical_coordinates());
   if (!message.relative_to().empty()) factory.unknownField = "relative_to";
   return factory;
 }

@@ -5,19 +5,32 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/geodesy.hh"
 #include "pongsim/message.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::msgs {
+
+/// Where something is to be put, as `ignition.msgs.SphericalCoordinates` has it.
+struct PlaceOnEarth {
+  GeodeticPosition position;
+  /// Turned so far about z, anticlockwise [rad].
+  double heading = 0;
+};
 
 /// What `ignition.msgs.EntityFactory` asks for.
 struct EntityFactory {
   /// SDF or URDF text; empty: none.
   std::string text;
   std::string file;
+  /// A model of the top level to copy; empty: none.
+  std::string original;
+  /// An `ignition.msgs.Light` to add, or null. It lives as long as the message that this was read from.
+  const Message* light = nullptr;
   std::string name;
   /// World frame.
   std::optional<Pose> pose;
+  std::optional<PlaceOnEarth> place;
   bool allowRenaming = false;
   /// A field that is filled in and means nothing here; empty: none.
   std::string unknownField;

@@ -33,3 +33,20 @@ target_include_directories(pongsim_messages SYSTEM ${scope}
 install(TARGETS pongsim_messages EXPORT pongsim LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${folder}/ignition DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pongsim/messages
         FILES_MATCHING PATTERN "*.pb.h")
+
+# What stands beside the types in their files, for pongsim msg -i.
+file(GLOB installed ${ignition_msgs_proto_dir}/ignition/msgs/*.proto)
+file(GLOB own ${CMAKE_CURRENT_SOURCE_DIR}/proto/ignition/msgs/*.proto)
+foreach(proto ${own})
+  get_filename_component(name ${proto} NAME)
+  if(EXISTS ${ignition_msgs_proto_dir}/ignition/msgs/${name})
+    list(REMOVE_ITEM own ${proto})
+  endif()
+endforeach()
+set(comments ${CMAKE_BINARY_DIR}/share/pongsim/message_comments)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/pongsim)
+add_custom_command(OUTPUT ${comments} DEPENDS ${installed} ${own} VERBATIM
+  COMMAND protobuf::protoc --proto_path=${CMAKE_CURRENT_SOURCE_DIR}/proto --proto_path=${ignition_msgs_proto_dir}
+          --include_imports --include_source_info --descriptor_set_out=${comments} ${installed} ${own})
+add_custom_target(pongsim_message_comments ALL DEPENDS ${comments})
+install(FILES ${comments} DESTINATION ${CMAKE_INSTALL_DATADIR}/pongsim)

@@ -1,6 +1,7 @@
 #include "msgs/status_messages.hh"
 
 #include <ignition/msgs/clock.pb.h>
+#include <ignition/msgs/serialized_map.pb.h>
 #include <ignition/msgs/world_stats.pb.h>
 
 #include <cmath>
@@ -8,17 +9,6 @@
 #include "msgs/time.hh"
 
 namespace pongsim::msgs {
-
-namespace {
-
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-
-void setTime(std::chrono::nanoseconds time, ignition::msgs::Time& message) {
-  message.set_sec(time.count() / kNanosecondsPerSecond);
-  message.set_nsec(static_cast<std::int32_t>(time.count() % kNanosecondsPerSecond));
-}
-
-}  // namespace
 
 struct StatusMessages::Parts {
   ignition::msgs::Clock clock;
@@ -51,7 +41,12 @@ Status statusOf(const Message& message) {
           .real = timeOf(statistics.real_time()),
           .iterations = statistics.iterations(),
           .realTimeFactor = statistics.real_time_factor(),
-          .paused = statistics.paused()};
+          .paused = statistics.paused(),
+          .stepSize = timeOf(statistics.step_size())};
+}
+
+Status statusOfState(const Message& step) {
+  return statusOf(static_cast<const ignition::msgs::SerializedStepMap&>(step).stats());
 }
 
 }  // namespace pongsim::msgs

@@ -19,6 +19,8 @@ struct Status {
   std::uint64_t iterations = 0;
   double realTimeFactor = 0;
   bool paused = false;
+  /// Of `ignition.msgs.WorldStatistics` that come with a state.
+  Time stepSize{0};
 };
 
 /// The two messages, used again and again.
@@ -39,5 +41,8 @@ class StatusMessages {
 
 /// @return What an `ignition.msgs.WorldStatistics` tells.
 Status statusOf(const Message& statistics);
+
+/// @return What the statistics in an `ignition.msgs.SerializedStepMap` tell.
+Status statusOfState(const Message& step);
 
 }  // namespace pongsim::msgs

@@ -16,4 +16,10 @@ inline Time timeOf(const ignition::msgs::Time& message) {
          std::chrono::nanoseconds(message.nsec());
 }
 
+inline void setTime(Time time, ignition::msgs::Time& message) {
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
+  message.set_sec(seconds.count());
+  message.set_nsec(static_cast<std::int32_t>((time - seconds).count()));
+}
+
 }  // namespace pongsim::msgs

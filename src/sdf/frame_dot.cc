@@ -28,11 +28,10 @@ std::string inQuotes(std::string_view text) {
 }
 
 std::string poseText(const Pose& pose) {
-  const Quaternion& q = pose.rotation;
-  const double roll = std::atan2(2 * (q.w() * q.x() + q.y() * q.z()), 1 - 2 * (q.x() * q.x() + q.y() * q.y()));
-  const double pitch = std::asin(std::min(std::max(2 * (q.w() * q.y() - q.z() * q.x()), -1.0), 1.0));
+  const Vector3 angles = rollPitchYawOf(pose.rotation);
   std::string text;
-  for (const double value : {pose.position.x(), pose.position.y(), pose.position.z(), roll, pitch, yawOf(q)}) {
+  for (const double value :
+       {pose.position.x(), pose.position.y(), pose.position.z(), angles.x(), angles.y(), angles.z()}) {
     std::array<char, 32> number{};
     // adding zero leaves no minus before one
     std::snprintf(number.data(), number.size(), "%.4g", std::round(value * 1e9) / 1e9 + 0.0);

@@ -5,7 +5,6 @@
 #include "base/nearest_word.hh"
 #include "msgs/control_messages.hh"
 #include "pongsim/log.hh"
-#include "pongsim/simulation.hh"
 #include "sim/diagnostic_log.hh"
 
 namespace pongsim::sim {
@@ -27,51 +26,97 @@ ServiceAnswer answerFor(const std::optional<std::string>& refusal) {
 EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("create", "ignition.msgs.EntityFactory", &EditServices::create);
   serve("create_multiple", "ignition.msgs.EntityFactory_V", &EditServices::createMultiple);
-  serve("remove", "ignition.msgs.Entity", &EditServices::removeModel);
+  serve("remove", "ignition.msgs.Entity", &EditServices::remove);
   serve("set_pose", "ignition.msgs.Pose", &EditServices::setPose);
   serve("set_pose_vector", "ignition.msgs.Pose_V", &EditServices::setPoses);
+  serve("light_config", "ignition.msgs.Light", &EditServices::setLight);
   serve("set_physics", "ignition.msgs.Physics", &EditServices::setPhysics);
+  lights_ = simulation.transport().node().subscribe(nameOf("light_config"), "ignition.msgs.Light",
+                                                    [this](const Message& light) {
+                                                      if (const auto refusal = simulation_.changeLight(light))
+                                                        editLog().warning("light_config: " + *refusal);
+                                                    });
+}
+
+std::string EditServices::nameOf(const char* name) {
+  return cleanTopic("/world/" + std::string(simulation_.world().name()) + "/" + name);
 }
 
 void EditServices::serve(const char* name, const char* requestType, Answer answer) {
-  const std::string service = cleanTopic("/world/" + std::string(simulation_.world().name()) + "/" + name);
-  services_.push_back(simulation_.transport().node().serve(service, requestType, "ignition.msgs.Boolean",
+  services_.push_back(simulation_.transport().node().serve(nameOf(name), requestType, "ignition.msgs.Boolean",
                                                            [this, answer](const Message& request, Message& reply) {
                                                              msgs::setBoolean(true, reply);
                                                              return (this->*answer)(request);
                                                            }));
 }
 
-std::optional<std::string> EditServices::insert(const msgs::EntityFactory& asked, std::vector<Model>& inserted) {
+std::optional<Pose> EditServices::poseFor(const msgs::EntityFactory& asked, std::string& refusal) {
+  if (!asked.place) return asked.pose;
+  const std::optional<TangentPlane> plane = simulation_.world().tangentPlane();
+  if (!plane) {
+    refusal = "the world does not say where on the earth it is: it has no <spherical_coordinates>";
+    return std::nullopt;
+  }
+  Pose pose = asked.pose.value_or(Pose());
+  pose.position = plane->positionOf(asked.place->position);
+  pose.rotation = fromRollPitchYaw(0, 0, asked.place->heading) * pose.rotation;
+  return pose;
+}
+
+std::optional<std::string> EditServices::insert(const msgs::EntityFactory& asked, Inserted& inserted) {
   if (!asked.unknownField.empty()) return "field '" + asked.unknownField + "' is not supported";
-  if (asked.text.empty() == asked.file.empty()) return "one of 'sdf' and 'sdf_filename' says what to make";
-  InsertOptions options;
-  options.name = asked.name;
-  options.pose = asked.pose;
-  options.allowRenaming = asked.allowRenaming;
+  const int sources =
+      int{!asked.text.empty()} + int{!asked.file.empty()} + int{!asked.original.empty()} + int{asked.light != nullptr};
+  if (sources != 1) return "one of 'sdf', 'sdf_filename', 'clone_name' and 'light' says what to make";
+  std::string refusal;
+  const InsertOptions options{
+      .name = asked.name, .pose = poseFor(asked, refusal), .allowRenaming = asked.allowRenaming};
+  if (!refusal.empty()) return refusal;
+  return asked.light != nullptr ? insertLight(asked, options, inserted) : insertModel(asked, options, inserted);
+}
+
+std::optional<std::string> EditServices::insertModel(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                                     Inserted& inserted) {
   Diagnostics diagnostics;
-  const std::optional<Model> model = asked.text.empty()
-                                         ? simulation_.insertFile(asked.file, options, diagnostics)
-                                         : simulation_.insertText(asked.text, "sdf", options, diagnostics);
+  std::optional<Model> model;
+  if (!asked.original.empty()) {
+    std::string refusal;
+    const std::optional<Model> original = find({.id = 0, .name = asked.original, .type = "MODEL"}, refusal);
+    if (!original) return refusal;
+    model = simulation_.insertCopy(*original, options, diagnostics);
+  } else if (!asked.text.empty()) {
+    model = simulation_.insertText(asked.text, "sdf", options, diagnostics);
+  } else {
+    model = simulation_.insertFile(asked.file, options, diagnostics);
+  }
   const std::string error = logDiagnostics(diagnostics, editLog());
   if (!model) return error;
-  inserted.push_back(*model);
+  inserted.models.push_back(*model);
+  return std::nullopt;
+}
+
+std::optional<std::string> EditServices::insertLight(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                                     Inserted& inserted) {
+  const Outcome<std::string> name = simulation_.insertLight(*asked.light, options);
+  if (!name.value) return name.error;
+  inserted.lights.push_back(*name.value);
   return std::nullopt;
 }
 
 ServiceAnswer EditServices::create(const Message& request) {
-  std::vector<Model> inserted;
+  Inserted inserted;
   return answerFor(insert(msgs::entityFactory(request), inserted));
 }
 
 // All or none: who asked would not know which ones are there.
 ServiceAnswer EditServices::createMultiple(const Message& request) {
-  std::vector<Model> inserted;
+  Inserted inserted;
   for (const msgs::EntityFactory& asked : msgs::entityFactories(request)) {
     const std::optional<std::string> error = insert(asked, inserted);
     if (!error) continue;
-    const std::string number = std::to_string(inserted.size() + 1);
-    for (const Model& model : inserted) simulation_.remove(model);
+    const std::string number = std::to_string(inserted.models.size() + inserted.lights.size() + 1);
+    for (const Model& model : inserted.models) simulation_.remove(model);
+    for (const std::string& light : inserted.lights) simulation_.removeLight({}, light);
     return ServiceAnswer::refused("number " + number + ": " + *error);
   }
   return true;
@@ -97,10 +142,11 @@ std::optional<Model> EditServices::find(const msgs::EntityName& asked, std::stri
   return std::nullopt;
 }
 
-ServiceAnswer EditServices::removeModel(const Message& request) {
+ServiceAnswer EditServices::remove(const Message& request) {
   const msgs::EntityName asked = msgs::entityName(request);
+  if (asked.type == "LIGHT") return answerFor(simulation_.removeLight(LightId{asked.id}, asked.name));
   if (asked.type != "MODEL" && (asked.id == 0 || asked.type != "NONE")) {
-    return ServiceAnswer::refused("'type: " + asked.type + "': only models can be removed, 'type: MODEL'");
+    return ServiceAnswer::refused("'type: " + asked.type + "': only models and lights can be removed");
   }
   std::string error;
   const std::optional<Model> model = find(asked, error);
@@ -132,6 +178,8 @@ ServiceAnswer EditServices::setPoses(const Message& request) {
   }
   return true;
 }
+
+ServiceAnswer EditServices::setLight(const Message& request) { return answerFor(simulation_.changeLight(request)); }
 
 ServiceAnswer EditServices::setPhysics(const Message& request) {
   const msgs::PhysicsSettings asked = msgs::physicsSettings(request);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,16 +8,14 @@
 #include "msgs/edit_messages.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/node.hh"
-
-namespace pongsim {
-class Simulation;
-}
+#include "pongsim/simulation.hh"
 
 namespace pongsim::sim {
 
-/// Lets others change a world that runs: `create`, `create_multiple`, `remove`, `set_pose`, `set_pose_vector` and
-/// `set_physics` under `/world/W`. Requests are met from within `Transport::dispatch`, which must be in between two
-/// steps, and answered when they have taken effect, or with the reason why they have not.
+/// Lets others change a world that runs: `create`, `create_multiple`, `remove`, `set_pose`, `set_pose_vector`,
+/// `light_config` and `set_physics` under `/world/W`. Requests are met from within `Transport::dispatch`, which must be
+/// in between two steps, and answered when they have taken effect, or with the reason why they have not.
+/// `light_config` is a topic, too.
 class EditServices {
  public:
   /// @param simulation Must outlive it.
@@ -25,21 +24,36 @@ class EditServices {
  private:
   using Answer = ServiceAnswer (EditServices::*)(const Message& request);
 
+  /// @return "/world/W/NAME"
+  std::string nameOf(const char* name);
   void serve(const char* name, const char* requestType, Answer answer);
   ServiceAnswer create(const Message& request);
   ServiceAnswer createMultiple(const Message& request);
-  ServiceAnswer removeModel(const Message& request);
+  ServiceAnswer remove(const Message& request);
   ServiceAnswer setPose(const Message& request);
   ServiceAnswer setPoses(const Message& request);
+  ServiceAnswer setLight(const Message& request);
   ServiceAnswer setPhysics(const Message& request);
 
+  /// What came with one request, to be taken back if the rest of it can't be.
+  struct Inserted {
+    std::vector<Model> models;
+    std::vector<std::string> lights;
+  };
   /// @return Why not, or nothing.
-  std::optional<std::string> insert(const msgs::EntityFactory& asked, std::vector<Model>& inserted);
+  std::optional<std::string> insert(const msgs::EntityFactory& asked, Inserted& inserted);
+  std::optional<std::string> insertModel(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                         Inserted& inserted);
+  std::optional<std::string> insertLight(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                         Inserted& inserted);
+  /// @return Where it is to stand, or nothing, which with `refusal` means that it can't.
+  std::optional<Pose> poseFor(const msgs::EntityFactory& asked, std::string& refusal);
   /// @return The model at the top level, or nothing and `error`.
   std::optional<Model> find(const msgs::EntityName& asked, std::string& error);
 
   Simulation& simulation_;
   std::vector<Service> services_;
+  Subscription lights_;
 };
 
 }  // namespace pongsim::sim

@@ -12,8 +12,7 @@ bool isSound(const Pose& pose) {
 
 bool Editor::isFree(std::string_view name) const {
   return access_.entities.findModel(name) == world::kNoSlot &&
-         std::ranges::none_of(access_.entities.description().lights,
-                              [&](const description::Light& light) { return light.name == name; });
+         access_.entities.findLight(world::kNoSlot, name) == world::kNoSlot;
 }
 
 std::string Editor::freeName(const std::string& name) const {

@@ -45,6 +45,8 @@ std::string_view Link::name() const { return record(*access_, id_).description->
 
 Pose Link::pose() const { return access_->state.links[slotOf(*access_, id_)].X_WorldLink; }
 
+Pose Link::poseInModel() const { return world::poseInModel(access_->entities, access_->state, slotOf(*access_, id_)); }
+
 Vector3 Link::linearVelocity() const { return access_->state.links[slotOf(*access_, id_)].v_WorldLink; }
 
 Vector3 Link::angularVelocity() const { return access_->state.links[slotOf(*access_, id_)].w_WorldLink; }
@@ -149,6 +151,10 @@ std::string_view Model::name() const { return record(*access_, id_).description-
 std::string Model::scopedName() const { return record(*access_, id_).scopedName; }
 
 Pose Model::pose() const { return world::modelPose(access_->entities, access_->state, slotOf(*access_, id_)); }
+
+Pose Model::poseInParent() const {
+  return world::poseInParent(access_->entities, access_->state, slotOf(*access_, id_));
+}
 
 bool Model::isStatic() const { return record(*access_, id_).isStatic; }
 

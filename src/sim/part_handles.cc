@@ -125,8 +125,9 @@ std::vector<Collision> Link::collisions() const {
 
 std::vector<Visual> Link::visuals() const {
   std::vector<Visual> visuals;
-  for (const description::Visual& visual : access_->entities.links()[slotOf(*access_, id_)].description->visuals) {
-    visuals.emplace_back(visual.name, visual.X_LinkVisual);
+  const world::LinkRecord& link = access_->entities.links()[slotOf(*access_, id_)];
+  for (const description::Visual& visual : link.description->visuals) {
+    visuals.emplace_back(world::visualId(link, visuals.size()), visual.name, visual.X_LinkVisual);
   }
   return visuals;
 }

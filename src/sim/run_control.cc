@@ -6,7 +6,9 @@ std::optional<std::string> RunControl::apply(const msgs::WorldControl& asked, Ti
   if (asked.reset == msgs::Reset::kTimeOnly || asked.reset == msgs::Reset::kModelsOnly) {
     return "only all of a world can be reset: reset {all: true}";
   }
-  if (asked.seed != 0) return "the seed is chosen at the start: pongsim run --seed N";
+  if (asked.seed != 0 && asked.reset != msgs::Reset::kAll) {
+    return "a new seed counts from the start on: it goes with reset {all: true}";
+  }
   paused_ = asked.pause;
   stepsLeft_ = asked.pause ? asked.steps : 0;
   runTo_ = !asked.pause && asked.runTo && *asked.runTo > now ? asked.runTo : std::nullopt;

@@ -1,5 +1,7 @@
 #include "sim/run_services.hh"
 
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "pongsim/simulation.hh"
@@ -8,7 +10,7 @@
 namespace pongsim::sim {
 
 RunServices::RunServices(Simulation& simulation, RunControl& control, std::function<void()> stop)
-    : simulation_(simulation), control_(control), stop_(std::move(stop)), edits_(simulation) {
+    : simulation_(simulation), control_(control), stop_(std::move(stop)), edits_(simulation), resources_(simulation) {
   constexpr std::string_view kBoolean = "ignition.msgs.Boolean";
   Node node = simulation.transport().node();
   const std::string controlName = cleanTopic("/world/" + std::string(simulation.world().name()) + "/control");
@@ -35,7 +37,7 @@ ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
   if (refusal) return ServiceAnswer::refused(*refusal);
   if (!isReset) return true;
   Diagnostics diagnostics;
-  simulation_.reset(diagnostics);
+  simulation_.reset(diagnostics, asked.seed != 0 ? std::optional<std::uint64_t>(asked.seed) : std::nullopt);
   logDiagnostics(diagnostics, log_);
   return true;
 }

@@ -6,6 +6,7 @@
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
 #include "sim/edit_services.hh"
+#include "sim/resource_services.hh"
 #include "sim/run_control.hh"
 
 namespace pongsim {
@@ -14,8 +15,8 @@ class Simulation;
 
 namespace pongsim::sim {
 
-/// What others may ask of a run: `/world/W/control`, `/gazebo/worlds`, `/server_control`, and what `EditServices`
-/// offers. Requests are met from within `Transport::dispatch`, and must be in between two steps.
+/// What others may ask of a run: `/world/W/control`, `/gazebo/worlds`, `/server_control`, and what `EditServices` and
+/// `ResourceServices` offer. Requests are met from within `Transport::dispatch`, and must be in between two steps.
 class RunServices {
  public:
   /// @param stop Ends the run. All references must outlive it.
@@ -33,6 +34,7 @@ class RunServices {
   Service worlds_;
   Service serverControl_;
   EditServices edits_;
+  ResourceServices resources_;
 };
 
 }  // namespace pongsim::sim

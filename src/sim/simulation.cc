@@ -6,14 +6,18 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "assets/finder.hh"
+#include "assets/places.hh"
 #include "description/world.hh"
 #include "physics/engine.hh"
 #include "sdf/loader.hh"
 #include "sim/access.hh"
 #include "sim/editor.hh"
+#include "sim/light_edits.hh"
 #include "sim/saved_state.hh"
 #include "sim/system_set.hh"
 #include "world/entities.hh"
@@ -48,6 +52,12 @@ struct Simulation::Parts {
   static std::unique_ptr<Simulation> make(sdf::Root root, const SimulationOptions& options, Diagnostics& diagnostics);
 
   std::optional<Model> insert(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
+  /// @param model What is to be inserted but for what the options say.
+  std::optional<Model> insert(std::shared_ptr<description::Model> model, const InsertOptions& options,
+                              Diagnostics& diagnostics);
+  /// Calls `read` with the finder for what inserted models name, and inserts what it read.
+  template <class Read>
+  std::optional<Model> insertRead(Read read, const InsertOptions& options, Diagnostics& diagnostics);
   sim::SystemSet* systemSet() { return systems ? &*systems : nullptr; }
   void announceChanges() {
     if (systems) systems->announceChanges();
@@ -59,6 +69,8 @@ struct Simulation::Parts {
   }
 
   const description::World description;
+  /// Where files that inserted models name are looked for.
+  assets::Places places = assets::Places::fromEnvironment();
   world::Entities entities;
   world::State state;
   physics::Engine engine;
@@ -124,6 +136,11 @@ std::optional<Model> Simulation::Parts::insert(sdf::Root root, const InsertOptio
     diagnostics.warning(root.models[i].position, "model '" + root.models[i].name + "' is left out: the first model, '" +
                                                      model->name + "', is inserted");
   }
+  return insert(std::move(model), options, diagnostics);
+}
+
+std::optional<Model> Simulation::Parts::insert(std::shared_ptr<description::Model> model, const InsertOptions& options,
+                                               Diagnostics& diagnostics) {
   if (!options.name.empty()) model->name = options.name;
   if (options.pose) model->X_ParentModel = *options.pose;
   sim::Editor editor(access);
@@ -155,6 +172,15 @@ std::optional<Model> Simulation::Parts::insert(sdf::Root root, const InsertOptio
   }
   announceChanges();
   return inserted;
+}
+
+template <class Read>
+std::optional<Model> Simulation::Parts::insertRead(Read read, const InsertOptions& options, Diagnostics& diagnostics) {
+  // of their own: what was wrong before is no reason not to insert
+  Diagnostics found;
+  std::optional<Model> model = insert(read(found, assets::finderIn(places)), options, found);
+  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+  return model;
 }
 
 std::unique_ptr<Simulation> Simulation::fromFile(const std::filesystem::path& file, const SimulationOptions& options,
@@ -208,18 +234,69 @@ double Simulation::realTimeFactor() const { return parts_->state.realTimeFactor;
 
 std::optional<Model> Simulation::insertFile(const std::filesystem::path& file, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
-  Diagnostics found;
-  std::optional<Model> model = parts_->insert(sdf::loadFile(file, found), options, found);
-  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
-  return model;
+  return parts_->insertRead(
+      [&](Diagnostics& found, const assets::Finder& finder) { return sdf::loadFile(file, found, finder); }, options,
+      diagnostics);
 }
 
 std::optional<Model> Simulation::insertText(std::string_view text, std::string_view name, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
+  return parts_->insertRead(
+      [&](Diagnostics& found, const assets::Finder& finder) { return sdf::loadText(text, name, found, finder); },
+      options, diagnostics);
+}
+
+std::optional<Model> Simulation::insertCopy(const Model& model, const InsertOptions& options,
+                                            Diagnostics& diagnostics) {
+  const world::Slot slot = parts_->entities.slot(model.id());
+  if (slot == world::kNoSlot || parts_->entities.models()[slot].parent != world::kNoSlot) {
+    diagnostics.error({}, slot == world::kNoSlot ? "the model is not there any more"
+                                                 : "model '" + model.scopedName() + "' is a part of another one");
+    return std::nullopt;
+  }
+  auto copy = std::make_shared<description::Model>(*parts_->entities.models()[slot].description);
+  copy->X_ParentModel = model.pose();
   Diagnostics found;
-  std::optional<Model> model = parts_->insert(sdf::loadText(text, name, found), options, found);
+  std::optional<Model> inserted = parts_->insert(std::move(copy), options, found);
   for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
-  return model;
+  return inserted;
+}
+
+Outcome<std::string> Simulation::insertLight(const Message& light, const InsertOptions& options) {
+  Outcome<std::string> name = sim::insertLight(parts_->access, light, options);
+  parts_->announceChanges();
+  return name;
+}
+
+std::optional<std::string> Simulation::changeLight(const Message& light) {
+  const std::optional<std::string> refusal = sim::changeLight(parts_->access, light);
+  parts_->announceChanges();
+  return refusal;
+}
+
+std::optional<std::string> Simulation::removeLight(LightId id, const std::string& name) {
+  const std::optional<std::string> refusal = sim::removeLight(parts_->access, id.value, name);
+  parts_->announceChanges();
+  return refusal;
+}
+
+std::optional<std::string> Simulation::addResourceFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(folder, error);
+  if (folder.empty() || error || !std::filesystem::is_directory(whole, error)) {
+    return "'" + folder.string() + "' is no folder";
+  }
+  if (std::ranges::find(parts_->places.folders, whole) == parts_->places.folders.end()) {
+    parts_->places.folders.push_back(whole);
+  }
+  return std::nullopt;
+}
+
+std::vector<std::filesystem::path> Simulation::resourceFolders() const { return parts_->places.folders; }
+
+std::optional<std::filesystem::path> Simulation::resolve(const std::string& address) const {
+  Diagnostics none;
+  return assets::finderIn(parts_->places)(address, std::filesystem::path(), {}, none);
 }
 
 std::optional<std::string> Simulation::remove(const Model& model) {
@@ -248,9 +325,9 @@ std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
   return std::nullopt;
 }
 
-void Simulation::reset(Diagnostics& diagnostics) {
+void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   sim::Editor(parts_->access).reset();
-  if (parts_->systems) parts_->systems->reset(diagnostics);
+  if (parts_->systems) parts_->systems->reset(diagnostics, seed);
 }
 
 std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }

@@ -142,7 +142,8 @@ void SystemSet::announceChanges() {
   for (SystemSlot& slot : slots_) slot.worldChanged();
 }
 
-void SystemSet::reset(Diagnostics& diagnostics) {
+void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
+  seed_ = seed.value_or(seed_);
   slots_.remove_if(
       [&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
   for (const ModelId model : std::exchange(unloaded_, {})) {
@@ -150,11 +151,13 @@ void SystemSet::reset(Diagnostics& diagnostics) {
     if (slot != world::kNoSlot) loadOwnPlugins(slot, diagnostics);
   }
   putInOrder();
-  for (SystemSlot& slot : slots_) {
-    slot.switchOn(Random(seed_, slot.stream()));
-  }
+  for (SystemSlot& slot : slots_) slot.switchOn(Random(seed_, slot.stream()));
   announceChanges();
-  for (SystemSlot& slot : slots_) slot.reset();
+  for (SystemSlot& slot : slots_) {
+    // once more: who is told of changes may draw numbers
+    slot.setRandom(Random(seed_, slot.stream()));
+    slot.reset();
+  }
 }
 
 void SystemSet::transfer(StateArchive& archive) {

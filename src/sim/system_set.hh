@@ -47,7 +47,8 @@ class SystemSet {
 
   /// Sets the systems back, after the world was. Those of models that have come back are made and configured anew,
   /// those of models that have gone end, those that are switched off are switched on.
-  void reset(Diagnostics& diagnostics);
+  /// @param seed In place of the one of before.
+  void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed);
 
   /// What the systems remember, with their random streams.
   void transfer(StateArchive& archive);

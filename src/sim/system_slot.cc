@@ -83,7 +83,7 @@ void SystemSlot::advertised(std::string_view topic, std::string_view) { topics_.
 
 void SystemSlot::switchOn(Random random) {
   isOff_ = false;
-  parts_.random = random;
+  setRandom(random);
 }
 
 template <class Call>

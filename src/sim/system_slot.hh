@@ -63,6 +63,8 @@ class SystemSlot final : public CallGuard {
 
   /// Calls it again from now on, with random numbers as at the start.
   void switchOn(Random random);
+  /// Its random numbers begin there, where it draws the next one.
+  void setRandom(Random random) { parts_.random = random; }
 
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);

@@ -38,6 +38,7 @@ void Entities::addAll() {
     topLevelModels_.push_back(addModel(model, kNoSlot, Pose()));
   }
   for (const description::Joint& joint : description_->joints) addJoint(joint, kNoSlot);
+  addLights(description_->lights, kNoSlot);
 }
 
 Slot Entities::addModel(const description::Model& description, Slot parent, const Pose& X_WorldParent) {
@@ -90,6 +91,7 @@ void Entities::addLinks(Slot model, const Pose& X_WorldModel) {
       collisions_.push_back({CollisionId{nextId()}, &collision, slot});
       slotOfId_.emplace(collisions_.back().id.value, collisions_.size() - 1);
     }
+    addLights(link.lights, slot);
     addSensors(link.sensors, slot, kNoSlot);
   }
 }
@@ -118,6 +120,13 @@ void Entities::addSensors(const std::vector<description::Sensor>& sensors, Slot 
   }
 }
 
+void Entities::addLights(const std::vector<description::Light>& lights, Slot link) {
+  for (const description::Light& light : lights) {
+    lights_.push_back({LightId{nextId()}, nullptr, &light, link});
+    slotOfId_.emplace(lights_.back().id.value, lights_.size() - 1);
+  }
+}
+
 Slot Entities::insertModel(std::shared_ptr<const description::Model> model) {
   const Entities before = *this;
   try {
@@ -135,6 +144,23 @@ Slot Entities::insertJoint(std::shared_ptr<const description::Joint> joint) {
   addJoint(*joint, kNoSlot);
   joints_.back().owner = std::move(joint);
   return joints_.size() - 1;
+}
+
+Slot Entities::insertLight(std::shared_ptr<const description::Light> light) {
+  const description::Light* description = light.get();
+  lights_.push_back({LightId{nextId()}, std::move(light), description, kNoSlot});
+  slotOfId_.emplace(lights_.back().id.value, lights_.size() - 1);
+  return lights_.size() - 1;
+}
+
+void Entities::changeLight(Slot light, std::shared_ptr<const description::Light> changed) {
+  lights_[light].description = changed.get();
+  lights_[light].owner = std::move(changed);
+}
+
+void Entities::removeLight(Slot light) {
+  lights_.erase(lights_.begin() + static_cast<std::ptrdiff_t>(light));
+  index();
 }
 
 Removal Entities::removeModel(Slot model) {
@@ -206,6 +232,7 @@ void moveUp(std::vector<Slot>& slots, const std::vector<Slot>& gone) {
 void Entities::remove(const std::vector<Slot>& models, const Removal& removal) {
   std::vector<Slot> collisions;
   std::vector<Slot> sensors;
+  std::vector<Slot> lights;
   const auto goes = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::binary_search(slots, slot); };
   for (Slot slot = 0; slot < collisions_.size(); ++slot) {
     if (goes(removal.links, collisions_[slot].link)) collisions.push_back(slot);
@@ -213,12 +240,16 @@ void Entities::remove(const std::vector<Slot>& models, const Removal& removal) {
   for (Slot slot = 0; slot < sensors_.size(); ++slot) {
     if (goes(removal.links, sensors_[slot].link) || goes(removal.joints, sensors_[slot].joint)) sensors.push_back(slot);
   }
+  for (Slot slot = 0; slot < lights_.size(); ++slot) {
+    if (goes(removal.links, lights_[slot].link)) lights.push_back(slot);
+  }
   for (LinkRecord& link : links_) link.firstCollision = movedUp(link.firstCollision, collisions);
   eraseSlots(models_, models);
   eraseSlots(links_, removal.links);
   eraseSlots(joints_, removal.joints);
   eraseSlots(collisions_, collisions);
   eraseSlots(sensors_, sensors);
+  eraseSlots(lights_, lights);
   renumber(models, removal);
   index();
 }
@@ -243,6 +274,7 @@ void Entities::renumber(const std::vector<Slot>& models, const Removal& removal)
     sensor.link = movedUp(sensor.link, removal.links);
     sensor.joint = movedUp(sensor.joint, removal.joints);
   }
+  for (LightRecord& light : lights_) light.link = movedUp(light.link, removal.links);
 }
 
 void Entities::index() {
@@ -256,6 +288,7 @@ void Entities::index() {
   add(joints_);
   add(collisions_);
   add(sensors_);
+  add(lights_);
   for (Slot slot = 0; slot < models_.size(); ++slot) modelOfName_.emplace(models_[slot].scopedName, slot);
 }
 
@@ -276,6 +309,7 @@ Slot Entities::slot(LinkId id) const { return slotIn(links_, slotOfId_, id); }
 Slot Entities::slot(JointId id) const { return slotIn(joints_, slotOfId_, id); }
 Slot Entities::slot(CollisionId id) const { return slotIn(collisions_, slotOfId_, id); }
 Slot Entities::slot(SensorId id) const { return slotIn(sensors_, slotOfId_, id); }
+Slot Entities::slot(LightId id) const { return slotIn(lights_, slotOfId_, id); }
 
 Slot Entities::findModel(std::string_view scopedName) const {
   const auto found = modelOfName_.find(std::string(scopedName));
@@ -301,6 +335,13 @@ Slot Entities::findJoint(Slot model, std::string_view name) const {
   if (holder == kNoSlot && !holderName.empty()) return kNoSlot;
   for (Slot joint = 0; joint < joints_.size(); ++joint) {
     if (joints_[joint].model == holder && joints_[joint].description->name == scoped.last) return joint;
+  }
+  return kNoSlot;
+}
+
+Slot Entities::findLight(Slot link, std::string_view name) const {
+  for (Slot light = 0; light < lights_.size(); ++light) {
+    if (lights_[light].link == link && lights_[light].description->name == name) return light;
   }
   return kNoSlot;
 }

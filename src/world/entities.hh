@@ -58,6 +58,15 @@ struct SensorRecord {
   Slot joint = kNoSlot;
 };
 
+struct LightRecord {
+  LightId id;
+  /// Keeps the description of a light that was inserted or changed while running.
+  std::shared_ptr<const description::Light> owner = nullptr;
+  const description::Light* description = nullptr;
+  /// Link that holds it; `kNoSlot` for a light of the world.
+  Slot link = kNoSlot;
+};
+
 struct ModelRecord {
   ModelId id;
   /// Keeps the description of a model that was inserted while running; the models in it have none.
@@ -76,6 +85,9 @@ struct ModelRecord {
   std::vector<Slot> joints;
   std::vector<Slot> models;
 };
+
+/// @return The id of one of the link's visuals.
+inline VisualId visualId(const LinkRecord& link, std::size_t visual) { return VisualId{link.id.value + 1 + visual}; }
 
 /// What has gone: the slots that it had, in ascending order. Its descriptions live as long as this.
 struct Removal {
@@ -105,9 +117,9 @@ void eraseSlots(Array& array, const std::vector<Slot>& slots) {
 /// a description, which must outlive it.
 ///
 /// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it
-/// has visuals, by its collisions and by its sensors), the models in it and its joints (each followed by its sensors);
-/// last the world's own joints. All of a kind take their slots in the same order; what comes later takes the last ones,
-/// and where something goes, those behind it move up.
+/// has visuals, by its collisions, its lights and its sensors), the models in it and its joints (each followed by its
+/// sensors); last the world's own joints and its lights. All of a kind take their slots in the same order; what comes
+/// later takes the last ones, and where something goes, those behind it move up.
 class Entities {
  public:
   /// @throws std::invalid_argument if a joint or a model names a link that isn't there.
@@ -121,6 +133,7 @@ class Entities {
   const std::vector<JointRecord>& joints() const { return joints_; }
   const std::vector<CollisionRecord>& collisions() const { return collisions_; }
   const std::vector<SensorRecord>& sensors() const { return sensors_; }
+  const std::vector<LightRecord>& lights() const { return lights_; }
   /// Slots of the models at the top level, in the order of the file.
   const std::vector<Slot>& topLevelModels() const { return topLevelModels_; }
 
@@ -130,6 +143,7 @@ class Entities {
   Slot slot(JointId id) const;
   Slot slot(CollisionId id) const;
   Slot slot(SensorId id) const;
+  Slot slot(LightId id) const;
 
   /// @param scopedName "outer::inner"
   Slot findModel(std::string_view scopedName) const;
@@ -139,6 +153,9 @@ class Entities {
   Slot findJoint(Slot model, std::string_view name) const;
   /// @param name Link as the world sees it: "model::link".
   Slot findLink(std::string_view name) const;
+
+  /// @param link That holds it; `kNoSlot` for a light of the world.
+  Slot findLight(Slot link, std::string_view name) const;
 
   /// Adds a model at the top level, with the links, models and joints in it.
   /// @param model Its name must be free.
@@ -153,6 +170,13 @@ class Entities {
   /// Removes a model of the top level with all that is in it, and the joints that hold on to its links.
   Removal removeModel(Slot model);
   Removal removeJoint(Slot joint);
+
+  /// Adds a light of the world.
+  /// @param light Its name must be free.
+  Slot insertLight(std::shared_ptr<const description::Light> light);
+  /// Lets a light be what this one is. It keeps its id and what holds it.
+  void changeLight(Slot light, std::shared_ptr<const description::Light> changed);
+  void removeLight(Slot light);
 
   /// Back to what the description says. Who is in it has the ids of the start again; no other id is used a second time.
   void reset();
@@ -172,6 +196,7 @@ class Entities {
   void addLinks(Slot model, const Pose& X_WorldModel);
   void addJoint(const description::Joint& description, Slot model);
   void addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint);
+  void addLights(const std::vector<description::Light>& lights, Slot link);
   void collectModels(Slot model, std::vector<Slot>& models) const;
   void remove(const std::vector<Slot>& models, const Removal& removal);
   void renumber(const std::vector<Slot>& models, const Removal& removal);
@@ -185,6 +210,7 @@ class Entities {
   std::vector<JointRecord> joints_;
   std::vector<CollisionRecord> collisions_;
   std::vector<SensorRecord> sensors_;
+  std::vector<LightRecord> lights_;
   std::vector<Slot> topLevelModels_;
   std::unordered_map<std::uint64_t, Slot> slotOfId_;
   std::unordered_map<std::string, Slot> modelOfName_;

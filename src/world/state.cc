@@ -57,6 +57,19 @@ Pose modelPose(const Entities& entities, const State& state, Slot model) {
   return state.links[record.canonicalLink].X_WorldLink * record.X_CanonicalModel;
 }
 
+Pose poseInParent(const Entities& entities, const State& state, Slot model) {
+  const Slot parent = entities.models()[model].parent;
+  const Pose X_WorldModel = modelPose(entities, state, model);
+  return parent == kNoSlot ? X_WorldModel : modelPose(entities, state, parent).inverse() * X_WorldModel;
+}
+
+Pose poseInModel(const Entities& entities, const State& state, Slot link) {
+  // the model moves with this one: no rounding
+  const LinkRecord& record = entities.links()[link];
+  if (entities.models()[record.model].canonicalLink == link) return record.description->X_ModelLink;
+  return modelPose(entities, state, entities.links()[link].model).inverse() * state.links[link].X_WorldLink;
+}
+
 std::uint64_t stateHash(const State& state) {
   base::Hash hash;
   hash.add(static_cast<std::uint64_t>(state.time.count()));

@@ -54,10 +54,16 @@ void transfer(StateArchive& archive, State& state);
 /// @return Pose of the model frame in the world frame: the model moves with its canonical link.
 Pose modelPose(const Entities& entities, const State& state, Slot model);
 
+/// @return Pose of the model frame in the frame of what holds it: a model, or the world.
+Pose poseInParent(const Entities& entities, const State& state, Slot model);
+
+/// @return Pose of the link frame in the frame of its model.
+Pose poseInModel(const Entities& entities, const State& state, Slot link);
+
 /// @return A number made of all bits of the state, by FNV-1a (64 bits) over 64-bit words, each taken from its lowest
 /// byte up: time [ns], iterations, number of links, then of each link position (x, y, z), rotation (w, x, y, z),
-/// linear and angular velocity, then the number of joints and of each position and velocity, of its first axis and of its second; floating-point values as
-/// the bits of their IEEE 754 doubles.
+/// linear and angular velocity, then the number of joints and of each position and velocity, of its first axis and of
+/// its second; floating-point values as the bits of their IEEE 754 doubles.
 std::uint64_t stateHash(const State& state);
 
 }  // namespace pongsim::world

@@ -44,5 +44,12 @@ TEST(TangentPlane, CrossesTheDateLine) {
   EXPECT_NEAR(plane.at({1113.20, 0, 0}).longitude / kDegree, -179.99, 1e-6);
 }
 
+TEST(TangentPlane, FindsThePlaceAgain) {
+  const TangentPlane plane({0.8, -2, 150}, 0.3);
+  for (const Vector3& position : {Vector3(0, 0, 0), Vector3(1200, -50, 10), Vector3(-4e5, 3e5, -200)}) {
+    EXPECT_NEAR((plane.positionOf(plane.at(position)) - position).norm(), 0, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace pongsim

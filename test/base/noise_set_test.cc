@@ -42,7 +42,9 @@ TEST(NoiseSet, BeginsAnewAndGoesOnWhereItWas) {
   StateArchive saved;
   set.transfer(saved);
   const double second = readingAt(2, set, noise);
-  set.reset();
+  set.reset(Random(2, "sensor"));
+  EXPECT_NE(readingAt(1, set, noise), first);
+  set.reset(Random(1, "sensor"));
   EXPECT_EQ(readingAt(1, set, noise), first);
   const std::vector<std::byte> bytes = saved.take();
   StateArchive given(bytes);

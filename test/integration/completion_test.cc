@@ -33,14 +33,19 @@ TEST(Completion, OffersCommandsAndOptions) {
   EXPECT_EQ(offered({"pongsim", "to"}), Words{"topic"});
   EXPECT_EQ(offered({"pongsim", "--ver"}), Words{"--version"});
   EXPECT_EQ(offered({"pongsim", "run", "--ite"}), Words{"--iterations"});
-  EXPECT_EQ(offered({"pongsim", "topic", "--json"}), Words{"--json-output"});
+  EXPECT_EQ(offered({"pongsim", "topic", "--json-"}), Words{"--json-output"});
+  EXPECT_EQ(offered({"pongsim", "world", "st"}), (Words{"step", "stats"}));
+  EXPECT_EQ(offered({"pongsim", "model", "--fo"}), Words{"--follow"});
 }
 
 TEST(Completion, OffersFilesTypesAndTopics) {
   EXPECT_EQ(offered({"pongsim", "run", "worlds/pong_w"}), Words{"worlds/pong_world.sdf"});
   EXPECT_EQ(offered({"pongsim", "topic", "-m", "ignition.msgs.FluidP"}), Words{"ignition.msgs.FluidPressure"});
+  EXPECT_EQ(offered({"pongsim", "msg", "-t", "ignition.msgs.FluidP"}), Words{"ignition.msgs.FluidPressure"});
   const auto world = startServedWorld("pong_world.sdf");
   EXPECT_EQ(offered({"pongsim", "topic", "-t", "/cmd"}), Words{"/cmd_vel"});
+  EXPECT_EQ(offered({"pongsim", "model", "-m", "pong_"}), Words{"pong_bot"});
+  EXPECT_EQ(offered({"pongsim", "world", "-w", ""}), Words{"pong_world"});
   EXPECT_EQ(offered({"pongsim", "service", "-s", "/world/pong_world/con"}), Words{"/world/pong_world/control"});
 }
 

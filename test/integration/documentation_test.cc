@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -16,21 +19,52 @@
 namespace pongsim {
 namespace {
 
-/// @return The lines of a Markdown file's code blocks (indented by four spaces), without the indentation; with a
-/// heading, of those below it only.
-std::vector<std::string> codeLines(const std::string& file, const std::string& heading = "") {
-  std::ifstream stream(test::projectFolder() / file);
-  EXPECT_TRUE(stream.is_open()) << file;
-  std::vector<std::string> lines;
-  bool below = heading.empty();
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with("#") && !heading.empty()) below = line == heading;
-    if (below && line.starts_with("    ")) lines.push_back(line.substr(4));
-  }
-  return lines;
+/// A page with commands, which tools/cli-tour types, with this build's pongsim.
+class Tour : public testing::TestWithParam<const char*> {};
+
+TEST_P(Tour, GoesAsThePageSays) {
+  test::testDomain();
+  test::Process tour({"tools/cli-tour", GetParam()},
+                     {.environment = {{"PONGSIM", PONGSIM_PROGRAM}}, .folder = test::projectFolder()});
+  const std::optional<int> code = tour.wait(std::chrono::seconds(110));
+  ASSERT_TRUE(code.has_value()) << tour.output() << tour.error();
+  if (*code == 77) GTEST_SKIP() << tour.error();
+  EXPECT_EQ(*code, 0) << tour.output() << tour.error();
 }
 
-/// Runs a script as an interactive shell would, with this build's pongsim found first.
+INSTANTIATE_TEST_SUITE_P(Documentation, Tour,
+                         testing::Values("README.md", "docs/cli.md", "docs/plugins.md", "docs/tutorials.md"),
+                         [](const auto& page) {
+                           std::string name;
+                           for (const char letter : std::string(page.param)) {
+                             if (std::isalnum(static_cast<unsigned char>(letter)) != 0) name += letter;
+                           }
+                           return name;
+                         });
+
+/// @return How tools/cli-tour ends on a page with that text, and what it says.
+test::Outcome tourOf(const std::string& text) {
+  test::testDomain();
+  const test::TempFolder folder;
+  std::ofstream(folder.path() / "page.md") << text;
+  test::Process tour({"tools/cli-tour", (folder.path() / "page.md").string()},
+                     {.environment = {{"PONGSIM", PONGSIM_PROGRAM}}, .folder = test::projectFolder()});
+  const std::optional<int> code = tour.wait();
+  return {code.value_or(-1), tour.output(), tour.error()};
+}
+
+TEST(TourItself, FailsWhereAPageIsWrong) {
+  EXPECT_EQ(tourOf("    pongsim --version\n<!-- tour: 1 prints ^pongsim \\d -->\n").exitCode, 0);
+  const test::Outcome other = tourOf("    pongsim --version\n<!-- tour: 1 prints ^pingsim -->\n");
+  EXPECT_EQ(other.exitCode, 1);
+  EXPECT_NE(other.error.find("did not print '^pingsim'"), std::string::npos) << other.error;
+  EXPECT_EQ(tourOf("    pongsim frobnicate\n").exitCode, 1);
+  EXPECT_EQ(tourOf("    pongsim frobnicate\n<!-- tour: 1 exits 2 -->\n").exitCode, 0);
+  EXPECT_EQ(tourOf("<!-- tour: needs no/such/world.sdf -->\n    false\n").exitCode, 77);
+  EXPECT_EQ(tourOf("<!-- tour: skip it fails -->\n    false\n").exitCode, 0);
+}
+
+/// A script, run with this build's pongsim found first.
 class DocumentationTest : public testing::Test {
  protected:
   void run(const std::string& script) {
@@ -46,48 +80,6 @@ class DocumentationTest : public testing::Test {
   const int domain_ = test::testDomain();
   std::string output_;
 };
-
-TEST_F(DocumentationTest, TutorialOfTheReadmeWorksLineByLine) {
-  std::string script = "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\n";
-  for (const std::string& line : codeLines("README.md", "## The tutorial in ten lines")) {
-    if (line.starts_with("export PATH=")) continue;
-    script += line + "\n";
-    // Somebody who types is slower than the simulator starts.
-    if (line.find('&') != std::string::npos) script += "pongsim topic -e -t /clock -n 1 >/dev/null\n";
-  }
-  ASSERT_NE(script.find("pongsim run worlds/pong_world.sdf &"), std::string::npos);
-  run(script);
-  EXPECT_NE(output_.find("/model/pong_bot/odometry\n"), std::string::npos) << output_;
-  EXPECT_NE(output_.find("value: \"pong_bot/odom\"\n"), std::string::npos) << output_;
-  EXPECT_NE(output_.find("name: \"pong_bot\"\n"), std::string::npos) << output_;
-  EXPECT_NE(output_.find("state hash: "), std::string::npos) << output_;
-}
-
-TEST_F(DocumentationTest, ExamplesOfTheOtherCommandsWork) {
-  std::string script =
-      "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\npongsim run worlds/pong_world.sdf &\n"
-      "pongsim topic -e -t /clock -n 1 >/dev/null\n";
-  for (const char* command : {"topic", "service", "world", "key", "msg", "plugin", "completion"}) {
-    const std::vector<std::string> examples = codeLines("docs/cli.md", std::string("## pongsim ") + command);
-    EXPECT_FALSE(examples.empty()) << command;
-    for (const std::string& line : examples) script += line + "\n";
-  }
-  run(script);
-  EXPECT_NE(output_.find("\ndata: true\n"), std::string::npos) << output_;
-  EXPECT_NE(output_.find(" iterations, paused\n"), std::string::npos) << output_;
-  EXPECT_NE(output_.find("{\"system\":{"), std::string::npos) << output_;
-}
-
-TEST_F(DocumentationTest, ExamplesOfIgnWork) {
-  const test::TempFolder home;
-  std::string script = "trap 'kill $(jobs -p) 2>/dev/null || true' EXIT\nexport HOME=" + home.path().string() + "\n";
-  for (const std::string& line : codeLines("docs/cli.md", "## As `ign` or `gz`")) {
-    script += line + "\n";
-    if (line.ends_with('&')) script += "pongsim topic wait -t /clock\n";
-  }
-  run(script + "ign topic -l\n");
-  EXPECT_NE(output_.find("/cmd_vel\n"), std::string::npos) << output_;
-}
 
 TEST_F(DocumentationTest, SystemsPageSaysWhatTheSystemsSay) {
   run("PONGSIM=" PONGSIM_PROGRAM " tools/systems-table --print");
@@ -114,13 +106,6 @@ TEST(Documentation, LinksLeadSomewhere) {
     }
   }
   EXPECT_GE(links, 8);
-}
-
-TEST_F(DocumentationTest, ExamplesOfTheSdfCommandWork) {
-  std::string script = "set -e\n";
-  for (const std::string& line : codeLines("docs/cli.md", "## pongsim sdf --check FILE...")) script += line + "\n";
-  run(script);
-  EXPECT_TRUE(output_.starts_with("Valid.\n[")) << output_;
 }
 
 }  // namespace

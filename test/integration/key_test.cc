@@ -46,6 +46,13 @@ TEST_F(Keyboard, TakesKeysFromAPipeInOrder) {
   EXPECT_EQ(heard_->output(), "{\"data\":87}\n{\"data\":16777234}\n{\"data\":32}\n{\"data\":55}\n");
 }
 
+TEST_F(Keyboard, TellsOfThemAsJson) {
+  const auto keys = start("printf 'w\\033[D' |", "--json");
+  EXPECT_EQ(keys->wait(), 0) << keys->error();
+  EXPECT_EQ(keys->output(), "{\"key\":\"W\",\"code\":87}\n{\"key\":\"left\",\"code\":16777234}\n");
+  EXPECT_EQ(keys->error(), "");
+}
+
 TEST_F(Keyboard, SendsTheKeysOfATerminalAndLeavesItAsItWas) {
   const termios before = terminal_->settings();
   const auto keys = start("exec", "< " + terminal_->name());

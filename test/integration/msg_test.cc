@@ -21,7 +21,8 @@ TEST(Msg, PrintsADefinition) {
   const Outcome info = runToEnd({"msg", "-i", "Boolean"});
   EXPECT_EQ(info.exitCode, 0) << info.error;
   EXPECT_EQ(info.output,
-            "// ignition.msgs.Boolean\nmessage Boolean {\n  .ignition.msgs.Header header = 1;\n  bool data = 2;\n}\n");
+            "// ignition.msgs.Boolean\n// Boolean message\nmessage Boolean {\n  // Optional header data\n"
+            "  .ignition.msgs.Header header = 1;\n  // Boolean data\n  bool data = 2;\n}\n");
 }
 
 TEST(Msg, PrintsATemplate) {
@@ -35,6 +36,12 @@ TEST(Msg, GuessesTheTypeThatWasMeant) {
   EXPECT_EQ(wrong.exitCode, 2);
   EXPECT_NE(wrong.error.find("did you mean 'ignition.msgs.Twist'?"), std::string::npos) << wrong.error;
   EXPECT_EQ(runToEnd({"msg"}).exitCode, 2);
+}
+
+TEST(Msg, PrintsJsonToo) {
+  EXPECT_TRUE(runToEnd({"msg", "-l", "--json"}).output.starts_with("[\"ignition.msgs."));
+  const Outcome info = runToEnd({"msg", "-i", "Int32", "--json"});
+  EXPECT_TRUE(info.output.starts_with("{\"type\":\"ignition.msgs.Int32\",\"definition\":\"")) << info.output;
 }
 
 }  // namespace

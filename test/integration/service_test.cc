@@ -55,6 +55,23 @@ TEST_F(Services, AnswerWithAndWithoutTheirTypes) {
   EXPECT_EQ(call("/gazebo/worlds", "").output, "data: \"pong_world\"\n\n");
 }
 
+TEST_F(Services, AnswerAsJsonToo) {
+  EXPECT_EQ(call("/gazebo/worlds", "", {"--json"}).output, "{\"data\":[\"pong_world\"]}\n");
+  const std::string providers = "{\"name\":\"" + std::string(kControl) +
+                                "\",\"providers\":[{\"pid\":" + std::to_string(world_->pid()) +
+                                ",\"requestType\":\"ignition.msgs.WorldControl\",\"replyType\":"
+                                "\"ignition.msgs.Boolean\"}]}";
+  EXPECT_EQ(runToEnd({"service", "-is", kControl, "--json"}).output, providers + "\n");
+  const Outcome list = runToEnd({"service", "-l", "--json"});
+  EXPECT_NE(list.output.find(providers), std::string::npos) << list.output;
+}
+
+TEST_F(Services, SetTheWorldBackWithANewSeed) {
+  const Outcome alone = call(kControl, "pause: true, seed: 3");
+  EXPECT_NE(alone.error.find("it goes with reset {all: true}"), std::string::npos) << alone.error;
+  EXPECT_EQ(call(kControl, "pause: true, seed: 3, reset: {all: true}").output, "data: true\n\n");
+}
+
 TEST_F(Services, SayWhyTheyRefuse) {
   const Outcome reset = call(kControl, "reset: {time_only: true}");
   EXPECT_EQ(reset.exitCode, 1);

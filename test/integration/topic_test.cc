@@ -85,6 +85,40 @@ TEST_F(Topic, EchoesAsJsonALineEach) {
   for (const std::string& line : all) EXPECT_TRUE(line.starts_with("{\"") && line.ends_with("}")) << line;
 }
 
+TEST_F(Topic, ListsAsJson) {
+  const Outcome list = runToEnd({"topic", "-l", "--json"});
+  EXPECT_EQ(list.exitCode, 0) << list.error;
+  EXPECT_TRUE(list.output.starts_with("[{\"name\":\"/")) << list.output;
+  EXPECT_NE(list.output.find("{\"name\":\"/cmd_vel\",\"types\":[\"ignition.msgs.Twist\"],\"publishers\":1,"
+                             "\"subscribers\":"),
+            std::string::npos)
+      << list.output;
+}
+
+TEST_F(Topic, TellsOfOneAsJson) {
+  const Outcome info = runToEnd({"topic", "-it", "/clock", "--json"});
+  EXPECT_EQ(info.exitCode, 0) << info.error;
+  EXPECT_TRUE(info.output.starts_with("{\"name\":\"/clock\",\"publishers\":[{\"pid\":" + std::to_string(world_->pid()) +
+                                      ",\"type\":\"ignition.msgs.Clock\",\"hz\":"))
+      << info.output;
+}
+
+TEST_F(Topic, MeasuresHowLateMessagesCome) {
+  const Outcome delay = runToEnd({"topic", "-t", "/model/pong_bot/odometry", "--delay", "-n", "20"});
+  EXPECT_EQ(delay.exitCode, 0) << delay.error;
+  EXPECT_TRUE(std::regex_match(delay.output, std::regex("(delay mean -?\\d+\\.\\d{3} ms, min -?\\d+\\.\\d{3} ms, max "
+                                                        "-?\\d+\\.\\d{3} ms, deviation \\d+\\.\\d{3} ms, \\d+ "
+                                                        "messages\n)+")))
+      << delay.output;
+  const Outcome json = runToEnd({"topic", "-t", "/model/pong_bot/odometry", "--delay", "-n", "5", "--json"});
+  EXPECT_TRUE(json.output.starts_with("{\"mean\":")) << json.output << json.error;
+  const Outcome none = runToEnd({"topic", "-t", "/cmd_vel", "-m", "Double_V", "--delay", "-n", "1"});
+  EXPECT_EQ(none.exitCode, 1);
+  EXPECT_EQ(none.error,
+            "pongsim: error: ignition.msgs.Double_V has no header with a time\n"
+            "  hint: --hz tells how often messages come\n");
+}
+
 TEST_F(Topic, EchoesTheValuesAskedFor) {
   const Outcome one = runToEnd({"topic", "-et", "/clock", "--field", "sim.sec", "-n", "2"});
   EXPECT_EQ(one.exitCode, 0) << one.error;

@@ -61,6 +61,21 @@ TEST(World, IsChosenWhereSeveralRun) {
   EXPECT_TRUE(either.error.starts_with("pongsim: error: several worlds run: ")) << either.error;
 }
 
+TEST(World, TellsWhatIsInIt) {
+  const auto world = startServedWorld("pong_world.sdf", {"--paused"});
+  EXPECT_EQ(ask({"step", "20"}), 0);
+  const Outcome info = runToEnd({"world", "info", "--timeout", "60000"});
+  EXPECT_EQ(info.exitCode, 0) << info.error;
+  EXPECT_EQ(info.output,
+            "World: pong_world\n  models      3, 2 of them static\n  links       9\n  joints      3\n"
+            "  sensors     0\n  lights      1\n  gravity     0 0 -9.8 m/s^2\n  step        0.001 s\n"
+            "  simulated   0.020 s\n  iterations  20\n  state       paused\n");
+  const Outcome json = runToEnd({"world", "stats", "-n", "1", "--json", "--timeout", "60000"});
+  EXPECT_TRUE(std::regex_match(json.output, std::regex("\\{\"simulated\":0\\.02,\"real\":.*,\"iterations\":20,"
+                                                       "\"paused\":true\\}\n")))
+      << json.output;
+}
+
 TEST(World, StatsEndAtASignal) {
   const auto world = startServedWorld("pong_world.sdf");
   const auto stats = start({"world", "stats", "--timeout", "60000"});

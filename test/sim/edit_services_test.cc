@@ -2,15 +2,16 @@
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/scene.pb.h>
 
-#include <atomic>
 #include <chrono>
 #include <memory>
+#include <numbers>
 #include <string>
-#include <thread>
 
+#include "pongsim/scene.hh"
 #include "pongsim/simulation.hh"
-#include "support/process.hh"
+#include "support/ask_service.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::sim {
@@ -18,7 +19,8 @@ namespace {
 
 constexpr const char* kEditedWorld = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>
   <model name="ball"><pose>1 2 3 0 0 0</pose><link name="l"/></model>
-  <model name="tower"><link name="l"/><model name="top"><link name="l"/></model></model></world></sdf>)";
+  <model name="tower"><link name="l"/><model name="top"><link name="l"/></model></model>
+  <light name="sun" type="directional"><diffuse>1 1 1 1</diffuse></light></world></sdf>)";
 constexpr const char* kCrate = "sdf: \"<sdf version='1.9'><model name='crate'><link name='l'/></model></sdf>\"";
 
 class EditServicesTest : public testing::Test {
@@ -35,23 +37,20 @@ class EditServicesTest : public testing::Test {
   std::string refusal(const std::string& service, const std::string& type, const std::string& text) {
     const MessagePointer request = newMessage(type);
     EXPECT_FALSE(parseMessage(text, *request)) << text;
-    std::atomic<bool> answered = false;
-    CallResult result;
-    std::thread caller([&] {
-      ignition::msgs::Boolean reply;
-      result = simulation_->transport().node().call("/world/w/" + service, *request, reply, test::kDeadline);
-      EXPECT_EQ(reply.data(), static_cast<bool>(result));
-      answered = true;
-      simulation_->transport().wake();
-    });
-    while (!answered) simulation_->transport().dispatchFor(std::chrono::milliseconds(20));
-    caller.join();
-    const std::string_view before = " refused: ";
-    return result ? "" : result.error.substr(result.error.find(before) + before.size());
+    ignition::msgs::Boolean reply;
+    const CallResult result = test::askService(simulation_->transport(), "/world/w/" + service, *request, reply);
+    EXPECT_EQ(reply.data(), static_cast<bool>(result));
+    return test::refusalOf(result);
   }
   std::string create(const std::string& text) { return refusal("create", "EntityFactory", text); }
   std::string setPose(const std::string& text) { return refusal("set_pose", "Pose", text); }
   std::string setPhysics(const std::string& text) { return refusal("set_physics", "Physics", text); }
+
+  ignition::msgs::Scene scene() {
+    ignition::msgs::Scene message;
+    Scene(simulation_->world()).fillIn(message);
+    return message;
+  }
 
   std::optional<Model> model(const char* name) { return simulation_->world().model(name); }
 
@@ -74,8 +73,75 @@ TEST_F(EditServicesTest, SayWhatIsWrongWithWhatIsToBeCreated) {
   EXPECT_NE(create("").find("'sdf'"), std::string::npos);
   EXPECT_NE(create("sdf: '<sdf'").find("sdf:1:"), std::string::npos);
   EXPECT_NE(create("sdf_filename: 'nowhere.sdf'").find("nowhere.sdf"), std::string::npos);
-  EXPECT_EQ(create("clone_name: 'ball'"), "field 'clone_name' is not supported");
+  EXPECT_EQ(create("clone_name: 'bal', name: 'b'"), "there is no model 'bal'; did you mean 'ball'?");
+  EXPECT_NE(create("clone_name: 'ball'"), "") << "the name is taken";
+  EXPECT_EQ(create("clone_name: 'ball', name: 'b', relative_to: 'tower'"), "field 'relative_to' is not supported");
   EXPECT_EQ(simulation_->world().models().size(), 2U);
+}
+
+TEST_F(EditServicesTest, CreateACopyWhereTheOriginalIs) {
+  EXPECT_EQ(setPose("name: 'tower', position {x: 5}"), "");
+  EXPECT_EQ(create("clone_name: 'tower', name: 'twin'"), "");
+  EXPECT_EQ(model("twin")->pose().position, Vector3(5, 0, 0));
+  EXPECT_TRUE(model("twin::top"));
+  EXPECT_EQ(create("clone_name: 'tower', allow_renaming: true, pose {position {z: 2}}"), "");
+  EXPECT_EQ(model("tower_0")->pose().position, Vector3(0, 0, 2));
+}
+
+TEST_F(EditServicesTest, CreateWhereOnTheEarthTheyAreTold) {
+  const std::string crate = kCrate;
+  EXPECT_NE(create(crate + ", spherical_coordinates {latitude_deg: 1}").find("<spherical_coordinates>"),
+            std::string::npos);
+  Diagnostics diagnostics;
+  services_.reset();
+  simulation_ = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><spherical_coordinates><surface_model>EARTH_WGS84</surface_model>"
+      "<latitude_deg>10</latitude_deg><longitude_deg>20</longitude_deg><elevation>30</elevation>"
+      "</spherical_coordinates></world></sdf>",
+      "world.sdf", {.loadSystems = false}, diagnostics);
+  ASSERT_NE(simulation_, nullptr);
+  services_ = std::make_unique<EditServices>(*simulation_);
+  EXPECT_EQ(
+      create(crate + ", spherical_coordinates {latitude_deg: 10, longitude_deg: 20, elevation: 35, heading_deg: 90}"),
+      "");
+  EXPECT_NEAR((model("crate")->pose().position - Vector3(0, 0, 5)).norm(), 0, 1e-6);
+  EXPECT_NEAR(yawOf(model("crate")->pose().rotation), std::numbers::pi / 2, 1e-9);
+}
+
+TEST_F(EditServicesTest, CreateChangeAndRemoveLights) {
+  const auto light = [&](const std::string& text) { return refusal("light_config", "Light", text); };
+  EXPECT_EQ(light("name: 'sun', diffuse {r: 0.5}, intensity: 2, pose {position {z: 9}}"), "");
+  const ignition::msgs::Light sun = scene().light(0);
+  EXPECT_EQ(sun.diffuse().r(), 0.5F);
+  EXPECT_EQ(sun.intensity(), 2);
+  EXPECT_EQ(sun.pose().position().z(), 9);
+  EXPECT_EQ(light("name: 'sum'"), "there is no light 'sum'; did you mean 'sun'?");
+  EXPECT_NE(light("name: 'sun', range: -1"), "");
+  EXPECT_NE(light("name: 'sun', direction {x: nan}"), "");
+  EXPECT_NE(light("name: 'sun', parent_id: 4711"), "");
+
+  EXPECT_EQ(create("light {name: 'lamp', type: POINT, range: 3}, pose {position {x: 1}}"), "");
+  EXPECT_NE(create("light {name: 'lamp'}"), "") << "it is there already";
+  EXPECT_EQ(create("light {name: 'lamp'}, allow_renaming: true"), "");
+  ASSERT_EQ(scene().light_size(), 3);
+  EXPECT_EQ(scene().light(1).pose().position().x(), 1);
+  EXPECT_EQ(scene().light(2).name(), "lamp_0");
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'sun', type: LIGHT"), "");
+  EXPECT_NE(refusal("remove", "Entity", "name: 'sun', type: LIGHT"), "");
+  EXPECT_EQ(scene().light_size(), 2);
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  ASSERT_EQ(scene().light_size(), 1);
+  EXPECT_EQ(scene().light(0).diffuse().r(), 1);
+}
+
+TEST_F(EditServicesTest, ListenToLightsOnATopic) {
+  const MessagePointer light = newMessage("Light");
+  ASSERT_FALSE(parseMessage("name: 'sun', range: 7", *light));
+  Publisher publisher = simulation_->transport().node().advertise("/world/w/light_config", "ignition.msgs.Light");
+  publisher.publish(*light);
+  simulation_->transport().dispatch();
+  EXPECT_EQ(scene().light(0).range(), 7);
 }
 
 TEST_F(EditServicesTest, CreateAllOrNone) {
@@ -91,7 +157,7 @@ TEST_F(EditServicesTest, CreateAllOrNone) {
 TEST_F(EditServicesTest, RemoveAModelByNameOrId) {
   EXPECT_EQ(refusal("remove", "Entity", "name: 'bal', type: MODEL"), "there is no model 'bal'; did you mean 'ball'?");
   EXPECT_EQ(refusal("remove", "Entity", "name: 'tower::top', type: MODEL"), "'tower::top' is nested in another model");
-  EXPECT_NE(refusal("remove", "Entity", "name: 'sun', type: LIGHT"), "");
+  EXPECT_NE(refusal("remove", "Entity", "name: 'l', type: LINK"), "");
   EXPECT_NE(refusal("remove", "Entity", "id: 4711"), "");
   EXPECT_EQ(refusal("remove", "Entity", "name: 'ball', type: MODEL"), "");
   EXPECT_EQ(refusal("remove", "Entity", "id: " + std::to_string(model("tower")->id().value)), "");

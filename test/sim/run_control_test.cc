@@ -74,6 +74,7 @@ TEST(RunControl, RefusesAllOfWhatItCannotDo) {
   EXPECT_NE(control.apply({.reset = msgs::Reset::kTimeOnly}, Time::zero()), std::nullopt);
   EXPECT_NE(control.apply({.reset = msgs::Reset::kModelsOnly}, Time::zero()), std::nullopt);
   EXPECT_NE(control.apply({.seed = 1}, Time::zero()), std::nullopt);
+  EXPECT_EQ(control.apply({.pause = true, .reset = msgs::Reset::kAll, .seed = 1}, Time::zero()), std::nullopt);
   EXPECT_TRUE(control.paused());
 }
 

@@ -117,6 +117,59 @@ TEST(Entities, NumbersCollisionsBehindVisualsAndSensorsBehindWhatHoldsThem) {
   EXPECT_EQ(entities.joints()[entities.sensors()[2].joint].description->name, "bridge");
 }
 
+// outer's base and arm have a light each, the world has one
+description::World litWorld() {
+  description::World world = nestedWorld();
+  world.models[0].links[0].lights.resize(1);
+  world.models[0].links[0].lights[0].name = "lamp";
+  world.models[1].links[0].lights = world.models[0].links[0].lights;
+  world.lights.resize(1);
+  world.lights[0].name = "sun";
+  return world;
+}
+
+TEST(Entities, NumbersLightsBehindCollisionsAndThoseOfTheWorldLast) {
+  const description::World world = litWorld();
+  Entities entities(world);
+  EXPECT_EQ(entities.lights()[0].id.value, 7U);
+  EXPECT_EQ(visualId(entities.links()[0], 1).value, 5U);
+  EXPECT_EQ(entities.lights()[2].link, kNoSlot);
+  EXPECT_EQ(entities.nextId(), entities.lights()[2].id.value + 1);
+  EXPECT_EQ(entities.findLight(kNoSlot, "lamp"), kNoSlot);
+  EXPECT_EQ(entities.findLight(entities.findLink("lone::base"), "lamp"), 1U);
+  EXPECT_EQ(entities.slot(entities.lights()[2].id), entities.findLight(kNoSlot, "sun"));
+}
+
+TEST(Entities, LosesLightsWithTheirLinks) {
+  const description::World world = litWorld();
+  Entities entities(world);
+  const LightId lamp = entities.lights()[1].id;
+  entities.removeModel(entities.findModel("outer"));
+  ASSERT_EQ(entities.lights().size(), 2U);
+  EXPECT_EQ(entities.slot(lamp), 0U);
+  EXPECT_EQ(entities.lights()[0].link, entities.findLink("lone::base"));
+  EXPECT_EQ(entities.lights()[1].link, kNoSlot);
+}
+
+TEST(Entities, TakesChangesOfLightsBackAtAReset) {
+  const description::World world = litWorld();
+  Entities entities(world);
+  const Slot sun = entities.findLight(kNoSlot, "sun");
+  auto moon = std::make_shared<description::Light>();
+  moon->name = "moon";
+  const LightId moonId = entities.lights()[entities.insertLight(moon)].id;
+  auto dim = std::make_shared<description::Light>(world.lights[0]);
+  dim->intensity = 0.5;
+  entities.changeLight(sun, dim);
+  EXPECT_EQ(entities.lights()[sun].description->intensity, 0.5);
+  entities.removeLight(sun);
+  EXPECT_EQ(entities.slot(moonId), sun);
+  entities.reset();
+  ASSERT_EQ(entities.lights().size(), 3U);
+  EXPECT_EQ(entities.lights()[sun].description->intensity, 1);
+  EXPECT_EQ(entities.slot(moonId), kNoSlot);
+}
+
 TEST(Entities, GivesTheSlotOfAnIdOfItsOwnKindOnly) {
   const description::World world = nestedWorld();
   const Entities entities(world);

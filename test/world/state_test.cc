@@ -50,6 +50,27 @@ TEST(ModelPose, MovesWithTheCanonicalLink) {
   EXPECT_TRUE(modelPose(entities, state, outer).position.isApprox(Vector3(10, 0, 3)));
 }
 
+TEST(PoseInParent, IsThatOfNow) {
+  const description::World world = twoLinks();
+  const Entities entities(world);
+  State state(entities);
+  const Slot inner = entities.findModel("outer::inner");
+  EXPECT_TRUE(poseInParent(entities, state, inner).position.isApprox(Vector3(2, 0, 0)));
+  EXPECT_TRUE(poseInParent(entities, state, entities.findModel("outer")).position.isApprox(Vector3(10, 0, 0)));
+}
+
+TEST(PoseInModel, OfTheCanonicalLinkNeverChanges) {
+  description::World world = twoLinks();
+  world.models[0].models[0].links.push_back(world.models[0].models[0].links[0]);
+  world.models[0].models[0].links[1].name = "other";
+  const Entities entities(world);
+  State state(entities);
+  for (LinkState& link : state.links) link.X_WorldLink.position += Vector3(0.1, 0.2, 0.3);
+  EXPECT_EQ(poseInModel(entities, state, 0).position, Vector3(0, 0, 1));
+  state.links[1].X_WorldLink.position.z() += 4;
+  EXPECT_TRUE(poseInModel(entities, state, 1).position.isApprox(Vector3(0, 0, 5)));
+}
+
 TEST(StateHash, ChangesWithEveryValue) {
   const description::World world = twoLinks();
   const Entities entities(world);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "pongsim/message.hh"
+
+namespace pongsim::cli {
+
+/// What a world is made of and where it stands, for people or as one JSON object.
+/// @param step Its state, an `ignition.msgs.SerializedStepMap`.
+std::string worldInfo(const Message& step, bool asJson);
+
+}  // namespace pongsim::cli

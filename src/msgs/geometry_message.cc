@@ -1,0 +1,120 @@
+#include "msgs/geometry_message.hh"
+
+#include <ignition/msgs/geometry.pb.h>
+
+#include <filesystem>
+#include <string>
+#include <variant>
+
+#include "pongsim/fields.hh"
+
+namespace pongsim::msgs {
+
+namespace {
+
+namespace im = ignition::msgs;
+
+/// @return The full path, or what stands in the description where it leads nowhere.
+std::string pathOf(const std::filesystem::path& file, const std::string& uri) {
+  return file.empty() ? uri : file.string();
+}
+
+struct GeometryWriter {
+  im::Geometry& message;
+
+  void operator()(const description::Empty&) const { message.set_type(im::Geometry::EMPTY); }
+
+  void operator()(const description::Box& box) const {
+    message.set_type(im::Geometry::BOX);
+    setVector(box.size, *message.mutable_box()->mutable_size());
+  }
+
+  void operator()(const description::Sphere& sphere) const {
+    message.set_type(im::Geometry::SPHERE);
+    message.mutable_sphere()->set_radius(sphere.radius);
+  }
+
+  void operator()(const description::Cylinder& cylinder) const {
+    message.set_type(im::Geometry::CYLINDER);
+    message.mutable_cylinder()->set_radius(cylinder.radius);
+    message.mutable_cylinder()->set_length(cylinder.length);
+  }
+
+  void operator()(const description::Capsule& capsule) const {
+    message.set_type(im::Geometry::CAPSULE);
+    message.mutable_capsule()->set_radius(capsule.radius);
+    message.mutable_capsule()->set_length(capsule.length);
+  }
+
+  void operator()(const description::Ellipsoid& ellipsoid) const {
+    message.set_type(im::Geometry::ELLIPSOID);
+    setVector(ellipsoid.radii, *message.mutable_ellipsoid()->mutable_radii());
+  }
+
+  void operator()(const description::Plane& plane) const {
+    message.set_type(im::Geometry::PLANE);
+    setVector(plane.normal, *message.mutable_plane()->mutable_normal());
+    message.mutable_plane()->mutable_size()->set_x(plane.size.x());
+    message.mutable_plane()->mutable_size()->set_y(plane.size.y());
+  }
+
+  void operator()(const description::Mesh& mesh) const {
+    message.set_type(im::Geometry::MESH);
+    message.mutable_mesh()->set_filename(pathOf(mesh.file, mesh.uri));
+    setVector(mesh.scale, *message.mutable_mesh()->mutable_scale());
+    message.mutable_mesh()->set_submesh(mesh.submesh);
+    message.mutable_mesh()->set_center_submesh(mesh.isCentered);
+  }
+
+  void operator()(const description::Heightmap& heightmap) const {
+    message.set_type(im::Geometry::HEIGHTMAP);
+    im::HeightmapGeom& ground = *message.mutable_heightmap();
+    ground.set_filename(pathOf(heightmap.file, heightmap.uri));
+    setVector(heightmap.size, *ground.mutable_size());
+    setVector(heightmap.position, *ground.mutable_origin());
+    ground.set_use_terrain_paging(heightmap.usesPaging);
+    ground.set_sampling(heightmap.sampling);
+    for (const description::HeightmapTexture& texture : heightmap.textures) {
+      im::HeightmapGeom::Texture& added = *ground.add_texture();
+      added.set_size(texture.size);
+      added.set_diffuse(pathOf(texture.diffuse.file, texture.diffuse.uri));
+      added.set_normal(pathOf(texture.normal.file, texture.normal.uri));
+    }
+    for (const description::HeightmapBlend& blend : heightmap.blends) {
+      im::HeightmapGeom::Blend& added = *ground.add_blend();
+      added.set_min_height(blend.minHeight);
+      added.set_fade_dist(blend.fadeDistance);
+    }
+  }
+
+  void operator()(const description::Polyline& polyline) const {
+    message.set_type(im::Geometry::POLYLINE);
+    for (const auto& line : polyline.lines) {
+      im::Polyline& added = *message.add_polyline();
+      added.set_height(polyline.height);
+      for (const Eigen::Vector2d& point : line) {
+        added.add_point()->set_x(point.x());
+        added.mutable_point()->rbegin()->set_y(point.y());
+      }
+    }
+  }
+
+  void operator()(const description::Image& image) const {
+    message.set_type(im::Geometry::IMAGE);
+    im::ImageGeom& boxes = *message.mutable_image();
+    boxes.set_uri(pathOf(image.file, image.uri));
+    boxes.set_scale(image.scale);
+    boxes.set_threshold(static_cast<std::int32_t>(image.threshold));
+    boxes.set_height(image.height);
+    boxes.set_granularity(static_cast<std::int32_t>(image.granularity));
+  }
+};
+
+}  // namespace
+
+void setGeometry(const description::Geometry& geometry, im::Geometry& message) {
+  message.Clear();
+  std::visit(GeometryWriter{message}, geometry);
+}
+
+}  // namespace pongsim::msgs

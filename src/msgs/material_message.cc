@@ -1,0 +1,59 @@
+#include "msgs/material_message.hh"
+
+#include <ignition/msgs/material.pb.h>
+
+#include <string>
+
+#include "msgs/color_message.hh"
+
+namespace pongsim::msgs {
+
+namespace {
+
+namespace im = ignition::msgs;
+
+std::string pictureOf(const description::Texture& texture) {
+  return texture.file.empty() ? texture.uri : texture.file.string();
+}
+
+void setMaps(const description::PbrMaps& maps, im::Material::PBR& message) {
+  message.set_albedo_map(pictureOf(maps.albedo));
+  message.set_normal_map(pictureOf(maps.normal));
+  message.set_environment_map(pictureOf(maps.environment));
+  message.set_ambient_occlusion_map(pictureOf(maps.ambientOcclusion));
+  message.set_emissive_map(pictureOf(maps.emissive));
+  message.set_light_map(pictureOf(maps.light));
+  message.set_light_map_texcoord_set(maps.lightCoordinates);
+}
+
+}  // namespace
+
+void setMaterial(const description::Material& material, im::Material& message) {
+  message.Clear();
+  setColor(material.ambient, *message.mutable_ambient());
+  setColor(material.diffuse, *message.mutable_diffuse());
+  setColor(material.specular, *message.mutable_specular());
+  setColor(material.emissive, *message.mutable_emissive());
+  message.set_lighting(material.isLit);
+  message.set_double_sided(material.isDoubleSided);
+  message.set_render_order(material.renderOrder);
+  // of the two the one that Fortress takes
+  if (material.metal) {
+    im::Material::PBR& pbr = *message.mutable_pbr();
+    pbr.set_type(im::Material::PBR::METAL);
+    setMaps(material.metal->maps, pbr);
+    pbr.set_metalness(material.metal->metalness);
+    pbr.set_metalness_map(pictureOf(material.metal->metalnessMap));
+    pbr.set_roughness(material.metal->roughness);
+    pbr.set_roughness_map(pictureOf(material.metal->roughnessMap));
+  } else if (material.gloss) {
+    im::Material::PBR& pbr = *message.mutable_pbr();
+    pbr.set_type(im::Material::PBR::SPECULAR);
+    setMaps(material.gloss->maps, pbr);
+    pbr.set_glossiness(material.gloss->glossiness);
+    pbr.set_glossiness_map(pictureOf(material.gloss->glossinessMap));
+    pbr.set_specular_map(pictureOf(material.gloss->specularMap));
+  }
+}
+
+}  // namespace pongsim::msgs

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "pongsim/message.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::msgs {
+
+/// @param type Full name of a message type.
+/// @return Whether its messages have a header that can tell a time.
+bool hasStamp(std::string_view type);
+
+/// @return The time in the message's header; nothing where it has none.
+std::optional<Time> stampOf(const Message& message);
+
+/// Simulated and wall time at the end of the same step, as an `ignition.msgs.Clock` tells them.
+struct ClockReading {
+  Time simulated{0};
+  /// Since 1970.
+  Time system{0};
+};
+
+/// @param clock An `ignition.msgs.Clock`.
+ClockReading clockReading(const Message& clock);
+
+}  // namespace pongsim::msgs

@@ -1,0 +1,68 @@
+#include "sim/resource_services.hh"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "msgs/control_messages.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+constexpr std::string_view kPaths = "ignition.msgs.StringMsg_V";
+constexpr std::string_view kPath = "ignition.msgs.StringMsg";
+constexpr std::string_view kNothing = "ignition.msgs.Empty";
+
+}  // namespace
+
+ResourceServices::ResourceServices(Simulation& simulation) : simulation_(simulation) {
+  Node node = simulation.transport().node();
+  publisher_ = node.advertise("/gazebo/resource_paths", kPaths);
+  get_ = node.serve("/gazebo/resource_paths/get", kNothing, kPaths, [this](const Message&, Message& reply) {
+    fillIn(reply);
+    return true;
+  });
+  add_ = node.serve("/gazebo/resource_paths/add", kPaths, kNothing,
+                    [this](const Message& request, Message&) { return add(request); });
+  resolve_ = node.serve("/gazebo/resource_paths/resolve", kPath, kPath,
+                        [this](const Message& request, Message& reply) { return resolve(request, reply); });
+}
+
+ServiceAnswer ResourceServices::add(const Message& request) {
+  const std::vector<std::string> folders = msgs::strings(request);
+  if (folders.empty()) return ServiceAnswer::refused("the request names no folder");
+  // all or none
+  for (const std::string& folder : folders) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error)) return ServiceAnswer::refused("'" + folder + "' is no folder");
+  }
+  for (const std::string& folder : folders) {
+    if (const std::optional<std::string> refusal = simulation_.addResourceFolder(folder)) {
+      return ServiceAnswer::refused(*refusal);
+    }
+  }
+  const MessagePointer message = newMessage(kPaths);
+  fillIn(*message);
+  publisher_.publish(*message);
+  return true;
+}
+
+ServiceAnswer ResourceServices::resolve(const Message& request, Message& reply) {
+  const std::string address = msgs::string(request);
+  const std::optional<std::filesystem::path> found = simulation_.resolve(address);
+  if (!found) return ServiceAnswer::refused("there is no '" + address + "' where models are looked for");
+  msgs::setString(found->string(), reply);
+  return true;
+}
+
+void ResourceServices::fillIn(Message& stringMsgV) const {
+  for (const std::filesystem::path& folder : simulation_.resourceFolders()) {
+    msgs::addString(folder.string(), stringMsgV);
+  }
+}
+
+}  // namespace pongsim::sim
