@@ -99,6 +99,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
 
 Writer::~Writer() {
   outbox_.flush(*this);
+  removeAll();
   rtps::RTPSDomain::removeRTPSWriter(writer_);
 }
 
@@ -175,6 +176,13 @@ void Writer::makeRoomFor(std::size_t bytes) {
 void Writer::removeOldest(const rtps::CacheChange_t& oldest) {
   keptBytes_ -= oldest.serializedPayload.length;
   history_.remove_min_change();
+}
+
+// Before the writer ends: Fast DDS 2.9 gives the samples back before it stops the heartbeats, and one that comes in
+// between looks for the end of a history whose samples have lost their numbers, for ever.
+void Writer::removeAll() {
+  const std::lock_guard lock(writer_->getMutex());
+  history_.remove_all_changes();
 }
 
 bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {

@@ -80,6 +80,7 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   void removeDelivered();
   void makeRoomFor(std::size_t bytes);
   void removeOldest(const rtps::CacheChange_t& oldest);
+  void removeAll();
 
   using rtps::WriterListener::onWriterMatched;
 
