@@ -45,6 +45,12 @@ struct Joint {
   Pose X_ParentJoint;
   /// Of a screw: how far the child moves along the axis in one turn [m], right-handed where positive.
   double threadPitch = 1;
+  /// Of a gearbox: it holds theta2 = -ratio theta1, theta1 being how far the parent has turned about the first axis and
+  /// theta2 how far the child has turned about the second, both seen from the reference link, to which the axes are
+  /// fixed. The joint frame in that one (in the world's, if it is "world") is where it is in the two others.
+  double gearboxRatio = 1;
+  std::string gearboxReference;
+  Pose X_ReferenceJoint;
   /// One for revolute, continuous, prismatic, screw; two for universal, revolute2, gearbox; none for ball, fixed.
   std::vector<JointAxis> axes;
   std::vector<Sensor> sensors;

@@ -3,9 +3,11 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "physics/friction.hh"
+#include "physics/gearbox.hh"
 
 namespace pongsim::physics {
 
@@ -46,6 +48,67 @@ void ContactSolver::settleBounce(btSolverConstraint& row, const btManifoldPoint&
   const double gapRate = point.getDistance() / info.m_timeStep;
   const double change = gapRate < approach ? gapRate : -point.m_combinedRestitution * approach;
   row.m_rhs += change * row.m_jacDiagABInv;
+}
+
+void ContactSolver::convertJoints(btTypedConstraint** joints, int count, const btContactSolverInfo& info) {
+  btSequentialImpulseConstraintSolver::convertJoints(joints, count, info);
+  ties_.clear();
+  btConstraintArray& rows = m_tmpSolverNonContactConstraintPool;
+  for (int i = 1; i < rows.size(); ++i) {
+    btSolverConstraint& second = rows[i];
+    if (!isGearReference(*static_cast<const btTypedConstraint*>(second.m_originalContactPoint))) continue;
+    btSolverConstraint& first = rows[i - 1];
+    // an inverse of 0 is that of a row that moves nothing
+    const auto stiffness = [](const btSolverConstraint& row) {
+      return row.m_jacDiagABInv == 0 ? 0 : 1 / row.m_jacDiagABInv;
+    };
+    const double sum = stiffness(first) + stiffness(second);
+    const double asked = first.m_rhs * stiffness(first) + second.m_rhs * stiffness(second);
+    if (sum == 0) continue;
+    first.m_jacDiagABInv = 1 / sum;
+    first.m_rhs = asked / sum;
+    // Bullet's own sweep leaves them alone
+    first.m_overrideNumSolverIterations = second.m_overrideNumSolverIterations = 0;
+    ties_.push_back(i - 1);
+  }
+}
+
+btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** bodies, int bodyCount,
+                                             btPersistentManifold** manifolds, int manifoldCount,
+                                             btTypedConstraint** joints, int jointCount,
+                                             const btContactSolverInfo& info, btIDebugDraw* debugDrawer) {
+  double residual = 0;
+  for (const int place : ties_) {
+    btSolverConstraint& first = m_tmpSolverNonContactConstraintPool[place];
+    btSolverConstraint& second = m_tmpSolverNonContactConstraintPool[place + 1];
+    const double change = first.m_rhs - static_cast<double>(first.m_appliedImpulse) * first.m_cfm -
+                          (velocityAlong(first) + velocityAlong(second)) * first.m_jacDiagABInv;
+    applyImpulse(first, change);
+    applyImpulse(second, change);
+    const double missing = change / first.m_jacDiagABInv;
+    residual = std::max(residual, missing * missing);
+  }
+  return std::max(residual,
+                  btSequentialImpulseConstraintSolver::solveSingleIteration(
+                      iteration, bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, debugDrawer));
+}
+
+// what this step's impulses have added to it
+double ContactSolver::velocityAlong(const btSolverConstraint& row) {
+  btSolverBody& a = m_tmpSolverBodyPool[row.m_solverBodyIdA];
+  btSolverBody& b = m_tmpSolverBodyPool[row.m_solverBodyIdB];
+  return row.m_contactNormal1.dot(a.internalGetDeltaLinearVelocity()) +
+         row.m_relpos1CrossNormal.dot(a.internalGetDeltaAngularVelocity()) +
+         row.m_contactNormal2.dot(b.internalGetDeltaLinearVelocity()) +
+         row.m_relpos2CrossNormal.dot(b.internalGetDeltaAngularVelocity());
+}
+
+void ContactSolver::applyImpulse(btSolverConstraint& row, double change) {
+  btSolverBody& a = m_tmpSolverBodyPool[row.m_solverBodyIdA];
+  btSolverBody& b = m_tmpSolverBodyPool[row.m_solverBodyIdB];
+  row.m_appliedImpulse = static_cast<double>(row.m_appliedImpulse) + change;
+  a.internalApplyImpulse(row.m_contactNormal1 * a.internalGetInvMass(), row.m_angularComponentA, change);
+  b.internalApplyImpulse(row.m_contactNormal2 * b.internalGetInvMass(), row.m_angularComponentB, change);
 }
 
 // a velocity in proportion to the force: the row gives way by slip / dt of its impulse

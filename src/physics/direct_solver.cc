@@ -37,8 +37,17 @@ btScalar DirectSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bod
 
 void DirectSolver::collectRows() {
   rows_.resizeNoInitialize(0);
-  for (btConstraintArray* pool : {&m_tmpSolverNonContactConstraintPool, &m_tmpSolverContactConstraintPool,
-                                  &m_tmpSolverContactFrictionConstraintPool}) {
+  tails_.clear();
+  btConstraintArray& joints = m_tmpSolverNonContactConstraintPool;
+  auto tie = tiedRows().begin();
+  for (int i = 0; i < joints.size(); ++i) {
+    rows_.push_back(&joints[i]);
+    if (tie == tiedRows().end() || *tie != i) continue;
+    ++tie;
+    tails_.push_back({rows_.size() - 1, &joints[++i]});
+  }
+  jointRows_ = rows_.size();
+  for (btConstraintArray* pool : {&m_tmpSolverContactConstraintPool, &m_tmpSolverContactFrictionConstraintPool}) {
     if (pool == &m_tmpSolverContactFrictionConstraintPool) unfrictionalRows_ = rows_.size();
     for (int i = 0; i < pool->size(); ++i) rows_.push_back(&(*pool)[i]);
   }
@@ -66,16 +75,29 @@ double DirectSolver::coupling(const btSolverConstraint& a, const btSolverConstra
   return sum;
 }
 
+double DirectSolver::coupling(int i, int j) const {
+  double sum = coupling(*rows_[i], *rows_[j]);
+  for (const Tail& tail : tails_) {
+    if (tail.row == i) sum += coupling(*tail.second, *rows_[j]);
+    if (tail.row != j) continue;
+    sum += coupling(*rows_[i], *tail.second);
+    for (const Tail& other : tails_) {
+      if (other.row == i) sum += coupling(*other.second, *tail.second);
+    }
+  }
+  return sum;
+}
+
 // A = J M^-1 J^T, symmetric, a little softened
 void DirectSolver::buildMatrix(double softness) {
   const int rows = rows_.size();
   A_.resizeNoInitialize(rows * rows);
   for (int i = 0; i < rows; ++i) {
-    for (int j = 0; j <= i; ++j) A_[i * rows + j] = A_[j * rows + i] = coupling(*rows_[i], *rows_[j]);
+    for (int j = 0; j <= i; ++j) A_[i * rows + j] = A_[j * rows + i] = coupling(i, j);
     A_[i * rows + i] += softness;
     // what friction slips by
     if (i >= unfrictionalRows_ && rows_[i]->m_cfm != 0) A_[i * rows + i] += rows_[i]->m_cfm / rows_[i]->m_jacDiagABInv;
-    const bool isContact = i >= m_tmpSolverNonContactConstraintPool.size() && i < unfrictionalRows_;
+    const bool isContact = i >= jointRows_ && i < unfrictionalRows_;
     if (isContact) A_[i * rows + i] *= 1 + kContactSoftness;
   }
 }
@@ -86,11 +108,10 @@ bool DirectSolver::solve(int rows) {
   lowest_.resizeNoInitialize(rows);
   highest_.resizeNoInitialize(rows);
   normalOf_.resizeNoInitialize(rows);
-  const int firstContact = m_tmpSolverNonContactConstraintPool.size();
   for (int i = 0; i < rows; ++i) {
     lowest_[i] = bound(rows_[i]->m_lowerLimit);
     highest_[i] = bound(rows_[i]->m_upperLimit);
-    normalOf_[i] = i < unfrictionalRows_ ? -1 : firstContact + rows_[i]->m_frictionIndex;
+    normalOf_[i] = i < unfrictionalRows_ ? -1 : jointRows_ + rows_[i]->m_frictionIndex;
     if (i >= unfrictionalRows_) {
       // times the impulse in the normal direction, which the method knows
       lowest_[i] = -rows_[i]->m_friction;
@@ -114,14 +135,12 @@ bool DirectSolver::solveVelocities() {
   }
   if (!solve(rows)) return false;
   for (int i = 0; i < rows; ++i) {
-    btSolverConstraint& row = *rows_[i];
-    btSolverBody& bodyA = m_tmpSolverBodyPool[row.m_solverBodyIdA];
-    btSolverBody& bodyB = m_tmpSolverBodyPool[row.m_solverBodyIdB];
-    const double change = x_[i] - row.m_appliedImpulse;
-    row.m_appliedImpulse = x_[i];
-    bodyA.internalApplyImpulse(row.m_contactNormal1 * bodyA.internalGetInvMass(), row.m_angularComponentA, change);
-    bodyB.internalApplyImpulse(row.m_contactNormal2 * bodyB.internalGetInvMass(), row.m_angularComponentB, change);
+    // not by way of a sum, which would round it
+    const double change = x_[i] - static_cast<double>(rows_[i]->m_appliedImpulse);
+    applyImpulse(*rows_[i], change);
+    rows_[i]->m_appliedImpulse = x_[i];
   }
+  for (const Tail& tail : tails_) applyImpulse(*tail.second, x_[tail.row]);
   return true;
 }
 
@@ -136,14 +155,15 @@ bool DirectSolver::solvePositions() {
   }
   if (!penetrates) return true;
   if (!solve(unfrictionalRows_)) return false;
-  for (int i = 0; i < unfrictionalRows_; ++i) {
-    btSolverConstraint& row = *rows_[i];
+  const auto push = [this](btSolverConstraint& row, double impulse) {
     btSolverBody& bodyA = m_tmpSolverBodyPool[row.m_solverBodyIdA];
     btSolverBody& bodyB = m_tmpSolverBodyPool[row.m_solverBodyIdB];
-    row.m_appliedPushImpulse = x_[i];
-    bodyA.internalApplyPushImpulse(row.m_contactNormal1 * bodyA.internalGetInvMass(), row.m_angularComponentA, x_[i]);
-    bodyB.internalApplyPushImpulse(row.m_contactNormal2 * bodyB.internalGetInvMass(), row.m_angularComponentB, x_[i]);
-  }
+    row.m_appliedPushImpulse = impulse;
+    bodyA.internalApplyPushImpulse(row.m_contactNormal1 * bodyA.internalGetInvMass(), row.m_angularComponentA, impulse);
+    bodyB.internalApplyPushImpulse(row.m_contactNormal2 * bodyB.internalGetInvMass(), row.m_angularComponentB, impulse);
+  };
+  for (int i = 0; i < unfrictionalRows_; ++i) push(*rows_[i], x_[i]);
+  for (const Tail& tail : tails_) push(*tail.second, x_[tail.row]);
   return true;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "physics/contact_solver.hh"
 #include "physics/lcp.hh"
 
@@ -25,8 +27,16 @@ class DirectSolver final : public ContactSolver {
   bool solveVelocities();
   bool solvePositions();
   double coupling(const btSolverConstraint& a, const btSolverConstraint& b) const;
+  double coupling(int i, int j) const;
 
   btAlignedObjectArray<btSolverConstraint*> rows_;
+  /// Of joints' rows that are two of Bullet's: their numbers in `rows_`, and the second ones.
+  struct Tail {
+    int row;
+    btSolverConstraint* second;
+  };
+  std::vector<Tail> tails_;
+  int jointRows_ = 0;
   /// Rows of joints and of contacts' normal directions: all but friction.
   int unfrictionalRows_ = 0;
   btAlignedObjectArray<btScalar> A_;

@@ -11,6 +11,7 @@
 #include "physics/contact_list.hh"
 #include "physics/convert.hh"
 #include "physics/dynamics_world.hh"
+#include "physics/gearbox.hh"
 #include "physics/joint.hh"
 #include "physics/surface.hh"
 
@@ -72,7 +73,9 @@ Engine::Parts::~Parts() {
 
 void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
                             std::span<btTypedConstraint* const> groupJoints, double seconds) {
-  for (btTypedConstraint* joint : groupJoints) static_cast<Joint*>(joint)->prepare(seconds);
+  for (btTypedConstraint* joint : groupJoints) {
+    if (!isGearReference(*joint)) static_cast<Joint*>(joint)->prepare(seconds);
+  }
   for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds);
 }
 
@@ -86,6 +89,7 @@ void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
     }
   }
   for (btTypedConstraint* constraint : groupJoints) {
+    if (isGearReference(*constraint)) continue;
     Joint& joint = static_cast<Joint&>(*constraint);
     joint.update();
     state->joints[joint.slot()] = joint.state();
@@ -112,7 +116,8 @@ void Engine::Parts::addJoints() {
     const world::JointRecord& record = entities.joints()[slot];
     const description::Joint& description = *record.description;
     joints.push_back(std::make_unique<Joint>(description, end(record.parentLink, description.X_ParentJoint),
-                                             end(record.childLink, description.X_ChildJoint)));
+                                             end(record.childLink, description.X_ChildJoint),
+                                             end(record.referenceLink, description.X_ReferenceJoint)));
     world.separate(joints.back()->getRigidBodyA(), joints.back()->getRigidBodyB());
   }
 }
@@ -149,7 +154,9 @@ void Engine::Parts::renumber() {
   std::vector<btTypedConstraint*> holding;
   for (world::Slot slot = 0; slot < joints.size(); ++slot) {
     joints[slot]->setSlot(slot);
-    if (joints[slot]->holdsSomething()) holding.push_back(joints[slot].get());
+    if (!joints[slot]->holdsSomething()) continue;
+    holding.push_back(joints[slot].get());
+    if (btTypedConstraint* reference = joints[slot]->reference()) holding.push_back(reference);
   }
   world.bullet().setMembers(std::move(movingRigid), std::move(holding));
 }

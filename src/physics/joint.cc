@@ -22,13 +22,16 @@ bool hasTwoAxes(JointType type) { return type == JointType::kUniversal || type =
 
 std::size_t countAxes(JointType type) {
   if (hasTwoAxes(type)) return 2;
-  return type == JointType::kBall || type == JointType::kFixed ? 0 : 1;
+  return type == JointType::kBall || type == JointType::kFixed || type == JointType::kGearbox ? 0 : 1;
 }
 
-int heldDirections(JointType type) { return type == JointType::kPrismatic || type == JointType::kScrew ? 2 : 3; }
+int heldDirections(JointType type) {
+  if (type == JointType::kGearbox) return 0;
+  return type == JointType::kPrismatic || type == JointType::kScrew ? 2 : 3;
+}
 
 int heldTurns(JointType type) {
-  if (type == JointType::kBall) return 0;
+  if (type == JointType::kBall || type == JointType::kGearbox) return 0;
   if (hasTwoAxes(type)) return 1;
   return type == JointType::kPrismatic || type == JointType::kFixed ? 3 : 2;
 }
@@ -85,6 +88,13 @@ struct Joint::Row {
     finish(velocity, lowest, highest);
   }
 
+  // the turns of the two, weighed by these, shall sum up to `velocity`
+  void gears(const btVector3& parent, const btVector3& child, double velocity) {
+    set(info->m_J1angularAxis, parent);
+    set(info->m_J2angularAxis, child);
+    finish(velocity, -SIMD_INFINITY, SIMD_INFINITY);
+  }
+
   // likewise its angular velocity about `direction`
   void angular(const btVector3& direction, double velocity, double lowest, double highest) {
     set(info->m_J1angularAxis, -direction);
@@ -104,7 +114,8 @@ struct Joint::Row {
   }
 };
 
-Joint::Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child)
+Joint::Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child,
+             const JointEnd& reference)
     : btTypedConstraint(MAX_CONSTRAINT_TYPE, *parent.body, *child.body),
       type_(description.type),
       axisCount_(std::min(countAxes(description.type), description.axes.size())),
@@ -122,6 +133,10 @@ Joint::Joint(const description::Joint& description, const JointEnd& parent, cons
     axes_[i].description = description.axes[i];
     axes_[i].inertia = inertiaOf(parent, child, directions[i]);
   }
+  if (type_ != JointType::kGearbox) return;
+  gearbox_ = std::make_unique<Gearbox>(description.gearboxRatio, *reference.body,
+                                       alongAxis(reference.X_BodyJoint, description), std::nullopt);
+  if (reference.moves && holdsSomething()) gearbox_->part.emplace(*reference.body, parentMoves_ ? m_rbA : m_rbB);
 }
 
 double Joint::inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const {
@@ -244,6 +259,7 @@ void Joint::transfer(StateArchive& archive) {
 }
 
 void Joint::update() {
+  if (gearbox_) updateGears();
   if (axisCount_ == 0) return;
   const Frames now = frames();
   if (slides_) {
@@ -263,6 +279,21 @@ void Joint::update() {
   }
 }
 
+void Joint::updateGears() {
+  const btMatrix3x3 R_WorldReference = (gearbox_->body.getWorldTransform() * gearbox_->X_BodyJoint).getBasis();
+  const Frames now = frames();
+  const std::array<const btMatrix3x3*, 2> gears{&now.X_WorldParent.getBasis(), &now.X_WorldChild.getBasis()};
+  const std::array<const btRigidBody*, 2> bodies{&m_rbA, &m_rbB};
+  const std::array<btVector3, 2> directions{btVector3(1, 0, 0), secondAxis_};
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    Axis& axis = axes_[i];
+    const double found = turnAbout(directions[i], R_WorldReference, *gears[i]);
+    axis.position += std::remainder(found - axis.position, 2 * std::numbers::pi);
+    const btVector3 relativeTurn = bodies[i]->getAngularVelocity() - gearbox_->body.getAngularVelocity();
+    axis.velocity = relativeTurn.dot(R_WorldReference * directions[i]);
+  }
+}
+
 double Joint::offset(const Frames& frames) const {
   return frames.axes[0].dot(frames.X_WorldChild.getOrigin() - frames.X_WorldParent.getOrigin());
 }
@@ -279,7 +310,7 @@ std::array<double, 2> Joint::angles(const Frames& frames) const {
 }
 
 void Joint::getInfo1(btConstraintInfo1* info) {
-  info->m_numConstraintRows = linearRows_ + angularRows_ + (type_ == JointType::kScrew ? 1 : 0);
+  info->m_numConstraintRows = linearRows_ + angularRows_ + (type_ == JointType::kScrew || gearbox_ ? 1 : 0);
   for (const Axis& axis : axes_) info->m_numConstraintRows += (axis.motor.active ? 1 : 0) + (axis.limit.active ? 1 : 0);
   info->nub = 0;
 }
@@ -289,6 +320,7 @@ void Joint::getInfo2(btConstraintInfo2* info) {
   const btVector3 point = now.X_WorldChild.getOrigin();
   Row row{info, point - m_rbA.getWorldTransform().getOrigin(), point - m_rbB.getWorldTransform().getOrigin()};
   const double errorRate = info->fps * info->erp;
+  if (gearbox_) addGearRow(row, errorRate);
   addLinearRows(row, now, errorRate);
   if (hasTwoAxes(type_)) {
     addCrossRow(row, now, errorRate);
@@ -297,6 +329,15 @@ void Joint::getInfo2(btConstraintInfo2* info) {
   }
   for (std::size_t i = 0; i < axisCount_; ++i) addAxisRows(row, axes_[i], now.drives[i], info->fps, info->erp);
   childArm_ = row.childArm;
+}
+
+// ratio theta1 + theta2 = 0, each turn seen from the reference body
+void Joint::addGearRow(Row& row, double errorRate) {
+  const btMatrix3x3 R_WorldReference = (gearbox_->body.getWorldTransform() * gearbox_->X_BodyJoint).getBasis();
+  const btVector3 first = gearbox_->ratio * R_WorldReference.getColumn(0);
+  const btVector3 second = R_WorldReference * secondAxis_;
+  row.gears(first, second, -errorRate * (gearbox_->ratio * axes_[0].position + axes_[1].position));
+  if (gearbox_->part) gearbox_->part->setTorque(-first - second);
 }
 
 void Joint::addLinearRows(Row& row, const Frames& frames, double errorRate) const {

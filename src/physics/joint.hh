@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 #include "description/joint.hh"
 #include "physics/body.hh"
+#include "physics/gearbox.hh"
 #include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/state.hh"
@@ -21,15 +23,20 @@ struct JointEnd {
   bool moves = false;
 };
 
-/// A joint between two bodies, of any type but gearbox, as rows for Bullet's solver: those that hold the bodies
+/// A joint between two bodies as rows for Bullet's solver: those that hold the bodies
 /// together, then of each axis one of motor, friction and damping, and one of a limit that is near.
 ///
 /// All rows meet in the child's joint origin. Directions are world frame; velocities are the child's relative to the
 /// parent. The first axis is fixed to the parent, a second one to the child: the child turns about the second axis in a
 /// frame that turns about the first.
+///
+/// A gearbox holds the turns of its ends about two axes of a third body together by one row, and has no axis to
+/// command.
 class Joint final : public btTypedConstraint {
  public:
-  Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child);
+  /// @param reference Of a gearbox: what its axes are fixed to.
+  Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child,
+        const JointEnd& reference = {});
 
   /// Of the joint in the world.
   world::Slot slot() const { return slot_; }
@@ -37,6 +44,9 @@ class Joint final : public btTypedConstraint {
 
   /// @return Whether one of its ends moves.
   bool holdsSomething() const { return parentMoves_ || childMoves_; }
+
+  /// @return Of a gearbox, what must follow it in the solver's list; null where there is no such thing.
+  btTypedConstraint* reference() { return gearbox_ && gearbox_->part ? &*gearbox_->part : nullptr; }
 
   /// How many axes it has to command.
   std::size_t axisCount() const { return axisCount_; }
@@ -94,12 +104,22 @@ class Joint final : public btTypedConstraint {
     AxisRow limit;
   };
   struct Row;
+  struct Gearbox {
+    double ratio;
+    btRigidBody& body;
+    /// Turned so that x is the first axis.
+    btTransform X_BodyJoint;
+    /// Where the body moves.
+    std::optional<GearReference> part;
+  };
 
   double inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const;
   Frames frames() const;
   std::array<double, 2> angles(const Frames& frames) const;
   double offset(const Frames& frames) const;
   void prepare(Axis& axis, const btVector3& along, double dt);
+  void updateGears();
+  void addGearRow(Row& row, double errorRate);
   void applyForce(const btVector3& force, const btVector3& point);
   void addLinearRows(Row& row, const Frames& frames, double errorRate) const;
   void addAngularRows(Row& row, const Frames& frames, double errorRate) const;
@@ -123,6 +143,7 @@ class Joint final : public btTypedConstraint {
   const bool parentMoves_;
   const bool childMoves_;
   std::array<Axis, 2> axes_;
+  std::unique_ptr<Gearbox> gearbox_;
 
   /// What the solver's rows did, once that has been asked for.
   btJointFeedback feedback_{};

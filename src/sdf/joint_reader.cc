@@ -34,9 +34,6 @@ std::size_t axisCount(JointType type) {
   }
 }
 
-// Fortress's engine has none of these, either
-bool isSimulated(JointType type) { return type != JointType::kGearbox; }
-
 // below this sine of the angle between them, two axes are one
 constexpr double kSmallestSine = 1e-3;
 
@@ -53,13 +50,7 @@ std::optional<JointType> readType(const Element& element, const std::string& lab
   std::vector<std::string_view> known;
   for (const JointType type : kJointTypes) {
     known.push_back(description::name(type));
-    if (known.back() != attribute->value) continue;
-    if (!isSimulated(type)) {
-      context.unsimulated.error(
-          attribute->position, "joint type '" + attribute->value + "' is not simulated yet",
-          label + " can be any other: revolute, continuous, prismatic, screw, universal, revolute2, ball, fixed");
-    }
-    return type;
+    if (known.back() == attribute->value) return type;
   }
   context.diagnostics.error(attribute->position, label + " has the unknown type '" + attribute->value + "'",
                             base::didYouMean(attribute->value, known));
@@ -138,6 +129,28 @@ JointDraft::FrameName readLinkName(const Element& joint, std::string_view child,
   return {"", joint.position};
 }
 
+// the hinges that bear its gears are joints of their own
+void warnOfIdleAxis(const JointAxis& axis, const std::string& label, SourcePosition position, Context& context) {
+  constexpr double kNoLimit = 1e16;
+  const bool isIdle = axis.lower <= -kNoLimit && axis.upper >= kNoLimit && std::isinf(axis.effort) &&
+                      std::isinf(axis.velocity) && axis.damping == 0 && axis.friction == 0 && axis.springStiffness == 0;
+  if (isIdle) return;
+  context.unsimulated.warning(position, "limits and dynamics of " + label + " have no effect, for it is a gearbox",
+                              "give them to the joints that its parent and child turn on");
+}
+
+void readGearbox(const Element& element, JointDraft& draft, Context& context) {
+  description::Joint& joint = draft.joint;
+  const std::string label = labelOf(joint);
+  joint.gearboxRatio = readNumber(element, "gearbox_ratio", joint.gearboxRatio, context);
+  draft.reference = readLinkName(element, "gearbox_reference_body", label, context);
+  for (const JointAxis& axis : joint.axes) warnOfIdleAxis(axis, label, element.position, context);
+  if (joint.gearboxRatio == 0) {
+    context.diagnostics.error(element.position, label + " has a <gearbox_ratio> of 0",
+                              "the child turns -ratio times as far as the parent");
+  }
+}
+
 }  // namespace
 
 JointDraft readJoint(const Element& element, const std::string& owner, Context& context) {
@@ -153,6 +166,7 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
     if (*type == JointType::kScrew) {
       joint.threadPitch = readNumber(element, "thread_pitch", joint.threadPitch, context);
     }
+    if (*type == JointType::kGearbox) readGearbox(element, draft, context);
   }
   draft.parent = readLinkName(element, "parent", label, context);
   draft.child = readLinkName(element, "child", label, context);
@@ -171,6 +185,34 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
   }
   return draft;
 }
+
+namespace {
+
+/// Finds the link that the axes of a gearbox are fixed to.
+void finishGearbox(description::Joint& joint, const JointDraft& draft, const Scope& scope, const Pose& X_ScopeJoint,
+                   Context& context) {
+  const JointDraft::FrameName& given = draft.reference;
+  joint.gearboxReference = given.name;
+  joint.X_ReferenceJoint = X_ScopeJoint;
+  if (given.name.empty() || given.name == "world") return;
+  const std::string label = labelOf(joint);
+  const std::optional<Scope::Found> reference =
+      scope.findOrComplain(given.name, label + " names reference body", given.position, context);
+  if (!reference) return;
+  joint.gearboxReference = reference->link;
+  if (reference->link.empty()) {
+    context.diagnostics.error(given.position, label + " names reference body '" + given.name + "', which has no link");
+    return;
+  }
+  const std::optional<Scope::Found> link = scope.find(reference->link);
+  if (link) joint.X_ReferenceJoint = link->X_ScopeFrame.inverse() * X_ScopeJoint;
+  if (joint.gearboxReference == joint.parent || joint.gearboxReference == joint.child) {
+    context.diagnostics.error(given.position, label + " has '" + given.name + "' as reference body and at one end",
+                              "it is the link that both gears turn on");
+  }
+}
+
+}  // namespace
 
 std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry,
                                               Context& context) {
@@ -213,6 +255,7 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
     }
   }
 
+  if (joint.type == JointType::kGearbox) finishGearbox(joint, draft, scope, X_ScopeJoint, context);
   for (std::size_t i = 0; i < joint.axes.size(); ++i) {
     const JointDraft::FrameName& given = draft.axisFrames[i];
     if (given.name.empty()) continue;

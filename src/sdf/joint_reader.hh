@@ -24,6 +24,8 @@ struct JointDraft {
   };
   FrameName parent;
   FrameName child;
+  /// Of a gearbox.
+  FrameName reference;
   /// For each axis the frame that its vector is given in; empty: the joint's.
   std::vector<FrameName> axisFrames;
   std::vector<SensorDraft> sensors;

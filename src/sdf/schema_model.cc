@@ -202,10 +202,10 @@ constexpr SchemaRow kModelRows[] = {
     {"joint.child", "string", "", '1', 0, 0, kRead,
      "Name of the child frame. The value \"world\" may not be specified."},
     {"joint.frame", "+frame", "", '*', 5, 7, kPassed, ""},
-    {"joint.gearbox_ratio", "double", "1.0", '0', 4, 0, kPassed,
+    {"joint.gearbox_ratio", "double", "1.0", '0', 4, 0, kRead,
      "Parameter for gearbox joints. Given theta_1 and theta_2 defined in description for gearbox_reference_body, "
      "theta_2 = -gearbox_ratio * theta_1."},
-    {"joint.gearbox_reference_body", "string", "", '0', 4, 0, kPassed,
+    {"joint.gearbox_reference_body", "string", "", '0', 4, 0, kRead,
      "Parameter for gearbox joints. Gearbox ratio is enforced over two joint angles. First joint angle (theta_1) is "
      "the angle from the gearbox_reference_body to the parent link in the direction of the axis element and the second "
      "joint angle (theta_2) is the angle from the gearbox_reference_body to the child link in the direction of the "

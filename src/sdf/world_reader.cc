@@ -18,6 +18,7 @@ void placeWorldJoints(description::Model& model, const Pose& X_WorldParent) {
   const Pose X_WorldModel = X_WorldParent * model.X_ParentModel;
   for (description::Joint& joint : model.joints) {
     if (joint.parent == "world") joint.X_ParentJoint = X_WorldModel * joint.X_ParentJoint;
+    if (joint.gearboxReference == "world") joint.X_ReferenceJoint = X_WorldModel * joint.X_ReferenceJoint;
   }
   for (description::Model& inner : model.models) placeWorldJoints(inner, X_WorldModel);
 }

@@ -37,6 +37,7 @@ std::uint64_t structureOf(const Access& access, const SystemSet* systems) {
     hash.add(static_cast<std::uint64_t>(joint.description->type));
     hash.add(std::uint64_t{joint.parentLink});
     hash.add(std::uint64_t{joint.childLink});
+    hash.add(std::uint64_t{joint.referenceLink});
     add(hash, joint.description->X_ParentJoint);
   }
   if (systems != nullptr) systems->addTo(hash);

@@ -106,8 +106,10 @@ void Entities::addJoint(const description::Joint& description, Slot model) {
     return link;
   };
   const Slot slot = joints_.size();
-  joints_.push_back(
-      {JointId{nextId()}, nullptr, &description, model, linkNamed(description.parent), linkNamed(description.child)});
+  const Slot reference =
+      description.type == description::JointType::kGearbox ? linkNamed(description.gearboxReference) : kNoSlot;
+  joints_.push_back({JointId{nextId()}, nullptr, &description, model, linkNamed(description.parent),
+                     linkNamed(description.child), reference});
   slotOfId_.emplace(joints_.back().id.value, slot);
   if (model != kNoSlot) models_[model].joints.push_back(slot);
   addSensors(description.sensors, kNoSlot, slot);
@@ -176,7 +178,8 @@ Removal Entities::removeModel(Slot model) {
   const auto goes = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::binary_search(slots, slot); };
   for (Slot slot = 0; slot < joints_.size(); ++slot) {
     const JointRecord& joint = joints_[slot];
-    if (goes(models, joint.model) || goes(removal.links, joint.parentLink) || goes(removal.links, joint.childLink)) {
+    if (goes(models, joint.model) || goes(removal.links, joint.parentLink) || goes(removal.links, joint.childLink) ||
+        goes(removal.links, joint.referenceLink)) {
       removal.joints.push_back(slot);
     }
   }
@@ -268,6 +271,7 @@ void Entities::renumber(const std::vector<Slot>& models, const Removal& removal)
     joint.model = movedUp(joint.model, models);
     joint.parentLink = movedUp(joint.parentLink, removal.links);
     joint.childLink = movedUp(joint.childLink, removal.links);
+    joint.referenceLink = movedUp(joint.referenceLink, removal.links);
   }
   for (CollisionRecord& collision : collisions_) collision.link = movedUp(collision.link, removal.links);
   for (SensorRecord& sensor : sensors_) {

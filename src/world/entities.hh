@@ -42,6 +42,8 @@ struct JointRecord {
   /// `kNoSlot` stands for the world.
   Slot parentLink = kNoSlot;
   Slot childLink = kNoSlot;
+  /// Of a gearbox: what its axes are fixed to.
+  Slot referenceLink = kNoSlot;
 };
 
 struct CollisionRecord {

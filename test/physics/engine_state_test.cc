@@ -62,6 +62,13 @@ description::World drivenArm() {
   return world;
 }
 
+description::World gearTrain() {
+  description::World world;
+  world.models = {test::makeGearTrain(1.5)};
+  world.models[0].X_ParentModel.position.z() = 20;
+  return world;
+}
+
 // takes the state after some steps into another engine, which has a past of its own
 void expectSameFuture(const description::World& world, int before, void (*command)(Engine&)) {
   test::Rig original(world);
@@ -100,6 +107,10 @@ TEST_P(EngineState, OfAHeapLeadsToTheSameBits) {
 
 TEST_P(EngineState, OfADrivenArmLeadsToTheSameBits) {
   expectSameFuture(drivenArm(), GetParam(), [](Engine& engine) { engine.setJointVelocityTarget(0, 0.7); });
+}
+
+TEST_P(EngineState, OfAGearTrainLeadsToTheSameBits) {
+  expectSameFuture(gearTrain(), GetParam(), [](Engine& engine) { engine.setJointVelocityTarget(0, 3); });
 }
 
 INSTANTIATE_TEST_SUITE_P(AfterSteps, EngineState, testing::Values(0, 1, 300, 700, 1500));

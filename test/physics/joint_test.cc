@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "physics/rig.hh"
 
@@ -349,6 +351,64 @@ TEST(Joint, RefusesCommandsWhereThereIsNoAxis) {
   EXPECT_THROW(rig.engine.addJointForce(0, 1), std::invalid_argument);
   Rig hinged(twoLinks(JointType::kRevolute, Vector3::UnitZ()));
   EXPECT_THROW(hinged.engine.addJointForce(0, 1, 1), std::invalid_argument);
+}
+
+TEST(Joint, GearsTwoAxesTogetherAsTheRatioSays) {
+  for (const Solver solver : {Solver::kDirect, Solver::kSequentialImpulse}) {
+    description::World world;
+    world.gravity.setZero();
+    world.models = {test::makeGearTrain(2)};
+    world.models[0].joints.push_back(makeJoint("root", JointType::kFixed, "world", "housing", Pose(), Pose()));
+    Settings settings;
+    settings.solver = solver;
+    Rig rig(std::move(world), settings);
+    for (int i = 0; i < 2000; ++i) {
+      rig.engine.addJointForce(0, 3);
+      rig.step();
+    }
+    // 3 N m on what turns about a: 0.1 kg m^2, and of b 0.05 kg m^2 times the ratio's square
+    const double speed = 3 / (0.1 + 4 * 0.05) * 2;
+    EXPECT_NEAR(rig.joint(0).velocity, speed, 1e-4 * speed);
+    EXPECT_NEAR(rig.joint(1).velocity, -2 * speed, 2e-4 * speed);
+    // many turns later
+    EXPECT_NEAR(rig.joint(0).position, speed, 2e-3 * speed);
+    EXPECT_NEAR(rig.joint(1).position, -2 * rig.joint(0).position, 1e-4);
+    EXPECT_NEAR(rig.joint(2).position, rig.joint(0).position, 1e-9);
+    EXPECT_NEAR(rig.joint(2).position2, rig.joint(1).position, 1e-9);
+    EXPECT_THROW(rig.engine.addJointForce(2, 1), std::invalid_argument);
+  }
+}
+
+TEST(Joint, GearsOnAHousingThatIsFreeToMove) {
+  for (const Solver solver : {Solver::kDirect, Solver::kSequentialImpulse}) {
+    description::World world;
+    world.gravity.setZero();
+    world.models = {test::makeGearTrain(-3)};
+    Settings settings;
+    settings.solver = solver;
+    Rig rig(std::move(world), settings);
+    const auto spin = [&] {
+      Vector3 sum = Vector3::Zero();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const description::Inertial& inertial = rig.entities.links()[i].description->inertial;
+        const world::LinkState& link = rig.state.links[i];
+        const Vector3 turn = link.X_WorldLink.rotation.conjugate() * link.w_WorldLink;
+        sum += link.X_WorldLink.rotation * Vector3(inertial.moments * turn) +
+               inertial.mass * link.X_WorldLink.position.cross(link.v_WorldLink);
+      }
+      return sum;
+    };
+    // what the gears push each other with is held by the housing: nothing comes from outside
+    for (int i = 0; i < 1000; ++i) {
+      if (i < 300) rig.engine.addJointForce(0, 1);
+      rig.step();
+      ASSERT_NEAR(rig.joint(1).velocity, 3 * rig.joint(0).velocity, 2e-3) << i;
+    }
+    EXPECT_GT(std::abs(rig.joint(0).velocity), 0.3);
+    EXPECT_GT(rig.link("train::housing").w_WorldLink.norm(), 0.01);
+    EXPECT_NEAR(rig.joint(1).position, 3 * rig.joint(0).position, 1e-3);
+    EXPECT_LT(spin().norm(), 1e-4);
+  }
 }
 
 }  // namespace

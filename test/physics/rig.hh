@@ -71,6 +71,26 @@ inline description::Joint makeJoint(std::string name, description::JointType typ
   return joint;
 }
 
+/// A housing of 4 kg with two gears on it, their axes square to each other, and the gearbox between them as the last
+/// joint: "b" turns -`ratio` times as far as "a". Joints: 0 and 1 the hinges of a and b, 2 the gearbox.
+inline description::Model makeGearTrain(double ratio) {
+  using description::JointType;
+  description::Model model =
+      makeModel("train", {makeLink("housing", {0, 0, 0}, 4, {0.3, 0.4, 0.5}),
+                          makeLink("a", {1, 0, 0}, 1, {0.1, 0.2, 0.2}), makeLink("b", {0, 1, 0}, 1, {0.3, 0.05, 0.3})});
+  model.joints.push_back(
+      makeJoint("hinge_a", JointType::kRevolute, "housing", "a", at(1, 0, 0), Pose(), Vector3::UnitX()));
+  model.joints.push_back(
+      makeJoint("hinge_b", JointType::kRevolute, "housing", "b", at(0, 1, 0), Pose(), Vector3::UnitY()));
+  description::Joint gearbox =
+      makeJoint("gearbox", JointType::kGearbox, "a", "b", at(-1, 0, 0), at(0, -1, 0), Vector3::UnitX());
+  gearbox.axes.emplace_back().xyz = Vector3::UnitY();
+  gearbox.gearboxRatio = ratio;
+  gearbox.gearboxReference = "housing";
+  model.joints.push_back(gearbox);
+  return model;
+}
+
 /// A world with what it needs to be stepped.
 struct Rig {
   explicit Rig(description::World world, const physics::Settings& settings = physics::Settings())

@@ -66,7 +66,10 @@ inline Company companyOf(std::string_view name, std::string_view holder, std::st
         "<frame name='f'><pose>1 0 0 0.5 0 0</pose></frame><model name='m'>" + std::string(kLinks) + "</model>";
   }
   if (name == "joint") {
-    const std::string_view type = next == "axis2" ? "universal" : next == "thread_pitch" ? "screw" : "revolute";
+    const std::string_view type = next == "axis2"               ? "universal"
+                                  : next == "thread_pitch"      ? "screw"
+                                  : next.starts_with("gearbox") ? "gearbox"
+                                                                : "revolute";
     if (attribute != "type") company.attributes = " type='" + std::string(type) + "'";
     if (next != "parent")
       company.children += next == "child" ? "<parent>world</parent>" : "<parent>" + scope + "a</parent>";

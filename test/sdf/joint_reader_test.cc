@@ -87,23 +87,55 @@ TEST(Joint, OfContinuousTypeHasNoLimits) {
   EXPECT_EQ(loaded.model().joints.at(0).axes.at(0).upper, kInfinity);
 }
 
-TEST(Joint, KnowsAllTypesAndSaysWhichAreNotSimulated) {
+TEST(Joint, KnowsAllTypes) {
   const std::pair<const char*, std::size_t> types[] = {{"revolute", 1},  {"continuous", 1}, {"prismatic", 1},
                                                        {"ball", 0},      {"fixed", 0},      {"screw", 1},
                                                        {"universal", 2}, {"revolute2", 2},  {"gearbox", 2}};
   for (const auto& [type, axes] : types) {
     const Loaded loaded = loadJoint("<joint name='j' type='" + std::string(type) + "'>" + kLinks +
-                                    "<axis/><axis2><xyz>0 1 0</xyz></axis2></joint>");
+                                    "<axis/><axis2><xyz>0 1 0</xyz></axis2><gearbox_reference_body>world"
+                                    "</gearbox_reference_body></joint>");
     const description::Joint& joint = loaded.model().joints.at(0);
     EXPECT_EQ(description::name(joint.type), type);
     EXPECT_EQ(joint.axes.size(), axes);
-    const bool isSimulated = joint.type != description::JointType::kGearbox;
-    EXPECT_EQ(loaded.messages.size(), isSimulated ? 0U : 1U) << type;
+    EXPECT_EQ(loaded.messages, Messages{}) << type;
   }
-  EXPECT_EQ(
-      loadJoint("<joint name='j' type='gearbox'>" + kLinks + "<axis/><axis2><xyz>0 1 0</xyz></axis2></joint>").messages,
-      Messages{"t.sdf:4:17: error: joint type 'gearbox' is not simulated yet | joint 'j' can be any other: "
-               "revolute, continuous, prismatic, screw, universal, revolute2, ball, fixed"});
+}
+
+TEST(Joint, ReadsAGearbox) {
+  const std::string kGears = "<parent>a</parent><child>b</child><axis/><axis2><xyz>0 1 0</xyz></axis2>";
+  const auto load = [&](const std::string& rest) {
+    return loadModel("<link name='c'><pose>1 2 3 0 0 0</pose></link><joint name='j' type='gearbox'>" + kGears + rest +
+                     "</joint><link name='a'/><link name='b'/>");
+  };
+  const Loaded loaded = load("<gearbox_ratio>2.5</gearbox_ratio><gearbox_reference_body>c</gearbox_reference_body>");
+  EXPECT_EQ(loaded.messages, Messages{});
+  const description::Joint& joint = loaded.model().joints.at(0);
+  EXPECT_EQ(joint.gearboxRatio, 2.5);
+  EXPECT_EQ(joint.gearboxReference, "c");
+  EXPECT_EQ(joint.X_ReferenceJoint.position, Vector3(-1, -2, -3));
+  const std::pair<const char*, const char*> faults[] = {
+      {"", "error: joint 'j' has no <gearbox_reference_body>"},
+      {"<gearbox_reference_body>d</gearbox_reference_body>", "error: joint 'j' names reference body 'd', which"},
+      {"<gearbox_reference_body>a</gearbox_reference_body>",
+       "error: joint 'j' has 'a' as reference body and at one end"},
+      {"<gearbox_ratio>0</gearbox_ratio><gearbox_reference_body>c</gearbox_reference_body>",
+       "error: joint 'j' has a <gearbox_ratio> of 0"}};
+  for (const auto& [rest, message] : faults) {
+    const Loaded faulty = load(rest);
+    ASSERT_EQ(faulty.messages.size(), 1U) << rest;
+    EXPECT_NE(faulty.messages.front().find(message), std::string::npos) << faulty.messages.front();
+  }
+}
+
+TEST(Joint, SaysThatLimitsOfAGearboxHaveNoEffect) {
+  const Loaded loaded = loadJoint("<joint name='j' type='gearbox'>" + kLinks +
+                                  "<gearbox_reference_body>world</gearbox_reference_body><axis><limit><lower>-1</lower>"
+                                  "</limit></axis><axis2><limit><lower>-1e16</lower><upper>1e16</upper></limit></axis2>"
+                                  "</joint>");
+  EXPECT_EQ(loaded.messages,
+            Messages{"t.sdf:4:1: warning: limits and dynamics of joint 'j' have no effect, for it is a "
+                     "gearbox | give them to the joints that its parent and child turn on"});
 }
 
 TEST(Joint, RefusesTwoAxesOfTheSameDirection) {

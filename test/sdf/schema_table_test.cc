@@ -33,6 +33,7 @@ const std::map<std::string_view, Values> kSpecial = {
     {"joint.axis.xyz@expressed_in", {"", "f"}},
     {"joint.axis2.xyz@expressed_in", {"", "f"}},
     {"joint.child", {"a", "b"}},
+    {"joint.gearbox_reference_body", {"b", "world"}},
     {"joint.parent", {"a", "world"}},
     {"joint@type", {"revolute", "prismatic"}},
     {"light@type", {"spot", "point"}},
@@ -95,7 +96,8 @@ Values valuesFor(const Place& place, const std::string& folder) {
   const std::size_t depth = place.chain.size() - (place.attribute != nullptr ? 1 : 2);
   const bool isInWorld = depth > 0 && place.chain[depth - 1]->name == "world";
   const std::string_view row = part.row.path;
-  if (isInWorld && (row == "frame@attached_to" || row == "joint.child" || row == "joint.parent")) {
+  if (isInWorld && (row == "frame@attached_to" || row == "joint.child" || row == "joint.parent" ||
+                    row == "joint.gearbox_reference_body")) {
     for (std::string* value : {&values.first, &values.second}) {
       if (*value != "world") value->insert(0, "m::");
     }
