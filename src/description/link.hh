@@ -26,6 +26,20 @@ struct Inertial {
   bool operator==(const Inertial&) const = default;
 };
 
+/// `<torsional>`: friction of a patch against turning about its normal.
+struct Torsion {
+  double coefficient = 1;
+  /// Of the patch [m] (`<patch_radius>`).
+  double patchRadius = 0;
+  /// Of the surface where it touches [m] (`<surface_radius>`): makes the patch, with the depth, where
+  /// `<use_patch_radius>` is false.
+  double surfaceRadius = 0;
+  bool usesPatchRadius = true;
+  /// How fast it turns by each newton metre of friction (`<ode><slip>`) [rad/s/(N m)].
+  double slip = 0;
+  bool operator==(const Torsion&) const = default;
+};
+
 /// `<surface>`: how a collision's skin behaves.
 struct Surface {
   /// Friction coefficient along the first and the second direction (`<friction><ode><mu>`, `<mu2>`).
@@ -40,6 +54,15 @@ struct Surface {
   std::uint16_t collideBitmask = 0xff;
   /// `<bounce><restitution_coefficient>`, 0 to 1.
   double restitution = 0;
+  /// Slower than that [m/s] nothing bounces (`<bounce><threshold>`); unset, as the engine has it.
+  std::optional<double> bounceThreshold;
+  /// Of contacts (`<contact><ode><kp>`, `<kd>`) [N/m], [N s/m]; unset: rigid.
+  std::optional<double> stiffness;
+  double damping = 1;
+  /// `<torsional>`: against turning about the normal.
+  Torsion torsion;
+  /// Points at which it touches another collision (`<max_contacts>`); unset, as the world's `<physics>` says.
+  std::optional<long long> maxContacts;
   bool operator==(const Surface&) const = default;
 };
 

@@ -13,12 +13,18 @@ namespace pongsim::physics {
 
 void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) {
   frictions_.clear();
+  frictionsOfTurning_.clear();
   for (int i = 0; i < count; ++i) orient(*manifolds[i]);
   btSequentialImpulseConstraintSolver::convertContacts(manifolds, count, info);
   for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i) {
     btSolverConstraint& row = m_tmpSolverContactConstraintPool[i];
     auto* point = static_cast<btManifoldPoint*>(row.m_originalContactPoint);
     if (point->m_combinedRestitution > 0 && point->getDistance() > 0) settleBounce(row, *point, info);
+    if (isSoft(row)) {
+      // depth is a spring's, whose force gives speed
+      row.m_rhs += row.m_rhsPenetration;
+      row.m_rhsPenetration = 0;
+    }
     // no pointer, but the number of its friction and one
     const auto number = reinterpret_cast<std::uintptr_t>(point->m_userPersistentData);
     if (number == 0) continue;
@@ -30,6 +36,84 @@ void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count,
     addSlip(first, friction.slip1, info.m_timeStep);
     addSlip(second, friction.slip2, info.m_timeStep);
   }
+  addTorsionRows(info.m_timeStep);
+}
+
+bool ContactSolver::isSoft(const btSolverConstraint& row) {
+  const auto& point = *static_cast<const btManifoldPoint*>(row.m_originalContactPoint);
+  return (point.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
+}
+
+// what a surface does at a point beside friction, for Bullet to take into the rows
+void ContactSolver::settle(btManifoldPoint& point, const btPersistentManifold& manifold) {
+  const std::optional<PointSurface> surface = pointSurface(manifold, point);
+  if (!surface) return;
+  point.m_combinedRestitution = surface->restitution;
+  if (surface->restitution > 0) {
+    const auto velocityAt = [](const btCollisionObject& object, const btVector3& position) {
+      const btRigidBody* body = btRigidBody::upcast(&object);
+      if (body == nullptr) return btVector3(0, 0, 0);
+      return body->getVelocityInLocalPoint(position - body->getCenterOfMassPosition());
+    };
+    const btVector3 velocity = velocityAt(*manifold.getBody0(), point.getPositionWorldOnA()) -
+                               velocityAt(*manifold.getBody1(), point.getPositionWorldOnB());
+    if (-point.m_normalWorldOnB.dot(velocity) < surface->bounceThreshold) point.m_combinedRestitution = 0;
+  }
+  point.m_contactPointFlags &= ~BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
+  if (surface->isSoft) {
+    point.m_contactPointFlags |= BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
+    point.m_combinedContactStiffness1 = surface->stiffness;
+    point.m_combinedContactDamping1 = surface->damping;
+  }
+  if (surface->torsion > 0) frictionsOfTurning_.push_back({&point, surface->torsion, surface->torsionSlip});
+}
+
+// after the contacts, which come in the same order
+void ContactSolver::addTorsionRows(double dt) {
+  torsions_.resizeNoInitialize(0);
+  int contact = 0;
+  for (const Torsion& torsion : frictionsOfTurning_) {
+    // what is not near enough has no row
+    int found = contact;
+    while (found < m_tmpSolverContactConstraintPool.size() &&
+           m_tmpSolverContactConstraintPool[found].m_originalContactPoint != torsion.point) {
+      ++found;
+    }
+    if (found == m_tmpSolverContactConstraintPool.size()) continue;
+    contact = found;
+    addTorsionRow(torsion, contact, dt);
+  }
+}
+
+void ContactSolver::addTorsionRow(const Torsion& torsion, int contact, double dt) {
+  const btSolverConstraint& normalRow = m_tmpSolverContactConstraintPool[contact];
+  const btVector3 none(0, 0, 0);
+  btSolverConstraint& row = torsions_.expandNonInitializing();
+  row.m_contactNormal1 = row.m_contactNormal2 = none;
+  row.m_relpos1CrossNormal = torsion.point->m_normalWorldOnB;
+  row.m_relpos2CrossNormal = -torsion.point->m_normalWorldOnB;
+  row.m_solverBodyIdA = normalRow.m_solverBodyIdA;
+  row.m_solverBodyIdB = normalRow.m_solverBodyIdB;
+  row.m_frictionIndex = contact;
+  row.m_friction = torsion.torsion;
+  row.m_lowerLimit = -torsion.torsion;
+  row.m_upperLimit = torsion.torsion;
+  row.m_appliedImpulse = row.m_appliedPushImpulse = 0;
+  row.m_rhsPenetration = row.m_cfm = 0;
+  double stiffness = 0;
+  double turn = 0;
+  const auto add = [&](int id, const btVector3& direction, btVector3& component) {
+    const btSolverBody& body = m_tmpSolverBodyPool[id];
+    const btRigidBody* rigid = body.m_originalBody;
+    component = rigid == nullptr ? none : rigid->getInvInertiaTensorWorld() * direction * rigid->getAngularFactor();
+    stiffness += component.dot(direction);
+    turn += direction.dot(body.m_angularVelocity + body.m_externalTorqueImpulse);
+  };
+  add(row.m_solverBodyIdA, row.m_relpos1CrossNormal, row.m_angularComponentA);
+  add(row.m_solverBodyIdB, row.m_relpos2CrossNormal, row.m_angularComponentB);
+  row.m_jacDiagABInv = stiffness > 0 ? 1 / stiffness : 0;
+  row.m_rhs = -turn * row.m_jacDiagABInv;
+  addSlip(row, torsion.slip, dt);
 }
 
 // Bullet lets two bodies that will meet in this step come to where they just touch, and takes what that costs from the
@@ -44,7 +128,6 @@ void ContactSolver::settleBounce(btSolverConstraint& row, const btManifoldPoint&
   const btVector3 velocity = velocityAt(row.m_solverBodyIdA, point.getPositionWorldOnA()) -
                              velocityAt(row.m_solverBodyIdB, point.getPositionWorldOnB());
   const double approach = -point.m_normalWorldOnB.dot(velocity);
-  if (approach < info.m_restitutionVelocityThreshold) return;
   const double gapRate = point.getDistance() / info.m_timeStep;
   const double change = gapRate < approach ? gapRate : -point.m_combinedRestitution * approach;
   row.m_rhs += change * row.m_jacDiagABInv;
@@ -88,6 +171,14 @@ btScalar ContactSolver::solveSingleIteration(int iteration, btCollisionObject** 
     const double missing = change / first.m_jacDiagABInv;
     residual = std::max(residual, missing * missing);
   }
+  for (int i = 0; i < torsions_.size(); ++i) {
+    btSolverConstraint& row = torsions_[i];
+    const double bound =
+        row.m_friction * static_cast<double>(m_tmpSolverContactConstraintPool[row.m_frictionIndex].m_appliedImpulse);
+    const double before = row.m_appliedImpulse;
+    const double wanted = before + row.m_rhs - before * row.m_cfm - velocityAlong(row) * row.m_jacDiagABInv;
+    applyImpulse(row, std::clamp(wanted, -bound, bound) - before);
+  }
   return std::max(residual,
                   btSequentialImpulseConstraintSolver::solveSingleIteration(
                       iteration, bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, debugDrawer));
@@ -123,6 +214,7 @@ void ContactSolver::addSlip(btSolverConstraint& row, double slip, double dt) {
 void ContactSolver::orient(btPersistentManifold& manifold) {
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
+    settle(point, manifold);
     point.m_contactPointFlags &= ~BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
     const std::optional<DirectedFriction> friction = directedFriction(manifold, point);
     if (!friction) continue;

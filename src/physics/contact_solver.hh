@@ -7,7 +7,8 @@
 namespace pongsim::physics {
 
 /// Bullet's iterations, with friction that differs by direction and lets slip, as the surfaces of `<friction>` say,
-/// bounces as high as `<bounce>` says, and rows of gearboxes, which act on three bodies.
+/// bounces as high as `<bounce>` says, contacts that give way as `<contact>` says, and rows of gearboxes, which act on
+/// three bodies.
 class ContactSolver : public btSequentialImpulseConstraintSolver {
  protected:
   void convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) override;
@@ -22,6 +23,13 @@ class ContactSolver : public btSequentialImpulseConstraintSolver {
   /// Adds to a row's impulse, and to the velocities of its bodies what that gives them.
   void applyImpulse(btSolverConstraint& row, double change);
 
+  /// Rows against turning about the normals of contacts. Their `m_frictionIndex` is the contact's row, and their bound
+  /// `m_friction` times its impulse.
+  btConstraintArray& torsionRows() { return torsions_; }
+
+  /// @return Whether the row is one of a contact that is not rigid.
+  static bool isSoft(const btSolverConstraint& row);
+
  private:
   /// What the rows of one point get in addition to what Bullet makes of it.
   struct Friction {
@@ -31,7 +39,18 @@ class ContactSolver : public btSequentialImpulseConstraintSolver {
     double slip2 = 0;
   };
 
+  /// What resists turning about the normal at a point.
+  struct Torsion {
+    const btManifoldPoint* point;
+    /// [m], [rad/s/(N m)]
+    double torsion;
+    double slip;
+  };
+
   void orient(btPersistentManifold& manifold);
+  void settle(btManifoldPoint& point, const btPersistentManifold& manifold);
+  void addTorsionRows(double dt);
+  void addTorsionRow(const Torsion& torsion, int contact, double dt);
   double velocityAlong(const btSolverConstraint& row);
   void settleBounce(btSolverConstraint& row, const btManifoldPoint& point, const btContactSolverInfo& info) const;
   static void addSlip(btSolverConstraint& row, double slip, double dt);
@@ -39,6 +58,9 @@ class ContactSolver : public btSequentialImpulseConstraintSolver {
   /// Of the points whose friction has directions, in the order in which they are found.
   std::vector<Friction> frictions_;
   std::vector<int> ties_;
+  /// In the order in which the points are found.
+  std::vector<Torsion> frictionsOfTurning_;
+  btConstraintArray torsions_;
 };
 
 }  // namespace pongsim::physics

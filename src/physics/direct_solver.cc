@@ -51,6 +51,7 @@ void DirectSolver::collectRows() {
     if (pool == &m_tmpSolverContactFrictionConstraintPool) unfrictionalRows_ = rows_.size();
     for (int i = 0; i < pool->size(); ++i) rows_.push_back(&(*pool)[i]);
   }
+  for (int i = 0; i < torsionRows().size(); ++i) rows_.push_back(&torsionRows()[i]);
 }
 
 // how much velocity along row `a` an impulse along row `b` gives
@@ -95,10 +96,11 @@ void DirectSolver::buildMatrix(double softness) {
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j <= i; ++j) A_[i * rows + j] = A_[j * rows + i] = coupling(i, j);
     A_[i * rows + i] += softness;
-    // what friction slips by
-    if (i >= unfrictionalRows_ && rows_[i]->m_cfm != 0) A_[i * rows + i] += rows_[i]->m_cfm / rows_[i]->m_jacDiagABInv;
+    // what friction slips by, and contacts that are not rigid
     const bool isContact = i >= jointRows_ && i < unfrictionalRows_;
-    if (isContact) A_[i * rows + i] *= 1 + kContactSoftness;
+    const bool givesWay = isContact ? isSoft(*rows_[i]) : i >= unfrictionalRows_ && rows_[i]->m_cfm != 0;
+    if (givesWay) A_[i * rows + i] += rows_[i]->m_cfm / rows_[i]->m_jacDiagABInv;
+    if (isContact && !givesWay) A_[i * rows + i] *= 1 + kContactSoftness;
   }
 }
 

@@ -61,7 +61,8 @@ DynamicsWorld::DynamicsWorld(const Settings& settings, GroupWork& work)
   // depth is taken back without giving speed, however small it is
   info.m_splitImpulse = 1;
   info.m_splitImpulsePenetrationThreshold = BT_LARGE_FLOAT;
-  info.m_restitutionVelocityThreshold = 0.1;
+  // each point has its own
+  info.m_restitutionVelocityThreshold = 0;
 }
 
 void DynamicsWorld::moved(btRigidBody& body) {

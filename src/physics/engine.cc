@@ -11,6 +11,7 @@
 #include "physics/contact_list.hh"
 #include "physics/convert.hh"
 #include "physics/dynamics_world.hh"
+#include "physics/friction.hh"
 #include "physics/gearbox.hh"
 #include "physics/joint.hh"
 #include "physics/surface.hh"
@@ -30,6 +31,9 @@ struct Engine::Parts final : GroupWork {
   }
   ~Parts() override;
 
+  long long mostContacts(const btPersistentManifold& manifold) const override {
+    return physics::mostContacts(manifold, settings.maxContacts);
+  }
   void prepare(std::span<btCollisionObject* const> groupBodies, std::span<btTypedConstraint* const> groupJoints,
                double seconds) override;
   void finish(std::span<btCollisionObject* const> groupBodies,

@@ -5,7 +5,10 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numbers>
 
 #include "physics/convert.hh"
 #include "physics/shape.hh"
@@ -35,7 +38,61 @@ std::optional<btVector3> alongSurface(const btVector3& direction, const btVector
   return tangent / length;
 }
 
+// below that speed nothing bounces, where no file says otherwise [m/s]
+constexpr double kBounceThreshold = 0.1;
+
+// A patch that is pressed as a ball on a plane (Hertz) and slides all over resists by 3 pi / 16 of radius, coefficient
+// and force. Of two, the larger patch and the smaller coefficient count, and the curvatures add up, as in Gazebo
+// classic.
+double torsionOf(const description::Torsion& one, const description::Torsion& other, double depth) {
+  double radius = std::max(one.patchRadius, other.patchRadius);
+  if (!one.usesPatchRadius || !other.usesPatchRadius) {
+    const auto curvature = [](double r) { return r > 0 ? 1 / r : 0; };
+    const double sum = curvature(one.surfaceRadius) + curvature(other.surfaceRadius);
+    radius = sum > 0 ? std::sqrt(std::max(depth, 0.0) / sum) : 0;
+  }
+  return 3 * std::numbers::pi / 16 * radius * std::min(one.coefficient, other.coefficient);
+}
+
 }  // namespace
+
+std::optional<PointSurface> pointSurface(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+  const LinkShape::Part* a = collisionAt(*manifold.getBody0(), point.m_index0);
+  const LinkShape::Part* b = collisionAt(*manifold.getBody1(), point.m_index1);
+  if (a == nullptr || b == nullptr) return std::nullopt;
+  const description::Surface& one = *a->surface;
+  const description::Surface& other = *b->surface;
+  PointSurface result;
+  result.restitution = one.restitution * other.restitution;
+  result.bounceThreshold = kBounceThreshold;
+  if (one.bounceThreshold || other.bounceThreshold) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    result.bounceThreshold = std::min(one.bounceThreshold.value_or(kNone), other.bounceThreshold.value_or(kNone));
+  }
+  double give = 0;
+  for (const description::Surface* surface : {&one, &other}) {
+    if (!surface->stiffness) continue;
+    result.isSoft = true;
+    give += 1 / *surface->stiffness;
+    result.damping += surface->damping;
+  }
+  if (result.isSoft) result.stiffness = 1 / give;
+  result.torsion = torsionOf(one.torsion, other.torsion, -point.getDistance());
+  result.torsionSlip = one.torsion.slip + other.torsion.slip;
+  return result;
+}
+
+long long mostContacts(const btPersistentManifold& manifold, long long otherwise) {
+  if (manifold.getNumContacts() == 0) return otherwise;
+  const btManifoldPoint& point = manifold.getContactPoint(0);
+  const LinkShape::Part* a = collisionAt(*manifold.getBody0(), point.m_index0);
+  const LinkShape::Part* b = collisionAt(*manifold.getBody1(), point.m_index1);
+  if (a == nullptr || b == nullptr) return otherwise;
+  const std::optional<long long>& one = a->surface->maxContacts;
+  const std::optional<long long>& other = b->surface->maxContacts;
+  if (one && other) return std::min(*one, *other);
+  return one ? *one : other.value_or(otherwise);
+}
 
 std::optional<DirectedFriction> directedFriction(const btPersistentManifold& manifold, const btManifoldPoint& point) {
   const LinkShape::Part* a = collisionAt(*manifold.getBody0(), point.m_index0);

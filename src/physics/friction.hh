@@ -27,4 +27,27 @@ struct DirectedFriction {
 /// @return Nothing where friction is the same in all directions and nothing slips.
 std::optional<DirectedFriction> directedFriction(const btPersistentManifold& manifold, const btManifoldPoint& point);
 
+/// How two surfaces act on each other at a point, beside friction along them. Fortress's engine has but the
+/// restitution.
+struct PointSurface {
+  /// The product of the two.
+  double restitution = 0;
+  /// [m/s]: the smaller one of those that are given.
+  double bounceThreshold = 0;
+  /// Whether either is not rigid; [N/m] of both in series, [N s/m] of both together, of those that are not.
+  bool isSoft = false;
+  double stiffness = 0;
+  double damping = 0;
+  /// Torque that friction has against turning about the normal, by each newton that presses there [m], and how fast it
+  /// turns by each newton metre all the same [rad/s/(N m)].
+  double torsion = 0;
+  double torsionSlip = 0;
+};
+
+/// @return Nothing for bodies that are not ours.
+std::optional<PointSurface> pointSurface(const btPersistentManifold& manifold, const btManifoldPoint& point);
+
+/// @return At how many points the two may touch at once, where a collision says so; else `otherwise`.
+long long mostContacts(const btPersistentManifold& manifold, long long otherwise);
+
 }  // namespace pongsim::physics

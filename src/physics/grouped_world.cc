@@ -79,6 +79,8 @@ void GroupedWorld::collectTouches() {
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
     if (manifold->getNumContacts() == 0) continue;
+    limitContacts(*manifold);
+    if (manifold->getNumContacts() == 0) continue;
     const btCollisionObject& a = *manifold->getBody0();
     const btCollisionObject& b = *manifold->getBody1();
     if (memberOf(a) == kNoMember && memberOf(b) == kNoMember) continue;
@@ -94,6 +96,19 @@ void GroupedWorld::collectTouches() {
   }
   std::ranges::sort(
       touches_, [](const Touch& a, const Touch& b) { return std::tie(a.links, a.parts) < std::tie(b.links, b.parts); });
+}
+
+// the deepest ones stay
+void GroupedWorld::limitContacts(btPersistentManifold& manifold) const {
+  const long long most = work_.mostContacts(manifold);
+  while (most >= 0 && manifold.getNumContacts() > most) {
+    int shallowest = 0;
+    for (int i = 1; i < manifold.getNumContacts(); ++i) {
+      if (manifold.getContactPoint(i).getDistance() > manifold.getContactPoint(shallowest).getDistance())
+        shallowest = i;
+    }
+    manifold.removeContactPoint(shallowest);
+  }
 }
 
 std::size_t GroupedWorld::rootOf(std::size_t body) {

@@ -16,6 +16,8 @@ namespace pongsim::physics {
 class GroupWork {
  public:
   virtual ~GroupWork() = default;
+  /// @return At how many points the two may touch.
+  virtual long long mostContacts(const btPersistentManifold& manifold) const = 0;
   /// Puts the forces of the coming step of `dt` [s] on the bodies. Groups may be prepared on several threads at once.
   virtual void prepare(std::span<btCollisionObject* const> bodies, std::span<btTypedConstraint* const> joints,
                        double dt) = 0;
@@ -62,6 +64,7 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
 
   void solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info);
   void collectTouches();
+  void limitContacts(btPersistentManifold& manifold) const;
   void uniteBodies();
   void countMembers();
   void sortByGroup();

@@ -28,6 +28,8 @@ struct Settings {
   /// Parts of an error that a step takes back, in joints and in contacts.
   double jointErrorReduction = 0.9;
   double contactErrorReduction = 0.2;
+  /// Points at which two collisions touch, where neither says how many; negative: no limit. Bullet has four at most.
+  long long maxContacts = 20;
 };
 
 }  // namespace pongsim::physics

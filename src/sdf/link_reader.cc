@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -28,6 +29,30 @@ std::uint16_t readMask(const Element& parent, std::string_view child, std::uint1
   return static_cast<std::uint16_t>(bits & 0xffffU);
 }
 
+description::Torsion readTorsion(const Element& element, Context& context) {
+  description::Torsion torsion;
+  torsion.coefficient = readNotNegative(element, "coefficient", torsion.coefficient, context);
+  torsion.patchRadius = readNotNegative(element, "patch_radius", torsion.patchRadius, context);
+  torsion.surfaceRadius = readNotNegative(element, "surface_radius", torsion.surfaceRadius, context);
+  torsion.usesPatchRadius = readFlag(element, "use_patch_radius", torsion.usesPatchRadius, context);
+  if (const Element* ode = element.child("ode")) torsion.slip = readNotNegative(*ode, "slip", torsion.slip, context);
+  return torsion;
+}
+
+// from the format's own value on, "rigid" is meant
+void readStiffness(const Element& ode, description::Surface& surface, Context& context) {
+  constexpr double kRigid = 1e12;
+  const double stiffness = readNotNegative(ode, "kp", kRigid, context);
+  surface.damping = readNotNegative(ode, "kd", surface.damping, context);
+  if (stiffness >= kRigid) return;
+  if (stiffness > 0) {
+    surface.stiffness = stiffness;
+  } else {
+    context.diagnostics.error(ode.position, "a surface has a <kp> of 0",
+                              "that is its stiffness in N/m; without one it is rigid");
+  }
+}
+
 description::Surface readSurface(const Element& collision, Context& context) {
   description::Surface surface;
   const Element* element = collision.child("surface");
@@ -40,11 +65,17 @@ description::Surface readSurface(const Element& collision, Context& context) {
     surface.slip1 = readNotNegative(*ode, "slip1", surface.slip1, context);
     surface.slip2 = readNotNegative(*ode, "slip2", surface.slip2, context);
   }
+  if (const Element* torsional = friction != nullptr ? friction->child("torsional") : nullptr) {
+    surface.torsion = readTorsion(*torsional, context);
+  }
   if (const Element* contact = element->child("contact")) {
+    if (const Element* ode = contact->child("ode")) readStiffness(*ode, surface, context);
     surface.collideBitmask = readMask(*contact, "collide_bitmask", surface.collideBitmask, context);
   }
   if (const Element* bounce = element->child("bounce")) {
     surface.restitution = readNotNegative(*bounce, "restitution_coefficient", surface.restitution, context);
+    if (bounce->child("threshold") != nullptr)
+      surface.bounceThreshold = readNotNegative(*bounce, "threshold", 0, context);
   }
   return surface;
 }
@@ -55,6 +86,10 @@ description::Collision readCollision(const Element& element, const std::string& 
   collision.position = element.position;
   collision.geometry = readGeometry(element, partLabel(element, collision.name, owner), context);
   collision.surface = readSurface(element, context);
+  if (element.child("max_contacts") != nullptr) {
+    collision.surface.maxContacts = readInteger(element, "max_contacts", 10, std::numeric_limits<int>::min(),
+                                                std::numeric_limits<int>::max(), context);
+  }
   if (std::holds_alternative<description::Image>(collision.geometry)) {
     context.unsimulated.warning(
         element.position,

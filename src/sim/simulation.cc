@@ -31,6 +31,7 @@ namespace {
 physics::Settings settingsFor(const description::PhysicsProfile& profile, const SimulationOptions& options) {
   physics::Settings settings;
   settings.threads = std::max(options.threads, 1);
+  settings.maxContacts = profile.maxContacts;
   if (profile.dart.solver == "pgs") settings.solver = physics::Solver::kSequentialImpulse;
   return settings;
 }

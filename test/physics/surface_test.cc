@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "physics/rig.hh"
 
@@ -149,6 +151,159 @@ TEST(Surface, MultipliesRestitution) {
   rig.step(2);
   // but for the softness of contacts, 1e-4 of the change in speed
   EXPECT_NEAR(rig.link("ball::link").v_WorldLink.z(), 0.4, 3e-4);
+}
+
+// a ball of 2 kg and 0.1 m on a floor, both surfaces as given
+Rig ballOnFloor(const description::Surface& ball, const description::Surface& floor, Solver solver = Solver::kDirect) {
+  description::Link link = makeLink("link", {0, 0, 0.1}, 2, {0.008, 0.008, 0.008});
+  addCollision(link, description::Sphere{0.1});
+  link.collisions[0].surface = ball;
+  description::Model ground = test::makeGround();
+  ground.links[0].collisions[0].surface = floor;
+  description::World world;
+  world.gravity = {0, 0, -kSurfaceGravity};
+  world.models = {ground, makeModel("ball", {link})};
+  Settings settings;
+  settings.solver = solver;
+  return Rig(std::move(world), settings);
+}
+
+TEST(Surface, ResistsTurningAboutTheNormalByTheSizeOfThePatch) {
+  description::Surface ball, floor;
+  ball.torsion = {0.5, 0.02, 0, true, 0};
+  // the larger patch and the smaller coefficient count
+  floor.torsion = {0.8, 0.01, 0, true, 0};
+  for (const Solver solver : {Solver::kDirect, Solver::kSequentialImpulse}) {
+    Rig rig = ballOnFloor(ball, floor, solver);
+    rig.step(200);
+    rig.engine.setLinkVelocity(1, {0, 0, 0}, {0, 0, 20});
+    rig.step(300);
+    const double slowing = 3 * M_PI / 16 * 0.02 * 0.5 * 2 * kSurfaceGravity / 0.008;
+    EXPECT_NEAR(20 - rig.link("ball::link").w_WorldLink.z(), 0.3 * slowing, 0.003 * slowing);
+    // and then it stands
+    rig.step(2000);
+    EXPECT_NEAR(rig.link("ball::link").w_WorldLink.z(), 0, 1e-4);
+  }
+  Rig free = ballOnFloor({}, {});
+  free.engine.setLinkVelocity(1, {0, 0, 0}, {0, 0, 20});
+  free.step(500);
+  EXPECT_NEAR(free.link("ball::link").w_WorldLink.z(), 20, 1e-6);
+}
+
+TEST(Surface, MakesThePatchOfRadiusAndDepth) {
+  description::Surface ball, floor;
+  ball.torsion = {1, 0, 0.3, false, 0};
+  floor.torsion = {1, 0, 0.6, true, 0};
+  ball.stiffness = 1e5;
+  ball.damping = 200;
+  Rig rig = ballOnFloor(ball, floor);
+  rig.step(500);
+  rig.engine.setLinkVelocity(1, {0, 0, 0}, {0, 0, 20});
+  rig.step(100);
+  // the curvatures add up: 1 / 0.3 + 1 / 0.6 = 1 / 0.2
+  const double patch = std::sqrt(0.2 * 2 * kSurfaceGravity / 1e5);
+  const double slowing = 3 * M_PI / 16 * patch * 2 * kSurfaceGravity / 0.008;
+  EXPECT_NEAR(20 - rig.link("ball::link").w_WorldLink.z(), 0.1 * slowing, 0.002 * slowing);
+}
+
+TEST(Surface, TurnsOnBySlip) {
+  description::Surface ball;
+  ball.torsion = {1, 0.1, 0, true, 4};
+  Rig rig = ballOnFloor(ball, {});
+  rig.step(100);
+  for (int i = 0; i < 1000; ++i) {
+    rig.engine.addLinkWrench(1, {0, 0, 0}, {0, 0, 0.5});
+    rig.step();
+  }
+  EXPECT_NEAR(rig.link("ball::link").w_WorldLink.z(), 4 * 0.5, 1e-3);
+}
+
+TEST(Surface, GivesWayAsItsStiffnessSays) {
+  description::Surface ball, floor;
+  ball.stiffness = 2e4;
+  ball.damping = 50;
+  for (const Solver solver : {Solver::kDirect, Solver::kSequentialImpulse}) {
+    Rig one = ballOnFloor(ball, floor, solver);
+    one.step(2000);
+    const double depth = 2 * kSurfaceGravity / 2e4;
+    EXPECT_NEAR(0.1 - one.link("ball::link").X_WorldLink.position.z(), depth, 1e-3 * depth);
+  }
+  // two in series
+  floor.stiffness = 1e4;
+  Rig two = ballOnFloor(ball, floor);
+  two.step(2000);
+  const double depth = 2 * kSurfaceGravity * (1 / 2e4 + 1 / 1e4);
+  EXPECT_NEAR(0.1 - two.link("ball::link").X_WorldLink.position.z(), depth, 1e-3 * depth);
+}
+
+TEST(Surface, SwingsOnASoftFloorWithThePeriodOfASpring) {
+  description::Surface ball;
+  ball.stiffness = 2000;
+  ball.damping = 2;
+  Rig rig = ballOnFloor(ball, {});
+  // about where it will rest, never leaving the floor
+  const double depth = 2 * kSurfaceGravity / 2000;
+  int turns = 0;
+  int last = 0;
+  int first = 0;
+  double before = 0;
+  for (int i = 1; turns < 6 && i < 5000; ++i) {
+    rig.step();
+    const double height = rig.link("ball::link").X_WorldLink.position.z() - 0.1 + depth;
+    if (before < 0 && height >= 0) {
+      if (turns == 0) first = i;
+      ++turns;
+      last = i;
+    }
+    before = height;
+  }
+  ASSERT_EQ(turns, 6);
+  const double period = 2 * M_PI * std::sqrt(2 / 2000.0);
+  EXPECT_NEAR((last - first) * 1e-3 / 5, period, 0.01 * period);
+}
+
+TEST(Surface, BouncesFromItsThresholdOn) {
+  description::Surface ball, floor;
+  ball.restitution = floor.restitution = 1;
+  const auto speedAfter = [&](double speed) {
+    Rig rig = ballOnFloor(ball, floor);
+    rig.engine.setGravity({0, 0, 0});
+    rig.engine.setLinkVelocity(1, {0, 0, -speed}, {0, 0, 0});
+    rig.step(2);
+    return rig.link("ball::link").v_WorldLink.z();
+  };
+  EXPECT_NEAR(speedAfter(0.2), 0.2, 1e-3);
+  EXPECT_NEAR(speedAfter(0.09), 0, 1e-3);
+  ball.bounceThreshold = 0.5;
+  EXPECT_NEAR(speedAfter(0.4), 0, 1e-3);
+  EXPECT_NEAR(speedAfter(0.6), 0.6, 1e-3);
+  // of two the smaller one
+  floor.bounceThreshold = 0.05;
+  EXPECT_NEAR(speedAfter(0.06), 0.06, 1e-3);
+}
+
+TEST(Surface, TouchesAtNoMorePointsThanAllowed) {
+  const auto points = [](std::optional<long long> own, long long ofWorld) {
+    description::Link link = makeLink("link", {0, 0, 0.1}, 2, {0.1, 0.1, 0.1});
+    addCollision(link, description::Box{{0.4, 0.4, 0.2}});
+    link.collisions[0].surface.maxContacts = own;
+    description::World world;
+    world.gravity = {0, 0, -kSurfaceGravity};
+    world.models = {test::makeGround(), makeModel("box", {link})};
+    Settings settings;
+    settings.maxContacts = ofWorld;
+    Rig rig(std::move(world), settings);
+    rig.step(5);
+    std::vector<Contact> contacts;
+    rig.engine.contacts(contacts);
+    return contacts.size();
+  };
+  EXPECT_EQ(points(std::nullopt, 20), 4U);
+  EXPECT_EQ(points(std::nullopt, 3), 3U);
+  EXPECT_EQ(points(2, 3), 2U);
+  EXPECT_EQ(points(4, 3), 4U);
+  EXPECT_EQ(points(std::nullopt, 0), 0U);
+  EXPECT_EQ(points(std::nullopt, -1), 4U);
 }
 
 }  // namespace
