@@ -2,28 +2,41 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 
+#include <mutex>
+
+#include "base/workers.hh"
+
 namespace pongsim::physics {
 
 /// Finds where pairs of bodies touch, and knows of each manifold (the points at which two parts touch) whose it is: the
 /// numbers of the two collisions in their links are its companion ids A and B, -1 where a body is made of several parts
 /// and all of it is meant. Collisions whose `<collide_bitmask>` share no bit do not touch.
+///
+/// Pairs are shared out among workers. What is found for one depends on nothing that is found for another: each writes
+/// to its own manifolds only, and what they share, the pools that algorithms and manifolds come from, is locked. The
+/// order in which manifolds are made then depends on the threads; nothing else does.
 class Dispatcher final : public btCollisionDispatcher {
  public:
-  using btCollisionDispatcher::btCollisionDispatcher;
+  Dispatcher(btCollisionConfiguration& configuration, base::Workers& workers)
+      : btCollisionDispatcher(&configuration), workers_(workers) {}
 
   btCollisionAlgorithm* findAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                       btPersistentManifold* shared, ebtDispatcherQueryType type) override;
   btPersistentManifold* getNewManifold(const btCollisionObject* a, const btCollisionObject* b) override;
+  void releaseManifold(btPersistentManifold* manifold) override;
+  void* allocateCollisionAlgorithm(int size) override;
+  void freeCollisionAlgorithm(void* algorithm) override;
+  void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
+                                 btDispatcher* dispatcher) override;
 
  private:
   /// For two parts that do not touch.
   btCollisionAlgorithm* noAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                     btPersistentManifold* shared);
 
-  // an algorithm makes its manifold when it is made itself, or as the first thing that it does then
-  const btCollisionObject* lastA_ = nullptr;
-  int lastPartA_ = -1;
-  int lastPartB_ = -1;
+  base::Workers& workers_;
+  /// Of Bullet's pools and list of manifolds.
+  std::mutex pools_;
 };
 
 }  // namespace pongsim::physics

@@ -39,8 +39,8 @@ std::vector<std::unique_ptr<btConstraintSolver>> makeSolvers(const Settings& set
 }  // namespace
 
 DynamicsWorld::DynamicsWorld(const Settings& settings, GroupWork& work)
-    : dispatcher_(&configuration_),
-      workers_(settings.threads),
+    : workers_(settings.threads),
+      dispatcher_(configuration_, workers_),
       world_(dispatcher_, broadphase_, configuration_, makeSolvers(settings), workers_, work) {
   // a body on a plane finds all its corners in one step instead of one a step
   configuration_.setPlaneConvexMultipointIterations(4, 4);

@@ -36,9 +36,9 @@ class DynamicsWorld {
   void forgetRolledContacts(double dt);
 
   btDefaultCollisionConfiguration configuration_;
+  base::Workers workers_;
   Dispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  base::Workers workers_;
   GroupedWorld world_;
 };
 

@@ -14,6 +14,9 @@ namespace pongsim::physics {
 
 namespace {
 
+// how many a worker takes at a time: one is too little to be worth the asking
+constexpr std::size_t kBodiesAtATime = 16;
+
 // of bodies that forces do not move; for others it is the place in the array
 constexpr int kNoMember = -1;
 
@@ -41,6 +44,58 @@ void GroupedWorld::setMembers(std::vector<btRigidBody*> bodies, std::vector<btTy
   const btCollisionObjectArray& objects = getCollisionObjectArray();
   for (int i = 0; i < objects.size(); ++i) objects[i]->setIslandTag(kNoMember);
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->setIslandTag(static_cast<int>(i));
+}
+
+GroupedWorld::Aabb GroupedWorld::aabbOf(const btRigidBody& body) {
+  Aabb now;
+  body.getCollisionShape()->getAabb(body.getWorldTransform(), now.lowest, now.highest);
+  Aabb then;
+  body.getCollisionShape()->getAabb(body.getInterpolationWorldTransform(), then.lowest, then.highest);
+  now.lowest.setMin(then.lowest);
+  now.highest.setMax(then.highest);
+  const btVector3 margin(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
+  return {now.lowest - margin, now.highest + margin};
+}
+
+template <class Work>
+void GroupedWorld::forEachBody(Work&& work) {
+  workers_.forEach((bodies_.size() + kBodiesAtATime - 1) / kBodiesAtATime, [&](std::size_t chunk, int) {
+    const std::size_t end = std::min(bodies_.size(), (chunk + 1) * kBodiesAtATime);
+    for (std::size_t i = chunk * kBodiesAtATime; i < end; ++i) work(*bodies_[i], i);
+  });
+}
+
+// as Bullet's own, but side by side, and with the boxes that it will ask for next
+void GroupedWorld::predictUnconstraintMotion(btScalar dt) {
+  aabbs_.resize(bodies_.size());
+  forEachBody([&](btRigidBody& body, std::size_t i) {
+    body.applyDamping(dt);
+    body.predictIntegratedTransform(dt, body.getInterpolationWorldTransform());
+    aabbs_[i] = aabbOf(body);
+  });
+  aabbsAreNew_ = true;
+}
+
+void GroupedWorld::updateAabbs() {
+  if (!aabbsAreNew_) {
+    aabbs_.resize(bodies_.size());
+    forEachBody([this](btRigidBody& body, std::size_t i) { aabbs_[i] = aabbOf(body); });
+  }
+  aabbsAreNew_ = false;
+  const btCollisionObjectArray& objects = getCollisionObjectArray();
+  for (int i = 0; i < objects.size(); ++i) {
+    btCollisionObject& object = *objects[i];
+    if (!object.isActive()) continue;
+    const int member = memberOf(object);
+    const Aabb* const aabb = member == kNoMember ? nullptr : &aabbs_[static_cast<std::size_t>(member)];
+    // Bullet has its own way with what is as large as that, or not a number
+    constexpr double kSanest = 1e12;
+    if (aabb != nullptr && (aabb->highest - aabb->lowest).length2() < kSanest) {
+      getBroadphase()->setAabb(object.getBroadphaseHandle(), aabb->lowest, aabb->highest, getDispatcher());
+    } else {
+      updateSingleAabb(&object);
+    }
+  }
 }
 
 void GroupedWorld::solveConstraints(btContactSolverInfo& info) {

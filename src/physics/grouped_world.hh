@@ -46,6 +46,9 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   void integrateTransforms(btScalar) override {}
   void calculateSimulationIslands() override {}
   void updateActivationState(btScalar) override {}
+  void createPredictiveContacts(btScalar) override {}
+  void predictUnconstraintMotion(btScalar dt) override;
+  void updateAabbs() override;
   void solveConstraints(btContactSolverInfo& info) override;
 
  private:
@@ -62,6 +65,16 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
     std::size_t joints = 0;
   };
 
+  struct Aabb {
+    btVector3 lowest;
+    btVector3 highest;
+  };
+  /// @return What holds the body where it is now and where it is going.
+  static Aabb aabbOf(const btRigidBody& body);
+
+  /// Calls `work(body, its number)` for each moving body, shared out among the workers.
+  template <class Work>
+  void forEachBody(Work&& work);
   void solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info);
   void collectTouches();
   void limitContacts(btPersistentManifold& manifold) const;
@@ -92,6 +105,10 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   std::vector<btCollisionObject*> bodiesByGroup_;
   std::vector<btPersistentManifold*> manifoldsByGroup_;
   std::vector<btTypedConstraint*> jointsByGroup_;
+
+  /// Of each moving body; new where the bodies have not moved since.
+  std::vector<Aabb> aabbs_;
+  bool aabbsAreNew_ = false;
 };
 
 }  // namespace pongsim::physics

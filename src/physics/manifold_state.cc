@@ -40,14 +40,18 @@ void transferPoint(StateArchive& archive, btManifoldPoint& point) {
 }
 
 void takeManifolds(StateArchive& archive, Dispatcher& dispatcher) {
+  // in the order of their keys: that in which they were made depends on threads and on the past
+  std::map<Key, btPersistentManifold*> manifolds;
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-    btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-    int count = manifold.getNumContacts();
-    if (count == 0) continue;
+    btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+    if (manifold->getNumContacts() != 0) manifolds.emplace(keyOf(*manifold), manifold);
+  }
+  for (const auto& [key, manifold] : manifolds) {
+    int count = manifold->getNumContacts();
     archive(count);
-    Key key = keyOf(manifold);
-    for (int& value : key) archive(value);
-    for (int j = 0; j < count; ++j) transferPoint(archive, manifold.getContactPoint(j));
+    Key copy = key;
+    for (int& value : copy) archive(value);
+    for (int j = 0; j < count; ++j) transferPoint(archive, manifold->getContactPoint(j));
   }
   int end = 0;
   archive(end);

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/hash.hh"
 #include "physics/rig.hh"
 
 namespace pongsim::physics {
@@ -77,6 +82,78 @@ TEST(GroupedWorld, GivesTheSameBitsOnAnyNumberOfThreads) {
   };
   const std::uint64_t expected = hashOn(1);
   for (const int threads : {2, 3, 5}) EXPECT_EQ(hashOn(threads), expected) << threads << " threads";
+}
+
+// a body with a bumper, on two wheels that a joint each drives, and a ball that it drags
+description::Model vehicleAt(const std::string& name, double x, double y, double yaw) {
+  description::Link body = test::makeLink("body", {0, 0, 0.25}, 2, test::boxMoments(2, {0.6, 0.3, 0.1}));
+  test::addCollision(body, description::Box{{0.6, 0.3, 0.1}});
+  test::addCollision(body, description::Sphere{0.1});
+  body.collisions[1].X_LinkCollision.position = {-0.2, 0, -0.15};
+  body.collisions[1].surface.mu = 0;
+  std::vector<description::Link> links = {body};
+  for (const double side : {0.2, -0.2}) {
+    description::Link wheel = test::makeLink(side > 0 ? "left" : "right", {0.2, side, 0.1}, 0.3, {1e-3, 1e-3, 1.5e-3});
+    wheel.X_ModelLink.rotation = fromRollPitchYaw(-M_PI / 2, 0, 0);
+    test::addCollision(wheel, description::Cylinder{0.1, 0.05});
+    links.push_back(wheel);
+  }
+  description::Model model = test::makeModel(name, links);
+  model.X_ParentModel = {{x, y, 0}, fromRollPitchYaw(0, 0, yaw)};
+  for (std::size_t i = 1; i <= 2; ++i) {
+    Pose X_BodyWheel = links[0].X_ModelLink.inverse() * links[i].X_ModelLink;
+    model.joints.push_back(
+        test::makeJoint(links[i].name, description::JointType::kRevolute, "body", links[i].name, X_BodyWheel, Pose()));
+  }
+  return model;
+}
+
+TEST(GroupedWorld, LetsVehiclesMeetAndPartWithTheSameBitsOnAnyNumberOfThreads) {
+  // 24 that run about among posts, a table made of parts and each other
+  description::World description;
+  description.models = {test::makeGround()};
+  for (int i = 0; i < 6; ++i) {
+    description::Link post = test::makeLink("link", {0.9 * i + 0.45, 0.8 * (i % 3) + 0.4, 0.2}, 1, {1, 1, 1});
+    test::addCollision(post, description::Cylinder{0.15, 0.4});
+    test::addCollision(post, description::Box{{0.1, 0.6, 0.3}});
+    description.models.push_back(test::makeModel("post" + std::to_string(i), {post}));
+    description.models.back().isStatic = i % 2 == 0;
+  }
+  constexpr int kVehicles = 24;
+  for (int i = 0; i < kVehicles; ++i) {
+    description.models.push_back(vehicleAt("v" + std::to_string(i), 0.9 * (i % 6), 0.8 * (i / 6), 0.9 * i));
+  }
+  std::size_t bumps = 0;
+  const auto hashesOn = [&](int threads) {
+    const world::Entities entities(description);
+    world::State state(entities);
+    Engine engine(entities, {.threads = threads});
+    std::vector<std::uint64_t> hashes;
+    std::vector<Contact> contacts;
+    for (int i = 0; i < 3000; ++i) {
+      if (i % 500 == 0) {
+        for (world::Slot joint = 0; joint < entities.joints().size(); ++joint) {
+          engine.setJointVelocityTarget(
+              joint, static_cast<double>((joint * 7 + static_cast<std::size_t>(i / 500) * 5) % 25) - 8);
+        }
+        hashes.push_back(world::stateHash(state));
+      }
+      engine.step(test::Rig::kStep, state);
+      if (i % 100 != 0) continue;
+      engine.contacts(contacts);
+      for (const Contact& contact : contacts) bumps += std::abs(contact.normal.z()) < 0.5 ? 1 : 0;
+    }
+    StateArchive archive;
+    engine.transfer(archive);
+    base::Hash all;
+    const std::vector<std::byte> bytes = archive.take();
+    all.add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    hashes.push_back(all.value());
+    return hashes;
+  };
+  const std::vector<std::uint64_t> expected = hashesOn(1);
+  EXPECT_GT(bumps, 20U);
+  for (const int threads : {2, 3}) EXPECT_EQ(hashesOn(threads), expected) << threads << " threads";
 }
 
 TEST(GroupedWorld, SolvesJointsBetweenModelsWithBoth) {
