@@ -37,7 +37,14 @@ void Workers::share(std::size_t count, Call call, void* context) {
   take(0);
   // all is taken; who sleeps needs not wake for it, but who is at it must end
   inside_.fetch_and(~kOpen);
-  while (inside_ != 0) pause();
+  for (int i = 0; inside_ != 0; ++i) {
+    // on a busy machine, who is at it may have no core
+    if (i < looks_) {
+      pause();
+    } else {
+      std::this_thread::yield();
+    }
+  }
 }
 
 void Workers::take(int worker) {
