@@ -73,8 +73,11 @@ class DetachableJoint : public System {
     hasWarned_ = false;
   }
 
-  // the joint itself is the world's, and as there where the state fits
+  // the joint itself is the world's, and as there when this is called
   void transfer(StateArchive& archive) override {
+    JointId held = joint_ ? joint_->id() : JointId();
+    archive(held.value);
+    if (archive.isGiving()) joint_ = world_->joint(held);
     archive(isToAttach_);
     archive(isToDetach_);
     archive(hasWarned_);

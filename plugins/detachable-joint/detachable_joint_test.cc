@@ -62,6 +62,24 @@ TEST(DetachableJoint, TakesHoldAgainWhereTheChildIs) {
   EXPECT_EQ(textsOf(states), (std::vector<std::string>{"attached", "detached", "attached"}));
 }
 
+TEST(DetachableJoint, HoldsOrDoesNotAsInASavedState) {
+  RunningWorld world(worldWith(kLoad));
+  world.step(10);
+  const std::vector<std::byte> held = world.simulation().saveState();
+  world.tell("/model/crane/detachable_joint/detach", ignition::msgs::Empty());
+  world.step(10);
+  const std::vector<std::byte> free = world.simulation().saveState();
+  EXPECT_EQ(world.simulation().restoreState(held), std::nullopt);
+  world.step(300);
+  EXPECT_NEAR(height(world), 2, 1e-3);
+  world.tell("/model/crane/detachable_joint/detach", ignition::msgs::Empty());
+  world.step(300);
+  EXPECT_LT(height(world), 1.7);
+  EXPECT_EQ(world.simulation().restoreState(free), std::nullopt);
+  world.step(300);
+  EXPECT_LT(height(world), 1.7);
+}
+
 TEST(DetachableJoint, WarnsOnceOfAChildThatIsNotThere) {
   const std::string parameters =
       "<parent_link>hook</parent_link><child_model>truck</child_model><child_link>body</child_link>";

@@ -106,7 +106,11 @@ world::Slot Editor::attach(world::Slot parent, world::Slot child, std::string na
   joint->child = scopedName(child);
   const std::vector<world::LinkState>& links = access_.state.links;
   joint->X_ParentJoint = links[parent].X_WorldLink.inverse() * links[child].X_WorldLink;
-  const world::Slot slot = access_.entities.insertJoint(std::move(joint));
+  return insertJoint(std::move(joint));
+}
+
+world::Slot Editor::insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id) {
+  const world::Slot slot = access_.entities.insertJoint(std::move(joint), id);
   access_.engine.grow();
   access_.state.grow(access_.entities);
   access_.hasChanged = true;

@@ -43,6 +43,9 @@ class Editor {
   /// @param name Empty: one that is free.
   world::Slot attach(world::Slot parent, world::Slot child, std::string name);
   void detach(world::Slot joint);
+  /// Adds a joint of the world itself.
+  /// @param id As `Entities::insertJoint` has it.
+  world::Slot insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id = std::nullopt);
 
   void setGravity(const Vector3& gravity);
 

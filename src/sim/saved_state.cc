@@ -6,19 +6,20 @@
 #include <string_view>
 
 #include "base/hash.hh"
+#include "sim/saved_joints.hh"
 
 namespace pongsim::sim {
 
 namespace {
 
-constexpr std::string_view kMark = "pongsim1";
+constexpr std::string_view kMark = "pongsim2";
 
 void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.position) hash.add(value);
   for (const double value : pose.rotation.coeffs()) hash.add(value);
 }
 
-/// @return A number made of who is in the world and how it began: a state fits where it is the same.
+/// @return A number made of who is in the world and how it began, but for joints: a state fits where it is the same.
 std::uint64_t structureOf(const Access& access, const SystemSet* systems) {
   base::Hash hash;
   const world::Entities& entities = access.entities;
@@ -31,14 +32,6 @@ std::uint64_t structureOf(const Access& access, const SystemSet* systems) {
     hash.add(link.description->inertial.mass);
     hash.add(std::uint64_t{link.description->collisions.size()});
     add(hash, link.X_WorldLinkStart);
-  }
-  for (const world::JointRecord& joint : entities.joints()) {
-    hash.add(joint.description->name);
-    hash.add(static_cast<std::uint64_t>(joint.description->type));
-    hash.add(std::uint64_t{joint.parentLink});
-    hash.add(std::uint64_t{joint.childLink});
-    hash.add(std::uint64_t{joint.referenceLink});
-    add(hash, joint.description->X_ParentJoint);
   }
   if (systems != nullptr) systems->addTo(hash);
   return hash.value();
@@ -68,6 +61,8 @@ void transfer(StateArchive& archive, Access& access, SystemSet* systems) {
 
 std::vector<std::byte> saveState(Access& access, SystemSet* systems) {
   StateArchive content;
+  std::vector<SavedJoint> joints = listJoints(access);
+  content(joints);
   transfer(content, access, systems);
   const std::vector<std::byte> rest = content.take();
 
@@ -98,6 +93,9 @@ std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access
     return "the saved state is one of another world, or other models, joints or systems were there";
   }
   StateArchive content(header.rest());
+  std::vector<SavedJoint> joints;
+  content(joints);
+  if (const auto error = restoreJoints(access, joints)) return error;
   transfer(content, access, systems);
   return std::nullopt;
 }

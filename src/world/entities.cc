@@ -96,7 +96,7 @@ void Entities::addLinks(Slot model, const Pose& X_WorldModel) {
   }
 }
 
-void Entities::addJoint(const description::Joint& description, Slot model) {
+void Entities::addJoint(const description::Joint& description, Slot model, std::optional<JointId> id) {
   const auto linkNamed = [&](const std::string& name) {
     if (name == "world") return kNoSlot;
     const Slot link = findLink(model, name);
@@ -108,8 +108,10 @@ void Entities::addJoint(const description::Joint& description, Slot model) {
   const Slot slot = joints_.size();
   const Slot reference =
       description.type == description::JointType::kGearbox ? linkNamed(description.gearboxReference) : kNoSlot;
-  joints_.push_back({JointId{nextId()}, nullptr, &description, model, linkNamed(description.parent),
-                     linkNamed(description.child), reference});
+  const Slot parent = linkNamed(description.parent);
+  const Slot child = linkNamed(description.child);
+  if (id) lastId_ = std::max(lastId_, id->value);
+  joints_.push_back({id ? *id : JointId{nextId()}, nullptr, &description, model, parent, child, reference});
   slotOfId_.emplace(joints_.back().id.value, slot);
   if (model != kNoSlot) models_[model].joints.push_back(slot);
   addSensors(description.sensors, kNoSlot, slot);
@@ -142,8 +144,8 @@ Slot Entities::insertModel(std::shared_ptr<const description::Model> model) {
   }
 }
 
-Slot Entities::insertJoint(std::shared_ptr<const description::Joint> joint) {
-  addJoint(*joint, kNoSlot);
+Slot Entities::insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id) {
+  addJoint(*joint, kNoSlot, id);
   joints_.back().owner = std::move(joint);
   return joints_.size() - 1;
 }

@@ -166,8 +166,9 @@ class Entities {
   Slot insertModel(std::shared_ptr<const description::Model> model);
 
   /// Adds a joint of the world itself, between links as the world names them.
+  /// @param id That it had when a state was saved; nothing: a new one.
   /// @throws std::invalid_argument as the constructor does; nothing is added then.
-  Slot insertJoint(std::shared_ptr<const description::Joint> joint);
+  Slot insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id = std::nullopt);
 
   /// Removes a model of the top level with all that is in it, and the joints that hold on to its links.
   Removal removeModel(Slot model);
@@ -196,7 +197,7 @@ class Entities {
   void addAll();
   Slot addModel(const description::Model& description, Slot parent, const Pose& X_WorldParent);
   void addLinks(Slot model, const Pose& X_WorldModel);
-  void addJoint(const description::Joint& description, Slot model);
+  void addJoint(const description::Joint& description, Slot model, std::optional<JointId> id = std::nullopt);
   void addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint);
   void addLights(const std::vector<description::Light>& lights, Slot link);
   void collectModels(Slot model, std::vector<Slot>& models) const;

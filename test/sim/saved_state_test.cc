@@ -96,6 +96,61 @@ TEST(SavedState, KeepsWhatWasChangedWhileRunning) {
   EXPECT_EQ(simulation->stateHash(), other->stateHash());
 }
 
+TEST(SavedState, KeepsJointsThatWereMadeAndRemoved) {
+  constexpr const char* kArmAndCrate = R"(<sdf version="1.9"><world name="w"><model name="arm">
+      <link name="base"><pose>0 0 2 0 0 0</pose></link><link name="hand"><pose>1 0 2 0 0 0</pose></link>
+      <joint name="root" type="fixed"><parent>world</parent><child>base</child></joint>
+      <joint name="elbow" type="revolute"><parent>base</parent><child>hand</child><axis><xyz>0 1 0</xyz></axis></joint>
+    </model><model name="crate"><pose>1 0 1 0 0 0</pose><link name="link"/></model></world></sdf>)";
+  const auto begin = [&] {
+    Diagnostics diagnostics;
+    auto simulation = Simulation::fromText(kArmAndCrate, "w.sdf", {.loadSystems = false}, diagnostics);
+    simulation->step(50);
+    return simulation;
+  };
+  const auto attachCrate = [](Simulation& simulation) {
+    const Link hand = *simulation.world().model("arm")->link("hand");
+    const Link crate = *simulation.world().model("crate")->link("link");
+    const Outcome<Joint> made = simulation.world().attach(hand, crate, "leash");
+    ASSERT_TRUE(made) << made.error;
+    simulation.step(50);
+  };
+  const auto removeElbow = [](Simulation& simulation) {
+    ASSERT_EQ(simulation.world().detach(*simulation.world().model("arm")->joint("elbow")), std::nullopt);
+    simulation.step(50);
+  };
+  const auto simulation = begin();
+  std::vector<std::vector<std::byte>> states;
+  std::vector<std::uint64_t> futures;
+  const auto future = [](Simulation& each) {
+    each.step(300);
+    return each.stateHash();
+  };
+  states.push_back(simulation->saveState());
+  attachCrate(*simulation);
+  states.push_back(simulation->saveState());
+  removeElbow(*simulation);
+  states.push_back(simulation->saveState());
+  for (const std::vector<std::byte>& state : states) {
+    const auto other = begin();
+    EXPECT_EQ(other->restoreState(state), std::nullopt);
+    futures.push_back(future(*other));
+  }
+  EXPECT_EQ(std::set(futures.begin(), futures.end()).size(), 3U);
+  // there and back in one simulation, with joints to make again that had gone
+  for (const std::size_t i : {2U, 0U, 1U, 2U, 1U, 0U}) {
+    EXPECT_EQ(simulation->restoreState(states[i]), std::nullopt);
+    EXPECT_EQ(simulation->saveState(), states[i]);
+    EXPECT_EQ(future(*simulation), futures[i]) << i;
+  }
+  // where a model has come, joints of the file can't be made again
+  EXPECT_EQ(simulation->restoreState(states[2]), std::nullopt);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(simulation->insertText("<sdf version='1.9'><model name='new'><link name='l'/></model></sdf>", "new.sdf",
+                                     {}, diagnostics));
+  EXPECT_TRUE(simulation->restoreState(states[0]).has_value());
+}
+
 TEST(SavedState, IsRefusedWhereItDoesNotFit) {
   const auto simulation = court({.loadSystems = false});
   simulation->step(100);
