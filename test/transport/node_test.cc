@@ -181,7 +181,7 @@ TEST_F(NodeTest, CountsTheSubscribersThatHaveComeSinceItWasAsked) {
 
   const auto other = listener();
   std::uint64_t come = 0;
-  EXPECT_TRUE(dispatchUntil([&] { return (come = publisher.newSubscribers()) > 0; }));
+  EXPECT_TRUE(dispatchUntil([&] { return (come += publisher.newSubscribers()) > 0; }));
   EXPECT_EQ(come, 1);
   publisher.publish(text("welcome"));
   EXPECT_TRUE(other->waitForOutput("got welcome"));
