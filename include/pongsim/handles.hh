@@ -20,6 +20,7 @@ class Access;
 class SystemSet;
 }  // namespace sim
 
+class BeamScene;
 class Collision;
 class Link;
 class Scene;
@@ -294,6 +295,7 @@ class PONGSIM_API World {
   std::optional<TangentPlane> tangentPlane() const;
 
  private:
+  friend class BeamScene;
   friend class Scene;
   sim::Access* access_;
 };
