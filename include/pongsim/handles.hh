@@ -289,10 +289,16 @@ class PONGSIM_API World {
   std::optional<std::string> detach(const Joint& joint);
   /// @return Magnetic field in the world frame [T].
   Vector3 magneticField() const;
-  /// @return `<heading_deg>` of the world's spherical coordinates [rad].
+  /// @return `<heading_deg>` of the world's spherical coordinates, unless it was changed [rad].
   double heading() const;
-  /// @return Where on the earth the world is, `<spherical_coordinates>`; nothing where the file does not say it.
+  /// @return Where on the earth the world is, `<spherical_coordinates>` unless it was changed; nothing where nobody has
+  /// said it.
   std::optional<TangentPlane> tangentPlane() const;
+  /// Says where on the earth the world is.
+  /// @param origin Of the world's frame.
+  /// @param heading Of its x axis, anticlockwise from east [rad].
+  /// @return Why not, or nothing.
+  std::optional<std::string> setPlace(const GeodeticPosition& origin, double heading);
 
  private:
   friend class BeamScene;

@@ -14,14 +14,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// @return Where on the earth the world of a sensor is.
-TangentPlane planeFor(const Sensor& sensor, const World& world) {
-  const std::optional<TangentPlane> plane = world.tangentPlane();
-  if (!plane) {
+/// @return The world of a sensor, which says where on the earth it is.
+World worldOf(const Sensor& sensor, const World& world) {
+  if (!world.tangentPlane()) {
     refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' can't know where it is on the earth",
            "the world needs <spherical_coordinates>");
   }
-  return *plane;
+  return world;
 }
 
 /// @return The angle [degrees], above -180 and up to 180.
@@ -35,7 +34,7 @@ struct NavSatSensor {
 
   NavSatSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message)
       : sensor_(sensor),
-        plane_(planeFor(sensor, world)),
+        world_(worldOf(sensor, world)),
         latitudeNoise_(noises.add(settings().horizontalPosition, "latitude")),
         longitudeNoise_(noises.add(settings().horizontalPosition, "longitude")),
         altitudeNoise_(noises.add(settings().verticalPosition, "altitude")),
@@ -46,7 +45,8 @@ struct NavSatSensor {
   }
 
   void measure(Message& message) {
-    const GeodeticPosition place = plane_.at(sensor_.pose().position);
+    // which may have been told to be somewhere else
+    const GeodeticPosition place = world_.tangentPlane()->at(sensor_.pose().position);
     message.set_latitude_deg(wrapped(latitudeNoise_.apply(place.latitude / kDegree)));
     message.set_longitude_deg(wrapped(longitudeNoise_.apply(place.longitude / kDegree)));
     message.set_altitude(altitudeNoise_.apply(place.altitude));
@@ -61,7 +61,7 @@ struct NavSatSensor {
   const NavSatSettings& settings() const { return *sensor_.settings<NavSatSettings>(); }
 
   Sensor sensor_;
-  TangentPlane plane_;
+  World world_;
   Noise &latitudeNoise_, &longitudeNoise_, &altitudeNoise_;
   Noise &eastNoise_, &northNoise_, &upNoise_;
 };

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/navsat.pb.h>
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,18 @@ TEST(NavSat, OfFortressTestWorldKnowsItsPlace) {
   EXPECT_NEAR(messages[0].latitude_deg(), -22.9, 1e-6);
   EXPECT_NEAR(messages[0].longitude_deg(), -43.2, 1e-6);
   EXPECT_LT(messages.back().velocity_up(), -0.5);
+}
+
+TEST(NavSat, FollowsAWorldThatIsToldToBeSomewhereElse) {
+  RunningWorld world(worldWith(kEarth, "0 0 0 0 0 0"));
+  std::vector<ignition::msgs::NavSat> messages;
+  world.listen(kTopic, messages);
+  world.step(1);
+  EXPECT_FALSE(world.simulation().world().setPlace({0.5, -0.5, 0}, 0));
+  world.step(1);
+  ASSERT_EQ(messages.size(), 2);
+  EXPECT_NEAR(messages[0].latitude_deg(), 10, 1e-5);
+  EXPECT_NEAR(messages[1].latitude_deg(), 0.5 * 180 / std::numbers::pi, 1e-5);
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 #include "cli/console.hh"
 #include "cli/plugin_page.hh"
 #include "cli/plugin_template.hh"
+#include "plugin/core_systems.hh"
+#include "plugin/fortress_systems.hh"
 #include "plugin/inspection.hh"
 #include "plugin/loader.hh"
 #include "plugin/system_name.hh"
@@ -26,15 +28,33 @@ namespace {
 /// The command line as it was given.
 struct PluginOptions {
   bool list = false;
+  bool missing = false;
   bool markdown = false;
   std::optional<std::string> info;
   std::string newName;
   CLI::App* newCommand = nullptr;
 };
 
+std::vector<std::string> availableNames() {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : plugin::librariesIn(plugin::defaultSearchPath())) {
+    names.push_back(plugin::systemName(file.filename().string()));
+  }
+  return names;
+}
+
+int listMissing() {
+  std::string text;
+  for (const std::string_view name : plugin::missingSystems(availableNames())) text += std::string(name) + "\n";
+  return print(text) ? kDone : kFailed;
+}
+
 int listPlugins() {
   base::reportCrashes();
   std::string text;
+  for (const plugin::CoreSystem& system : plugin::coreSystems()) {
+    text += system.name + "\t" + system.className + "\tpart of pongsim itself\n";
+  }
   bool areGood = true;
   for (const std::filesystem::path& file : plugin::librariesIn(plugin::defaultSearchPath())) {
     const auto looked = plugin::Inspection::of(file);
@@ -54,23 +74,28 @@ int listPlugins() {
 std::filesystem::path libraryNamed(const std::string& name) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(name, ignored)) return name;
-  const std::vector<std::filesystem::path> searchPath = plugin::defaultSearchPath();
-  if (const auto found = plugin::findLibrary(searchPath, name)) return *found;
-  std::vector<std::string> names;
-  for (const std::filesystem::path& file : plugin::librariesIn(searchPath)) {
-    names.push_back(plugin::systemName(file.filename().string()));
+  if (const auto found = plugin::findLibrary(plugin::defaultSearchPath(), name)) return *found;
+  const std::vector<std::string> names = availableNames();
+  const std::string shortName = plugin::systemName(name);
+  if (std::ranges::count(plugin::missingSystems(names), shortName) > 0) {
+    throw UsageError("the system '" + shortName + "' of Gazebo is not there yet", "pongsim plugin -l lists what is");
   }
-  const std::vector<std::string_view> words(names.begin(), names.end());
-  std::string hint = base::didYouMean(plugin::systemName(name), words);
+  std::vector<std::string_view> words(names.begin(), names.end());
+  for (const plugin::CoreSystem& system : plugin::coreSystems()) words.push_back(system.name);
+  std::string hint = base::didYouMean(shortName, words);
   throw UsageError("there is no plugin '" + name + "'", hint.empty() ? "pongsim plugin -l lists them" : hint);
+}
+
+template <class Described>
+int showPage(const Described& described, bool asMarkdown) {
+  return print(asMarkdown ? pluginMarkdown(described) : pluginText(described)) ? kDone : kFailed;
 }
 
 int showPlugin(const std::filesystem::path& file, bool asMarkdown) {
   base::reportCrashes();
   const auto looked = plugin::Inspection::of(file);
   if (const auto* reason = std::get_if<std::string>(&looked)) return fail(file.string() + " can't be used: " + *reason);
-  const auto& inspection = std::get<plugin::Inspection>(looked);
-  return print(asMarkdown ? pluginMarkdown(inspection) : pluginText(inspection)) ? kDone : kFailed;
+  return showPage(std::get<plugin::Inspection>(looked), asMarkdown);
 }
 
 int makePlugin(const std::string& name) {
@@ -81,13 +106,17 @@ int makePlugin(const std::string& name) {
 
 Work pluginWork(const PluginOptions& options) {
   const bool makesNew = options.newCommand->parsed();
+  if (options.missing && !options.list) throw UsageError("--missing is for --list");
   if (int{options.list} + int{options.info.has_value()} + int{makesNew} != 1) {
     throw UsageError(options.list || options.info ? "one thing at a time" : "nothing to do given",
                      "one of --list, --info FILE and new NAME");
   }
   if (options.markdown && !options.info) throw UsageError("--markdown is for --info");
-  if (options.list) return listPlugins;
+  if (options.list) return options.missing ? listMissing : listPlugins;
   if (options.info) {
+    if (const plugin::CoreSystem* system = plugin::coreSystem(*options.info)) {
+      return [system, asMarkdown = options.markdown] { return showPage(*system, asMarkdown); };
+    }
     return [file = libraryNamed(*options.info), asMarkdown = options.markdown] { return showPlugin(file, asMarkdown); };
   }
   if (const auto error = pluginNameError(options.newName)) {
@@ -104,10 +133,12 @@ void addPluginCommand(CLI::App& program, Work& work) {
   command->set_help_flag("-h,--help", "Print this and end");
   command->add_flag("-l,--list", options->list, "Print the systems that are found: name, class and file")
       ->disable_flag_override();
+  command->add_flag("--missing", options->missing, "With --list: the systems of Fortress that are not there yet")
+      ->disable_flag_override();
   command
       ->add_option_function<std::string>(
           "-i,--info", [options](const std::string& text) { options->info = text; },
-          "Print a library's classes, parameters, topics and services")
+          "Print a system's classes, parameters, topics and services")
       ->type_name("FILE|NAME");
   command->add_flag("--markdown", options->markdown, "With --info: as a page of documentation")
       ->disable_flag_override();
@@ -119,6 +150,7 @@ void addPluginCommand(CLI::App& program, Work& work) {
   command->footer(
       "Examples:\n"
       "  pongsim plugin -l\n"
+      "  pongsim plugin -l --missing\n"
       "  pongsim plugin -i diff-drive\n"
       "  pongsim plugin new my-system");
   command->callback([options, &work] { work = pluginWork(*options); });

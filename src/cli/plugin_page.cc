@@ -11,7 +11,6 @@ namespace pongsim::cli {
 
 namespace {
 
-using Class = plugin::Inspection::Class;
 using Way = Declaration::Way;
 
 const char* placeText(Declaration::Place place) {
@@ -79,10 +78,9 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-void addClassText(const Class& found, std::string& text) {
-  const Declaration& declaration = found.declaration;
-  text += "\nclass " + found.names.front();
-  for (std::size_t i = 1; i < found.names.size(); ++i) text += (i == 1 ? ", also " : ", ") + found.names[i];
+void addClassText(const std::vector<std::string>& names, const Declaration& declaration, std::string& text) {
+  text += "\nclass " + names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i == 1 ? ", also " : ", ") + names[i];
   text += "\n";
   if (declaration.text().empty()) return;
   text += declaration.text() + "\nStands in " + placeText(declaration.place()) + ".\n";
@@ -98,9 +96,8 @@ void addClassText(const Class& found, std::string& text) {
   addTable(rows, text);
 }
 
-void addClassMarkdown(const Class& found, const std::string& filename, std::string& text) {
-  const Declaration& declaration = found.declaration;
-  const std::string& name = found.names.front();
+void addClassMarkdown(const std::string& name, const Declaration& declaration, const std::string& filename,
+                      std::string& text) {
   text += "## " + name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1) + "\n" +
           declaration.text() + "\n\nfilename `" + filename + "`, class `" + name + "`; stands in " +
           escaped(placeText(declaration.place())) + "\n";
@@ -120,22 +117,38 @@ void addClassMarkdown(const Class& found, const std::string& filename, std::stri
   }
 }
 
+/// @return The name that the worlds of Fortress use.
+std::string fortressFilename(const std::string& name) { return "ignition-gazebo-" + name + "-system"; }
+
 }  // namespace
 
 std::string pluginText(const plugin::Inspection& inspection) {
   std::string text = inspection.file().string() + "\nplugin interface version " + std::to_string(kAbiVersion) + "\n";
-  for (const Class& found : inspection.classes()) addClassText(found, text);
+  for (const auto& found : inspection.classes()) addClassText(found.names, found.declaration, text);
+  return text;
+}
+
+std::string pluginText(const plugin::CoreSystem& system) {
+  std::string text = "part of pongsim itself\n";
+  addClassText({system.className}, system.declaration, text);
   return text;
 }
 
 std::string pluginMarkdown(const plugin::Inspection& inspection) {
   const std::string file = inspection.file().filename().string();
   const std::string name = plugin::systemName(file);
-  // of the systems of Fortress the name that its worlds use
-  const std::string filename = file.starts_with("libpongsim-") ? "ignition-gazebo-" + name + "-system" : name;
+  const std::string filename = file.starts_with("libpongsim-") ? fortressFilename(name) : name;
   std::string text;
-  for (const Class& found : inspection.classes()) addClassMarkdown(found, filename, text);
+  for (const auto& found : inspection.classes()) {
+    addClassMarkdown(found.names.front(), found.declaration, filename, text);
+  }
   return text;
+}
+
+std::string pluginMarkdown(const plugin::CoreSystem& system) {
+  std::string text;
+  addClassMarkdown(system.className, system.declaration, fortressFilename(system.name), text);
+  return text + "\nPart of pongsim itself.\n";
 }
 
 }  // namespace pongsim::cli

@@ -4,6 +4,7 @@
 #include <ignition/msgs/entity_factory_v.pb.h>
 #include <ignition/msgs/physics.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
+#include <ignition/msgs/spherical_coordinates.pb.h>
 
 #include <numbers>
 
@@ -46,6 +47,10 @@ EntityFactory factoryFrom(const im::EntityFactory& message) {
   return factory;
 }
 
+EntityName nameFrom(const im::Entity& message) {
+  return {message.id(), message.name(), im::Entity::Type_Name(message.type())};
+}
+
 PoseOfEntity poseOf(const im::Pose& message) { return {{message.id(), message.name(), {}}, poseFrom(message)}; }
 
 }  // namespace
@@ -62,10 +67,7 @@ std::vector<EntityFactory> entityFactories(const Message& message) {
   return all;
 }
 
-EntityName entityName(const Message& message) {
-  const auto& entity = static_cast<const im::Entity&>(message);
-  return {entity.id(), entity.name(), im::Entity::Type_Name(entity.type())};
-}
+EntityName entityName(const Message& message) { return nameFrom(static_cast<const im::Entity&>(message)); }
 
 PoseOfEntity poseOfEntity(const Message& message) { return poseOf(static_cast<const im::Pose&>(message)); }
 
@@ -73,6 +75,13 @@ std::vector<PoseOfEntity> posesOfEntities(const Message& message) {
   std::vector<PoseOfEntity> all;
   for (const im::Pose& each : static_cast<const im::Pose_V&>(message).pose()) all.push_back(poseOf(each));
   return all;
+}
+
+PlaceOfEntity placeOfEntity(const Message& message) {
+  const auto& asked = static_cast<const im::SphericalCoordinates&>(message);
+  PlaceOfEntity place{{}, placeFrom(asked)};
+  if (asked.has_entity()) place.entity = nameFrom(asked.entity());
+  return place;
 }
 
 PhysicsSettings physicsSettings(const Message& message) {

@@ -52,6 +52,13 @@ struct PoseOfEntity {
   Pose pose;
 };
 
+/// Who is to be where on the earth, as `ignition.msgs.SphericalCoordinates` has it.
+struct PlaceOfEntity {
+  /// Nothing: the world's origin.
+  std::optional<EntityName> entity;
+  PlaceOnEarth place;
+};
+
 /// What `ignition.msgs.Physics` asks for.
 struct PhysicsSettings {
   /// [s]; 0: as it is.
@@ -66,6 +73,7 @@ struct PhysicsSettings {
 EntityFactory entityFactory(const Message& message);
 EntityName entityName(const Message& message);
 PoseOfEntity poseOfEntity(const Message& message);
+PlaceOfEntity placeOfEntity(const Message& message);
 PhysicsSettings physicsSettings(const Message& message);
 
 /// Of `ignition.msgs.EntityFactory_V` and `ignition.msgs.Pose_V`.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "plugin/core_systems.hh"
+
 namespace pongsim::plugin {
 
 std::span<const std::string_view> fortressSystems() {
@@ -68,6 +70,14 @@ std::span<const std::string_view> fortressSystems() {
                                                 "wheel-slip",
                                                 "wind-effects"};
   return kNames;
+}
+
+std::vector<std::string_view> missingSystems(std::span<const std::string> available) {
+  std::vector<std::string_view> missing;
+  for (const std::string_view name : fortressSystems()) {
+    if (coreSystem(name) == nullptr && std::ranges::find(available, name) == available.end()) missing.push_back(name);
+  }
+  return missing;
 }
 
 bool isForeignPlugin(std::string_view name) {

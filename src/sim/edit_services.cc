@@ -29,6 +29,7 @@ EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("remove", "ignition.msgs.Entity", &EditServices::remove);
   serve("set_pose", "ignition.msgs.Pose", &EditServices::setPose);
   serve("set_pose_vector", "ignition.msgs.Pose_V", &EditServices::setPoses);
+  serve("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates", &EditServices::setPlace);
   serve("light_config", "ignition.msgs.Light", &EditServices::setLight);
   serve("set_physics", "ignition.msgs.Physics", &EditServices::setPhysics);
   lights_ = simulation.transport().node().subscribe(nameOf("light_config"), "ignition.msgs.Light",
@@ -50,15 +51,19 @@ void EditServices::serve(const char* name, const char* requestType, Answer answe
                                                            }));
 }
 
+std::optional<Vector3> EditServices::positionOf(const msgs::PlaceOnEarth& place, std::string& refusal) {
+  const std::optional<TangentPlane> plane = simulation_.world().tangentPlane();
+  if (plane) return plane->positionOf(place.position);
+  refusal = "the world does not say where on the earth it is: it has no <spherical_coordinates>";
+  return std::nullopt;
+}
+
 std::optional<Pose> EditServices::poseFor(const msgs::EntityFactory& asked, std::string& refusal) {
   if (!asked.place) return asked.pose;
-  const std::optional<TangentPlane> plane = simulation_.world().tangentPlane();
-  if (!plane) {
-    refusal = "the world does not say where on the earth it is: it has no <spherical_coordinates>";
-    return std::nullopt;
-  }
+  const std::optional<Vector3> position = positionOf(*asked.place, refusal);
+  if (!position) return std::nullopt;
   Pose pose = asked.pose.value_or(Pose());
-  pose.position = plane->positionOf(asked.place->position);
+  pose.position = *position;
   pose.rotation = fromRollPitchYaw(0, 0, asked.place->heading) * pose.rotation;
   return pose;
 }
@@ -177,6 +182,20 @@ ServiceAnswer EditServices::setPoses(const Message& request) {
     if (refusal) return ServiceAnswer::refused("model '" + std::string(models[i].name()) + "': " + *refusal);
   }
   return true;
+}
+
+/// Says where the world is, or puts a model somewhere, turned as it was.
+ServiceAnswer EditServices::setPlace(const Message& request) {
+  const auto [entity, place] = msgs::placeOfEntity(request);
+  if (!entity) return answerFor(simulation_.world().setPlace(place.position, place.heading));
+  std::string error;
+  std::optional<Model> model = find(*entity, error);
+  if (!model) return ServiceAnswer::refused(error);
+  const std::optional<Vector3> position = positionOf(place, error);
+  if (!position) return ServiceAnswer::refused(error);
+  Pose pose = model->pose();
+  pose.position = *position;
+  return answerFor(model->setPose(pose));
 }
 
 ServiceAnswer EditServices::setLight(const Message& request) { return answerFor(simulation_.changeLight(request)); }

@@ -13,9 +13,9 @@
 namespace pongsim::sim {
 
 /// Lets others change a world that runs: `create`, `create_multiple`, `remove`, `set_pose`, `set_pose_vector`,
-/// `light_config` and `set_physics` under `/world/W`. Requests are met from within `Transport::dispatch`, which must be
-/// in between two steps, and answered when they have taken effect, or with the reason why they have not.
-/// `light_config` is a topic, too.
+/// `set_spherical_coordinates`, `light_config` and `set_physics` under `/world/W`. Requests are met from within
+/// `Transport::dispatch`, which must be in between two steps, and answered when they have taken effect, or with the
+/// reason why they have not. `light_config` is a topic, too.
 class EditServices {
  public:
   /// @param simulation Must outlive it.
@@ -32,6 +32,7 @@ class EditServices {
   ServiceAnswer remove(const Message& request);
   ServiceAnswer setPose(const Message& request);
   ServiceAnswer setPoses(const Message& request);
+  ServiceAnswer setPlace(const Message& request);
   ServiceAnswer setLight(const Message& request);
   ServiceAnswer setPhysics(const Message& request);
 
@@ -46,6 +47,8 @@ class EditServices {
                                          Inserted& inserted);
   std::optional<std::string> insertLight(const msgs::EntityFactory& asked, const InsertOptions& options,
                                          Inserted& inserted);
+  /// @return Where that is in the world, or nothing and `refusal`.
+  std::optional<Vector3> positionOf(const msgs::PlaceOnEarth& place, std::string& refusal);
   /// @return Where it is to stand, or nothing, which with `refusal` means that it can't.
   std::optional<Pose> poseFor(const msgs::EntityFactory& asked, std::string& refusal);
   /// @return The model at the top level, or nothing and `error`.

@@ -1,6 +1,7 @@
 #include "pongsim/handles.hh"
 
 #include <cmath>
+#include <numbers>
 
 #include "sim/access.hh"
 #include "sim/editor.hh"
@@ -294,12 +295,21 @@ void World::contacts(std::vector<Contact>& contacts) const { access_->engine.con
 
 Vector3 World::magneticField() const { return access_->entities.description().environment.magneticField; }
 
-double World::heading() const { return access_->entities.description().environment.sphericalCoordinates.heading; }
+double World::heading() const { return access_->state.place.heading; }
 
 std::optional<TangentPlane> World::tangentPlane() const {
-  const description::SphericalCoordinates& place = access_->entities.description().environment.sphericalCoordinates;
-  if (!place.isGiven) return std::nullopt;
-  return TangentPlane({place.latitude, place.longitude, place.elevation}, place.heading);
+  const world::Place& place = access_->state.place;
+  if (!place.isKnown) return std::nullopt;
+  return TangentPlane(place.origin, place.heading);
+}
+
+std::optional<std::string> World::setPlace(const GeodeticPosition& origin, double heading) {
+  if (!std::isfinite(origin.longitude) || !std::isfinite(origin.altitude) || !std::isfinite(heading)) {
+    return "the place is not finite";
+  }
+  if (!(std::abs(origin.latitude) <= std::numbers::pi / 2)) return "the latitude is not between -90 and 90 degrees";
+  access_->state.place = {true, origin, heading};
+  return std::nullopt;
 }
 
 }  // namespace pongsim

@@ -52,7 +52,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& d
     if (name == kPhysics) {
       wantsPhysics_ = true;
     } else if (name == kUserCommands) {
-      Logger("plugins").info("user-commands is accepted: what there is of its services, every run offers");
+      Logger("plugins").info("user-commands is part of pongsim: each world has its services");
     } else {
       add(plugin, i, std::nullopt, diagnostics);
     }

@@ -14,12 +14,17 @@ void add(base::Hash& hash, const Quaternion& rotation) {
   for (const double value : {rotation.w(), rotation.x(), rotation.y(), rotation.z()}) hash.add(value);
 }
 
+Place placeOf(const description::SphericalCoordinates& place) {
+  return {place.isGiven, {place.latitude, place.longitude, place.elevation}, place.heading};
+}
+
 }  // namespace
 
 State::State(const Entities& entities)
     : gravity(entities.description().gravity),
       stepSize(entities.description().physics.maxStepSize),
-      realTimeFactor(entities.description().physics.realTimeFactor) {
+      realTimeFactor(entities.description().physics.realTimeFactor),
+      place(placeOf(entities.description().environment.sphericalCoordinates)) {
   grow(entities);
 }
 
@@ -41,6 +46,11 @@ void transfer(StateArchive& archive, State& state) {
   archive(state.gravity);
   archive(state.stepSize);
   archive(state.realTimeFactor);
+  archive(state.place.isKnown);
+  for (double* value : {&state.place.origin.latitude, &state.place.origin.longitude, &state.place.origin.altitude,
+                        &state.place.heading}) {
+    archive(*value);
+  }
   for (LinkState& link : state.links) {
     archive(link.X_WorldLink);
     archive(link.v_WorldLink);

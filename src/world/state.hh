@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pongsim/geodesy.hh"
 #include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
@@ -28,6 +29,15 @@ struct JointState {
   double velocity2 = 0;
 };
 
+/// Where on the earth the world is.
+struct Place {
+  bool isKnown = false;
+  /// Of the world's origin.
+  GeodeticPosition origin;
+  /// Of the x axis, anticlockwise from east [rad].
+  double heading = 0;
+};
+
 /// How everything stands now. The arrays go with those of `Entities`.
 struct State {
   /// The state at the start.
@@ -39,11 +49,12 @@ struct State {
 
   Time time{0};
   std::uint64_t iterations = 0;
-  /// World frame [m/s^2]. This and the next two are what the description says until they are changed.
+  /// World frame [m/s^2]. This and the next three are what the description says until they are changed.
   Vector3 gravity;
   Time stepSize;
   /// Simulated seconds a second; 0 means as many as possible.
   double realTimeFactor;
+  Place place;
   std::vector<LinkState> links;
   std::vector<JointState> joints;
 };

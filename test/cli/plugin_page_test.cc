@@ -36,5 +36,16 @@ TEST(PluginPage, IsATableInMarkdown) {
   }
 }
 
+TEST(PluginPage, TellsOfWhatIsPartOfPongsimItself) {
+  const plugin::CoreSystem& system = *plugin::coreSystem("libignition-gazebo-user-commands-system.so");
+  EXPECT_TRUE(
+      pluginText(system).starts_with("part of pongsim itself\n\nclass ignition::gazebo::systems::UserCommands\n"));
+  const std::string markdown = pluginMarkdown(system);
+  EXPECT_TRUE(markdown.starts_with("## UserCommands\n")) << markdown;
+  EXPECT_NE(markdown.find("| serves | `/world/W/set_pose` | ignition.msgs.Pose, ignition.msgs.Boolean |"),
+            std::string::npos)
+      << markdown;
+}
+
 }  // namespace
 }  // namespace pongsim::cli

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace pongsim::plugin {
 namespace {
@@ -12,6 +14,13 @@ TEST(FortressSystems, ListsEachLibraryOfFortressOnce) {
   EXPECT_EQ(names.size(), 61U);
   EXPECT_TRUE(std::ranges::is_sorted(names));
   EXPECT_EQ(std::ranges::adjacent_find(names), names.end());
+}
+
+TEST(FortressSystems, AreMissingWhereNeitherALibraryNorPongsimItselfDoesTheirWork) {
+  const auto missing = missingSystems(std::vector<std::string>{"imu", "my-system"});
+  EXPECT_EQ(missing.size(), fortressSystems().size() - 3);
+  for (const char* name : {"imu", "physics", "user-commands"}) EXPECT_EQ(std::ranges::count(missing, name), 0) << name;
+  EXPECT_EQ(std::ranges::count(missing, "buoyancy"), 1);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
+#include "plugin/core_systems.hh"
 #include "pongsim/scene.hh"
 #include "pongsim/simulation.hh"
 #include "support/ask_service.hh"
@@ -174,6 +176,49 @@ TEST_F(EditServicesTest, PutModelsSomewhereElse) {
   EXPECT_EQ(model("ball")->pose().position.x(), 7);
   EXPECT_EQ(refusal("set_pose_vector", "Pose_V", "pose {name: 'ball'} pose {name: 'tower', position {x: 2}}"), "");
   EXPECT_EQ(model("tower")->pose().position.x(), 2);
+}
+
+TEST_F(EditServicesTest, PutTheWorldAndModelsSomewhereOnTheEarth) {
+  const auto setPlace = [this](const std::string& text) {
+    return refusal("set_spherical_coordinates", "SphericalCoordinates", text);
+  };
+  EXPECT_NE(setPlace("entity {name: 'ball'}").find("<spherical_coordinates>"), std::string::npos);
+  EXPECT_EQ(setPlace("latitude_deg: 91"), "the latitude is not between -90 and 90 degrees");
+  EXPECT_EQ(setPlace("longitude_deg: nan"), "the place is not finite");
+  EXPECT_FALSE(simulation_->world().tangentPlane());
+  const std::vector<std::byte> before = simulation_->saveState();
+
+  EXPECT_EQ(setPlace("latitude_deg: 10, longitude_deg: 20, elevation: 30, heading_deg: 90"), "");
+  ASSERT_TRUE(simulation_->world().tangentPlane());
+  EXPECT_NEAR(simulation_->world().heading(), std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(setPlace("entity {name: 'ball'}, latitude_deg: 10, longitude_deg: 20, elevation: 35"), "");
+  EXPECT_NEAR((model("ball")->pose().position - Vector3(0, 0, 5)).norm(), 0, 1e-6);
+  EXPECT_EQ(setPlace("entity {name: 'bll'}"), "there is no model 'bll'; did you mean 'ball'?");
+
+  const std::vector<std::byte> after = simulation_->saveState();
+  EXPECT_FALSE(simulation_->restoreState(before));
+  EXPECT_FALSE(simulation_->world().tangentPlane());
+  EXPECT_FALSE(simulation_->restoreState(after));
+  EXPECT_TRUE(simulation_->world().tangentPlane());
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_FALSE(simulation_->world().tangentPlane());
+}
+
+TEST_F(EditServicesTest, AreThoseThatThePagesTellOf) {
+  const plugin::CoreSystem& system = *plugin::coreSystem("user-commands");
+  int services = 0;
+  for (const Declaration::Way& way : system.declaration.ways()) {
+    if (way.kind != Declaration::Way::Kind::kService) continue;
+    ++services;
+    const std::string name = "/world/w/" + way.name.substr(std::string("/world/W/").size());
+    const MessagePointer request = newMessage(way.type);
+    const MessagePointer reply = newMessage(way.replyType);
+    const CallOutcome outcome = test::askService(simulation_->transport(), name, *request, *reply).outcome;
+    // an empty request is understood, whether it can be met or not
+    EXPECT_TRUE(outcome == CallOutcome::kDone || outcome == CallOutcome::kRefused) << name;
+  }
+  EXPECT_EQ(services, 8);
 }
 
 TEST_F(EditServicesTest, ChangePhysicsOrNothingOfIt) {

@@ -1,0 +1,51 @@
+#include "plugin/core_systems.hh"
+
+#include <algorithm>
+
+#include "plugin/system_name.hh"
+
+namespace pongsim::plugin {
+
+namespace {
+
+CoreSystem physics() {
+  CoreSystem system{"physics", "ignition::gazebo::systems::Physics", {}};
+  system.declaration.is("Moves the world. Nothing moves in a world that lists systems and not this one.",
+                        Declaration::Place::kWorld);
+  return system;
+}
+
+CoreSystem userCommands() {
+  CoreSystem system{"user-commands", "ignition::gazebo::systems::UserCommands", {}};
+  Declaration& declaration = system.declaration;
+  declaration.is("Changes the world while it runs. Each world has these services, whether it lists the system or not.",
+                 Declaration::Place::kWorld);
+  const auto serves = [&declaration](const char* name, const char* type, const char* text) {
+    declaration.serves(std::string("/world/W/") + name, type, "ignition.msgs.Boolean", text);
+  };
+  serves("create", "ignition.msgs.EntityFactory", "a model or a light, from text, from a file or as a copy");
+  serves("create_multiple", "ignition.msgs.EntityFactory_V", "several, all or none");
+  serves("remove", "ignition.msgs.Entity", "a model or a light, by name or id");
+  serves("set_pose", "ignition.msgs.Pose", "where a model of the top level is");
+  serves("set_pose_vector", "ignition.msgs.Pose_V", "the same of several, all or none");
+  serves("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates",
+         "where on the earth the world is, or a model of the top level");
+  serves("light_config", "ignition.msgs.Light", "how a light shines");
+  serves("set_physics", "ignition.msgs.Physics", "step size, gravity and real-time factor");
+  declaration.subscribes("/world/W/light_config", "ignition.msgs.Light", "the same as a topic");
+  return system;
+}
+
+}  // namespace
+
+const std::vector<CoreSystem>& coreSystems() {
+  static const std::vector<CoreSystem> systems{physics(), userCommands()};
+  return systems;
+}
+
+const CoreSystem* coreSystem(std::string_view filename) {
+  const auto found = std::ranges::find(coreSystems(), systemName(filename), &CoreSystem::name);
+  return found == coreSystems().end() ? nullptr : &*found;
+}
+
+}  // namespace pongsim::plugin

@@ -1,0 +1,28 @@
+#include "plugin/core_systems.hh"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "plugin/fortress_systems.hh"
+
+namespace pongsim::plugin {
+namespace {
+
+TEST(CoreSystems, AreSomeOfFortress) {
+  ASSERT_FALSE(coreSystems().empty());
+  for (const CoreSystem& system : coreSystems()) {
+    EXPECT_EQ(std::ranges::count(fortressSystems(), system.name), 1) << system.name;
+    EXPECT_FALSE(system.declaration.text().empty()) << system.name;
+  }
+}
+
+TEST(CoreSystems, AreFoundByAllNamesThatWorldsUse) {
+  ASSERT_NE(coreSystem("gz-sim-physics-system"), nullptr);
+  EXPECT_EQ(coreSystem("gz-sim-physics-system")->className, "ignition::gazebo::systems::Physics");
+  EXPECT_EQ(coreSystem("physics"), coreSystem("libignition-gazebo-physics-system.so"));
+  EXPECT_EQ(coreSystem("diff-drive"), nullptr);
+}
+
+}  // namespace
+}  // namespace pongsim::plugin
