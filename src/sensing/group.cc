@@ -36,10 +36,9 @@ bool meet(const Object& object, const BeamQuery& query, Beam& beam) {
 
 }  // namespace
 
-Group::Group(RTCDevice device, bool moves)
+Group::Group(RTCDevice device)
     : scene_(rtcNewScene(device)), geometry_(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
-  rtcSetSceneFlags(scene_.get(), moves ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(scene_.get(), moves ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetGeometryUserData(geometry_.get(), this);
   rtcSetGeometryBoundsFunction(geometry_.get(), tellBounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry_.get(), intersect);

@@ -43,8 +43,7 @@ struct BeamQuery {
 /// Objects that Embree finds by the boxes around them.
 class Group {
  public:
-  /// @param moves They will be moved often.
-  Group(RTCDevice device, bool moves);
+  explicit Group(RTCDevice device);
   // Embree knows its address
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
