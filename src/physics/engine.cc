@@ -1,5 +1,7 @@
 #include "physics/engine.hh"
 
+#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+
 #include <atomic>
 #include <span>
 #include <stdexcept>

@@ -47,11 +47,11 @@ DiscoveryPorts discoveryPorts(int domain) {
   return {first, std::min(kParticipants, (65535 - 1 - first) / 2)};
 }
 
-std::optional<std::vector<std::uint32_t>> openDiscoveryPorts(int domain) {
+std::optional<std::vector<OpenPort>> openDiscoveryPorts(int domain) {
   std::ifstream table("/proc/net/udp");
   if (!table) return std::nullopt;
   const DiscoveryPorts ports = discoveryPorts(domain);
-  std::vector<std::uint32_t> open;
+  std::vector<OpenPort> open;
   std::string line;
   std::getline(table, line);
   while (std::getline(table, line)) {
@@ -59,8 +59,9 @@ std::optional<std::vector<std::uint32_t>> openDiscoveryPorts(int domain) {
     unsigned port = 0;
     if (std::sscanf(line.c_str(), " %*u: %8X:%4X", &address, &port) != 2) continue;
     const bool ours = port >= ports.first && port < ports.first + 2 * ports.count && (port - ports.first) % 2 == 0;
-    // 127.0.0.1 as the kernel prints it on a little-endian machine
-    if (address == 0x0100007F && ours) open.push_back(port);
+    // 127.0.0.1 as the kernel prints it on a little-endian machine, or any address
+    const bool isLoopback = address == 0x0100007F;
+    if (ours && (isLoopback || address == 0)) open.push_back({port, isLoopback});
   }
   return open;
 }

@@ -25,8 +25,14 @@ DiscoveryPorts discoveryPorts(int domain);
 /// @return The port at which they listen to their multicast group, where they do.
 std::uint32_t multicastPort(int domain);
 
-/// @return Those of the ports that a process of this machine has open on 127.0.0.1 now; nothing where the system does
-/// not tell.
-std::optional<std::vector<std::uint32_t>> openDiscoveryPorts(int domain);
+struct OpenPort {
+  std::uint32_t port = 0;
+  /// Whether it is open on 127.0.0.1 alone, as ours are.
+  bool isOnLoopbackAlone = false;
+};
+
+/// @return Those of the ports at which a process of this machine hears what is sent to 127.0.0.1 now; nothing where the
+/// system does not tell.
+std::optional<std::vector<OpenPort>> openDiscoveryPorts(int domain);
 
 }  // namespace pongsim::transport

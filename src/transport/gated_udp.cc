@@ -4,7 +4,12 @@
 #include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastrtps/utils/IPLocator.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
+
+#include "transport/domain.hh"
 
 namespace pongsim::transport {
 
@@ -21,11 +26,50 @@ bool isOn(GatedUdp::Side side, const rtps::Locator_t& locator) {
   return (rtps::IPLocator::getIPv4(locator)[0] == kLoopbackNet) == (side == GatedUdp::Side::kLoopback);
 }
 
-/// Those of other locators that are on one side.
+/// Which discovery ports of this machine somebody may listen at. Looks where it is asked for more than a few, as for an
+/// announcement, so that what goes to one peer is not held up.
+class Listeners {
+ public:
+  Listeners(int domain, UdpGate& gate) : domain_(domain), gate_(gate) {}
+
+  bool mayHear(std::uint32_t port) {
+    if (!isDiscoveryPort(port)) return true;
+    constexpr int kFew = 2;
+    if (++asked_ <= kFew) return true;
+    if (asked_ == kFew + 1) look();
+    return !open_ || isOpen(port);
+  }
+
+ private:
+  void look() {
+    open_ = openDiscoveryPorts(domain_);
+    // a system that has never known of the participant's own one does not tell
+    const std::lock_guard lock(gate_.mutex);
+    gate_.isTold |= std::ranges::any_of(gate_.ports, [this](std::uint32_t port) { return isOpen(port); });
+    if (!gate_.isTold) open_.reset();
+  }
+
+  bool isDiscoveryPort(std::uint32_t port) const {
+    const DiscoveryPorts ports = discoveryPorts(domain_);
+    return port >= ports.first && port < ports.first + 2 * ports.count && (port - ports.first) % 2 == 0;
+  }
+
+  bool isOpen(std::uint32_t port) const {
+    return open_ && std::ranges::find(*open_, port, &OpenPort::port) != open_->end();
+  }
+
+  int domain_;
+  UdpGate& gate_;
+  int asked_ = 0;
+  std::optional<std::vector<OpenPort>> open_;
+};
+
+/// Those of other locators that are on one side, and where somebody may listen.
 class OwnSide : public rtps::LocatorsIterator {
  public:
-  OwnSide(GatedUdp::Side side, rtps::LocatorsIterator& all, const rtps::LocatorsIterator& end)
-      : side_(side), all_(all), end_(end) {
+  OwnSide(GatedUdp::Side side, const Listeners& listeners, rtps::LocatorsIterator& all,
+          const rtps::LocatorsIterator& end)
+      : side_(side), listeners_(listeners), all_(all), end_(end) {
     skipOthers();
   }
 
@@ -40,19 +84,24 @@ class OwnSide : public rtps::LocatorsIterator {
 
  private:
   void skipOthers() {
-    while (all_ != end_ && !isOn(side_, *all_)) ++all_;
+    while (all_ != end_ && !isWanted(*all_)) ++all_;
+  }
+  bool isWanted(const rtps::Locator_t& locator) {
+    if (!isOn(side_, locator)) return false;
+    return side_ == GatedUdp::Side::kBeyond || listeners_.mayHear(locator.port);
   }
 
   GatedUdp::Side side_;
+  Listeners listeners_;
   rtps::LocatorsIterator& all_;
   const rtps::LocatorsIterator& end_;
 };
 
 class GatedUdpTransport : public dds_rtps::ChainingTransport {
  public:
-  GatedUdpTransport(const dds_rtps::ChainingTransportDescriptor& descriptor, GatedUdp::Side side,
+  GatedUdpTransport(const dds_rtps::ChainingTransportDescriptor& descriptor, GatedUdp::Side side, int domain,
                     std::shared_ptr<UdpGate> gate)
-      : ChainingTransport(descriptor), descriptor_(descriptor), side_(side), gate_(std::move(gate)) {}
+      : ChainingTransport(descriptor), descriptor_(descriptor), side_(side), domain_(domain), gate_(std::move(gate)) {}
 
   dds_rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
 
@@ -87,7 +136,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
   bool send(rtps::SenderResource* udp, const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator* begin,
             rtps::LocatorsIterator* end, const std::chrono::steady_clock::time_point& deadline) override {
     if (!gate_->isOpen) return true;
-    OwnSide own(side_, *begin, *end);
+    OwnSide own(side_, Listeners(domain_, *gate_), *begin, *end);
     return own == *end || udp->send(bytes, size, &own, end, deadline);
   }
 
@@ -107,14 +156,18 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 
   Descriptor descriptor_;
   GatedUdp::Side side_;
+  int domain_;
   std::shared_ptr<UdpGate> gate_;
 };
 
 }  // namespace
 
-GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp, Side side, std::shared_ptr<UdpGate> gate)
-    : ChainingTransportDescriptor(std::move(udp)), side_(side), gate_(std::move(gate)) {}
+GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp, Side side, int domain,
+                   std::shared_ptr<UdpGate> gate)
+    : ChainingTransportDescriptor(std::move(udp)), side_(side), domain_(domain), gate_(std::move(gate)) {}
 
-dds_rtps::TransportInterface* GatedUdp::create_transport() const { return new GatedUdpTransport(*this, side_, gate_); }
+dds_rtps::TransportInterface* GatedUdp::create_transport() const {
+  return new GatedUdpTransport(*this, side_, domain_, gate_);
+}
 
 }  // namespace pongsim::transport

@@ -20,6 +20,8 @@ struct UdpGate {
   std::mutex mutex;
   /// Ports that are open on loopback.
   std::set<std::uint32_t> ports;
+  /// Whether the system has once told of one of them, when asked who listens.
+  bool isTold = false;
 };
 
 /// UDP whose way out can be shut.
@@ -27,6 +29,10 @@ struct UdpGate {
 /// Fast DDS 2.9 announces a new participant before it hands on what the participant's sockets receive. Whoever is there
 /// answers at once and only once, and where the answer is quicker than the participant it is lost: the two meet at the
 /// next periodic announcement, seconds later. So nothing may leave until the participant listens.
+///
+/// And an announcement, which goes to the discovery ports of all participants that there could be, goes to those that
+/// are open: the kernel's answer that nobody listens costs more than the message. Whoever opens one later announces
+/// itself to the others.
 ///
 /// A participant that talks to other machines too has two of them, loopback first. Each sends only what is for its
 /// side, where the library sends everything from each socket; and the second listens at a port only where the first
@@ -40,13 +46,14 @@ class GatedUdp : public eprosima::fastdds::rtps::ChainingTransportDescriptor {
     kBeyond
   };
 
-  GatedUdp(std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp, Side side,
+  GatedUdp(std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp, Side side, int domain,
            std::shared_ptr<UdpGate> gate);
 
   eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
 
  private:
   Side side_;
+  int domain_;
   std::shared_ptr<UdpGate> gate_;
 };
 

@@ -80,7 +80,7 @@ std::shared_ptr<GatedUdp> udpOn(const std::string& address, GatedUdp::Side side,
   udp->sendBufferSize = kSocketBuffer;
   udp->receiveBufferSize = kSocketBuffer;
   udp->maxInitialPeersRange = discoveryPorts(domain).count;
-  return std::make_shared<GatedUdp>(udp, side, gate);
+  return std::make_shared<GatedUdp>(udp, side, domain, gate);
 }
 
 rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::optional<Interface>& interface,
@@ -213,8 +213,11 @@ void Network::discover(std::chrono::nanoseconds timeout) {
        now = std::chrono::steady_clock::now()) {
     // where nobody tells who is there, as for other machines, the silence alone must do
     const auto open = interface_ ? std::nullopt : openDiscoveryPorts(domain_);
-    std::vector<std::uint32_t> ports = open.value_or(std::vector<std::uint32_t>{0});
-    std::erase(ports, ownPort_);
+    std::vector<std::uint32_t> ports;
+    if (!open) ports.push_back(0);
+    for (const OpenPort& each : open.value_or(std::vector<OpenPort>())) {
+      if (each.isOnLoopbackAlone && each.port != ownPort_) ports.push_back(each.port);
+    }
     if (directory_.waitForAll(ports, std::min(deadline, now + kLookAgain))) return;
     if (const std::uint64_t newVersion = directory_.version(); newVersion != version) {
       version = newVersion;
