@@ -55,6 +55,10 @@ class PONGSIM_API Publisher {
   /// @return Whether somebody listens, in this process or another. Cheap: ask before filling in a message.
   bool hasSubscribers() const;
 
+  /// @return How many subscribers have come since this was asked last, or since the topic is there. For what each is to
+  /// be told once and is not worth keeping, where `PublisherOptions::latched` would. Not for several threads at once.
+  std::uint64_t newSubscribers();
+
   /// Sends a message to whoever listens now; never waits for them.
   /// @throws std::invalid_argument where the message's type is not the topic's.
   void publish(const Message& message);

@@ -40,7 +40,9 @@ struct Choice {
 /// One topic: a list of entities and how often their poses are published.
 class PoseTopic {
  public:
-  void open(Node& node, const std::string& topic, bool asVector, Time period) {
+  /// @param isStill Whether what it tells does not change: then it tells whoever comes at once, between its times, too.
+  void open(Node& node, const std::string& topic, bool asVector, bool isStill, Time period) {
+    isStill_ = isStill;
     publisher_ = asVector ? node.advertise<ignition::msgs::Pose_V>(topic) : node.advertise<ignition::msgs::Pose>(topic);
     asVector_ = asVector;
     schedule_ = Schedule(period);
@@ -49,7 +51,9 @@ class PoseTopic {
   void add(Entry entry) { entries_.push_back(std::move(entry)); }
 
   void publish(const StepInfo& info) {
-    if (!schedule_.isDue(info.time) || !publisher_.hasSubscribers()) return;
+    const bool isDue = schedule_.isDue(info.time);
+    const bool isAsked = isStill_ && publisher_.newSubscribers() > 0;
+    if (!(isDue || isAsked) || !publisher_.hasSubscribers()) return;
     if (asVector_) {
       setStamp(info.time, *vector_.mutable_header());
       while (vector_.pose_size() < static_cast<int>(entries_.size())) vector_.add_pose();
@@ -74,6 +78,7 @@ class PoseTopic {
     setPose(entry.pose(), message);
   }
 
+  bool isStill_ = false;
   bool asVector_ = false;
   Schedule schedule_;
   std::vector<Entry> entries_;
@@ -130,9 +135,9 @@ class PosePublisher : public System {
     for (std::optional<Model> holder = model; holder; holder = holder->parent()) {
       topic = "/model/" + std::string(holder->name()) + topic;
     }
-    moving_.open(context.node, cleanTopic(topic), asVector_, periodOf(frequency_));
+    moving_.open(context.node, cleanTopic(topic), asVector_, false, periodOf(frequency_));
     if (isSplit_) {
-      still_.open(context.node, cleanTopic(topic + "_static"), asVector_,
+      still_.open(context.node, cleanTopic(topic + "_static"), asVector_, true,
                   periodOf(staticFrequency_.value_or(frequency_)));
     }
 

@@ -86,6 +86,16 @@ TEST(PosePublisher, SplitsWhatMovesFromWhatDoesNot) {
   EXPECT_EQ(moving.back().pose(0).name(), "m::arm");
   EXPECT_EQ(moving.back().header().stamp().sec(), 1);
   EXPECT_EQ(still.back().pose_size(), 3);
+
+  // who comes later is told at once of what does not change
+  world.step(5);
+  std::vector<ignition::msgs::Pose_V> movingLater, stillLater;
+  world.listen("/model/m/pose", movingLater);
+  world.listen("/model/m/pose_static", stillLater);
+  world.step(2);
+  EXPECT_EQ(movingLater.size(), 0U);
+  ASSERT_EQ(stillLater.size(), 1U);
+  EXPECT_EQ(stillLater[0].pose_size(), 3);
 }
 
 TEST(PosePublisher, OfFortressExampleSpeaks) {

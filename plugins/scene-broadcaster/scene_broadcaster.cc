@@ -40,7 +40,8 @@ class SceneBroadcaster : public System {
     declaration.publishes("/world/W/pose/info", "ignition.msgs.Pose_V",
                           "models, links, visuals and lights, each in the frame of what holds it");
     declaration.publishes("/world/W/dynamic_pose/info", "ignition.msgs.Pose_V", "models and links that are not static");
-    declaration.publishes("/world/W/scene/info", "ignition.msgs.Scene", "models and lights when they come");
+    declaration.publishes("/world/W/scene/info", "ignition.msgs.Scene",
+                          "models and lights when they come, and all of them to who comes later");
     declaration.publishes("/world/W/scene/deletion", "ignition.msgs.UInt32_V",
                           "the ids of models and lights that went");
     declaration.publishes("/world/W/state", "ignition.msgs.SerializedStepMap",
@@ -73,6 +74,11 @@ class SceneBroadcaster : public System {
 
   void postUpdate(const StepInfo& info) override {
     isPaused_ = info.paused;
+    if (scenePublisher_.newSubscribers() > 0) {
+      im::Scene message;
+      scene_->fillIn(message);
+      scenePublisher_.publish(message);
+    }
     if (poses_.isDue(info.time) || info.paused) {
       allPoses_.publish(info.time);
       movingPoses_.publish(info.time);
@@ -145,7 +151,7 @@ class SceneBroadcaster : public System {
     std::ranges::set_difference(now, known_, std::back_inserter(come));
     std::ranges::set_difference(known_, now, std::back_inserter(gone));
     known_ = std::move(now);
-    if (!come.empty()) {
+    if (!come.empty() && scenePublisher_.hasSubscribers()) {
       im::Scene message;
       scene_->fillIn(message, [&come](std::uint64_t id) { return std::ranges::binary_search(come, id); });
       scenePublisher_.publish(message);

@@ -163,6 +163,8 @@ TEST_F(SceneBroadcasterTest, TellsWhoComesAndWhoGoes) {
   std::vector<ignition::msgs::UInt32_V> gone;
   const Subscription scenes = listenTo("/scene/info", come);
   const Subscription deletions = listenTo("/scene/deletion", gone);
+  simulation_->step(2);
+  come.clear();
   insertBox();
   simulation_->step(2);
   ASSERT_EQ(come.size(), 1U);
@@ -174,6 +176,25 @@ TEST_F(SceneBroadcasterTest, TellsWhoComesAndWhoGoes) {
   ASSERT_EQ(gone.size(), 1U);
   ASSERT_EQ(gone[0].data_size(), 1);
   EXPECT_EQ(gone[0].data(0), come[0].model(0).id());
+}
+
+TEST_F(SceneBroadcasterTest, TellsTheWholeSceneToWhoComesLater) {
+  start(world(broadcaster("")));
+  simulation_->step(3);
+  std::vector<ignition::msgs::Scene> first, second;
+  const Subscription firstSubscription = listenTo("/scene/info", first);
+  simulation_->step(3);
+  ASSERT_EQ(first.size(), 1);
+  EXPECT_EQ(first[0].model_size(), 2);
+  insertBox();
+  simulation_->step(3);
+  ASSERT_EQ(first.size(), 2);
+  EXPECT_EQ(first[1].model_size(), 1);
+  const Subscription secondSubscription = listenTo("/scene/info", second);
+  simulation_->stepPaused();
+  simulation_->stepPaused();
+  ASSERT_EQ(second.size(), 1);
+  EXPECT_EQ(second[0].model_size(), 3);
 }
 
 TEST_F(SceneBroadcasterTest, TellsAllOfTheStateFirstAndThenWhatMoves) {

@@ -103,6 +103,7 @@ Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
     inboxes_.emplace(&inbox, std::move(owned));
     channel.inboxes.push_back(&inbox);
     ++channel.inboxCount;
+    ++channel.inboxesSoFar;
     if (channel.latched != nullptr) putInto(inbox, channel.latched);
   }
   try {
@@ -165,6 +166,12 @@ void Bus::endSubscription(Inbox& inbox) {
 
 bool Bus::hasSubscribers(const Channel& channel) const {
   return channel.inboxCount.load(std::memory_order_relaxed) > 0 || (channel.writer && channel.writer->hasReaders());
+}
+
+std::uint64_t Bus::newSubscribers(PublisherState& publisher) const {
+  const Channel& channel = publisher.channel;
+  const std::uint64_t soFar = channel.inboxesSoFar + (channel.writer ? channel.writer->readersSoFar() : 0);
+  return soFar - std::exchange(publisher.knownSubscribers, soFar);
 }
 
 bool Bus::isAwaited(const PublisherState& publisher) const {

@@ -50,6 +50,7 @@ class Channel {
   /// Guarded by the bus's mutex, in the order of subscribing.
   std::vector<Inbox*> inboxes;
   std::atomic<int> inboxCount = 0;
+  std::atomic<std::uint64_t> inboxesSoFar = 0;
   std::atomic<std::uint64_t> sent = 0;
 
   /// For who comes later, or null; guarded by the bus's mutex.
@@ -86,6 +87,7 @@ class Bus {
   void endSubscription(Inbox& inbox);
 
   bool hasSubscribers(const Channel& channel) const;
+  std::uint64_t newSubscribers(PublisherState& publisher) const;
   void publish(PublisherState& publisher, const Message& message);
   void publishBytes(PublisherState& publisher, std::span<const std::byte> bytes);
   bool waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout);
@@ -167,6 +169,8 @@ class PublisherState {
   Channel& channel;
   const bool latched;
   std::atomic<std::uint64_t> sent = 0;
+  /// Subscribers that it has been told of.
+  std::uint64_t knownSubscribers = 0;
 };
 
 /// A service's share in its transport.

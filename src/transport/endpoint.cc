@@ -201,6 +201,7 @@ void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
     const std::lock_guard lock(readersMutex_);
     if (info.status == rtps::MATCHED_MATCHING) {
       readersOf_.push_back(participant);
+      ++readersSoFar_;
     } else if (const auto gone = std::ranges::find(readersOf_, participant); gone != readersOf_.end()) {
       readersOf_.erase(gone);
     }

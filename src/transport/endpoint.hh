@@ -58,6 +58,8 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   /// @return The participant of the reader that came last, or nothing.
   std::optional<ParticipantId> newestReader() const;
   bool hasReaders() const { return readers_.load(std::memory_order_relaxed) > 0; }
+  /// @return How many have come so far; what is written now reaches them.
+  std::uint64_t readersSoFar() const { return readersSoFar_; }
 
   /// Sends a message of so many bytes, which `fill` writes to the place it is given. Never waits for DDS.
   /// @param keeping With `kKept` it is sent again to each reader that comes, until another one is kept or `forgetKept`.
@@ -98,6 +100,7 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   std::atomic<bool> keeping_ = false;
   std::atomic<std::uint64_t> dropped_ = 0;
   std::atomic<int> readers_ = 0;
+  std::atomic<std::uint64_t> readersSoFar_ = 0;
   mutable std::mutex readersMutex_;
   std::vector<ParticipantId> readersOf_;
   rtps::RTPSWriter* writer_ = nullptr;

@@ -47,6 +47,8 @@ Publisher::~Publisher() = default;
 
 bool Publisher::hasSubscribers() const { return state_ && state_->bus.hasSubscribers(state_->channel); }
 
+std::uint64_t Publisher::newSubscribers() { return state_ ? state_->bus.newSubscribers(*state_) : 0; }
+
 void Publisher::publish(const Message& message) {
   if (state_) state_->bus.publish(*state_, message);
 }

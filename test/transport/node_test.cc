@@ -171,6 +171,22 @@ TEST_F(NodeTest, IsNotHeldUpByAStoppedSubscriber) {
   EXPECT_GE(trafficOf(getpid(), [](const TopicInfo& topic) { return topic.publishers; }).dropped, 3000 - heard);
 }
 
+TEST_F(NodeTest, CountsTheSubscribersThatHaveComeSinceItWasAsked) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  EXPECT_EQ(publisher.newSubscribers(), 0);
+  const Subscription first = node_.subscribe<StringMsg>("/chatter", [](const StringMsg&) {});
+  const Subscription second = node_.subscribe<StringMsg>("/chatter", [](const StringMsg&) {});
+  EXPECT_EQ(publisher.newSubscribers(), 2);
+  EXPECT_EQ(publisher.newSubscribers(), 0);
+
+  const auto other = listener();
+  std::uint64_t come = 0;
+  EXPECT_TRUE(dispatchUntil([&] { return (come += publisher.newSubscribers()) > 0; }));
+  EXPECT_EQ(come, 1);
+  publisher.publish(text("welcome"));
+  EXPECT_TRUE(other->waitForOutput("got welcome"));
+}
+
 TEST_F(NodeTest, GoesOnAfterAKilledSubscriber) {
   auto other = listener();
   Publisher publisher = node_.advertise<StringMsg>("/chatter");
