@@ -20,6 +20,7 @@ class Access;
 class SystemSet;
 }  // namespace sim
 
+class BeamScene;
 class Collision;
 class Link;
 class Scene;
@@ -300,6 +301,7 @@ class PONGSIM_API World {
   std::optional<std::string> setPlace(const GeodeticPosition& origin, double heading);
 
  private:
+  friend class BeamScene;
   friend class Scene;
   sim::Access* access_;
 };

@@ -77,8 +77,7 @@ struct LidarSettings {
   struct Scan {
     /// At least one.
     std::uint32_t samples = 1;
-    /// Times `samples` is the number of values in a message; less than one counts as one. Values between two beams are
-    /// interpolated.
+    /// Times `samples` is the number of beams, as long as that is one at least.
     double resolution = 1;
     /// [rad]
     double minAngle = 0;
@@ -91,10 +90,12 @@ struct LidarSettings {
   double minRange = 0;
   /// [m], perhaps infinite.
   double maxRange = 0;
-  /// Ranges are multiples of it [m]; zero: they are not rounded.
+  /// [m] As in Fortress no range is rounded to it.
   double rangeResolution = 0;
   /// [m]
   NoiseSettings noise;
+  /// A visual is seen where one of these bits is in its visibility flags.
+  std::uint32_t visibilityMask = 0xFFFFFFFF;
   bool operator==(const LidarSettings&) const = default;
 };
 

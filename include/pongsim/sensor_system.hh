@@ -1,9 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <list>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/fields.hh"
@@ -30,6 +33,12 @@ namespace pongsim {
 /// Where there are, `void observe(const StepInfo&)` is called before it in each step, `void reset()` where the world is
 /// set back, and `kHolder` names what holds the sensor in its topic, in place of "link/L". What it remembers it tells
 /// by `void transfer(StateArchive&)`; its noise is taken care of.
+///
+/// Sensors of several types have `kTypes`, an array, in place of `kType`. `Shared` is what those of a system share:
+/// made of the world and the node with the first of them, given to their constructors as the last argument, its `void
+/// observe(const StepInfo&)` called in each step, its `void rebuild(Diagnostics&)` at first and where models have come
+/// or gone. A sensor with a second topic says by `bool isHeardElsewhere()` whether somebody listens there, and
+/// publishes there by `void publishElsewhere(const Message&)` what it has measured.
 template <class OneSensor>
 class SensorSystem : public System {
  public:
@@ -55,12 +64,18 @@ class SensorSystem : public System {
   void worldChanged() override {
     std::erase_if(sensors_, [](const Entry& entry) { return !entry.handle.exists(); });
     Diagnostics diagnostics;
+    if constexpr (kIsSharing) {
+      if (shared_) shared_->rebuild(diagnostics);
+    }
     addSensors(diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) log_->warning(format(diagnostic));
   }
 
   void postUpdate(const StepInfo& info) override {
     if (info.paused) return;
+    if constexpr (kIsSharing) {
+      if (shared_) shared_->observe(info);
+    }
     for (Entry& entry : sensors_) entry.update(info);
   }
 
@@ -74,13 +89,37 @@ class SensorSystem : public System {
     for (Entry& entry : sensors_) entry.transfer(archive);
   }
 
+ protected:
+  /// The types of sensors that the system takes care of.
+  static std::vector<std::string_view> types() {
+    if constexpr (requires { OneSensor::kTypes; }) {
+      return {std::begin(OneSensor::kTypes), std::end(OneSensor::kTypes)};
+    } else {
+      return {OneSensor::kType};
+    }
+  }
+
  private:
+  static constexpr bool kIsSharing = requires { typename OneSensor::Shared; };
+  template <class One>
+  struct SharedBy {
+    struct Type {};
+  };
+  template <class One>
+  requires requires { typename One::Shared; }
+  struct SharedBy<One> {
+    using Type = typename One::Shared;
+  };
+  /// Nothing, for sensors that share nothing.
+  using Shared = typename SharedBy<OneSensor>::Type;
+
   struct Entry {
-    Entry(const Sensor& of, const World& world, Node& node, Random& random)
+    template <class... More>
+    Entry(const Sensor& of, const World& world, Node& node, Random& random, More&... more)
         : handle(of),
           topic(of, OneSensor::kSuffix, OneSensor::Message::descriptor()->full_name(), node),
           noises(random.split(of.scopedName())),
-          sensor(of, world, noises, message) {
+          sensor(of, world, noises, message, more...) {
       setHeaderValue("frame_id", topic.frameName(), *message.mutable_header());
     }
 
@@ -88,11 +127,19 @@ class SensorSystem : public System {
       if constexpr (requires { sensor.observe(info); }) sensor.observe(info);
       if (!topic.isDue(info)) return;
       noises.begin(info.time, topic.sinceLast());
-      if (!topic.hasSubscribers()) return;
+      if (!isHeard()) return;
       setStamp(info.time, *message.mutable_header());
       setHeaderValue("seq", std::to_string(topic.sequence()), *message.mutable_header());
       sensor.measure(message);
       topic.publish(message);
+      if constexpr (requires { sensor.publishElsewhere(message); }) sensor.publishElsewhere(message);
+    }
+
+    bool isHeard() {
+      if constexpr (requires { sensor.isHeardElsewhere(); }) {
+        if (sensor.isHeardElsewhere()) return true;
+      }
+      return topic.hasSubscribers();
     }
 
     void reset(const Random& random) {
@@ -116,16 +163,30 @@ class SensorSystem : public System {
 
   /// Adds those that are not there yet.
   void addSensors(Diagnostics& diagnostics) {
-    for (const Sensor& sensor : world_->sensors(OneSensor::kType)) {
-      const bool isKnown =
-          std::ranges::any_of(sensors_, [&](const Entry& entry) { return entry.handle.id() == sensor.id(); });
-      if (isKnown) continue;
-      try {
-        sensors_.emplace_back(sensor, *world_, *node_, *random_);
-      } catch (const Error& error) {
-        const Diagnostic& found = error.diagnostic();
-        diagnostics.warning(found.position, found.message, found.hint);
+    for (const std::string_view type : types()) {
+      for (const Sensor& sensor : world_->sensors(type)) {
+        const bool isKnown =
+            std::ranges::any_of(sensors_, [&](const Entry& entry) { return entry.handle.id() == sensor.id(); });
+        if (isKnown) continue;
+        try {
+          add(sensor, diagnostics);
+        } catch (const Error& error) {
+          const Diagnostic& found = error.diagnostic();
+          diagnostics.warning(found.position, found.message, found.hint);
+        }
       }
+    }
+  }
+
+  void add(const Sensor& sensor, Diagnostics& diagnostics) {
+    if constexpr (kIsSharing) {
+      if (!shared_) {
+        shared_ = std::make_unique<Shared>(*world_, *node_);
+        shared_->rebuild(diagnostics);
+      }
+      sensors_.emplace_back(sensor, *world_, *node_, *random_, *shared_);
+    } else {
+      sensors_.emplace_back(sensor, *world_, *node_, *random_);
     }
   }
 
@@ -135,6 +196,7 @@ class SensorSystem : public System {
   const Logger* log_ = nullptr;
   // topics stay where they are
   std::list<Entry> sensors_;
+  std::unique_ptr<Shared> shared_;
 };
 
 }  // namespace pongsim

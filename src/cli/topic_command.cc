@@ -26,7 +26,7 @@ namespace {
 struct TopicCommandLine {
   std::string action;
   bool list = false, info = false, echo = false, hz = false, bw = false, delay = false, json = false, csv = false,
-       verbose = false;
+       plot = false, verbose = false;
   std::optional<std::string> topic, type, text, file, count, duration, timeout, rate;
   std::vector<std::string> fields;
 };
@@ -46,6 +46,7 @@ void refuseOthers(const TopicCommandLine& given, std::string_view action) {
                {"--field", !given.fields.empty(), "-e wait"},
                {"--json", given.json, "-l -i -e --hz --bw --delay"},
                {"--csv", given.csv, "-e"},
+               {"--plot", given.plot, "-e"},
                {"--timeout", given.timeout.has_value(), "-p wait"}};
   for (const auto& rule : rules) {
     if (!rule.isGiven || rule.actions.find(action) != std::string_view::npos) continue;
@@ -77,6 +78,16 @@ Work echoWork(const TopicCommandLine& given) {
   if (given.json && (given.csv || !given.fields.empty())) {
     throw UsageError(std::string("options '--json' and '") + (given.csv ? "--csv" : "--field") +
                      "' exclude each other");
+  }
+  if (given.plot) {
+    if (given.json || given.csv || !given.fields.empty()) {
+      throw UsageError(std::string("options '--plot' and '") +
+                       (given.json  ? "--json"
+                        : given.csv ? "--csv"
+                                    : "--field") +
+                       "' exclude each other");
+    }
+    return [read = options.read] { return plotTopic(read); };
   }
   options.format = given.json ? EchoFormat::kJson : given.csv ? EchoFormat::kCsv : EchoFormat::kText;
   options.fields = given.fields;
@@ -196,6 +207,8 @@ void addTopicCommand(CLI::App& program, Work& work) {
           "Print JSON: echo a line each message, --hz, --bw and --delay a line each second,\n"
           "list an array with types and counts, info an object");
   addFlag("--csv", given->csv, "Echo as a table for spreadsheets: the fields asked for, or all single values");
+  addFlag("--plot", given->plot,
+          "Echo the scans of a lidar as drawings, seen from above; on a terminal each in place of the one before");
   add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without the message",
       given->timeout);
   addNetworkOption(*command);
@@ -205,6 +218,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
       "  pongsim topic -l --json\n"
       "  pongsim topic -e -t /model/pong_bot/odometry -n 1\n"
       "  pongsim topic -e -t /model/pong_bot/odometry --field pose.position.x\n"
+      "  pongsim topic -e -t /lidar --plot\n"
       "  pongsim topic -t /cmd_vel -m ignition.msgs.Twist -p 'linear: {x: 0.5}, angular: {z: 0.05}'\n"
       "  pongsim topic -t /keyboard/keypress -m ignition.msgs.Int32 -p 'data: 16777235'\n"
       "  pongsim topic wait -t /model/pong_bot/odometry --field 'pose.position.x >= 1' --timeout 30");

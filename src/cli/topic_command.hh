@@ -50,6 +50,8 @@ enum class RateKind { kMessages, kBytes };
 int listTopics(bool isVerbose, bool asJson);
 int showTopic(const std::string& topic, bool asJson);
 int echoTopic(const EchoOptions& options);
+/// Draws the scans of a lidar.
+int plotTopic(const ReadOptions& options);
 int publish(const PublishOptions& options);
 int measureTopic(const ReadOptions& options, RateKind kind, bool asJson);
 /// How late messages come, by the clock of the run that stamps them.

@@ -17,6 +17,7 @@
 #include "msgs/light_message.hh"
 #include "msgs/material_message.hh"
 #include "msgs/sensor_message.hh"
+#include "msgs/time.hh"
 #include "pongsim/fields.hh"
 
 namespace pongsim::msgs {

@@ -47,6 +47,7 @@ LidarSettings readLidar(const Element* element, const std::string& label, Contex
     }
   }
   if (const Element* range = element->child("range")) readRange(*range, lidar, label, context);
+  lidar.visibilityMask = readUnsigned(*element, "visibility_mask", lidar.visibilityMask, context);
   lidar.noise = readNoiseIn(element, NoiseSettings::Type::kGaussian, context);
   return lidar;
 }

@@ -188,6 +188,9 @@ constexpr SchemaRow kSensorRows[] = {
      "equal to one, range data is interpolated."},
     {"lidar.scan.vertical.samples", "unsigned int", "1", '1', 6, 0, kRead,
      "The number of simulated lidar rays to generate per complete laser sweep cycle."},
+    {"lidar.visibility_mask", "unsigned int", "4294967295", '0', 9, 0, kRead,
+     "Visibility mask of a lidar. When (lidar's visibility_mask & visual's visibility_flags) evaluates to non-zero, "
+     "the visual will be visible to the lidar."},
     {"logical_camera", "", "", '1', 5, 0, kRead,
      "These elements are specific to logical camera sensors. A logical camera reports objects that fall within a "
      "frustum. Computation should be performed on the CPU."},
@@ -273,6 +276,9 @@ constexpr SchemaRow kSensorRows[] = {
      "less than one, range data is interpolated. If resolution is greater than one, range data is averaged."},
     {"ray.scan.vertical.samples", "unsigned int", "1", '1', 2, 0, kRead,
      "The number of simulated rays to generate per complete laser sweep cycle."},
+    {"ray.visibility_mask", "unsigned int", "4294967295", '0', 9, 0, kRead,
+     "Visibility mask of a lidar. When (lidar's visibility_mask & visual's visibility_flags) evaluates to non-zero, "
+     "the visual will be visible to the lidar."},
     {"rfid", "", "", '1', 0, 0, kRead, ""},
     {"rfidtag", "", "", '1', 0, 0, kRead, ""},
     {"sensor", "", "", '1', 0, 0, kRead, "The sensor tag describes the type and properties of a sensor."},

@@ -33,7 +33,8 @@ TEST_P(Tour, GoesAsThePageSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documentation, Tour,
-                         testing::Values("README.md", "docs/cli.md", "docs/plugins.md", "docs/tutorials.md"),
+                         testing::Values("README.md", "docs/cli.md", "docs/plugins.md", "docs/sensors.md",
+                                         "docs/tutorials.md"),
                          [](const auto& page) {
                            std::string name;
                            for (const char letter : std::string(page.param)) {

@@ -40,6 +40,16 @@ TEST_F(Topic, DrivesTheRobotByAKeyPress) {
   EXPECT_TRUE(odometry->waitForOutput("linear \\{\n    x: 0\\.(5|49)")) << odometry->output();
 }
 
+TEST_F(Topic, DrawsNothingButScans) {
+  const Outcome clock = runToEnd({"topic", "-e", "-t", "/clock", "--plot"});
+  EXPECT_EQ(clock.exitCode, 1);
+  EXPECT_EQ(clock.error, "pongsim: error: --plot draws ignition.msgs.LaserScan, not ignition.msgs.Clock\n");
+  const Outcome both = runToEnd({"topic", "-e", "-t", "/clock", "--plot", "--json"});
+  EXPECT_EQ(both.exitCode, 2);
+  EXPECT_EQ(both.error.substr(0, both.error.find('\n')),
+            "pongsim: error: options '--plot' and '--json' exclude each other");
+}
+
 TEST_F(Topic, ListsWhatIsPublishedSorted) {
   const Outcome list = runToEnd({"topic", "-l"});
   EXPECT_EQ(list.exitCode, 0) << list.error;

@@ -26,7 +26,7 @@ TEST(Lidar, ReadsAllUnderBothNames) {
         "<scan><horizontal><samples>100</samples><resolution>0.5</resolution><min_angle>-1</min_angle>"
         "<max_angle>1</max_angle></horizontal><vertical><samples>16</samples><min_angle>-0.1</min_angle></vertical>"
         "</scan><range><min>0.1</min><max>inf</max><resolution>0.01</resolution></range>"
-        "<noise><type>gaussian</type><mean>0.2</mean><stddev>0.3</stddev></noise>",
+        "<noise><type>gaussian</type><mean>0.2</mean><stddev>0.3</stddev></noise><visibility_mask>6</visibility_mask>",
         element));
     EXPECT_EQ(lidar.horizontal, (LidarSettings::Scan{100, 0.5, -1, 1}));
     EXPECT_EQ(lidar.vertical, (LidarSettings::Scan{16, 1, -0.1, 0}));
@@ -36,6 +36,7 @@ TEST(Lidar, ReadsAllUnderBothNames) {
     EXPECT_EQ(lidar.noise.type, NoiseSettings::Type::kGaussian);
     EXPECT_EQ(lidar.noise.mean, 0.2);
     EXPECT_EQ(lidar.noise.standardDeviation, 0.3);
+    EXPECT_EQ(lidar.visibilityMask, 6U);
   }
 }
 

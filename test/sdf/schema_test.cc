@@ -157,10 +157,20 @@ TEST_F(SchemaAgainstSdformat, SaysTheSameOfSdf19) {
 
   // what Debian's package lacks: later releases of sdformat 12 added it to SDF 1.9, or take it unsaid (world.joint), or
   // Fortress reads it (frame ids)
-  const std::set<std::string_view> added{
-      "camera.camera_info_topic", "camera.triggered",         "camera.trigger_topic", "camera.image.anti_aliasing",
-      "camera.lens.projection",   "camera.optical_frame_id",  "light.light_on",       "light.visualize",
-      "sensor.gz_frame_id",       "sensor.ignition_frame_id", "sensor.navsat",        "world.joint"};
+  const std::set<std::string_view> added{"camera.camera_info_topic",
+                                         "camera.triggered",
+                                         "camera.trigger_topic",
+                                         "camera.image.anti_aliasing",
+                                         "camera.lens.projection",
+                                         "camera.optical_frame_id",
+                                         "light.light_on",
+                                         "light.visualize",
+                                         "lidar.visibility_mask",
+                                         "ray.visibility_mask",
+                                         "sensor.gz_frame_id",
+                                         "sensor.ignition_frame_id",
+                                         "sensor.navsat",
+                                         "world.joint"};
   for (const auto table : schemaTables()) {
     for (const SchemaRow& row : table) {
       if (row.removedIn != 0 || row.path.find_first_of(".@") == row.path.npos) continue;

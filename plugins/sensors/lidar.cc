@@ -1,0 +1,153 @@
+#include "lidar.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "pongsim/fields.hh"
+
+namespace pongsim {
+
+namespace {
+
+using ignition::msgs::LaserScan;
+using ignition::msgs::PointCloudPacked;
+
+// of a scan of which a message has 16 MB
+constexpr std::uint32_t kMostBeams = 1'000'000;
+
+/// Where the values of a point lie in it, as in Fortress.
+struct PointField {
+  const char* name;
+  std::uint32_t offset;
+  PointCloudPacked::Field::DataType type;
+};
+constexpr PointField kPointFields[] = {{"x", 0, PointCloudPacked::Field::FLOAT32},
+                                       {"y", 4, PointCloudPacked::Field::FLOAT32},
+                                       {"z", 8, PointCloudPacked::Field::FLOAT32},
+                                       {"intensity", 16, PointCloudPacked::Field::FLOAT32},
+                                       {"ring", 24, PointCloudPacked::Field::UINT16}};
+constexpr std::uint32_t kIntensityOffset = 16, kRingOffset = 24, kPointSize = 32;
+
+/// @return The number of beams of a row or a column; one more than there may be, if there are too many.
+std::uint32_t beamCount(const LidarSettings::Scan& scan) {
+  const double count = std::floor(scan.samples * scan.resolution);
+  return static_cast<std::uint32_t>(std::clamp(count, 1.0, kMostBeams + 1.0));
+}
+
+/// @return Angle from one beam to the next [rad].
+double angleStep(const LidarSettings::Scan& scan, std::uint32_t count) {
+  return count > 1 ? (scan.maxAngle - scan.minAngle) / (count - 1) : 0;
+}
+
+/// @throws Error where there are too many beams.
+std::pair<std::uint32_t, std::uint32_t> checkedCounts(const Sensor& sensor, const LidarSettings& settings) {
+  const std::uint32_t columns = beamCount(settings.horizontal), rows = beamCount(settings.vertical);
+  if (std::uint64_t{columns} * rows > kMostBeams) {
+    throw Error({Severity::kError, sensor.sdf().position,
+                 "lidar '" + sensor.scopedName() + "' has more than " + std::to_string(kMostBeams) + " beams",
+                 "samples times resolution, horizontally and vertically, give their number"});
+  }
+  return {columns, rows};
+}
+
+void fillInFixed(const LidarSettings& settings, std::uint32_t columns, std::uint32_t rows, LaserScan& scan) {
+  scan.set_angle_min(settings.horizontal.minAngle);
+  scan.set_angle_max(settings.horizontal.maxAngle);
+  scan.set_angle_step(angleStep(settings.horizontal, columns));
+  scan.set_count(columns);
+  scan.set_vertical_angle_min(settings.vertical.minAngle);
+  scan.set_vertical_angle_max(settings.vertical.maxAngle);
+  scan.set_vertical_angle_step(angleStep(settings.vertical, rows));
+  scan.set_vertical_count(rows);
+  scan.set_range_min(settings.minRange);
+  scan.set_range_max(settings.maxRange);
+  scan.mutable_ranges()->Resize(static_cast<int>(columns * rows), 0);
+  scan.mutable_intensities()->Resize(static_cast<int>(columns * rows), 0);
+}
+
+void fillInFixed(std::uint32_t columns, std::uint32_t rows, PointCloudPacked& cloud) {
+  for (const PointField& each : kPointFields) {
+    PointCloudPacked::Field& field = *cloud.add_field();
+    field.set_name(each.name);
+    field.set_offset(each.offset);
+    field.set_datatype(each.type);
+    field.set_count(1);
+  }
+  cloud.set_width(columns);
+  cloud.set_height(rows);
+  cloud.set_point_step(kPointSize);
+  cloud.set_row_step(kPointSize * columns);
+  cloud.mutable_data()->resize(std::size_t{kPointSize} * columns * rows);
+}
+
+}  // namespace
+
+LidarSensor::LidarSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message,
+                         LidarSurroundings& shared)
+    : sensor_(sensor),
+      settings_(*sensor.settings<LidarSettings>()),
+      surroundings_(shared),
+      noise_(noises.add(settings_.noise, "range")),
+      hasNoise_(settings_.noise.type != NoiseSettings::Type::kNone) {
+  const auto [columns, rows] = checkedCounts(sensor, settings_);
+  message.set_frame(sensor.frameName());
+  fillInFixed(settings_, columns, rows, message);
+  fillInFixed(columns, rows, cloud_);
+  echoes_.resize(std::size_t{columns} * rows);
+  directions_.reserve(echoes_.size());
+  const double stepX = angleStep(settings_.horizontal, columns), stepZ = angleStep(settings_.vertical, rows);
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const double up = settings_.vertical.minAngle + row * stepZ;
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      const double left = settings_.horizontal.minAngle + column * stepX;
+      directions_.emplace_back(std::cos(up) * std::cos(left), std::cos(up) * std::sin(left), std::sin(up));
+    }
+  }
+  points_ = shared.node().advertise<PointCloudPacked>(cleanTopic(sensor.topic(kSuffix)) + "/points");
+}
+
+void LidarSensor::measure(Message& message) {
+  surroundings_.now().cast(sensor_, directions_, settings_.minRange, settings_.maxRange, settings_.visibilityMask,
+                           echoes_);
+  setPose(sensor_.pose(), *message.mutable_world_pose());
+  double* ranges = message.mutable_ranges()->mutable_data();
+  double* intensities = message.mutable_intensities()->mutable_data();
+  for (const Echo& echo : echoes_) {
+    double range = echo.range;
+    if (hasNoise_ && std::isfinite(range)) {
+      range = std::clamp(noise_.apply(range), settings_.minRange, settings_.maxRange);
+    }
+    *ranges++ = range;
+    *intensities++ = echo.intensity;
+  }
+}
+
+void LidarSensor::publishElsewhere(const Message& message) {
+  if (!points_.hasSubscribers()) return;
+  *cloud_.mutable_header() = message.header();
+  fillIn(message, cloud_);
+  points_.publish(cloud_);
+}
+
+void LidarSensor::fillIn(const Message& scan, PointCloudPacked& cloud) const {
+  char* point = cloud.mutable_data()->data();
+  bool isDense = true;
+  for (std::size_t i = 0; i < directions_.size(); ++i, point += kPointSize) {
+    const double range = scan.ranges(static_cast<int>(i));
+    isDense = isDense && std::isfinite(range);
+    // as in Fortress infinite where the range is, or no number
+    const Eigen::Vector3f place = (range * directions_[i]).cast<float>();
+    const auto intensity = static_cast<float>(scan.intensities(static_cast<int>(i)));
+    const auto ring = static_cast<std::uint16_t>(i / cloud.width());
+    std::memcpy(point, place.data(), sizeof(float) * 3);
+    std::memcpy(point + kIntensityOffset, &intensity, sizeof(intensity));
+    std::memcpy(point + kRingOffset, &ring, sizeof(ring));
+  }
+  cloud.set_is_dense(isDense);
+}
+
+}  // namespace pongsim

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <variant>
+
+#include "assets/problem.hh"
+#include "description/triangle_mesh.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::assets {
+
+/// Reads the image of a heightmap, a PNG file.
+/// @param size Of the ground, from black to the brightest pixel [m].
+/// @param position Of its middle, at the height of black [m].
+std::variant<description::TriangleMesh, Problem> readGround(const std::filesystem::path& file, const Vector3& size,
+                                                            const Vector3& position);
+
+}  // namespace pongsim::assets

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include "pongsim/message.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::msgs {
+
+/// One row of an `ignition.msgs.LaserScan`.
+struct ScanRow {
+  Time time{0};
+  /// Of the first beam, counter-clockwise from ahead, and from one to the next [rad].
+  double firstAngle = 0;
+  double angleStep = 0;
+  /// How far up the row looks [rad].
+  double elevation = 0;
+  /// [m] Infinite where nothing is. Lives as long as the message.
+  std::span<const double> ranges;
+};
+
+/// @param scan An `ignition.msgs.LaserScan`, perhaps with less ranges than it says.
+/// @return The row that looks most nearly level.
+ScanRow levelRowOf(const Message& scan);
+
+}  // namespace pongsim::msgs

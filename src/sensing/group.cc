@@ -1,0 +1,110 @@
+#include "sensing/group.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pongsim::sensing {
+
+namespace {
+
+// of a distance: more than what single precision errs by on the way there
+constexpr double kWayMargin = 1e-6;
+
+/// @return A number that single precision knows, next to this one on that side.
+float below(double value) { return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity()); }
+float above(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity()); }
+
+/// @return A range in single precision that is not less.
+float notLess(double range) {
+  constexpr double kRounding = std::numeric_limits<float>::epsilon();
+  return range <= kMostDistance ? static_cast<float>(range * (1 + kRounding)) : std::numeric_limits<float>::infinity();
+}
+
+/// Lets a beam end at an object where that is nearer.
+/// @return Whether it is.
+bool meet(const Object& object, const BeamQuery& query, Beam& beam) {
+  const double from = object.owner == query.owner ? query.minRange : 0;
+  const double range = object.firstSeenOn(beam.line, from, beam.range);
+  const bool isNearer =
+      range < beam.range || (range == beam.range && beam.hit != nullptr && object.order < beam.hit->order);
+  if (!isNearer) return false;
+  beam.range = range;
+  beam.hit = &object;
+  return true;
+}
+
+}  // namespace
+
+Group::Group(RTCDevice device)
+    : scene_(rtcNewScene(device)), geometry_(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetGeometryUserData(geometry_.get(), this);
+  rtcSetGeometryBoundsFunction(geometry_.get(), tellBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry_.get(), intersect);
+  rtcAttachGeometry(scene_.get(), geometry_.get());
+}
+
+void Group::commit(double reach) {
+  reach_ = reach;
+  rtcSetGeometryUserPrimitiveCount(geometry_.get(), static_cast<unsigned>(objects_.size()));
+  rtcCommitGeometry(geometry_.get());
+  rtcCommitScene(scene_.get());
+}
+
+void Group::tellBounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  const Eigen::AlignedBox3d box = group.objects_[arguments->primID].boundsInWorld();
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (!(farthest <= kMostDistance)) {
+    // upside down: Embree leaves it out
+    *arguments->bounds_o = {1, 1, 1, 0, -1, -1, -1, 0};
+    return;
+  }
+  // as far as a beam in single precision goes astray
+  const Vector3 margin = Vector3::Constant(kWayMargin * (farthest + group.reach_));
+  const Vector3 least = box.min() - margin, most = box.max() + margin;
+  *arguments->bounds_o = {below(least.x()), below(least.y()), below(least.z()), 0,
+                          above(most.x()),  above(most.y()),  above(most.z()),  0};
+}
+
+void Group::intersect(const RTCIntersectFunctionNArguments* arguments) {
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  auto& query = *reinterpret_cast<BeamQuery*>(arguments->context);
+  const Object& object = group.objects_[arguments->primID];
+  if ((object.visibility & query.visibilityMask) == 0) return;
+  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
+  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    Beam& beam = query.beams[RTCRayN_id(rays, arguments->N, i)];
+    if (!meet(object, query, beam)) continue;
+    float& end = RTCRayN_tfar(rays, arguments->N, i);
+    end = std::min(end, notLess(beam.range));
+    RTCHitN_geomID(hits, arguments->N, i) = arguments->geomID;
+    RTCHitN_primID(hits, arguments->N, i) = arguments->primID;
+  }
+}
+
+void Group::cast(BeamQuery& query) const {
+  if (objects_.empty()) return;
+  RTCRayHit8 rays{};
+  alignas(32) std::array<int, kBeamsAtATime> valid{};
+  for (std::size_t i = 0; i < query.count; ++i) {
+    const auto& [origin, direction] = query.beams[i].line;
+    valid[i] = -1;
+    rays.ray.id[i] = static_cast<unsigned>(i);
+    rays.ray.org_x[i] = static_cast<float>(origin.x());
+    rays.ray.org_y[i] = static_cast<float>(origin.y());
+    rays.ray.org_z[i] = static_cast<float>(origin.z());
+    rays.ray.dir_x[i] = static_cast<float>(direction.x());
+    rays.ray.dir_y[i] = static_cast<float>(direction.y());
+    rays.ray.dir_z[i] = static_cast<float>(direction.z());
+    rays.ray.tfar[i] = notLess(query.beams[i].range);
+    rays.ray.mask[i] = std::numeric_limits<unsigned>::max();
+    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect8(valid.data(), scene_.get(), &query.context, &rays);
+}
+
+}  // namespace pongsim::sensing

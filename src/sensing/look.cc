@@ -1,0 +1,66 @@
+#include "sensing/look.hh"
+
+#include <utility>
+
+#include "assets/ground.hh"
+
+namespace pongsim::sensing {
+
+namespace {
+
+using description::TriangleMesh;
+
+struct MakeLook {
+  assets::MeshStore& meshes;
+  const LookReader::Warn& warn;
+
+  Look operator()(const description::Empty&) const { return {}; }
+  // as in Fortress
+  Look operator()(const description::Image&) const { return {}; }
+  Look operator()(const description::Box& box) const { return {Shape(box)}; }
+  Look operator()(const description::Sphere& sphere) const { return {Shape(sphere)}; }
+  Look operator()(const description::Cylinder& cylinder) const { return {Shape(cylinder)}; }
+  Look operator()(const description::Capsule& capsule) const { return {Shape(capsule)}; }
+  Look operator()(const description::Ellipsoid& ellipsoid) const { return {Shape(ellipsoid)}; }
+
+  // as large as its picture, as in Fortress
+  Look operator()(const description::Plane& plane) const {
+    return {Shape(Sheet{plane.size.cwiseAbs() / 2}),
+            {Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal)}};
+  }
+
+  Look operator()(const description::Polyline& polyline) const {
+    if (polyline.triangles == nullptr) return {};
+    return {polyline.triangles};
+  }
+
+  // of a file that is not there, here and below, the loader has warned
+  Look operator()(const description::Mesh& mesh) const {
+    if (mesh.file.empty()) return {};
+    const assets::MeshStore::Found found = meshes.find(mesh.file, mesh.submesh, mesh.isCentered);
+    if (const auto* problem = std::get_if<assets::Problem>(&found)) {
+      warn("mesh", mesh.file, *problem);
+      return {};
+    }
+    return {std::get<0>(found), {}, mesh.scale};
+  }
+
+  Look operator()(const description::Heightmap& heightmap) const {
+    if (heightmap.file.empty()) return {};
+    auto ground = assets::readGround(heightmap.file, heightmap.size, heightmap.position);
+    if (const auto* problem = std::get_if<assets::Problem>(&ground)) {
+      warn("heightmap", heightmap.file, *problem);
+      return {};
+    }
+    if (std::get<0>(ground).triangles.empty()) return {};
+    return {std::make_shared<const TriangleMesh>(std::move(std::get<0>(ground)))};
+  }
+};
+
+}  // namespace
+
+Look LookReader::look(const description::Geometry& geometry, const Warn& warn) {
+  return std::visit(MakeLook{meshes_, warn}, geometry);
+}
+
+}  // namespace pongsim::sensing

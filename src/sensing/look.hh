@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "assets/mesh_store.hh"
+#include "assets/problem.hh"
+#include "description/geometry.hh"
+#include "description/triangle_mesh.hh"
+#include "pongsim/types.hh"
+#include "sensing/shape.hh"
+
+namespace pongsim::sensing {
+
+/// What a geometry looks like.
+struct Look {
+  /// Nothing: it is not drawn.
+  std::variant<std::monostate, Shape, std::shared_ptr<const description::TriangleMesh>> body = std::monostate();
+  Pose X_GeometryBody = {};
+  Vector3 scale = {1, 1, 1};
+};
+
+/// Reads what descriptions leave in files: of visuals their loader reads none.
+class LookReader {
+ public:
+  /// What is told of a file that is of no use: "mesh", the file, what is wrong with it.
+  using Warn = std::function<void(const std::string&, const std::filesystem::path&, const assets::Problem&)>;
+
+  /// @return The same triangles for the same mesh.
+  Look look(const description::Geometry& geometry, const Warn& warn);
+
+ private:
+  assets::MeshStore meshes_;
+};
+
+}  // namespace pongsim::sensing

@@ -1,0 +1,169 @@
+#include "sensing/scene.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "sensing/embree.hh"
+#include "sensing/group.hh"
+#include "sensing/look.hh"
+#include "sensing/mesh.hh"
+#include "sensing/object.hh"
+
+namespace pongsim::sensing {
+
+namespace {
+
+using description::TriangleMesh;
+using world::Slot;
+
+// Fortress's largest
+constexpr double kMostRetro = 2000;
+
+Slot topLevelModel(const world::Entities& entities, Slot model) {
+  while (entities.models()[model].parent != world::kNoSlot) model = entities.models()[model].parent;
+  return model;
+}
+
+Echo echoOf(const Beam& beam, double minRange) {
+  if (beam.hit == nullptr) return {kNowhere, 0};
+  if (beam.range < minRange) return {-kNowhere, 0};
+  return {beam.range, beam.hit->retro};
+}
+
+}  // namespace
+
+class Scene::Content {
+ public:
+  // One thread: more gain nothing for worlds of thousands of bodies, and the simulation's is the one that may work.
+  Content() : device_(rtcNewDevice("threads=1")), still_(device_.get()), moving_(device_.get()) {}
+
+  void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
+    still_.objects().clear();
+    moving_.objects().clear();
+    std::size_t count = 0;
+    for (Slot slot = 0; slot < entities.links().size(); ++slot) {
+      const world::LinkRecord& link = entities.links()[slot];
+      for (const description::Visual& visual : link.description->visuals) {
+        std::optional<Object> object = read(visual, link, diagnostics);
+        if (!object) continue;
+        object->link = slot;
+        object->order = count++;
+        object->owner = entities.models()[topLevelModel(entities, link.model)].id;
+        object->place(state.links[slot].X_WorldLink);
+        (link.isStatic ? still_ : moving_).objects().push_back(std::move(*object));
+      }
+    }
+    commit();
+  }
+
+  void update(const world::State& state) {
+    for (Group* group : {&still_, &moving_}) {
+      bool hasMoved = false;
+      for (Object& object : group->objects()) {
+        const Pose& X_WorldLink = state.links[object.link].X_WorldLink;
+        if (object.X_WorldLink == X_WorldLink) continue;
+        object.place(X_WorldLink);
+        hasMoved = true;
+      }
+      if (hasMoved) group->commit(reach_);
+    }
+  }
+
+  void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes) {
+    const double distance = beams.X_WorldSensor.position.norm();
+    if (!(distance <= kMostDistance)) {
+      std::ranges::fill(echoes, Echo{kNowhere, 0});
+      return;
+    }
+    if (distance > reach_) {
+      // to a power of two, so that it seldom happens
+      reach_ = std::exp2(std::ceil(std::log2(distance)));
+      commit();
+    }
+    const Matrix3 R_WorldSensor = beams.X_WorldSensor.rotation.toRotationMatrix();
+    BeamQuery query{};
+    rtcInitIntersectContext(&query.context);
+    query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    query.owner = beams.owner;
+    query.minRange = beams.minRange;
+    query.visibilityMask = beams.visibilityMask;
+    // what is just as far as it reaches is seen
+    const double farthest = std::nextafter(beams.maxRange, kNowhere);
+    for (std::size_t first = 0; first < directions.size(); first += kBeamsAtATime) {
+      query.count = std::min(kBeamsAtATime, directions.size() - first);
+      for (std::size_t i = 0; i < query.count; ++i) {
+        query.beams[i] = {{beams.X_WorldSensor.position, R_WorldSensor * directions[first + i]}, farthest, nullptr};
+      }
+      still_.cast(query);
+      moving_.cast(query);
+      for (std::size_t i = 0; i < query.count; ++i) echoes[first + i] = echoOf(query.beams[i], beams.minRange);
+    }
+  }
+
+ private:
+  void commit() {
+    still_.commit(reach_);
+    moving_.commit(reach_);
+  }
+
+  /// @return Nothing where it is not drawn.
+  std::optional<Object> read(const description::Visual& visual, const world::LinkRecord& link,
+                             Diagnostics& diagnostics) {
+    const auto warn = [&](const std::string& kind, const std::filesystem::path& file, const assets::Problem& problem) {
+      std::string text = kind + " '" + file.string() + "' " + problem.text + ": visual '" + visual.name +
+                         "' of link '" + link.description->name + "' will not be seen by sensors";
+      if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
+    };
+    Look look = reader_.look(visual.geometry, warn);
+    Object object;
+    if (auto* shape = std::get_if<Shape>(&look.body)) {
+      object.body = *shape;
+      object.bounds = boundsOf(*shape);
+    } else if (const auto* triangles = std::get_if<std::shared_ptr<const TriangleMesh>>(&look.body)) {
+      const Mesh& mesh = meshes_.try_emplace(*triangles, device_.get(), *triangles).first->second;
+      object.body = &mesh;
+      object.bounds = mesh.bounds();
+    } else {
+      return std::nullopt;
+    }
+    object.X_LinkObject = visual.X_LinkVisual * look.X_GeometryBody;
+    object.scale = look.scale;
+    object.visibility = visual.visibilityFlags;
+    object.retro = std::clamp(visual.laserRetro, 0.0, kMostRetro);
+    object.seesInside = visual.material && visual.material->isDoubleSided;
+    return object;
+  }
+
+  DevicePointer device_;
+  LookReader reader_;
+  /// One for all visuals that show the same.
+  std::map<std::shared_ptr<const TriangleMesh>, Mesh> meshes_;
+  /// Warnings that were given.
+  std::set<std::string> said_;
+  /// How far from the world's origin beams begin, at most [m].
+  double reach_ = 1;
+  Group still_;
+  Group moving_;
+};
+
+Scene::Scene() : content_(std::make_unique<Content>()) {}
+Scene::~Scene() = default;
+
+void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
+  content_->build(entities, state, diagnostics);
+}
+
+void Scene::update(const world::State& state) { content_->update(state); }
+
+void Scene::cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes) {
+  content_->cast(beams, directions, echoes);
+}
+
+}  // namespace pongsim::sensing

@@ -1,0 +1,311 @@
+#include "sensing/scene.hh"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sensing/shape.hh"
+#include "support/png_file.hh"
+#include "support/temp_folder.hh"
+
+namespace pongsim::sensing {
+namespace {
+
+/// One model a visual, whose only link is at the model's place.
+class BeamWorld {
+ public:
+  description::Visual& add(const description::Geometry& geometry, const Pose& X_WorldModel = {}, bool isStatic = true) {
+    description::Model& model = world_.models.emplace_back();
+    model.name = "m" + std::to_string(world_.models.size());
+    model.X_ParentModel = X_WorldModel;
+    model.isStatic = isStatic;
+    model.canonicalLink = "l";
+    model.links.resize(1);
+    model.links[0].name = "l";
+    description::Visual& visual = model.links[0].visuals.emplace_back();
+    visual.name = "v";
+    visual.geometry = geometry;
+    return visual;
+  }
+
+  /// To be called once all is in it.
+  void start() {
+    entities_.emplace(world_);
+    state_.emplace(*entities_);
+    scene_.build(*entities_, *state_, diagnostics_);
+  }
+
+  Echo cast(const Beams& beams, const Vector3& direction = Vector3::UnitX()) {
+    Echo echo;
+    scene_.cast(beams, {&direction, 1}, {&echo, 1});
+    return echo;
+  }
+
+  void move(std::size_t model, const Vector3& position) {
+    state_->links[model].X_WorldLink.position = position;
+    scene_.update(*state_);
+  }
+
+  ModelId id(std::size_t model) const { return entities_->models()[model].id; }
+  const std::vector<Diagnostic>& warnings() const { return diagnostics_.all(); }
+
+ private:
+  description::World world_;
+  std::optional<world::Entities> entities_;
+  std::optional<world::State> state_;
+  Diagnostics diagnostics_;
+  Scene scene_;
+};
+
+Pose at(double x, double y = 0, double z = 0) { return {{x, y, z}, Quaternion::Identity()}; }
+
+/// Beams from a place that see everything.
+Beams from(const Pose& X_WorldSensor) { return {X_WorldSensor, {}, 0, kNowhere}; }
+
+/// A point of a convex body's surface, and which way is outside there.
+struct SurfacePoint {
+  Vector3 point;
+  Vector3 normal;
+};
+
+class RandomBodies {
+ public:
+  double between(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
+  Vector3 inBox() { return {between(-1, 1), between(-1, 1), between(-1, 1)}; }
+  Vector3 direction() { return inBox().normalized(); }
+  Quaternion rotation() { return fromRollPitchYaw(between(-3, 3), between(-1.5, 1.5), between(-3, 3)); }
+
+  SurfacePoint on(const description::Box& box) {
+    Vector3 point = inBox(), normal = Vector3::Zero();
+    const auto axis = static_cast<int>(random_() % 3);
+    point[axis] = normal[axis] = sign();
+    return {point.cwiseProduct(box.size / 2), normal};
+  }
+  SurfacePoint on(const description::Sphere& sphere) {
+    const Vector3 normal = direction();
+    return {sphere.radius * normal, normal};
+  }
+  SurfacePoint on(const description::Cylinder& cylinder) {
+    const double angle = between(-3, 3);
+    const Vector3 side(std::cos(angle), std::sin(angle), 0);
+    if (random_() % 2 == 0) {
+      return {cylinder.radius * side + between(-0.5, 0.5) * cylinder.length * Vector3::UnitZ(), side};
+    }
+    const Vector3 up = sign() * Vector3::UnitZ();
+    return {between(0, 1) * cylinder.radius * side + cylinder.length / 2 * up, up};
+  }
+  SurfacePoint on(const description::Capsule& capsule) {
+    const Vector3 normal = direction();
+    const double middle = normal.z() > 0 ? capsule.length / 2 : -capsule.length / 2;
+    return {capsule.radius * normal + middle * Vector3::UnitZ(), normal};
+  }
+  SurfacePoint on(const description::Ellipsoid& ellipsoid) {
+    const Vector3 unit = direction();
+    return {unit.cwiseProduct(ellipsoid.radii), unit.cwiseQuotient(ellipsoid.radii).normalized()};
+  }
+  SurfacePoint on(const description::Plane& plane) {
+    const Vector3 point(between(-0.5, 0.5) * plane.size.x(), between(-0.5, 0.5) * plane.size.y(), 0);
+    const Quaternion turned = Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal);
+    return {turned * point, plane.normal};
+  }
+
+ private:
+  double sign() { return random_() % 2 == 0 ? 1 : -1; }
+  std::mt19937 random_{7};
+};
+
+/// A convex body that the beam meets from outside is met there first, wherever the beam begins: that is the formula.
+template <class Body>
+void expectRanges(const Body& body, double farthest) {
+  RandomBodies random;
+  for (int i = 0; i < 1000; ++i) {
+    const Pose X_WorldBody{{random.between(-farthest, farthest), random.between(-farthest, farthest), 3},
+                           random.rotation()};
+    const SurfacePoint surface = random.on(body);
+    Vector3 away = random.direction();
+    if (away.dot(surface.normal) < 0) away = -away;
+    if (away.dot(surface.normal) < 0.02) continue;
+    const double range = std::exp(random.between(-4, 5));
+    const Pose X_WorldSensor{X_WorldBody * Vector3(surface.point + range * away), random.rotation()};
+    BeamWorld world;
+    world.add(body, X_WorldBody, i % 2 == 0);
+    world.start();
+    const Vector3 direction = X_WorldSensor.rotation.conjugate() * (X_WorldBody.rotation * -away);
+    EXPECT_NEAR(world.cast(from(X_WorldSensor), direction).range / range, 1, 1e-6)
+        << range << " m, at " << X_WorldBody.position.transpose();
+  }
+}
+
+template <class Body>
+void expectRangesNearAndFar(const Body& body) {
+  expectRanges(body, 10);
+  expectRanges(body, 10'000);
+}
+
+TEST(BeamScene, MeetsBoxesWhereTheFormulaSays) { expectRangesNearAndFar(description::Box{{1, 2, 0.3}}); }
+TEST(BeamScene, MeetsSpheresWhereTheFormulaSays) { expectRangesNearAndFar(description::Sphere{0.7}); }
+TEST(BeamScene, MeetsCylindersWhereTheFormulaSays) { expectRangesNearAndFar(description::Cylinder{0.4, 2}); }
+TEST(BeamScene, MeetsCapsulesWhereTheFormulaSays) { expectRangesNearAndFar(description::Capsule{0.4, 2}); }
+TEST(BeamScene, MeetsEllipsoidsWhereTheFormulaSays) { expectRangesNearAndFar(description::Ellipsoid{{1, 2, 0.3}}); }
+TEST(BeamScene, MeetsPlanesWhereTheFormulaSays) {
+  expectRangesNearAndFar(description::Plane{Vector3(1, -2, 0.5).normalized(), {3, 5}});
+}
+
+TEST(BeamScene, MeetsTrianglesWhereTheFormulaSays) {
+  // a box again, of twelve triangles
+  auto triangles = std::make_shared<description::TriangleMesh>();
+  for (int i = 0; i < 8; ++i) triangles->vertices.emplace_back((i & 1) - 0.5, (i & 2) - 1.0, (i & 4) * 0.075 - 0.15);
+  triangles->triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                          {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  RandomBodies random;
+  const description::Box box{{1, 2, 0.3}};
+  for (int i = 0; i < 1000; ++i) {
+    const Pose X_WorldBody{{random.between(-1e4, 1e4), random.between(-1e4, 1e4), 3}, random.rotation()};
+    const SurfacePoint surface = random.on(box);
+    const double range = std::exp(random.between(-4, 5));
+    const Vector3 away = (surface.normal + 0.8 * random.direction()).normalized();
+    BeamWorld world;
+    description::Polyline body;
+    body.triangles = triangles;
+    world.add(body, X_WorldBody);
+    world.start();
+    const Pose X_WorldSensor{X_WorldBody * Vector3(surface.point + range * away), Quaternion::Identity()};
+    const Vector3 direction = X_WorldBody.rotation * -away;
+    EXPECT_NEAR(world.cast(from(X_WorldSensor), direction).range / range, 1, 1e-6) << range;
+  }
+}
+
+TEST(BeamScene, SeesTheNearestOfMany) {
+  BeamWorld world;
+  for (int i = 50; i >= 1; --i) world.add(description::Sphere{0.1}, at(i), i % 2 == 0);
+  world.start();
+  EXPECT_NEAR(world.cast(from({})).range, 0.9, 1e-12);
+  EXPECT_NEAR(world.cast(from(at(10.5))).range, 0.4, 1e-12);
+}
+
+TEST(BeamScene, SeesWhatIsNearerThanItsFarthest) {
+  BeamWorld world;
+  world.add(description::Box{{2, 2, 2}}, at(6)).laserRetro = 12;
+  world.start();
+  EXPECT_EQ(world.cast({{}, {}, 0.1, 5}).range, 5);
+  EXPECT_EQ(world.cast({{}, {}, 0.1, 5}).intensity, 12);
+  EXPECT_EQ(world.cast({{}, {}, 0.1, 4.999}).range, kNowhere);
+  EXPECT_EQ(world.cast({{}, {}, 0.1, 4.999}).intensity, 0);
+}
+
+TEST(BeamScene, SaysThatSomethingIsTooNear) {
+  BeamWorld world;
+  world.add(description::Box{{2, 2, 2}}, at(6));
+  world.start();
+  EXPECT_EQ(world.cast({at(4.9), {}, 0.2, 5}).range, -kNowhere);
+  EXPECT_NEAR(world.cast({at(4.9), {}, 0.05, 5}).range, 0.1, 1e-12);
+}
+
+TEST(BeamScene, LooksOutOfTheModelThatBearsTheSensor) {
+  BeamWorld world;
+  world.add(description::Box{{1, 1, 1}}, at(1));
+  world.add(description::Box{{2, 2, 2}}, at(6));
+  world.start();
+  // near the front of its own box
+  EXPECT_NEAR(world.cast({at(0.4), world.id(0), 0.2, 9}).range, 4.6, 1e-12);
+  EXPECT_EQ(world.cast({at(0.4), world.id(1), 0.2, 9}).range, -kNowhere);
+  EXPECT_NEAR(world.cast({at(0.2), world.id(0), 0.2, 9}).range, 0.3, 1e-12);
+}
+
+TEST(BeamScene, SeesBodiesFromInsideOnlyIfTheyAreDoubleSided) {
+  for (const bool isDoubleSided : {false, true}) {
+    BeamWorld world;
+    description::Visual& visual = world.add(description::Sphere{2});
+    visual.material.emplace();
+    visual.material->isDoubleSided = isDoubleSided;
+    world.start();
+    EXPECT_EQ(world.cast(from({})).range, isDoubleSided ? 2 : kNowhere);
+  }
+}
+
+TEST(BeamScene, HasVisualsInTheirPlaceInTheirLink) {
+  BeamWorld world;
+  world.add(description::Box{{1, 1, 1}}, {{2, 0, 0}, fromRollPitchYaw(0, 0, M_PI / 2)}).X_LinkVisual = at(0, -3);
+  world.start();
+  EXPECT_NEAR(world.cast(from({})).range, 4.5, 1e-9);
+}
+
+TEST(BeamScene, ShowsWhatItsMaskLetsThrough) {
+  BeamWorld world;
+  world.add(description::Box{{1, 1, 1}}, at(2)).visibilityFlags = 0x1;
+  world.add(description::Box{{1, 1, 1}}, at(4)).visibilityFlags = 0x6;
+  world.start();
+  EXPECT_NEAR(world.cast({{}, {}, 0, 9, 0x1}).range, 1.5, 1e-12);
+  EXPECT_NEAR(world.cast({{}, {}, 0, 9, 0x2}).range, 3.5, 1e-12);
+  EXPECT_EQ(world.cast({{}, {}, 0, 9, 0x8}).range, kNowhere);
+}
+
+TEST(BeamScene, GoesWithWhatMoves) {
+  for (const bool isStatic : {false, true}) {
+    BeamWorld world;
+    world.add(description::Sphere{1}, at(3), isStatic);
+    world.start();
+    EXPECT_NEAR(world.cast(from({})).range, 2, 1e-12);
+    world.move(0, {9, 0, 0});
+    EXPECT_NEAR(world.cast(from({})).range, 8, 1e-12);
+    world.move(0, {9, 2, 0});
+    EXPECT_EQ(world.cast(from({})).range, kNowhere);
+    // out of all measure, and back
+    world.move(0, {1e300, 0, 0});
+    EXPECT_EQ(world.cast(from({})).range, kNowhere);
+    world.move(0, {5, 0, 0});
+    EXPECT_NEAR(world.cast(from({})).range, 4, 1e-12);
+  }
+}
+
+TEST(BeamScene, SeesNothingFromOutOfAllMeasure) {
+  BeamWorld world;
+  world.add(description::Sphere{1}, at(3));
+  world.start();
+  EXPECT_EQ(world.cast(from(at(-1e200))).range, kNowhere);
+  EXPECT_EQ(world.cast(from(at(std::nan("")))).range, kNowhere);
+}
+
+TEST(BeamScene, ReadsMeshesAndHeightmaps) {
+  const test::TempFolder folder;
+  BeamWorld world;
+  description::Mesh mesh;
+  mesh.file = folder.write("m.obj", "v 0 -1 -1\nv 0 0 1\nv 0 1 -1\nf 1 2 3\n");
+  mesh.scale = {1, 2, 2};
+  world.add(mesh, at(3));
+  description::Heightmap ground;
+  ground.file = folder.write("h.png", test::grayPng(3, {0, 0, 0, 0, 255, 0, 0, 0, 0}));
+  ground.size = {6, 6, 2};
+  world.add(ground, at(0, 20));
+  world.start();
+  EXPECT_TRUE(world.warnings().empty());
+  EXPECT_NEAR(world.cast(from(at(0, 1.5, -1.8))).range, 3, 1e-6);
+  EXPECT_NEAR(world.cast(from(at(0, 20, 9)), -Vector3::UnitZ()).range, 7, 1e-6);
+}
+
+TEST(BeamScene, SaysOnceWhichFilesItCantRead) {
+  const test::TempFolder folder;
+  BeamWorld world;
+  description::Mesh mesh;
+  mesh.file = folder.write("m.stl", "no mesh");
+  world.add(mesh).position = {nullptr, 12, 3};
+  description::Heightmap ground;
+  ground.file = folder.write("h.png", "no image");
+  world.add(ground);
+  world.start();
+  world.start();
+  ASSERT_EQ(world.warnings().size(), 2U);
+  EXPECT_NE(world.warnings()[0].message.find("m.stl"), std::string::npos);
+  EXPECT_NE(world.warnings()[0].message.find("visual 'v' of link 'l' will not be seen"), std::string::npos);
+  EXPECT_EQ(world.warnings()[0].position.line, 12);
+  EXPECT_EQ(world.cast(from({})).range, kNowhere);
+}
+
+}  // namespace
+}  // namespace pongsim::sensing
