@@ -5,6 +5,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # GCC 12 sees overlaps and overflows in `"text" + string` that are not there (GCC bugs 105651, 105329).
   target_compile_options(pongsim_settings INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Collecting garbage from 512 MB on only, where GCC does from 128 MB on, takes a twelfth off a build.
+  target_compile_options(pongsim_settings INTERFACE --param=ggc-min-heapsize=524288)
+endif()
 if(PONGSIM_WARNINGS_AS_ERRORS)
   target_compile_options(pongsim_settings INTERFACE -Werror)
 endif()

@@ -11,7 +11,7 @@ function(pongsim_layer name)
   target_link_libraries(pongsim_${name} PUBLIC Eigen3::Eigen PRIVATE pongsim_settings ${arg_USES})
   target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_precompiled)
   set_target_properties(pongsim_${name} PROPERTIES UNITY_BUILD ${PONGSIM_UNITY_BUILD}
-                                                      UNITY_BUILD_BATCH_SIZE 16)
+                                                      UNITY_BUILD_BATCH_SIZE 24)
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS pongsim_${name})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS_USE ${arg_USES})
 endfunction()
@@ -46,7 +46,7 @@ function(pongsim_test name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test
                                            POSITION_INDEPENDENT_CODE OFF
                                            UNITY_BUILD ${PONGSIM_UNITY_BUILD}
-                                           UNITY_BUILD_BATCH_SIZE 16)
+                                           UNITY_BUILD_BATCH_SIZE 24)
   target_link_libraries(${name} PRIVATE ${arg_LINKS} pongsim_test_support pongsim_test_settings
                                         GTest::gtest_main ${arg_USES})
   target_precompile_headers(${name} REUSE_FROM pongsim_test_precompiled)
