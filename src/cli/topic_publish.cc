@@ -31,11 +31,11 @@ int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
 /// @return Whether there is one before the timeout or a signal.
 bool waitForSubscribers(const Publisher& publisher, std::chrono::nanoseconds timeout, const StopSignal& signal) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::nanoseconds kLongestWait = std::chrono::milliseconds(100);
+  constexpr std::chrono::nanoseconds kLongestPause = std::chrono::milliseconds(100);
   const Clock::time_point end = Clock::now() + timeout;
   do {
     const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Clock::now());
-    if (publisher.waitForSubscribers(std::clamp(left, std::chrono::nanoseconds::zero(), kLongestWait))) return true;
+    if (publisher.waitForSubscribers(std::clamp(left, std::chrono::nanoseconds::zero(), kLongestPause))) return true;
   } while (Clock::now() < end && !signal.stopped());
   return false;
 }

@@ -89,10 +89,10 @@ AirPressureSettings readAirPressure(const Element* element, Context& context) {
 /// Reads whose axes a force-torque sensor speaks of, and in which direction it measures.
 void readForceTorqueFrame(const Element& element, ForceTorqueSettings& settings, Context& context) {
   using enum ForceTorqueSettings::Frame;
-  constexpr std::array<std::string_view, 3> kFrames{"child", "parent", "sensor"};
+  constexpr std::array<std::string_view, 3> kFrameWords{"child", "parent", "sensor"};
   constexpr std::array kFrameOfName{kChild, kParent, kSensor};
   constexpr std::array<std::string_view, 2> kDirections{"child_to_parent", "parent_to_child"};
-  settings.frame = kFrameOfName[readWord(element, "frame", 0, kFrames, context)];
+  settings.frame = kFrameOfName[readWord(element, "frame", 0, kFrameWords, context)];
   settings.isParentToChild = readWord(element, "measure_direction", 0, kDirections, context) == 1;
 }
 
