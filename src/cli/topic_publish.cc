@@ -30,27 +30,27 @@ int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
 
 /// @return Whether there is one before the timeout or a signal.
 bool waitForSubscribers(const Publisher& publisher, std::chrono::nanoseconds timeout, const StopSignal& signal) {
-  using Clock = std::chrono::steady_clock;
+  using Steady = std::chrono::steady_clock;
   constexpr std::chrono::nanoseconds kLongestPause = std::chrono::milliseconds(100);
-  const Clock::time_point end = Clock::now() + timeout;
+  const Steady::time_point end = Steady::now() + timeout;
   do {
-    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Clock::now());
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Steady::now());
     if (publisher.waitForSubscribers(std::clamp(left, std::chrono::nanoseconds::zero(), kLongestPause))) return true;
-  } while (Clock::now() < end && !signal.stopped());
+  } while (Steady::now() < end && !signal.stopped());
   return false;
 }
 
 /// Publishes, and waits out the period after each message but the last.
 /// @return Whether it went on to the end, and not to a signal.
 bool publishAll(Transport& transport, Publisher& publisher, const PublishOptions& options, StopSignal& signal) {
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point next = Clock::now();
+  using Steady = std::chrono::steady_clock;
+  Steady::time_point next = Steady::now();
   for (std::uint64_t sent = 1;; ++sent) {
     publisher.publish(*options.message);
     if (!options.period || sent == options.count) return true;
     // from the time it was due: a late message does not make the next one late
-    next += std::chrono::duration_cast<Clock::duration>(*options.period);
-    for (auto now = Clock::now(); now < next && !signal.stopped(); now = Clock::now()) {
+    next += std::chrono::duration_cast<Steady::duration>(*options.period);
+    for (auto now = Steady::now(); now < next && !signal.stopped(); now = Steady::now()) {
       transport.dispatchFor(next - now);
     }
     if (signal.stopped()) return false;
