@@ -104,7 +104,7 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
     }
     return;
   }
-  const std::vector<std::string> available = availableSystems();
+  const std::vector<std::string> available = systemsIn(searchPath_);
   std::vector<std::string_view> words(available.begin(), available.end());
   words.insert(words.end(), fortressSystems().begin(), fortressSystems().end());
   std::string hint = base::didYouMean(name, words);
@@ -114,14 +114,6 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
     hint += "; PONGSIM_PLUGIN_PATH adds folders";
   }
   diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' was not found", hint);
-}
-
-std::vector<std::string> Loader::availableSystems() const {
-  std::vector<std::string> names;
-  for (const std::filesystem::path& file : librariesIn(searchPath_)) {
-    names.push_back(systemName(file.filename().string()));
-  }
-  return names;
 }
 
 }  // namespace pongsim::plugin
