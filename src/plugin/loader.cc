@@ -1,7 +1,5 @@
 #include "plugin/loader.hh"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "base/nearest_word.hh"
+#include "base/shared_library.hh"
 #include "plugin/fortress_systems.hh"
 #include "plugin/inspection.hh"
 #include "plugin/system_name.hh"
@@ -44,12 +43,8 @@ std::vector<std::filesystem::path> defaultSearchPath() {
   std::vector<std::filesystem::path> folders;
   appendFolders("PONGSIM_PLUGIN_PATH", folders);
   appendFolders("IGN_GAZEBO_SYSTEM_PLUGIN_PATH", folders);
-  Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&defaultSearchPath), &info) != 0 && info.dli_fname != nullptr) {
-    std::error_code ignored;
-    const std::filesystem::path self = std::filesystem::canonical(info.dli_fname, ignored);
-    if (!self.empty()) folders.push_back(self.parent_path() / PONGSIM_PLUGIN_SUBDIRECTORY);
-  }
+  const std::filesystem::path self = base::ownLibraryFile();
+  if (!self.empty()) folders.push_back(self.parent_path() / PONGSIM_PLUGIN_SUBDIRECTORY);
   return folders;
 }
 
