@@ -1,6 +1,7 @@
 #include "physics/body.hh"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "physics/convert.hh"
@@ -120,6 +121,14 @@ void Body::transfer(StateArchive& archive) {
   rigid_.clearForces();
   rigid_.applyCentralForce(force);
   rigid_.applyTorque(torque);
+}
+
+bool Body::slowDown(double dt) {
+  constexpr double kMostTurn = 2 * std::numbers::pi;
+  const double turn = rigid_.getAngularVelocity().length() * dt;
+  if (!(turn > kMostTurn) || !std::isfinite(turn)) return false;
+  rigid_.setAngularVelocity(rigid_.getAngularVelocity() * (kMostTurn / turn));
+  return true;
 }
 
 bool Body::read(world::LinkState& state) const {

@@ -51,6 +51,11 @@ class Body {
   /// All that it remembers from step to step.
   void transfer(StateArchive& archive);
 
+  /// Slows its turning down to once in a step of `dt` [s], where it turns faster: nothing can be told of what turns
+  /// farther, and errors would make it ever faster.
+  /// @return Whether it did.
+  bool slowDown(double dt);
+
   /// Writes where the link is and how fast.
   /// @return Whether all of it is finite and within reason.
   bool read(world::LinkState& state) const;

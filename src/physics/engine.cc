@@ -69,7 +69,19 @@ struct Engine::Parts final : GroupWork {
   world::State* state = nullptr;
   /// The first link whose motion has exploded, else `world::kNoSlot`.
   std::atomic<world::Slot> exploded = world::kNoSlot;
+  /// The first link that was slowed down in this step, likewise.
+  std::atomic<world::Slot> slowedDown = world::kNoSlot;
 };
+
+namespace {
+
+void keepFirst(std::atomic<world::Slot>& first, world::Slot link) {
+  world::Slot before = first;
+  while (link < before && !first.compare_exchange_weak(before, link)) {
+  }
+}
+
+}  // namespace
 
 Engine::Parts::~Parts() {
   for (const auto& body : bodies) {
@@ -88,11 +100,9 @@ void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
 void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
                            std::span<btTypedConstraint* const> groupJoints) {
   for (btCollisionObject* object : groupBodies) {
-    const Body& body = bodyOf(*object);
-    if (body.read(state->links[body.link()])) continue;
-    world::Slot first = exploded;
-    while (body.link() < first && !exploded.compare_exchange_weak(first, body.link())) {
-    }
+    Body& body = bodyOf(*object);
+    if (body.slowDown(dt)) keepFirst(slowedDown, body.link());
+    if (!body.read(state->links[body.link()])) keepFirst(exploded, body.link());
   }
   for (btTypedConstraint* constraint : groupJoints) {
     if (isGearReference(*constraint)) continue;
@@ -262,9 +272,12 @@ void Engine::transfer(StateArchive& archive) {
 void Engine::step(Time dt, world::State& state) {
   parts_->dt = toSeconds(dt);
   parts_->state = &state;
+  parts_->slowedDown = world::kNoSlot;
   parts_->world.step(parts_->dt);
   const world::Slot exploded = parts_->exploded.exchange(world::kNoSlot);
   if (exploded != world::kNoSlot) parts_->reportExplosion(exploded);
 }
+
+world::Slot Engine::slowedDown() const { return parts_->slowedDown; }
 
 }  // namespace pongsim::physics

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
+/// Rounds after which it is doubtful whether more help.
+constexpr int kMostRounds = 8;
+
 /// Pivots after which a row goes in circles.
 int mostPivots(int rows) { return 30 + 3 * rows; }
 
@@ -29,11 +32,81 @@ double dot(const double* a, const double* b, std::size_t count) {
 
 bool Lcp::solve(const Problem& problem, double* x) {
   begin(problem, x);
+  if (solveByRounds()) return true;
+  begin(problem, x);
+  return solveByPivots();
+}
+
+// first without friction, whose bounds follow from that
+bool Lcp::solveByRounds() {
+  const int* const end = problem_.normalOf + rows_;
+  const auto frictional =
+      static_cast<int>(std::find_if(problem_.normalOf, end, [](int row) { return row >= 0; }) - problem_.normalOf);
+  if (!settle(0, frictional)) return false;
+  if (frictional == problem_.rows) return true;
+  setFrictionBounds();
+  return settle(frictional, problem_.rows);
+}
+
+/// Adds the rows from `first` to `end` to those that are settled, and settles them all anew.
+bool Lcp::settle(int first, int end) {
+  for (int row = first; row < end; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (lowest_[i] == 0 && highest_[i] == 0) {
+      setBound(row, State::kLowest);
+    } else if (!setFree(row)) {
+      return false;
+    }
+  }
+  for (int round = 0; round < kMostRounds; ++round) {
+    solveFree();
+    findChanges(end);
+    if (changes_.empty()) return true;
+    for (const auto& [row, state] : changes_) {
+      if (state != State::kFree) {
+        setBound(row, state);
+      } else if (!setFree(row)) {
+        return false;
+      }
+    }
+  }
+  return false;
+}
+
+/// Sets the free x so that their w are zero.
+void Lcp::solveFree() {
+  values_.clear();
+  for (const int row : free_) values_.push_back(problem_.b[row]);
+  for (std::size_t k = 0; k < rows_; ++k) {
+    if (states_[k] == State::kFree || states_[k] == State::kOut || x_[k] == 0) continue;
+    const double* const A = rowOfA(k);
+    for (std::size_t i = 0; i < free_.size(); ++i) values_[i] -= A[free_[i]] * x_[k];
+  }
+  solveFactors(values_);
+  for (std::size_t i = 0; i < free_.size(); ++i) x_[free_[i]] = values_[i];
+}
+
+/// Lists the rows before `end` that do not meet their condition, and what they should become.
+void Lcp::findChanges(int end) {
+  changes_.clear();
+  for (int row = 0; row < end; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (states_[i] == State::kFree) {
+      if (x_[i] < lowest_[i]) changes_.emplace_back(row, State::kLowest);
+      if (x_[i] > highest_[i]) changes_.emplace_back(row, State::kHighest);
+    } else if (lowest_[i] != highest_[i]) {
+      const double w = dot(rowOfA(i), x_, static_cast<std::size_t>(end)) - problem_.b[row];
+      if (states_[i] == State::kLowest ? w < 0 : w > 0) changes_.emplace_back(row, State::kFree);
+    }
+  }
+}
+
+bool Lcp::solveByPivots() {
   if (!solveUnbounded()) return false;
   bool hasFriction = false;
-  for (int row = 0; row < problem.rows; ++row) {
+  for (int row = 0; row < problem_.rows; ++row) {
     if (states_[static_cast<std::size_t>(row)] != State::kOut) continue;
-    if (problem.normalOf[row] >= 0 && !hasFriction) {
+    if (problem_.normalOf[row] >= 0 && !hasFriction) {
       hasFriction = true;
       setFrictionBounds();
     }

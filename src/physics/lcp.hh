@@ -1,14 +1,20 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace pongsim::physics {
 
-/// Solves mixed linear complementarity problems by Dantzig's direct method: row after row is driven to where it meets
-/// its condition, while those before it keep theirs. Holds nothing but memory from one problem to the next.
+/// Solves mixed linear complementarity problems directly. Tried first is that no bound counts, which is a system of
+/// equations; then all rows at a time that do not meet their condition go to their bounds or are let go (block
+/// principal pivoting), which seldom takes more than a few rounds. Where it takes too many, Dantzig's method follows:
+/// row after row is driven to where it meets its condition, while those before it keep theirs. Both come to the same.
+/// Holds nothing but memory from one problem to the next.
 ///
-/// References: R. W. Cottle, G. B. Dantzig, Complementary pivot theory of mathematical programming, Linear Algebra and
-/// its Applications 1, 1968; D. Baraff, Fast contact force computation for nonpenetrating rigid bodies, SIGGRAPH 1994.
+/// References: J. J. Júdice, F. M. Pires, A block principal pivoting algorithm for large-scale strictly monotone linear
+/// complementarity problems, Computers & Operations Research 21, 1994; R. W. Cottle, G. B. Dantzig, Complementary pivot
+/// theory of mathematical programming, Linear Algebra and its Applications 1, 1968; D. Baraff, Fast contact force
+/// computation for nonpenetrating rigid bodies, SIGGRAPH 1994.
 class Lcp {
  public:
   struct Problem {
@@ -44,6 +50,11 @@ class Lcp {
   };
 
   void begin(const Problem& problem, double* x);
+  bool solveByRounds();
+  bool settle(int first, int end);
+  void solveFree();
+  void findChanges(int end);
+  bool solveByPivots();
   bool solveUnbounded();
   void setFrictionBounds();
   bool drive(int row);
@@ -73,6 +84,7 @@ class Lcp {
   std::vector<double> L_;
   std::vector<double> D_;
   std::vector<double> values_;
+  std::vector<std::pair<int, State>> changes_;
 };
 
 }  // namespace pongsim::physics

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -14,6 +15,7 @@
 #include "assets/places.hh"
 #include "description/world.hh"
 #include "physics/engine.hh"
+#include "pongsim/log.hh"
 #include "sdf/loader.hh"
 #include "sim/access.hh"
 #include "sim/editor.hh"
@@ -64,6 +66,8 @@ struct Simulation::Parts {
     if (systems) systems->announceChanges();
   }
 
+  void stepEngine(Time dt);
+
   StepInfo nextStep(Time dt) const {
     const bool paused = dt == Time::zero();
     return {state.time + dt, dt, state.iterations + (paused ? 0 : 1), paused};
@@ -79,6 +83,8 @@ struct Simulation::Parts {
   std::optional<Transport> ownTransport;
   Transport* transport = nullptr;
   std::optional<sim::SystemSet> systems;
+  /// Links of which it was said that they turn too fast.
+  std::set<LinkId> slowedDown;
 };
 
 namespace {
@@ -210,6 +216,16 @@ void Simulation::stepPaused() {
   advance(Time::zero());
 }
 
+void Simulation::Parts::stepEngine(Time dt) {
+  engine.step(dt, state);
+  const world::Slot link = engine.slowedDown();
+  if (link == world::kNoSlot || !slowedDown.insert(entities.links()[link].id).second) return;
+  const world::LinkRecord& record = entities.links()[link];
+  Logger("physics").warning(
+      "link '" + entities.models()[record.model].scopedName + "::" + record.description->name +
+      "' would turn more than once in a step and is slowed down to that (a shorter step may help)");
+}
+
 void Simulation::advance(Time dt) {
   Parts& parts = *parts_;
   const StepInfo info = parts.nextStep(dt);
@@ -218,7 +234,7 @@ void Simulation::advance(Time dt) {
     parts.systems->update(info);
   }
   if (!info.paused) {
-    if (!parts.systems || parts.systems->wantsPhysics()) parts.engine.step(info.dt, parts.state);
+    if (!parts.systems || parts.systems->wantsPhysics()) parts.stepEngine(info.dt);
     parts.state.time = info.time;
     parts.state.iterations = info.iteration;
   }
