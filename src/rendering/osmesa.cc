@@ -1,0 +1,97 @@
+#include "rendering/osmesa.hh"
+
+#include <GL/osmesa.h>
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "base/shared_library.hh"
+
+namespace pongsim::rendering {
+
+namespace {
+
+constexpr const char* kLibrary = "libOSMesa.so.8";
+
+/// What is used of the library.
+struct OsmesaFunctions {
+  decltype(&OSMesaCreateContextAttribs) createContext = nullptr;
+  decltype(&OSMesaDestroyContext) destroyContext = nullptr;
+  decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
+  decltype(&OSMesaGetProcAddress) getAddress = nullptr;
+
+  bool isWhole() const {
+    return createContext != nullptr && destroyContext != nullptr && makeCurrent != nullptr && getAddress != nullptr;
+  }
+};
+
+class OsmesaContext final : public Context {
+ public:
+  explicit OsmesaContext(const OsmesaFunctions& functions) : functions_(functions) {}
+  ~OsmesaContext() override {
+    if (context_ != nullptr) functions_.destroyContext(context_);
+  }
+  OsmesaContext(const OsmesaContext&) = delete;
+  OsmesaContext& operator=(const OsmesaContext&) = delete;
+
+  void bind() override {
+    if (context_ == nullptr) create();
+    if (functions_.makeCurrent(context_, window_.data(), GL_UNSIGNED_BYTE, kEdge, kEdge) == 0) {
+      throw std::runtime_error("OSMesa can't draw");
+    }
+  }
+
+  void release() override { functions_.makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
+
+  Function function(const char* name) const override { return functions_.getAddress(name); }
+
+ private:
+  void create() {
+    constexpr std::array<int, 11> kWanted{OSMESA_FORMAT,
+                                          OSMESA_RGBA,
+                                          OSMESA_PROFILE,
+                                          OSMESA_CORE_PROFILE,
+                                          OSMESA_CONTEXT_MAJOR_VERSION,
+                                          4,
+                                          OSMESA_CONTEXT_MINOR_VERSION,
+                                          5,
+                                          0,
+                                          0,
+                                          0};
+    context_ = functions_.createContext(kWanted.data(), nullptr);
+    if (context_ == nullptr) throw std::runtime_error("OSMesa has no OpenGL 4.5");
+  }
+
+  // pictures are drawn into buffers of their own
+  static constexpr int kEdge = 4;
+
+  OsmesaFunctions functions_;
+  OSMesaContext context_ = nullptr;
+  std::array<std::uint32_t, kEdge * kEdge> window_{};
+};
+
+}  // namespace
+
+std::variant<std::unique_ptr<Context>, assets::Problem> openOsmesa() {
+  const auto opened = base::SharedLibrary::open(kLibrary);
+  const auto* library = std::get_if<base::SharedLibrary>(&opened);
+  if (library == nullptr) {
+    return assets::Problem{
+        "needs " + std::string(kLibrary) + " to draw without a graphics card: " + std::get<std::string>(opened),
+        "install the package libosmesa6"};
+  }
+  OsmesaFunctions functions;
+  functions.createContext = library->find<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
+  functions.destroyContext = library->find<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
+  functions.makeCurrent = library->find<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+  functions.getAddress = library->find<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
+  if (!functions.isWhole()) {
+    return assets::Problem{std::string("finds ") + kLibrary + " too old to draw with",
+                           "install the package libosmesa6"};
+  }
+  return std::make_unique<OsmesaContext>(functions);
+}
+
+}  // namespace pongsim::rendering
