@@ -24,8 +24,8 @@ namespace pongsim::cli {
 namespace {
 
 constexpr void (*kCommands[])(CLI::App&, Work&) = {
-    addRunCommand, addTopicCommand, addServiceCommand, addModelCommand,  addWorldCommand,
-    addKeyCommand, addMsgCommand,   addSdfCommand,     addPluginCommand, addCompletionCommand};
+    addRunCommand,  addTopicCommand, addServiceCommand, addModelCommand,  addWorldCommand,     addKeyCommand,
+    addViewCommand, addMsgCommand,   addSdfCommand,     addPluginCommand, addCompletionCommand};
 
 bool isOption(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
 
