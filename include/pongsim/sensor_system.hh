@@ -38,7 +38,11 @@ namespace pongsim {
 /// made of the world and the node with the first of them, given to their constructors as the last argument, its `void
 /// observe(const StepInfo&)` called in each step, its `void rebuild(Diagnostics&)` at first and where models have come
 /// or gone. A sensor with a second topic says by `bool isHeardElsewhere()` whether somebody listens there, and
-/// publishes there by `void publishElsewhere(const Message&)` what it has measured.
+/// publishes there by `void publishElsewhere(const Message&)` what it has measured; its `measure` may ask for a second
+/// argument, whether somebody listens to the message itself. One that does not take every reading that is due says by
+/// `bool isReady()` whether it takes this one. Where topics differ from sensor to sensor, the functions `const char*
+/// suffix(const Sensor&)` and `const char* behindTopic(const Sensor&)` of the class stand for `kSuffix`; see
+/// `SensorTopic`.
 template <class OneSensor>
 class SensorSystem : public System {
  public:
@@ -113,11 +117,26 @@ class SensorSystem : public System {
   /// Nothing, for sensors that share nothing.
   using Shared = typename SharedBy<OneSensor>::Type;
 
+  static const char* suffixOf(const Sensor& sensor) {
+    if constexpr (requires { OneSensor::suffix(sensor); }) {
+      return OneSensor::suffix(sensor);
+    } else {
+      return OneSensor::kSuffix;
+    }
+  }
+  static const char* behindTopicOf(const Sensor& sensor) {
+    if constexpr (requires { OneSensor::behindTopic(sensor); }) {
+      return OneSensor::behindTopic(sensor);
+    } else {
+      return "";
+    }
+  }
+
   struct Entry {
     template <class... More>
     Entry(const Sensor& of, const World& world, Node& node, Random& random, More&... more)
         : handle(of),
-          topic(of, OneSensor::kSuffix, OneSensor::Message::descriptor()->full_name(), node),
+          topic(of, suffixOf(of), OneSensor::Message::descriptor()->full_name(), node, behindTopicOf(of)),
           noises(random.split(of.scopedName())),
           sensor(of, world, noises, message, more...) {
       setHeaderValue("frame_id", topic.frameName(), *message.mutable_header());
@@ -127,10 +146,17 @@ class SensorSystem : public System {
       if constexpr (requires { sensor.observe(info); }) sensor.observe(info);
       if (!topic.isDue(info)) return;
       noises.begin(info.time, topic.sinceLast());
+      if constexpr (requires { sensor.isReady(); }) {
+        if (!sensor.isReady()) return;
+      }
       if (!isHeard()) return;
       setStamp(info.time, *message.mutable_header());
       setHeaderValue("seq", std::to_string(topic.sequence()), *message.mutable_header());
-      sensor.measure(message);
+      if constexpr (requires { sensor.measure(message, true); }) {
+        sensor.measure(message, topic.hasSubscribers());
+      } else {
+        sensor.measure(message);
+      }
       topic.publish(message);
       if constexpr (requires { sensor.publishElsewhere(message); }) sensor.publishElsewhere(message);
     }
