@@ -47,13 +47,10 @@ struct PictureView {
 /// thread at a time.
 class PONGSIM_API CameraScene {
  public:
-  /// Of a world in which it sees nothing yet. Looks for what it draws with.
+  /// Of a world in which it sees nothing yet.
+  /// @throws std::runtime_error where OSMesa, which it draws with, is not installed, saying which package to install.
   explicit CameraScene(const World& world);
   ~CameraScene();
-
-  /// @return Why there can be no pictures on this machine: "needs libOSMesa.so.8 ..." with a hint what to install;
-  /// nothing where there can. Without, no other function but `rebuild`, `update` and `bounds` may be called.
-  std::optional<Diagnostic> obstacle() const;
 
   /// Takes in visuals and lights, and reads the files of meshes and textures. To be called at first, and where models
   /// have come or gone (`System::worldChanged`).

@@ -96,7 +96,6 @@ CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises,
       kind_(kindOf(sensor)),
       surroundings_(shared),
       noise_(noises.add(settings_.noise, "image")) {
-  if (const auto obstacle = shared.scene().obstacle()) throw errorOf(sensor, obstacle->message, obstacle->hint);
   if (std::uint64_t{settings_.width} * settings_.height > kMostPixels) {
     throw errorOf(sensor, "has more than " + std::to_string(kMostPixels) + " pixels", {});
   }

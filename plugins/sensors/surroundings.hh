@@ -20,8 +20,6 @@ class Surroundings {
   }
 
   Node& node() { return node_; }
-  /// @return The scene, wherever everything was when it was last looked at.
-  const SeenScene& scene() const { return scene_; }
   /// @return The scene with everything where it is in this step.
   SeenScene& now() {
     if (!isOfNow_) scene_.update();

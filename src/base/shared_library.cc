@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <stdexcept>
+#include <system_error>
 
 namespace pongsim::base {
 
@@ -27,6 +28,13 @@ void* SharedLibrary::requiredAddress(const char* name) const {
   void* found = address(name);
   if (found == nullptr) throw std::runtime_error(dlerror());
   return found;
+}
+
+std::filesystem::path ownLibraryFile() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&ownLibraryFile), &info) == 0 || info.dli_fname == nullptr) return {};
+  std::error_code ignored;
+  return std::filesystem::canonical(info.dli_fname, ignored);
 }
 
 }  // namespace pongsim::base

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <variant>
 
@@ -38,5 +39,8 @@ class SharedLibrary {
 
   void* handle_;
 };
+
+/// @return The file that this code came from: pongsim's library, or a program that holds the same. Empty if unknown.
+std::filesystem::path ownLibraryFile();
 
 }  // namespace pongsim::base

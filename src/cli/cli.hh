@@ -1,11 +1,20 @@
 #pragma once
 
+#include "cli/command.hh"
 #include "pongsim/export.hh"
 
 namespace pongsim::cli {
 
+/// Reads a whole command line, of which the program's name is the first word; does nothing yet, but that it prints help
+/// where that is asked for.
+/// @throws UsageError where it is wrong.
+Work workOf(int argc, char** argv);
+
 /// The whole program.
 /// @return Its exit code: 0 done, 1 the work failed, 2 the command line was wrong.
-PONGSIM_API int run(int argc, char** argv);
+int run(int argc, char** argv);
 
 }  // namespace pongsim::cli
+
+/// The whole program, for `main.cc` to find in the library.
+extern "C" PONGSIM_API int pongsim_main(int argc, char** argv);

@@ -118,7 +118,6 @@ int viewWorld(const ViewCommandOptions& options) {
   simulation->step(static_cast<std::uint64_t>(std::llround(options.at / toSeconds(simulation->stepSize()))));
 
   CameraScene scene(simulation->world());
-  if (const auto obstacle = scene.obstacle()) return fail("pongsim view " + obstacle->message, obstacle->hint);
   Diagnostics found;
   scene.rebuild(found);
   say(found, Severity::kWarning, Severity::kError);

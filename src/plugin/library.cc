@@ -1,28 +1,20 @@
 #include "plugin/library.hh"
 
-#include <dlfcn.h>
+#include "base/shared_library.hh"
 
 namespace pongsim::plugin {
 
 std::variant<std::unique_ptr<Library>, std::string> Library::open(const std::filesystem::path& file) {
-  // it stays when it is closed: message types that came with it can't be taken back, and not be added twice either
-  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (handle == nullptr) return std::string(dlerror());
-  const auto* table = static_cast<const SystemTable*>(dlsym(handle, "pongsim_systems"));
-  std::string reason;
-  if (table == nullptr) {
-    reason = "it does not export any pongsim system";
-  } else if (table->abiVersion != kAbiVersion) {
-    reason = "it was built for version " + std::to_string(table->abiVersion) +
-             " of pongsim's plugin interface, this is " + "version " + std::to_string(kAbiVersion) +
-             (table->abiVersion < kAbiVersion ? ": build it anew" : "");
-  } else {
-    return std::unique_ptr<Library>(new Library(file, handle, table));
+  const auto opened = base::SharedLibrary::open(file);
+  if (const auto* why = std::get_if<std::string>(&opened)) return *why;
+  const auto* table = std::get<base::SharedLibrary>(opened).find<const SystemTable>("pongsim_systems");
+  if (table == nullptr) return "it does not export any pongsim system";
+  if (table->abiVersion != kAbiVersion) {
+    return "it was built for version " + std::to_string(table->abiVersion) +
+           " of pongsim's plugin interface, this is version " + std::to_string(kAbiVersion) +
+           (table->abiVersion < kAbiVersion ? ": build it anew" : "");
   }
-  dlclose(handle);
-  return reason;
+  return std::unique_ptr<Library>(new Library(file, table));
 }
-
-Library::~Library() { dlclose(handle_); }
 
 }  // namespace pongsim::plugin

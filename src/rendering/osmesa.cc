@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
 
 #include "base/shared_library.hh"
 
@@ -21,10 +20,6 @@ struct OsmesaFunctions {
   decltype(&OSMesaDestroyContext) destroyContext = nullptr;
   decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
   decltype(&OSMesaGetProcAddress) getAddress = nullptr;
-
-  bool isWhole() const {
-    return createContext != nullptr && destroyContext != nullptr && makeCurrent != nullptr && getAddress != nullptr;
-  }
 };
 
 class OsmesaContext final : public Context {
@@ -74,23 +69,13 @@ class OsmesaContext final : public Context {
 
 }  // namespace
 
-std::variant<std::unique_ptr<Context>, assets::Problem> openOsmesa() {
-  const auto opened = base::SharedLibrary::open(kLibrary);
-  const auto* library = std::get_if<base::SharedLibrary>(&opened);
-  if (library == nullptr) {
-    return assets::Problem{
-        "needs " + std::string(kLibrary) + " to draw without a graphics card: " + std::get<std::string>(opened),
-        "install the package libosmesa6"};
-  }
+std::unique_ptr<Context> openOsmesa() {
+  const auto library = base::SharedLibrary::require(kLibrary, "libosmesa6");
   OsmesaFunctions functions;
-  functions.createContext = library->find<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
-  functions.destroyContext = library->find<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
-  functions.makeCurrent = library->find<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
-  functions.getAddress = library->find<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
-  if (!functions.isWhole()) {
-    return assets::Problem{std::string("finds ") + kLibrary + " too old to draw with",
-                           "install the package libosmesa6"};
-  }
+  library.bind(functions.createContext, "OSMesaCreateContextAttribs");
+  library.bind(functions.destroyContext, "OSMesaDestroyContext");
+  library.bind(functions.makeCurrent, "OSMesaMakeCurrent");
+  library.bind(functions.getAddress, "OSMesaGetProcAddress");
   return std::make_unique<OsmesaContext>(functions);
 }
 

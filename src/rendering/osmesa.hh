@@ -1,15 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <variant>
 
-#include "assets/problem.hh"
 #include "rendering/context.hh"
 
 namespace pongsim::rendering {
 
-/// @return A context that draws with the processor alone, by Mesa's off-screen library, which is opened here; or why
-/// there is none, with what to install.
-std::variant<std::unique_ptr<Context>, assets::Problem> openOsmesa();
+/// Opens Mesa's off-screen library, which draws with the processor alone.
+/// @throws std::runtime_error where it is not installed, saying which package to install.
+std::unique_ptr<Context> openOsmesa();
 
 }  // namespace pongsim::rendering

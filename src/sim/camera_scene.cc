@@ -14,24 +14,14 @@ namespace pongsim {
 
 struct CameraScene::Content {
   sim::Access& access;
+  std::unique_ptr<rendering::Renderer> renderer;
   rendering::Scene scene = {};
-  std::unique_ptr<rendering::Renderer> renderer = nullptr;
-  std::optional<Diagnostic> obstacle = std::nullopt;
 };
 
-CameraScene::CameraScene(const World& world) : content_(new Content{*world.access_}) {
-  auto opened = rendering::openOsmesa();
-  if (auto* context = std::get_if<0>(&opened)) {
-    content_->renderer = std::make_unique<rendering::Renderer>(std::move(*context));
-  } else {
-    const assets::Problem& problem = std::get<assets::Problem>(opened);
-    content_->obstacle = Diagnostic{Severity::kError, {}, problem.text, problem.hint};
-  }
-}
+CameraScene::CameraScene(const World& world)
+    : content_(new Content{*world.access_, std::make_unique<rendering::Renderer>(rendering::openOsmesa())}) {}
 
 CameraScene::~CameraScene() = default;
-
-std::optional<Diagnostic> CameraScene::obstacle() const { return content_->obstacle; }
 
 void CameraScene::rebuild(Diagnostics& diagnostics) {
   content_->scene.build(content_->access.entities, content_->access.state, diagnostics);
