@@ -52,6 +52,10 @@ class PONGSIM_API CameraScene {
   explicit CameraScene(const World& world);
   ~CameraScene();
 
+  /// Colours in place of those that the world's `<scene>` gives, each of shares of red, green, blue. To be called
+  /// before `rebuild`.
+  void setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient);
+
   /// Takes in visuals and lights, and reads the files of meshes and textures. To be called at first, and where models
   /// have come or gone (`System::worldChanged`).
   /// @param diagnostics Warnings about files that can't be read.

@@ -37,14 +37,14 @@ namespace pongsim {
 /// care of.
 ///
 /// Sensors of several types have `kTypes`, an array, in place of `kType`. `Shared` is what those of a system share:
-/// made of the world and the node with the first of them, given to their constructors as the last argument, its `void
-/// observe(const StepInfo&)` called in each step, its `void rebuild(Diagnostics&)` at first and where models have come
-/// or gone. A sensor with a second topic says by `bool isHeardElsewhere()` whether somebody listens there, and
-/// publishes there by `void publishElsewhere(const Message&)` what it has measured; its `measure` may ask for a second
-/// argument, whether somebody listens to the message itself. One that does not take every reading that is due says by
-/// `bool isReady()` whether it takes this one. Where topics differ from sensor to sensor, the functions `const char*
-/// suffix(const Sensor&)` and `const char* behindTopic(const Sensor&)` of the class stand for `kSuffix`; see
-/// `SensorTopic`.
+/// made of the world, the node and the `<plugin>` element with the first of them, given to their constructors as the
+/// last argument, its `void observe(const StepInfo&)` called in each step, its `void rebuild(Diagnostics&)` at first
+/// and where models have come or gone. A sensor with a second topic says by `bool isHeardElsewhere()` whether somebody
+/// listens there, and publishes there by `void publishElsewhere(const Message&)` what it has measured; its `measure`
+/// may ask for a second argument, whether somebody listens to the message itself. One that does not take every reading
+/// that is due says by `bool isReady()` whether it takes this one. Where topics differ from sensor to sensor, the
+/// functions `const char* suffix(const Sensor&)` and `const char* behindTopic(const Sensor&)` of the class stand for
+/// `kSuffix`; see `SensorTopic`.
 template <class OneSensor>
 class SensorSystem : public System {
  public:
@@ -62,6 +62,7 @@ class SensorSystem : public System {
   void configure(const SystemContext& context) override {
     world_ = &context.world;
     node_ = &context.node;
+    plugin_ = &context.sdf;
     random_ = &context.random;
     log_ = &context.log;
     addSensors(context.diagnostics);
@@ -212,7 +213,7 @@ class SensorSystem : public System {
   void add(const Sensor& sensor, Diagnostics& diagnostics) {
     if constexpr (kIsSharing) {
       if (!shared_) {
-        shared_ = std::make_unique<Shared>(*world_, *node_);
+        shared_ = std::make_unique<Shared>(*world_, *node_, *plugin_);
         shared_->rebuild(diagnostics);
       }
       sensors_.emplace_back(sensor, *world_, *node_, *random_, *shared_);
@@ -223,6 +224,7 @@ class SensorSystem : public System {
 
   World* world_ = nullptr;
   Node* node_ = nullptr;
+  const Element* plugin_ = nullptr;
   Random* random_ = nullptr;
   const Logger* log_ = nullptr;
   // topics stay where they are

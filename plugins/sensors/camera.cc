@@ -7,6 +7,8 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <optional>
+#include <sstream>
 #include <string>
 
 #include "point_cloud.hh"
@@ -50,6 +52,17 @@ Error errorOf(const Sensor& sensor, const std::string& what, const std::string& 
   return Error({Severity::kError, sensor.sdf().position, "camera '" + sensor.scopedName() + "' " + what, hint});
 }
 
+/// @return What an element says of red, green, blue and perhaps opacity; nothing where it says nothing.
+std::optional<Vector3> colorIn(const Element& plugin, const char* name) {
+  const Element* element = plugin.child(name);
+  if (element == nullptr) return std::nullopt;
+  std::istringstream numbers(element->text);
+  Vector3 color;
+  if (numbers >> color.x() >> color.y() >> color.z() && color.minCoeff() >= 0) return color;
+  throw Error({Severity::kError, element->position,
+               "<" + element->name + "> is '" + element->text + "', which is not a colour", "as in 0.7 0.7 0.7 1"});
+}
+
 /// @return The topic of the infos by default: beside the images.
 std::string infoTopic(const std::string& topic, bool isBelow) {
   if (isBelow) return topic + "/camera_info";
@@ -76,6 +89,11 @@ void fillIn(const std::vector<float>& depths, ignition::msgs::Image& image) {
 }
 
 }  // namespace
+
+CameraSurroundings::CameraSurroundings(const World& world, Node& node, const Element& plugin)
+    : Surroundings(world, node, plugin) {
+  scene().setColors(colorIn(plugin, "background_color"), colorIn(plugin, "ambient_light"));
+}
 
 CameraSensor::Kind CameraSensor::kindOf(const Sensor& sensor) {
   if (sensor.type() == "camera") return Kind::kColors;

@@ -18,7 +18,11 @@
 namespace pongsim {
 
 /// What the cameras of a world share.
-using CameraSurroundings = Surroundings<CameraScene>;
+class CameraSurroundings : public Surroundings<CameraScene> {
+ public:
+  /// @param plugin May give colours in place of those of the world's `<scene>`.
+  CameraSurroundings(const World& world, Node& node, const Element& plugin);
+};
 
 /// One camera, of colours, of depths or of both: a sensor of a `SensorSystem`.
 class CameraSensor {

@@ -12,6 +12,9 @@ class Sensors final : public System {
     const std::string sensor = "/world/W/model/M/link/L/sensor/S";
     declaration.is("Publishes what the world's lidars and cameras see.", Declaration::Place::kWorld);
     declaration.element("render_engine", "chooses a renderer in Fortress; here there is none to choose");
+    declaration.element("background_color",
+                        "red, green, blue and opacity, in place of the `<background>` of the scene");
+    declaration.element("ambient_light", "likewise, in place of its `<ambient>`");
     declaration.publishes(sensor + "/scan", "ignition.msgs.LaserScan",
                           "of each lidar; `<topic>` in the `<sensor>` names another, `<update_rate>` says how often");
     declaration.publishes(sensor + "/scan/points", "ignition.msgs.PointCloudPacked",

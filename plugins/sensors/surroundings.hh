@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pongsim/diagnostic.hh"
+#include "pongsim/element.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/node.hh"
 #include "pongsim/system.hh"
@@ -11,7 +12,7 @@ namespace pongsim {
 template <class SeenScene>
 class Surroundings {
  public:
-  Surroundings(const World& world, Node& node) : scene_(world), node_(node) {}
+  Surroundings(const World& world, Node& node, const Element&) : scene_(world), node_(node) {}
 
   void observe(const StepInfo&) { isOfNow_ = false; }
   void rebuild(Diagnostics& diagnostics) {
@@ -19,6 +20,7 @@ class Surroundings {
     isOfNow_ = false;
   }
 
+  SeenScene& scene() { return scene_; }
   Node& node() { return node_; }
   /// @return The scene with everything where it is in this step.
   SeenScene& now() {

@@ -65,9 +65,10 @@ Matrix4d parallelShadow(const Region& region, const Vector3& direction) {
   const double bottom = -region.radius;
   Matrix4d clip = Matrix4d::Identity();
   clip.block<2, 3>(0, 0) = axes.topRows<2>() / region.radius;
-  clip.block<1, 3>(2, 0) = -2 / (top - bottom) * axes.row(2);
+  // depths from 0, next to the lamp, to 1
+  clip.block<1, 3>(2, 0) = -1 / (top - bottom) * axes.row(2);
   clip.block<3, 1>(0, 3) = -clip.topLeftCorner<3, 3>() * region.middle;
-  clip(2, 3) += (top + bottom) / (top - bottom);
+  clip(2, 3) += top / (top - bottom);
   return clip;
 }
 
@@ -80,10 +81,10 @@ Matrix4d spotShadow(const Light& light, const Vector3& place, const Vector3& dir
   const double scale = 1 / std::tan(halfAngle(light));
   Matrix4d clip = Matrix4d::Zero();
   clip.block<2, 3>(0, 0) = axes.topRows<2>() * scale;
-  clip.block<1, 3>(2, 0) = -(far + near) / (far - near) * axes.row(2);
+  clip.block<1, 3>(2, 0) = -far / (far - near) * axes.row(2);
   clip.block<1, 3>(3, 0) = -axes.row(2);
   clip.col(3) = -clip.leftCols<3>() * place;
-  clip(2, 3) -= 2 * far * near / (far - near);
+  clip(2, 3) -= far * near / (far - near);
   return clip;
 }
 

@@ -36,8 +36,8 @@ Paint paintOf(const Material& material) {
 
 }  // namespace
 
-Paint paintOf(const description::Visual& visual, const Paint& fallback) {
-  Paint paint = visual.material ? paintOf(*visual.material) : fallback;
+Paint paintOf(const description::Visual& visual, const std::optional<Material>& ofFile) {
+  Paint paint = visual.material ? paintOf(*visual.material) : ofFile ? paintOf(*ofFile) : Paint();
   paint.opacity *= share(1 - visual.transparency);
   return paint;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "description/link.hh"
 #include "pongsim/types.hh"
@@ -23,7 +24,7 @@ struct Paint {
   std::filesystem::path texture;
 };
 
-/// @return As the visual's material says, else `fallback`.
-Paint paintOf(const description::Visual& visual, const Paint& fallback);
+/// @return As the visual's material says, else that of its file, else grey.
+Paint paintOf(const description::Visual& visual, const std::optional<description::Material>& ofFile);
 
 }  // namespace pongsim::rendering

@@ -10,67 +10,70 @@ namespace pongsim::rendering {
 
 namespace {
 
-using description::TriangleMesh;
 using world::Slot;
 
 /// What a geometry looks like.
 struct Body {
-  /// Null: it is not drawn.
   std::shared_ptr<const Surface> surface = nullptr;
   Pose X_GeometryBody = {};
   Vector3 scale = Vector3::Ones();
   bool isGround = false;
+  /// Of its file; nothing where that gives none.
+  std::optional<description::Material> material = std::nullopt;
 };
+/// One, or as many as its mesh has parts.
+using Bodies = std::vector<Body>;
 
-struct MakeBody {
-  assets::MeshStore& meshes;
+struct MakeBodies {
   std::map<std::string, std::shared_ptr<const Surface>>& shapes;
-  std::map<std::shared_ptr<const TriangleMesh>, std::shared_ptr<const Surface>>& surfaces;
+  MeshLooks& meshes;
   const Scene::Warn& warn;
 
-  Body operator()(const description::Empty&) const { return {}; }
+  Bodies operator()(const description::Empty&) const { return {}; }
   // as in Fortress
-  Body operator()(const description::Image&) const { return {}; }
-  Body operator()(const description::Box& box) const { return {shape("box", boxSurface), {}, box.size}; }
-  Body operator()(const description::Sphere& sphere) const {
-    return {shape("sphere", sphereSurface), {}, Vector3::Constant(sphere.radius)};
+  Bodies operator()(const description::Image&) const { return {}; }
+  Bodies operator()(const description::Box& box) const { return {{shape("box", boxSurface), {}, box.size}}; }
+  Bodies operator()(const description::Sphere& sphere) const {
+    return {{shape("sphere", sphereSurface), {}, Vector3::Constant(sphere.radius)}};
   }
-  Body operator()(const description::Ellipsoid& ellipsoid) const {
-    return {shape("sphere", sphereSurface), {}, ellipsoid.radii};
+  Bodies operator()(const description::Ellipsoid& ellipsoid) const {
+    return {{shape("sphere", sphereSurface), {}, ellipsoid.radii}};
   }
-  Body operator()(const description::Cylinder& cylinder) const {
-    return {shape("cylinder", cylinderSurface), {}, {cylinder.radius, cylinder.radius, cylinder.length}};
+  Bodies operator()(const description::Cylinder& cylinder) const {
+    return {{shape("cylinder", cylinderSurface), {}, {cylinder.radius, cylinder.radius, cylinder.length}}};
   }
-  Body operator()(const description::Capsule& capsule) const {
+  Bodies operator()(const description::Capsule& capsule) const {
     const std::string name = "capsule " + std::to_string(capsule.radius) + " " + std::to_string(capsule.length);
-    return {shape(name, [&capsule] { return capsuleSurface(capsule); })};
+    return {{shape(name, [&capsule] { return capsuleSurface(capsule); })}};
   }
 
   // as large as its picture, as in Fortress
-  Body operator()(const description::Plane& plane) const {
-    return {shape("plane", planeSurface),
-            {Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal)},
-            {std::abs(plane.size.x()), std::abs(plane.size.y()), 1},
-            true};
+  Bodies operator()(const description::Plane& plane) const {
+    return {{shape("plane", planeSurface),
+             {Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal)},
+             {std::abs(plane.size.x()), std::abs(plane.size.y()), 1},
+             true}};
   }
 
-  Body operator()(const description::Polyline& polyline) const {
+  Bodies operator()(const description::Polyline& polyline) const {
     if (polyline.triangles == nullptr) return {};
-    return {surfaceOf(polyline.triangles, false)};
+    return {{std::make_shared<const Surface>(meshSurface(*polyline.triangles, false))}};
   }
 
   // of a file that is not there, here and below, the loader has warned
-  Body operator()(const description::Mesh& mesh) const {
+  Bodies operator()(const description::Mesh& mesh) const {
     if (mesh.file.empty()) return {};
-    const assets::MeshStore::Found found = meshes.find(mesh.file, mesh.submesh, mesh.isCentered);
-    if (const auto* problem = std::get_if<assets::Problem>(&found)) {
-      warn("mesh", mesh.file, *problem);
-      return {};
+    const MeshLookKey key(mesh.file, mesh.submesh, mesh.isCentered);
+    auto known = meshes.find(key);
+    if (known == meshes.end()) known = meshes.emplace(key, read(mesh)).first;
+    Bodies bodies;
+    for (const MeshPartLook& part : known->second) {
+      bodies.push_back({part.surface, {}, mesh.scale, false, part.material});
     }
-    return {surfaceOf(std::get<0>(found), false), {}, mesh.scale};
+    return bodies;
   }
 
-  Body operator()(const description::Heightmap& heightmap) const {
+  Bodies operator()(const description::Heightmap& heightmap) const {
     if (heightmap.file.empty()) return {};
     const auto ground = assets::readGround(heightmap.file, heightmap.size, heightmap.position);
     if (const auto* problem = std::get_if<assets::Problem>(&ground)) {
@@ -78,7 +81,7 @@ struct MakeBody {
       return {};
     }
     if (std::get<0>(ground).triangles.empty()) return {};
-    return {std::make_shared<const Surface>(meshSurface(std::get<0>(ground), true)), {}, Vector3::Ones(), true};
+    return {{std::make_shared<const Surface>(meshSurface(std::get<0>(ground), true)), {}, Vector3::Ones(), true}};
   }
 
  private:
@@ -89,12 +92,25 @@ struct MakeBody {
     return known;
   }
 
-  std::shared_ptr<const Surface> surfaceOf(const std::shared_ptr<const TriangleMesh>& mesh, bool isSmooth) const {
-    std::shared_ptr<const Surface>& known = surfaces[mesh];
-    if (known == nullptr) known = std::make_shared<const Surface>(meshSurface(*mesh, isSmooth));
-    return known;
+  std::vector<MeshPartLook> read(const description::Mesh& mesh) const {
+    auto found = assets::readMeshLook(mesh.file, mesh.submesh, mesh.isCentered);
+    if (const auto* problem = std::get_if<assets::Problem>(&found)) {
+      warn("mesh", mesh.file, *problem);
+      return {};
+    }
+    std::vector<MeshPartLook> parts;
+    for (assets::MeshLook& look : std::get<0>(found)) {
+      parts.push_back({std::make_shared<const Surface>(Surface{std::move(look.corners), std::move(look.triangles)}),
+                       std::move(look.material)});
+    }
+    return parts;
   }
 };
+
+description::Color plainColor(const Vector3& shares) {
+  const Eigen::Vector3f color = shares.cast<float>();
+  return {color.x(), color.y(), color.z(), 1};
+}
 
 bool holds(const world::Entities& entities, Slot outer, Slot model) {
   while (model != outer && model != world::kNoSlot) model = entities.models()[model].parent;
@@ -111,6 +127,11 @@ Eigen::AlignedBox3d Item::boundsInWorld() const {
   return {middle - half, middle + half};
 }
 
+void Scene::setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient) {
+  background_ = background;
+  ambient_ = ambient;
+}
+
 void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
   items_.clear();
   ++version_;
@@ -125,6 +146,8 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
     }
   }
   surroundings_ = entities.description().scene;
+  if (background_) surroundings_.background = plainColor(*background_);
+  if (ambient_) surroundings_.ambient = plainColor(*ambient_);
   update(entities, state);
 }
 
@@ -134,20 +157,20 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
     std::string text = kind + " '" + file.string() + "' " + problem.text + ": cameras will not see it on " + owner;
     if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
   };
-  const Body body = std::visit(MakeBody{meshes_, shapes_, surfaces_, warn}, visual.geometry);
-  if (body.surface == nullptr) return;
-  Item item = prototype;
-  item.surface = body.surface;
-  item.paint = paintOf(visual, Paint());
-  if (item.paint.opacity <= 0) return;
-  item.picture = pictureOf(item.paint.texture, warn);
-  item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
-  item.scale = body.scale;
-  item.bounds = body.surface->bounds();
-  item.visibility = visual.visibilityFlags;
-  item.castsShadows = visual.castsShadows;
-  item.isGround = body.isGround;
-  items_.push_back(std::move(item));
+  for (const Body& body : std::visit(MakeBodies{shapes_, meshes_, warn}, visual.geometry)) {
+    Item item = prototype;
+    item.surface = body.surface;
+    item.paint = paintOf(visual, body.material);
+    if (item.paint.opacity <= 0) continue;
+    item.picture = pictureOf(item.paint.texture, warn);
+    item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
+    item.scale = body.scale;
+    item.bounds = body.surface->bounds();
+    item.visibility = visual.visibilityFlags;
+    item.castsShadows = visual.castsShadows;
+    item.isGround = body.isGround;
+    items_.push_back(std::move(item));
+  }
 }
 
 std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::path& file, const Warn& warn) {

@@ -4,14 +4,16 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "assets/mesh_store.hh"
 #include "assets/picture_file.hh"
 #include "assets/problem.hh"
 #include "description/light.hh"
+#include "description/material.hh"
 #include "description/scene.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/types.hh"
@@ -53,11 +55,23 @@ struct Lamp {
   Pose X_WorldLight;
 };
 
+/// A part of a mesh file.
+struct MeshPartLook {
+  std::shared_ptr<const Surface> surface;
+  std::optional<description::Material> material;
+};
+/// File, submesh, whether that is centred.
+using MeshLookKey = std::tuple<std::filesystem::path, std::string, bool>;
+using MeshLooks = std::map<MeshLookKey, std::vector<MeshPartLook>>;
+
 /// The visuals and lights of a world in their places.
 class Scene {
  public:
   /// What is told of a file that is of no use: "mesh", the file, what is wrong with it.
   using Warn = std::function<void(const std::string&, const std::filesystem::path&, const assets::Problem&)>;
+
+  /// See `CameraScene::setColors`.
+  void setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient);
 
   /// Takes in all visuals, in place of those that it has.
   /// @param diagnostics Warnings about files that can't be read; each is given once in the life of the scene.
@@ -85,11 +99,12 @@ class Scene {
   std::vector<Item> items_;
   std::vector<Lamp> lamps_;
   description::Scene surroundings_;
+  std::optional<Vector3> background_;
+  std::optional<Vector3> ambient_;
   std::uint64_t version_ = 0;
-  assets::MeshStore meshes_;
-  /// Shapes and meshes, by what they show.
+  /// By what they show.
   std::map<std::string, std::shared_ptr<const Surface>> shapes_;
-  std::map<std::shared_ptr<const description::TriangleMesh>, std::shared_ptr<const Surface>> surfaces_;
+  MeshLooks meshes_;
   /// By their files; null where one can't be read.
   std::map<std::filesystem::path, std::shared_ptr<const assets::Picture>> pictures_;
   /// Warnings that were given.

@@ -78,7 +78,8 @@ out vec4 color;
 float litShare(int shadow, vec3 point, vec3 normal, float pixel) {
   // a step off the surface, so that it does not shade itself
   vec4 there = shadowFromPlace[shadow] * vec4(point + normal * pixel * 3.0, 1);
-  vec3 at = there.xyz / there.w * 0.5 + 0.5;
+  vec3 at = there.xyz / there.w;
+  at.xy = at.xy * 0.5 + 0.5;
   if (any(lessThan(at.xy, vec2(0))) || any(greaterThan(at.xy, vec2(1)))) return 1.0;
   at.z = clamp(at.z, 0.0, 1.0);
   float size = 1.0 / float(textureSize(shadows, 0).x), sum = 0.0;

@@ -3,20 +3,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "assets/mesh_look.hh"
 #include "description/geometry.hh"
 #include "description/triangle_mesh.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::rendering {
 
-/// A corner of a surface.
-struct Vertex {
-  Eigen::Vector3f position;
-  /// Of length one, outwards.
-  Eigen::Vector3f normal;
-  /// In its texture: from the left and from the top, 1 being its size.
-  Eigen::Vector2f coordinates{0, 0};
-};
+/// A corner of a surface: place, normal (outwards), place in its texture.
+using Vertex = assets::MeshLook::Corner;
 
 /// Triangles as they are drawn, seen from where their corners go round counter-clockwise.
 struct Surface {

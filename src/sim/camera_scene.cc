@@ -23,6 +23,10 @@ CameraScene::CameraScene(const World& world)
 
 CameraScene::~CameraScene() = default;
 
+void CameraScene::setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient) {
+  content_->scene.setColors(background, ambient);
+}
+
 void CameraScene::rebuild(Diagnostics& diagnostics) {
   content_->scene.build(content_->access.entities, content_->access.state, diagnostics);
 }

@@ -193,7 +193,9 @@ std::unique_ptr<DrawnWorld> litWorld(description::LightType type, bool castsShad
   auto& ground = *world->add(description::Plane{Vector3::UnitZ(), {20, 20}}, {0, 0, 0}, {}).material;
   ground.isLit = true;
   ground.diffuse = {1, 1, 1, 1};
-  world->add(description::Box{{1, 1, 0.1}}, {0, 0, 1}, {});
+  auto& plate = *world->add(description::Box{{1, 1, 0.1}}, {0, 0, 1}, {}).material;
+  plate.isLit = true;
+  plate.diffuse = {1, 1, 1, 1};
   world->description().scene.ambient = {0, 0, 0, 1};
   description::Light& light = world->description().lights.emplace_back();
   light.name = "lamp";
@@ -217,6 +219,9 @@ TEST_F(Pictures, ShowShadowsOfParallelLightAndSpots) {
       const int below = world->colors(eye)[3 * (20 * 41 + 20)];
       eye.X_WorldEye.position.y() = 1.3;
       const int beside = world->colors(eye)[3 * (20 * 41 + 20)];
+      // on top of the plate, which does not shade itself
+      eye.X_WorldEye = {{-2, 0, 2.5}, fromRollPitchYaw(0, std::atan2(1.45, 2), 0)};
+      EXPECT_GT(world->colors(eye)[3 * (20 * 41 + 20)], 150);
       EXPECT_GT(beside, 150);
       if (castsShadows) {
         EXPECT_LT(below, 60);
