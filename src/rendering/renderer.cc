@@ -27,7 +27,7 @@ using Eigen::Matrix4f;
 
 constexpr int kSamples = 4;
 // shadows of small pictures need not be fine
-constexpr std::uint64_t kLargePicture = 500'000;
+constexpr std::uint64_t kLargePicture = 200'000;
 
 Matrix4d placeFromSurface(const Item& item, const Vector3& eye) {
   const Pose X_WorldSurface = item.X_WorldSurface();
