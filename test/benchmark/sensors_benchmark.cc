@@ -189,7 +189,7 @@ void printResults(const Medians& medians) {
   }
   if (const double filmed = medians.of("court/filmed"); filmed > 0) {
     const double factor = kStepsAScan * 1e3 / filmed;
-    std::printf("320 x 240 pixels at 30 Hz: %.1f times real time%s\n", factor,
+    std::printf("320 x 240 pixels at 30 Hz: %.1f times real time, if one core drew alone%s\n", factor,
                 factor < kLeastFilmFactor ? "  TOO LITTLE" : "");
   }
   const double without = medians.of("court/no_sensors"), with = medians.of("court/ten_sensors");
@@ -214,7 +214,10 @@ int run(int argc, char** argv) {
   const std::string boxes = movingBoxes();
   add("moving_boxes/unheard", fly, boxes, std::string());
   add("moving_boxes/heard", fly, boxes, std::string("/lidar"));
-  add("court/filmed", film, filmedCourt());
+  // other threads draw, too: all of the process's time counts
+  ::benchmark::RegisterBenchmark("court/filmed", film, filmedCourt())
+      ->Unit(::benchmark::kMicrosecond)
+      ->MeasureProcessCPUTime();
   add("court/physics", step, court(0, true), std::string());
   add("court/no_sensors", step, court(0, false), std::string());
   add("court/ten_sensors", step, court(10, false), std::string());
