@@ -21,6 +21,7 @@ class SystemSet;
 }  // namespace sim
 
 class BeamScene;
+class CameraScene;
 class Collision;
 class Link;
 class Scene;
@@ -302,6 +303,7 @@ class PONGSIM_API World {
 
  private:
   friend class BeamScene;
+  friend class CameraScene;
   friend class Scene;
   sim::Access* access_;
 };

@@ -70,8 +70,10 @@ class PONGSIM_API SensorTopic {
  public:
   /// @param suffix See `Sensor::topic`.
   /// @param type Of the messages.
+  /// @param behind Behind the topic is where they are published, as "/image".
   /// @throws Error naming the sensor's place where its topic can't be one.
-  SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node);
+  SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node,
+              std::string_view behind = {});
   // services hold on to it
   SensorTopic(const SensorTopic&) = delete;
   SensorTopic& operator=(const SensorTopic&) = delete;

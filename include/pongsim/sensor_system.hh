@@ -37,10 +37,14 @@ namespace pongsim {
 /// care of.
 ///
 /// Sensors of several types have `kTypes`, an array, in place of `kType`. `Shared` is what those of a system share:
-/// made of the world and the node with the first of them, given to their constructors as the last argument, its `void
-/// observe(const StepInfo&)` called in each step, its `void rebuild(Diagnostics&)` at first and where models have come
-/// or gone. A sensor with a second topic says by `bool isHeardElsewhere()` whether somebody listens there, and
-/// publishes there by `void publishElsewhere(const Message&)` what it has measured.
+/// made of the world, the node and the `<plugin>` element with the first of them, given to their constructors as the
+/// last argument, its `void observe(const StepInfo&)` called in each step, its `void rebuild(Diagnostics&)` at first
+/// and where models have come or gone. A sensor with a second topic says by `bool isHeardElsewhere()` whether somebody
+/// listens there, and publishes there by `void publishElsewhere(const Message&)` what it has measured; its `measure`
+/// may ask for a second argument, whether somebody listens to the message itself. One that does not take every reading
+/// that is due says by `bool isReady()` whether it takes this one. Where topics differ from sensor to sensor, the
+/// functions `const char* suffix(const Sensor&)` and `const char* behindTopic(const Sensor&)` of the class stand for
+/// `kSuffix`; see `SensorTopic`.
 template <class OneSensor>
 class SensorSystem : public System {
  public:
@@ -58,6 +62,7 @@ class SensorSystem : public System {
   void configure(const SystemContext& context) override {
     world_ = &context.world;
     node_ = &context.node;
+    plugin_ = &context.sdf;
     random_ = &context.random;
     log_ = &context.log;
     addSensors(context.diagnostics);
@@ -115,11 +120,26 @@ class SensorSystem : public System {
   /// Nothing, for sensors that share nothing.
   using Shared = typename SharedBy<OneSensor>::Type;
 
+  static const char* suffixOf(const Sensor& sensor) {
+    if constexpr (requires { OneSensor::suffix(sensor); }) {
+      return OneSensor::suffix(sensor);
+    } else {
+      return OneSensor::kSuffix;
+    }
+  }
+  static const char* behindTopicOf(const Sensor& sensor) {
+    if constexpr (requires { OneSensor::behindTopic(sensor); }) {
+      return OneSensor::behindTopic(sensor);
+    } else {
+      return "";
+    }
+  }
+
   struct Entry {
     template <class... More>
     Entry(const Sensor& of, const World& world, Node& node, Random& random, More&... more)
         : handle(of),
-          topic(of, OneSensor::kSuffix, OneSensor::Message::descriptor()->full_name(), node),
+          topic(of, suffixOf(of), OneSensor::Message::descriptor()->full_name(), node, behindTopicOf(of)),
           noises(random.split(of.scopedName())),
           sensor(of, world, noises, message, more...) {
       setHeaderValue("frame_id", topic.frameName(), *message.mutable_header());
@@ -129,10 +149,17 @@ class SensorSystem : public System {
       if constexpr (requires { sensor.observe(info); }) sensor.observe(info);
       if (!topic.isDue(info)) return;
       noises.begin(info.time, topic.sinceLast());
+      if constexpr (requires { sensor.isReady(); }) {
+        if (!sensor.isReady()) return;
+      }
       if (!isHeard()) return;
       setStamp(info.time, *message.mutable_header());
       setHeaderValue("seq", std::to_string(topic.sequence()), *message.mutable_header());
-      sensor.measure(message);
+      if constexpr (requires { sensor.measure(message, true); }) {
+        sensor.measure(message, topic.hasSubscribers());
+      } else {
+        sensor.measure(message);
+      }
       topic.publish(message);
       if constexpr (requires { sensor.publishElsewhere(message); }) sensor.publishElsewhere(message);
     }
@@ -186,7 +213,7 @@ class SensorSystem : public System {
   void add(const Sensor& sensor, Diagnostics& diagnostics) {
     if constexpr (kIsSharing) {
       if (!shared_) {
-        shared_ = std::make_unique<Shared>(*world_, *node_);
+        shared_ = std::make_unique<Shared>(*world_, *node_, *plugin_);
         shared_->rebuild(diagnostics);
       }
       sensors_.emplace_back(sensor, *world_, *node_, *random_, *shared_);
@@ -197,6 +224,7 @@ class SensorSystem : public System {
 
   World* world_ = nullptr;
   Node* node_ = nullptr;
+  const Element* plugin_ = nullptr;
   Random* random_ = nullptr;
   const Logger* log_ = nullptr;
   // topics stay where they are

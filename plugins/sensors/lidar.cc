@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "point_cloud.hh"
 #include "pongsim/fields.hh"
 
 namespace pongsim {
@@ -19,18 +20,13 @@ using ignition::msgs::PointCloudPacked;
 // of a scan of which a message has 16 MB
 constexpr std::uint32_t kMostBeams = 1'000'000;
 
-/// Where the values of a point lie in it, as in Fortress.
-struct PointField {
-  const char* name;
-  std::uint32_t offset;
-  PointCloudPacked::Field::DataType type;
-};
+constexpr std::uint32_t kIntensityOffset = 16, kRingOffset = 24;
+/// As in Fortress.
 constexpr PointField kPointFields[] = {{"x", 0, PointCloudPacked::Field::FLOAT32},
                                        {"y", 4, PointCloudPacked::Field::FLOAT32},
                                        {"z", 8, PointCloudPacked::Field::FLOAT32},
-                                       {"intensity", 16, PointCloudPacked::Field::FLOAT32},
-                                       {"ring", 24, PointCloudPacked::Field::UINT16}};
-constexpr std::uint32_t kIntensityOffset = 16, kRingOffset = 24, kPointSize = 32;
+                                       {"intensity", kIntensityOffset, PointCloudPacked::Field::FLOAT32},
+                                       {"ring", kRingOffset, PointCloudPacked::Field::UINT16}};
 
 /// @return The number of beams of a row or a column; one more than there may be, if there are too many.
 std::uint32_t beamCount(const LidarSettings::Scan& scan) {
@@ -69,21 +65,6 @@ void fillInFixed(const LidarSettings& settings, std::uint32_t columns, std::uint
   scan.mutable_intensities()->Resize(static_cast<int>(columns * rows), 0);
 }
 
-void fillInFixed(std::uint32_t columns, std::uint32_t rows, PointCloudPacked& cloud) {
-  for (const PointField& each : kPointFields) {
-    PointCloudPacked::Field& field = *cloud.add_field();
-    field.set_name(each.name);
-    field.set_offset(each.offset);
-    field.set_datatype(each.type);
-    field.set_count(1);
-  }
-  cloud.set_width(columns);
-  cloud.set_height(rows);
-  cloud.set_point_step(kPointSize);
-  cloud.set_row_step(kPointSize * columns);
-  cloud.mutable_data()->resize(std::size_t{kPointSize} * columns * rows);
-}
-
 }  // namespace
 
 LidarSensor::LidarSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message,
@@ -96,7 +77,7 @@ LidarSensor::LidarSensor(const Sensor& sensor, const World&, NoiseSet& noises, M
   const auto [columns, rows] = checkedCounts(sensor, settings_);
   message.set_frame(sensor.frameName());
   fillInFixed(settings_, columns, rows, message);
-  fillInFixed(columns, rows, cloud_);
+  beginCloud(kPointFields, columns, rows, cloud_);
   echoes_.resize(std::size_t{columns} * rows);
   directions_.reserve(echoes_.size());
   const double stepX = angleStep(settings_.horizontal, columns), stepZ = angleStep(settings_.vertical, rows);

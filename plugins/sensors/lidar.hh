@@ -6,34 +6,15 @@
 #include <vector>
 
 #include "pongsim/beam_scene.hh"
-#include "pongsim/diagnostic.hh"
+#include "pongsim/node.hh"
 #include "pongsim/noise_set.hh"
 #include "pongsim/sensor.hh"
-#include "pongsim/system.hh"
+#include "surroundings.hh"
 
 namespace pongsim {
 
-/// What the lidars of a world share: what there is to be seen, and where to speak of it.
-class LidarSurroundings {
- public:
-  LidarSurroundings(const World& world, Node& node) : scene_(world), node_(node) {}
-
-  void observe(const StepInfo&) { isOfNow_ = false; }
-  void rebuild(Diagnostics& diagnostics) { scene_.rebuild(diagnostics); }
-
-  Node& node() { return node_; }
-  /// @return The scene with everything where it is in this step.
-  BeamScene& now() {
-    if (!isOfNow_) scene_.update();
-    isOfNow_ = true;
-    return scene_;
-  }
-
- private:
-  BeamScene scene_;
-  Node& node_;
-  bool isOfNow_ = false;
-};
+/// What the lidars of a world share.
+using LidarSurroundings = Surroundings<BeamScene>;
 
 /// One lidar: a sensor of a `SensorSystem`.
 class LidarSensor {

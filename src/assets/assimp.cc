@@ -15,6 +15,9 @@ Assimp openAssimp() {
   library.bind(functions.importFileExWithProperties, "aiImportFileExWithProperties");
   library.bind(functions.releaseImport, "aiReleaseImport");
   library.bind(functions.getErrorString, "aiGetErrorString");
+  library.bind(functions.getMaterialColor, "aiGetMaterialColor");
+  library.bind(functions.getMaterialString, "aiGetMaterialString");
+  library.bind(functions.getMaterialTexture, "aiGetMaterialTexture");
   return functions;
 }
 

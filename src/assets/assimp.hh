@@ -1,6 +1,7 @@
 #pragma once
 
 #include <assimp/cimport.h>
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 namespace pongsim::assets {
@@ -14,6 +15,9 @@ struct Assimp {
   decltype(&aiImportFileExWithProperties) importFileExWithProperties;
   decltype(&aiReleaseImport) releaseImport;
   decltype(&aiGetErrorString) getErrorString;
+  decltype(&aiGetMaterialColor) getMaterialColor;
+  decltype(&aiGetMaterialString) getMaterialString;
+  decltype(&aiGetMaterialTexture) getMaterialTexture;
 };
 
 /// @throws std::runtime_error where its library can't be opened, saying what to install.

@@ -1,27 +1,15 @@
 #include "assets/mesh_file.hh"
 
-#include <assimp/config.h>
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <exception>
-#include <memory>
-#include <mutex>
-#include <string_view>
-#include <system_error>
 
-#include "assets/assimp.hh"
+#include "assets/mesh_import.hh"
 
 namespace pongsim::assets {
 
 namespace {
-
-constexpr std::array<std::string_view, 5> kEndings{".dae", ".stl", ".obj", ".glb", ".gltf"};
-constexpr int kDeepestNode = 500;
 
 /// Triangles and nothing else: no normals, colours, materials, animations.
 constexpr unsigned kSteps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
@@ -29,40 +17,6 @@ constexpr unsigned kSteps = aiProcess_RemoveComponent | aiProcess_Triangulate | 
 constexpr int kDropped = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
                          aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
                          aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS;
-
-std::string lowerCaseEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  return ending;
-}
-
-struct ReleaseProperties {
-  void operator()(aiPropertyStore* store) const { assimp().releasePropertyStore(store); }
-};
-struct ReleaseImport {
-  void operator()(const aiScene* scene) const { assimp().releaseImport(scene); }
-};
-using ScenePointer = std::unique_ptr<const aiScene, ReleaseImport>;
-
-std::unique_ptr<aiPropertyStore, ReleaseProperties> importSettings() {
-  std::unique_ptr<aiPropertyStore, ReleaseProperties> settings(assimp().createPropertyStore());
-  const auto set = [&](const char* name, int value) { assimp().setImportPropertyInteger(settings.get(), name, value); };
-  set(AI_CONFIG_PP_RVC_FLAGS, kDropped);
-  set(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  set(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
-  set(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
-  return settings;
-}
-
-std::variant<ScenePointer, Problem> import(const std::filesystem::path& file) {
-  // what went wrong Assimp keeps for the whole process
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  const auto settings = importSettings();
-  ScenePointer scene(assimp().importFileExWithProperties(file.c_str(), kSteps, nullptr, settings.get()));
-  if (!scene) return Problem{"can't be read as a mesh", assimp().getErrorString()};
-  return scene;
-}
 
 /// Copies the meshes of a scene, as its nodes place them.
 class SceneCopier {
@@ -123,23 +77,9 @@ std::variant<std::vector<MeshPart>, Problem> partsOf(const aiScene& scene) {
 }  // namespace
 
 std::variant<std::vector<MeshPart>, Problem> readMeshFile(const std::filesystem::path& file) {
-  const std::string ending = lowerCaseEnding(file);
-  if (std::ranges::find(kEndings, ending) == kEndings.end()) {
-    return Problem{"is of a kind that is not read", "meshes in .dae, .stl, .obj, .glb and .gltf are"};
-  }
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return Problem{"can't be read: " + error.message(), {}};
-  if (size > kLargestMeshFile) {
-    return Problem{"is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MiB, which is the limit", {}};
-  }
-  try {
-    const auto imported = import(file);
-    if (const auto* problem = std::get_if<Problem>(&imported)) return *problem;
-    return partsOf(*std::get<ScenePointer>(imported));
-  } catch (const std::exception& problem) {
-    return Problem{"can't be read as a mesh", problem.what()};
-  }
+  const auto imported = importMesh(file, kDropped, kSteps);
+  if (const auto* problem = std::get_if<Problem>(&imported)) return *problem;
+  return partsOf(*std::get<ImportedScene>(imported));
 }
 
 }  // namespace pongsim::assets

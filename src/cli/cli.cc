@@ -7,9 +7,9 @@ namespace pongsim::cli {
 
 namespace {
 
-constexpr AddCommand kCommands[] = {addRunCommand,    addTopicCommand,     addServiceCommand, addModelCommand,
-                                    addWorldCommand,  addKeyCommand,       addMsgCommand,     addSdfCommand,
-                                    addPluginCommand, addCompletionCommand};
+constexpr AddCommand kCommands[] = {addRunCommand,   addTopicCommand,  addServiceCommand,   addModelCommand,
+                                    addWorldCommand, addKeyCommand,    addViewCommand,      addMsgCommand,
+                                    addSdfCommand,   addPluginCommand, addCompletionCommand};
 
 }  // namespace
 

@@ -24,5 +24,6 @@ void addWorldCommand(CLI::App& program, Work& work);
 void addKeyCommand(CLI::App& program, Work& work);
 void addPluginCommand(CLI::App& program, Work& work);
 void addMsgCommand(CLI::App& program, Work& work);
+void addViewCommand(CLI::App& program, Work& work);
 
 }  // namespace pongsim::cli

@@ -208,7 +208,8 @@ void addTopicCommand(CLI::App& program, Work& work) {
           "list an array with types and counts, info an object");
   addFlag("--csv", given->csv, "Echo as a table for spreadsheets: the fields asked for, or all single values");
   addFlag("--plot", given->plot,
-          "Echo the scans of a lidar as drawings, seen from above; on a terminal each in place of the one before");
+          "Echo the scans of a lidar as drawings, seen from above, and images as blocks of colour;\n"
+          "on a terminal each in place of the one before");
   add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without the message",
       given->timeout);
   addNetworkOption(*command);

@@ -1,45 +1,47 @@
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "cli/console.hh"
+#include "cli/picture_plot.hh"
 #include "cli/scan_plot.hh"
+#include "cli/terminal_size.hh"
 #include "cli/topic_command.hh"
+#include "msgs/image_message.hh"
 #include "msgs/scan_message.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
-struct Size {
-  int columns;
-  int rows;
-};
-
-/// @return What a drawing may take of the terminal on stdout; elsewhere as much as one of 80 by 25 leaves.
-Size plotSize() {
-  winsize window{};
-  Size size{80, 25};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 0 && window.ws_row > 0) {
-    size = {window.ws_col, window.ws_row};
-  }
+/// @return A scan as a drawing, as large as the terminal lets it be.
+std::string drawnScan(const Message& message) {
+  const TerminalSize size = terminalSize();
   // a letter is twice as high as it is wide; below stand the line of numbers and the cursor
   const int rows = std::max(1, std::min(size.rows - 2, size.columns / 2));
-  return {2 * rows, rows};
+  return scanPlot(msgs::levelRowOf(message), 2 * rows, rows);
+}
+
+std::string drawnImage(const Message& message) {
+  const std::optional<msgs::ImagePixels> image = msgs::pixelsOf(message);
+  if (!image) return "an image that is empty or of a format that is not drawn\n";
+  const TerminalSize size = terminalSize();
+  return picturePlot(image->pixels, image->width, image->height, size.columns, std::max(1, size.rows - 1));
 }
 
 class PlotTask final : public TopicTask {
  public:
   std::optional<int> begin(const std::string& type) override {
-    if (type == "ignition.msgs.LaserScan") return std::nullopt;
-    return fail("--plot draws ignition.msgs.LaserScan, not " + type);
+    if (type == "ignition.msgs.LaserScan") draw_ = drawnScan;
+    if (type == "ignition.msgs.Image") draw_ = drawnImage;
+    if (draw_ != nullptr) return std::nullopt;
+    return fail("--plot draws ignition.msgs.LaserScan and ignition.msgs.Image, not " + type);
   }
 
   std::optional<int> take(const Message& message) override {
-    const Size size = plotSize();
-    const std::string plot = scanPlot(msgs::levelRowOf(message), size.columns, size.rows);
+    const std::string plot = draw_(message);
     // on a terminal each takes the place of the one before
     const std::string text = isatty(STDOUT_FILENO) != 0 ? "\033[H\033[J" + plot : plot + '\n';
     if (print(text)) return std::nullopt;
@@ -47,6 +49,9 @@ class PlotTask final : public TopicTask {
   }
 
   int end(bool) override { return kDone; }
+
+ private:
+  std::string (*draw_)(const Message&) = nullptr;
 };
 
 }  // namespace

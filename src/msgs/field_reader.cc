@@ -39,6 +39,10 @@ std::vector<double> FieldReader::numbers(const char* field) const {
   return {all.begin(), all.end()};
 }
 
+std::string FieldReader::bytes(const char* field) const {
+  return message_->GetReflection()->GetString(*message_, find(field));
+}
+
 FieldReader FieldReader::inside(const char* field) const {
   return FieldReader(message_->GetReflection()->GetMessage(*message_, find(field)));
 }

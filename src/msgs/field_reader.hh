@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "pongsim/message.hh"
@@ -20,10 +21,12 @@ class FieldReader {
 
   /// @return Of a field of type double or float.
   double number(const char* field) const;
-  /// @return Of a field of whole numbers of up to 32 bits, or of int64.
+  /// @return Of a field of whole numbers of up to 32 bits, of int64 or of an enumeration.
   std::int64_t whole(const char* field) const;
   /// @return Of a repeated field of type double.
   std::vector<double> numbers(const char* field) const;
+  /// @return Of a field of bytes.
+  std::string bytes(const char* field) const;
   /// @return Of a message within it; of an empty one where that is not set.
   FieldReader inside(const char* field) const;
 

@@ -17,11 +17,12 @@ Time messagePeriod(double rate) {
 
 }  // namespace
 
-SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node)
+SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node,
+                         std::string_view behind)
     : frameName_(sensor.frameName()), largestRate_(sensor.updateRate()), period_(messagePeriod(sensor.updateRate())) {
   const std::string topic = cleanTopic(sensor.topic(suffix));
   try {
-    publisher_ = node.advertise(topic, type);
+    publisher_ = node.advertise(topic + std::string(behind), type);
     rateService_ = node.serve(topic + "/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
                               [this](const Message& request, Message&) {
                                 setRate(msgs::number(request));

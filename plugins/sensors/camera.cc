@@ -1,0 +1,297 @@
+#include "camera.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "point_cloud.hh"
+#include "pongsim/fields.hh"
+#include "pongsim/log.hh"
+
+namespace pongsim {
+
+namespace {
+
+using ignition::msgs::PointCloudPacked;
+
+// of a picture of which a message has 48 MB
+constexpr std::uint64_t kMostPixels = 16'000'000;
+// nearer than that nothing is drawn, whatever <near> says [m]
+constexpr double kNearestClip = 1e-3;
+constexpr std::uint32_t kColorOffset = 16;
+/// As in Fortress.
+constexpr PointField kCameraPointFields[] = {{"x", 0, PointCloudPacked::Field::FLOAT32},
+                                             {"y", 4, PointCloudPacked::Field::FLOAT32},
+                                             {"z", 8, PointCloudPacked::Field::FLOAT32},
+                                             {"rgb", kColorOffset, PointCloudPacked::Field::FLOAT32}};
+
+/// How Fortress's messages name the formats that cameras of colours have, and their bytes a pixel.
+struct ImageFormat {
+  PixelFormat format;
+  ignition::msgs::PixelFormatType type;
+  std::uint32_t bytes;
+};
+constexpr ImageFormat kImageFormats[] = {{PixelFormat::kR8G8B8, ignition::msgs::RGB_INT8, 3},
+                                         {PixelFormat::kB8G8R8, ignition::msgs::BGR_INT8, 3},
+                                         {PixelFormat::kL8, ignition::msgs::L_INT8, 1},
+                                         {PixelFormat::kL16, ignition::msgs::L_INT16, 2}};
+
+const ImageFormat* imageFormat(PixelFormat format) {
+  const auto* found = std::ranges::find(kImageFormats, format, &ImageFormat::format);
+  return found == std::end(kImageFormats) ? nullptr : found;
+}
+
+Error errorOf(const Sensor& sensor, const std::string& what, const std::string& hint) {
+  return Error({Severity::kError, sensor.sdf().position, "camera '" + sensor.scopedName() + "' " + what, hint});
+}
+
+/// @return What an element says of red, green, blue and perhaps opacity; nothing where it says nothing.
+std::optional<Vector3> colorIn(const Element& plugin, const char* name) {
+  const Element* element = plugin.child(name);
+  if (element == nullptr) return std::nullopt;
+  std::istringstream numbers(element->text);
+  Vector3 color;
+  if (numbers >> color.x() >> color.y() >> color.z() && color.minCoeff() >= 0) return color;
+  throw Error({Severity::kError, element->position,
+               "<" + element->name + "> is '" + element->text + "', which is not a colour", "as in 0.7 0.7 0.7 1"});
+}
+
+/// @return The topic of the infos by default: beside the images.
+std::string infoTopic(const std::string& topic, bool isBelow) {
+  if (isBelow) return topic + "/camera_info";
+  const std::size_t slash = topic.rfind('/');
+  return (slash == std::string::npos ? "" : topic.substr(0, slash)) + "/camera_info";
+}
+
+/// Brightness of a colour (ITU-R BT.601), in units of which 255 or 65,535 are the most.
+double brightness(const std::uint8_t* color, double most) {
+  return (0.299 * color[0] + 0.587 * color[1] + 0.114 * color[2]) * most / 255;
+}
+
+void begin(std::uint32_t width, std::uint32_t height, ignition::msgs::PixelFormatType type, std::uint32_t bytes,
+           ignition::msgs::Image& image) {
+  image.set_width(width);
+  image.set_height(height);
+  image.set_step(width * bytes);
+  image.set_pixel_format_type(type);
+  image.mutable_data()->resize(std::size_t{width} * height * bytes);
+}
+
+void fillIn(const std::vector<float>& depths, ignition::msgs::Image& image) {
+  std::memcpy(image.mutable_data()->data(), depths.data(), depths.size() * sizeof(float));
+}
+
+}  // namespace
+
+CameraSurroundings::CameraSurroundings(const World& world, Node& node, const Element& plugin)
+    : Surroundings(world, node, plugin) {
+  scene().setColors(colorIn(plugin, "background_color"), colorIn(plugin, "ambient_light"));
+}
+
+CameraSensor::Kind CameraSensor::kindOf(const Sensor& sensor) {
+  if (sensor.type() == "camera") return Kind::kColors;
+  return sensor.type().starts_with("depth") ? Kind::kDepths : Kind::kBoth;
+}
+
+const char* CameraSensor::suffix(const Sensor& sensor) {
+  if (kindOf(sensor) == Kind::kDepths) return "/depth_image";
+  return kindOf(sensor) == Kind::kBoth ? "" : kSuffix;
+}
+
+const char* CameraSensor::behindTopic(const Sensor& sensor) { return kindOf(sensor) == Kind::kBoth ? "/image" : ""; }
+
+CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message,
+                           CameraSurroundings& shared)
+    : sensor_(sensor),
+      settings_(*sensor.settings<CameraSettings>()),
+      kind_(kindOf(sensor)),
+      surroundings_(shared),
+      noise_(noises.add(settings_.noise, "image")) {
+  if (std::uint64_t{settings_.width} * settings_.height > kMostPixels) {
+    throw errorOf(sensor, "has more than " + std::to_string(kMostPixels) + " pixels", {});
+  }
+  if (kind_ != Kind::kDepths && imageFormat(settings_.format) == nullptr) {
+    throw errorOf(sensor, "has a <format> that is not drawn", "R8G8B8, B8G8R8, L8 and L16 are");
+  }
+  if (!settings_.lens.has_value() && settings_.horizontalFov >= 3.1) {
+    throw errorOf(sensor, "has a field of view that no pinhole has", "it must be less than pi");
+  }
+  if (settings_.savesPictures && settings_.savePath.empty()) {
+    throw errorOf(sensor, "saves pictures and does not say where", "<path> in its <save> names a folder");
+  }
+  settings_.clip.near = std::max(settings_.clip.near, kNearestClip);
+  view_ = depthView_ = viewOf(settings_);
+  if (settings_.depthClip) {
+    depthView_.near = std::max(settings_.depthClip->near, kNearestClip);
+    depthView_.far = settings_.depthClip->far;
+  }
+  if (settings_.distortion && kind_ == Kind::kColors) distortion_.emplace(*settings_.distortion, view_);
+
+  Node& node = shared.node();
+  const std::string topic = cleanTopic(sensor.topic(suffix(sensor)));
+  infos_ = node.advertise<ignition::msgs::CameraInfo>(
+      settings_.infoTopic.empty() ? infoTopic(topic, kind_ == Kind::kBoth) : cleanTopic(settings_.infoTopic));
+  if (kind_ == Kind::kBoth) depthImages_ = node.advertise<ignition::msgs::Image>(topic + "/depth_image");
+  if (kind_ != Kind::kColors) points_ = node.advertise<PointCloudPacked>(topic + "/points");
+  if (settings_.isTriggered) listenToTrigger(node);
+  beginMessages(message);
+}
+
+void CameraSensor::beginMessages(Message& message) {
+  const std::uint32_t width = settings_.width, height = settings_.height;
+  if (kind_ == Kind::kDepths) {
+    begin(width, height, ignition::msgs::R_FLOAT32, sizeof(float), message);
+  } else {
+    const ImageFormat& format = *imageFormat(settings_.format);
+    begin(width, height, format.type, format.bytes, message);
+  }
+  pongsim::fillIn(settings_, view_, info_);
+  if (kind_ == Kind::kColors) return;
+  if (kind_ == Kind::kBoth) begin(width, height, ignition::msgs::R_FLOAT32, sizeof(float), depthImage_);
+  beginCloud(kCameraPointFields, width, height, cloud_);
+}
+
+void CameraSensor::listenToTrigger(Node& node) {
+  if (settings_.triggerTopic.empty()) {
+    throw errorOf(sensor_, "waits for a message and does not say on which topic", "<trigger_topic> names it");
+  }
+  trigger_ = node.subscribe(cleanTopic(settings_.triggerTopic), "ignition.msgs.Boolean",
+                            [this](const pongsim::Message&) { isTriggered_ = true; });
+}
+
+bool CameraSensor::isReady() {
+  if (!settings_.isTriggered) return true;
+  const bool was = isTriggered_;
+  isTriggered_ = false;
+  return was;
+}
+
+bool CameraSensor::isHeardElsewhere() const {
+  return infos_.hasSubscribers() || isDepthHeard() || arePointsHeard() || settings_.savesPictures;
+}
+
+void CameraSensor::drawColors() {
+  colors_.resize(std::size_t{3} * settings_.width * settings_.height);
+  if (distortion_) {
+    PictureView source = distortion_->source();
+    source.X_WorldEye = view_.X_WorldEye;
+    drawn_.resize(std::size_t{3} * source.width * source.height);
+    surroundings_.now().drawColors(source, drawn_);
+    distortion_->apply(drawn_, colors_);
+  } else {
+    surroundings_.now().drawColors(view_, colors_);
+  }
+  if (settings_.noise.type == NoiseSettings::Type::kNone) return;
+  for (std::uint8_t& value : colors_) {
+    const double share = std::clamp(noise_.apply(value / 255.0), 0.0, 1.0);
+    value = static_cast<std::uint8_t>(std::lround(share * 255));
+  }
+}
+
+void CameraSensor::measure(Message& message, bool isHeard) {
+  view_.X_WorldEye = depthView_.X_WorldEye = sensor_.pose() * settings_.X_SensorCamera;
+  const bool ofDepths = kind_ == Kind::kDepths;
+  if ((isHeard && !ofDepths) || arePointsHeard() || settings_.savesPictures) drawColors();
+  if ((isHeard && ofDepths) || isDepthHeard() || arePointsHeard()) {
+    depths_.resize(std::size_t{settings_.width} * settings_.height);
+    surroundings_.now().drawDepths(depthView_, depths_);
+  }
+  if (!isHeard) return;
+  if (ofDepths) {
+    fillIn(depths_, message);
+  } else {
+    fillInColors(message);
+  }
+}
+
+void CameraSensor::fillInColors(Message& message) const {
+  auto* to = reinterpret_cast<std::uint8_t*>(message.mutable_data()->data());
+  if (settings_.format == PixelFormat::kR8G8B8) {
+    std::ranges::copy(colors_, to);
+    return;
+  }
+  for (std::size_t i = 0; i < colors_.size(); i += 3) {
+    const std::uint8_t* color = &colors_[i];
+    if (settings_.format == PixelFormat::kB8G8R8) {
+      for (const int channel : {2, 1, 0}) *to++ = color[channel];
+    } else if (settings_.format == PixelFormat::kL8) {
+      *to++ = static_cast<std::uint8_t>(std::lround(brightness(color, 255)));
+    } else {
+      const auto value = static_cast<std::uint16_t>(std::lround(brightness(color, 65535)));
+      std::memcpy(to, &value, sizeof(value));
+      to += sizeof(value);
+    }
+  }
+}
+
+void CameraSensor::fillInPoints() {
+  char* point = cloud_.mutable_data()->data();
+  bool isDense = true;
+  for (std::uint32_t row = 0; row < settings_.height; ++row) {
+    const double down = (row + 0.5 - depthView_.cy) / depthView_.fy;
+    for (std::uint32_t column = 0; column < settings_.width; ++column, point += kPointSize) {
+      const std::size_t i = std::size_t{row} * settings_.width + column;
+      const double right = (column + 0.5 - depthView_.cx - depthView_.skew * down) / depthView_.fx;
+      const auto depth = static_cast<double>(depths_[i]);
+      isDense = isDense && std::isfinite(depth);
+      const Eigen::Vector3f place = Vector3(depth, -depth * right, -depth * down).cast<float>();
+      std::memcpy(point, place.data(), sizeof(float) * 3);
+      // blue first, as in Fortress
+      const std::array<std::uint8_t, 4> color{colors_[3 * i + 2], colors_[3 * i + 1], colors_[3 * i], 0};
+      std::memcpy(point + kColorOffset, color.data(), color.size());
+    }
+  }
+  cloud_.set_is_dense(isDense);
+}
+
+void CameraSensor::publishElsewhere(const Message& message) {
+  if (infos_.hasSubscribers()) {
+    *info_.mutable_header() = message.header();
+    if (!settings_.opticalFrame.empty()) {
+      setHeaderValue("frame_id", settings_.opticalFrame, *info_.mutable_header());
+    }
+    infos_.publish(info_);
+  }
+  if (isDepthHeard()) {
+    *depthImage_.mutable_header() = message.header();
+    fillIn(depths_, depthImage_);
+    depthImages_.publish(depthImage_);
+  }
+  if (arePointsHeard()) {
+    *cloud_.mutable_header() = message.header();
+    fillInPoints();
+    points_.publish(cloud_);
+  }
+  if (settings_.savesPictures) save();
+}
+
+void CameraSensor::save() {
+  try {
+    const std::filesystem::path folder = settings_.savePath;
+    std::filesystem::create_directories(folder);
+    const std::string name = std::string(sensor_.name()) + "_" + std::to_string(savedCount_++) + ".png";
+    CameraScene::writePicture(folder / name, settings_.width, settings_.height, colors_);
+  } catch (const std::exception& error) {
+    Logger("sensors").warning("camera '" + sensor_.scopedName() + "' saves no more pictures: " + error.what());
+    settings_.savesPictures = false;
+  }
+}
+
+void CameraSensor::reset() {
+  isTriggered_ = false;
+  savedCount_ = 0;
+}
+
+void CameraSensor::transfer(StateArchive& archive) {
+  archive(isTriggered_);
+  archive(savedCount_);
+}
+
+}  // namespace pongsim

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <ignition/msgs/camera_info.pb.h>
+#include <ignition/msgs/image.pb.h>
+#include <ignition/msgs/pointcloud_packed.pb.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "camera_lens.hh"
+#include "pongsim/camera_scene.hh"
+#include "pongsim/node.hh"
+#include "pongsim/noise_set.hh"
+#include "pongsim/sensor.hh"
+#include "surroundings.hh"
+
+namespace pongsim {
+
+/// What the cameras of a world share.
+class CameraSurroundings : public Surroundings<CameraScene> {
+ public:
+  /// @param plugin May give colours in place of those of the world's `<scene>`.
+  CameraSurroundings(const World& world, Node& node, const Element& plugin);
+};
+
+/// One camera, of colours, of depths or of both: a sensor of a `SensorSystem`.
+class CameraSensor {
+ public:
+  using Message = ignition::msgs::Image;
+  using Shared = CameraSurroundings;
+  static constexpr const char* kTypes[] = {"camera", "depth_camera", "depth", "rgbd_camera", "rgbd"};
+  static constexpr const char* kSuffix = "/image";
+  static constexpr const char* kText = "Publishes what the world's cameras see: colours, depths, points.";
+
+  /// Of the topic by default.
+  static const char* suffix(const Sensor& sensor);
+  /// Behind the topic, where images are published.
+  static const char* behindTopic(const Sensor& sensor);
+
+  /// @throws Error where it can't be had: it has too many pixels, or there is nothing to draw with.
+  CameraSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message,
+               CameraSurroundings& shared);
+
+  /// @return Whether it takes a picture now: always, unless it waits for a message first.
+  bool isReady();
+  /// @param isHeard Somebody listens to the images.
+  void measure(Message& message, bool isHeard);
+  bool isHeardElsewhere() const;
+  /// Publishes and saves what `measure` has measured.
+  void publishElsewhere(const Message& message);
+  void reset();
+  void transfer(StateArchive& archive);
+
+ private:
+  enum class Kind { kColors, kDepths, kBoth };
+  static Kind kindOf(const Sensor& sensor);
+
+  void beginMessages(Message& message);
+  void listenToTrigger(Node& node);
+  bool isDepthHeard() const { return depthImages_ && depthImages_.hasSubscribers(); }
+  bool arePointsHeard() const { return points_ && points_.hasSubscribers(); }
+  void drawColors();
+  void fillInColors(Message& message) const;
+  void fillInPoints();
+  void save();
+
+  Sensor sensor_;
+  CameraSettings settings_;
+  Kind kind_;
+  CameraSurroundings& surroundings_;
+  Noise& noise_;
+  /// Of colours and of depths, which may have other clip planes.
+  PictureView view_;
+  PictureView depthView_;
+  std::optional<Distortion> distortion_;
+  std::vector<std::uint8_t> colors_;
+  /// Before it is distorted.
+  std::vector<std::uint8_t> drawn_;
+  std::vector<float> depths_;
+  Publisher infos_;
+  Publisher depthImages_;
+  Publisher points_;
+  Subscription trigger_;
+  bool isTriggered_ = false;
+  std::uint64_t savedCount_ = 0;
+  ignition::msgs::CameraInfo info_;
+  ignition::msgs::Image depthImage_;
+  ignition::msgs::PointCloudPacked cloud_;
+};
+
+}  // namespace pongsim

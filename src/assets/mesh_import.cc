@@ -1,0 +1,69 @@
+#include "assets/mesh_import.hh"
+
+#include <assimp/config.h>
+#include <assimp/mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "assets/mesh_file.hh"
+
+namespace pongsim::assets {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kEndings{".dae", ".stl", ".obj", ".glb", ".gltf"};
+
+std::string lowerCaseEnding(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return ending;
+}
+
+struct ReleaseProperties {
+  void operator()(aiPropertyStore* store) const { assimp().releasePropertyStore(store); }
+};
+
+std::unique_ptr<aiPropertyStore, ReleaseProperties> importSettings(int dropped) {
+  std::unique_ptr<aiPropertyStore, ReleaseProperties> settings(assimp().createPropertyStore());
+  const auto set = [&](const char* name, int value) { assimp().setImportPropertyInteger(settings.get(), name, value); };
+  set(AI_CONFIG_PP_RVC_FLAGS, dropped);
+  set(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  set(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
+  set(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
+  return settings;
+}
+
+}  // namespace
+
+std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& file, int dropped, unsigned steps) {
+  const std::string ending = lowerCaseEnding(file);
+  if (std::ranges::find(kEndings, ending) == kEndings.end()) {
+    return Problem{"is of a kind that is not read", "meshes in .dae, .stl, .obj, .glb and .gltf are"};
+  }
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return Problem{"can't be read: " + error.message(), {}};
+  if (size > kLargestMeshFile) {
+    return Problem{"is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MiB, which is the limit", {}};
+  }
+  try {
+    // what went wrong Assimp keeps for the whole process
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    const auto settings = importSettings(dropped);
+    ImportedScene scene(assimp().importFileExWithProperties(file.c_str(), steps, nullptr, settings.get()));
+    if (!scene) return Problem{"can't be read as a mesh", assimp().getErrorString()};
+    return scene;
+  } catch (const std::exception& problem) {
+    return Problem{"can't be read as a mesh", problem.what()};
+  }
+}
+
+}  // namespace pongsim::assets

@@ -1,0 +1,157 @@
+#include "assets/mesh_look.hh"
+
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/mesh.h>
+#include <assimp/postprocess.h>
+
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "assets/mesh_file.hh"
+#include "assets/mesh_import.hh"
+
+namespace pongsim::assets {
+
+namespace {
+
+using description::Material;
+
+constexpr unsigned kLookSteps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
+                                aiProcess_GenNormals | aiProcess_FlipUVs | aiProcess_ValidateDataStructure;
+constexpr int kNotDrawn = aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS | aiComponent_BONEWEIGHTS |
+                          aiComponent_ANIMATIONS | aiComponent_LIGHTS | aiComponent_CAMERAS;
+
+description::Color colorOf(const aiMaterial& material, const char* key, const description::Color& fallback) {
+  aiColor4D color;
+  if (assimp().getMaterialColor(&material, key, 0, 0, &color) != aiReturn_SUCCESS) return fallback;
+  return {color.r, color.g, color.b, 1};
+}
+
+/// @return The file of the picture that goes over it; nothing where it has none beside it. Pictures within the mesh's
+/// own file are not read.
+std::filesystem::path textureOf(const aiMaterial& material, const std::filesystem::path& folder) {
+  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+    aiString name;
+    const aiReturn found =
+        assimp().getMaterialTexture(&material, type, 0, &name, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
+    if (found != aiReturn_SUCCESS) continue;
+    std::error_code error;
+    const std::filesystem::path file = folder / name.C_Str();
+    if (std::filesystem::is_regular_file(file, error)) return file;
+  }
+  return {};
+}
+
+std::optional<Material> materialOf(const aiMaterial& from, const std::filesystem::path& folder) {
+  aiString name;
+  assimp().getMaterialString(&from, "?mat.name", 0, 0, &name);
+  // what Assimp adds to files without materials
+  if (name.C_Str() == std::string_view(AI_DEFAULT_MATERIAL_NAME)) return std::nullopt;
+  Material material;
+  material.diffuse = colorOf(from, "$clr.diffuse", {0.7F, 0.7F, 0.7F, 1});
+  material.ambient = material.diffuse;
+  material.specular = colorOf(from, "$clr.specular", material.specular);
+  material.emissive = colorOf(from, "$clr.emissive", material.emissive);
+  const std::filesystem::path texture = textureOf(from, folder);
+  if (!texture.empty()) {
+    material.metal.emplace();
+    material.metal->maps.albedo.file = texture;
+    material.metal->metalness = 0;
+  }
+  return material;
+}
+
+/// Copies the wanted meshes of a scene, as its nodes place them.
+class LookCopier {
+ public:
+  LookCopier(const aiScene& scene, const std::string& submesh, std::filesystem::path folder)
+      : scene_(scene), submesh_(submesh), folder_(std::move(folder)) {}
+
+  void copy(const aiNode& node, const aiMatrix4x4& X_ParentNode, int depth) {
+    if (depth > kDeepestNode) return;
+    const aiMatrix4x4 X_FileNode = X_ParentNode * node.mTransformation;
+    for (unsigned i = 0; i < node.mNumMeshes && !isTooLarge_; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
+      if (submesh_.empty() || node.mName.C_Str() == submesh_ || mesh.mName.C_Str() == submesh_) {
+        copyMesh(mesh, node, X_FileNode);
+      }
+    }
+    for (unsigned i = 0; i < node.mNumChildren && !isTooLarge_; ++i) copy(*node.mChildren[i], X_FileNode, depth + 1);
+  }
+
+  bool isTooLarge() const { return isTooLarge_; }
+  bool isFinite() const { return isFinite_; }
+  std::vector<MeshLook> take() { return std::move(looks_); }
+
+ private:
+  void copyMesh(const aiMesh& from, const aiNode& node, const aiMatrix4x4& X_FileNode) {
+    triangleCount_ += from.mNumFaces;
+    isTooLarge_ = triangleCount_ > kMostTriangles;
+    if (isTooLarge_) return;
+    MeshLook look{node.mName.C_Str(), from.mName.C_Str(), {}, {}, {}};
+    const aiMatrix3x3 normals = aiMatrix3x3(X_FileNode).Inverse().Transpose();
+    for (unsigned i = 0; i < from.mNumVertices; ++i) {
+      const aiVector3D at = X_FileNode * from.mVertices[i];
+      MeshLook::Corner corner{{at.x, at.y, at.z}, Eigen::Vector3f::UnitZ()};
+      isFinite_ = isFinite_ && corner.position.allFinite();
+      if (from.HasNormals()) {
+        const aiVector3D normal = normals * from.mNormals[i];
+        corner.normal = Eigen::Vector3f(normal.x, normal.y, normal.z).stableNormalized();
+      }
+      if (from.HasTextureCoords(0)) corner.coordinates = {from.mTextureCoords[0][i].x, from.mTextureCoords[0][i].y};
+      look.corners.push_back(corner);
+    }
+    for (unsigned i = 0; i < from.mNumFaces; ++i) {
+      const aiFace& face = from.mFaces[i];
+      if (face.mNumIndices == 3) look.triangles.insert(look.triangles.end(), face.mIndices, face.mIndices + 3);
+    }
+    if (look.triangles.empty()) return;
+    if (from.mMaterialIndex < scene_.mNumMaterials) {
+      look.material = materialOf(*scene_.mMaterials[from.mMaterialIndex], folder_);
+    }
+    looks_.push_back(std::move(look));
+  }
+
+  const aiScene& scene_;
+  const std::string& submesh_;
+  std::filesystem::path folder_;
+  std::vector<MeshLook> looks_;
+  std::size_t triangleCount_ = 0;
+  bool isTooLarge_ = false;
+  bool isFinite_ = true;
+};
+
+/// Moves the middle of all to the origin.
+void center(std::vector<MeshLook>& looks) {
+  Eigen::AlignedBox3f box;
+  for (const MeshLook& look : looks) {
+    for (const MeshLook::Corner& corner : look.corners) box.extend(corner.position);
+  }
+  for (MeshLook& look : looks) {
+    for (MeshLook::Corner& corner : look.corners) corner.position -= box.center();
+  }
+}
+
+}  // namespace
+
+std::variant<std::vector<MeshLook>, Problem> readMeshLook(const std::filesystem::path& file, const std::string& submesh,
+                                                          bool isCentered) {
+  const auto imported = importMesh(file, kNotDrawn, kLookSteps);
+  if (const auto* problem = std::get_if<Problem>(&imported)) return *problem;
+  const aiScene& scene = *std::get<ImportedScene>(imported);
+  LookCopier copier(scene, submesh, file.parent_path());
+  if (scene.mRootNode != nullptr) copier.copy(*scene.mRootNode, aiMatrix4x4(), 0);
+  if (copier.isTooLarge()) {
+    return Problem{"holds more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
+  }
+  if (!copier.isFinite()) return Problem{"holds a coordinate that is not finite", {}};
+  std::vector<MeshLook> looks = copier.take();
+  if (looks.empty()) return Problem{submesh.empty() ? "holds no triangles" : "has no submesh '" + submesh + "'", {}};
+  if (isCentered && !submesh.empty()) center(looks);
+  return looks;
+}
+
+}  // namespace pongsim::assets

@@ -1,0 +1,73 @@
+#include "rendering/frame.hh"
+
+#include <stdexcept>
+#include <string>
+
+namespace pongsim::rendering {
+
+Frame::Frame(const Gl& gl, Kind kind, std::uint32_t width, std::uint32_t height, int samples)
+    : gl_(gl), width_(static_cast<GLsizei>(width)), height_(static_cast<GLsizei>(height)) {
+  GLint longest = 0;
+  gl.getIntegerv(GL_MAX_RENDERBUFFER_SIZE, &longest);
+  if (width_ > longest || height_ > longest) {
+    throw std::runtime_error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                             " pixels can't be drawn: the longest edge is " + std::to_string(longest));
+  }
+  const GLenum format = kind == Kind::kColors ? GL_SRGB8_ALPHA8 : GL_R32F;
+  gl.genFramebuffers(1, &drawn_);
+  gl.bindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  addBuffer(format, GL_COLOR_ATTACHMENT0, samples);
+  addBuffer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, samples);
+  check();
+  if (samples <= 1) return;
+  gl.genFramebuffers(1, &whole_);
+  gl.bindFramebuffer(GL_FRAMEBUFFER, whole_);
+  addBuffer(format, GL_COLOR_ATTACHMENT0, 0);
+  check();
+}
+
+Frame::~Frame() {
+  gl_.deleteRenderbuffers(count_, buffers_);
+  gl_.deleteFramebuffers(1, &drawn_);
+  if (whole_ != 0) gl_.deleteFramebuffers(1, &whole_);
+}
+
+GLuint Frame::addBuffer(GLenum format, GLenum place, int samples) {
+  GLuint& buffer = buffers_[count_++];
+  gl_.genRenderbuffers(1, &buffer);
+  gl_.bindRenderbuffer(GL_RENDERBUFFER, buffer);
+  gl_.renderbufferStorageMultisample(GL_RENDERBUFFER, samples <= 1 ? 0 : samples, format, width_, height_);
+  gl_.framebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+  return buffer;
+}
+
+void Frame::check() const {
+  if (gl_.checkFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::runtime_error("this OpenGL can't draw a picture of " + std::to_string(width_) + " x " +
+                             std::to_string(height_) + " pixels");
+  }
+}
+
+void Frame::use() const {
+  gl_.bindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  gl_.viewport(0, 0, width_, height_);
+}
+
+void Frame::read(std::span<std::uint8_t> pixels) const {
+  if (whole_ != 0) {
+    gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
+    gl_.bindFramebuffer(GL_DRAW_FRAMEBUFFER, whole_);
+    gl_.blitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  gl_.bindFramebuffer(GL_FRAMEBUFFER, whole_ != 0 ? whole_ : drawn_);
+  gl_.pixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.readPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+}
+
+void Frame::read(std::span<float> depths) const {
+  gl_.bindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  gl_.pixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.readPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, depths.data());
+}
+
+}  // namespace pongsim::rendering

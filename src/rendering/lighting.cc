@@ -1,0 +1,154 @@
+#include "rendering/lighting.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace pongsim::rendering {
+
+namespace {
+
+using description::Light;
+using description::LightType;
+using Eigen::Matrix4d;
+using Eigen::Vector4f;
+
+// shadows are drawn around the eye where the scene is larger [m]
+constexpr double kMostShadowRadius = 25;
+constexpr double kNearestShade = 0.05;
+constexpr double kFarthestShade = 1000;
+
+/// A ball that holds all shadows that count.
+struct Region {
+  Vector3 middle = Vector3::Zero();
+  double radius = 1;
+  /// Around all that casts shadows, seen from the eye.
+  Eigen::AlignedBox3d casters = {};
+};
+
+std::optional<Region> shadowRegion(const Scene& scene, const PictureView& view) {
+  Region region;
+  const Vector3& eye = view.X_WorldEye.position;
+  for (const Item& item : scene.items()) {
+    if (item.castsShadows && !item.isGround) region.casters.extend(item.boundsInWorld().translated(-eye));
+  }
+  if (region.casters.isEmpty()) return std::nullopt;
+  region.middle = region.casters.center();
+  region.radius = region.casters.diagonal().norm() / 2;
+  if (region.radius > kMostShadowRadius) {
+    region.radius = kMostShadowRadius;
+    region.middle = view.X_WorldEye.rotation * Vector3(0.8 * kMostShadowRadius, 0, 0);
+  }
+  return region;
+}
+
+/// @return Axes of which the last one points against a direction.
+Matrix3 axesAgainst(const Vector3& direction) {
+  const Vector3 z = -direction;
+  const Vector3 x = (std::abs(z.z()) < 0.9 ? Vector3::UnitZ() : Vector3::UnitX()).cross(z).normalized();
+  Matrix3 axes;
+  axes.row(0) = x;
+  axes.row(1) = z.cross(x);
+  axes.row(2) = z;
+  return axes;
+}
+
+/// Parallel light: a box along it, which what is before the region throws its shadow into.
+Matrix4d parallelShadow(const Region& region, const Vector3& direction) {
+  const Matrix3 axes = axesAgainst(direction);
+  double top = region.radius;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 point = region.casters.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+    top = std::max(top, axes.row(2).dot(point - region.middle));
+  }
+  const double bottom = -region.radius;
+  Matrix4d clip = Matrix4d::Identity();
+  clip.block<2, 3>(0, 0) = axes.topRows<2>() / region.radius;
+  // depths from 0, next to the lamp, to 1
+  clip.block<1, 3>(2, 0) = -1 / (top - bottom) * axes.row(2);
+  clip.block<3, 1>(0, 3) = -clip.topLeftCorner<3, 3>() * region.middle;
+  clip(2, 3) += top / (top - bottom);
+  return clip;
+}
+
+/// Half of what a spot's shadow shows [rad].
+double halfAngle(const Light& light) { return std::clamp(light.outerAngle / 2 * 1.05, 0.01, 1.4); }
+
+Matrix4d spotShadow(const Light& light, const Vector3& place, const Vector3& direction) {
+  const Matrix3 axes = axesAgainst(direction);
+  const double far = std::clamp(light.range, 2 * kNearestShade, kFarthestShade), near = kNearestShade;
+  const double scale = 1 / std::tan(halfAngle(light));
+  Matrix4d clip = Matrix4d::Zero();
+  clip.block<2, 3>(0, 0) = axes.topRows<2>() * scale;
+  clip.block<1, 3>(2, 0) = -far / (far - near) * axes.row(2);
+  clip.block<1, 3>(3, 0) = -axes.row(2);
+  clip.col(3) = -clip.leftCols<3>() * place;
+  clip(2, 3) -= far * near / (far - near);
+  return clip;
+}
+
+Vector4f colorOf(const description::Color& color, double intensity, double fourth) {
+  const auto factor = static_cast<float>(intensity);
+  return {color.red * factor, color.green * factor, color.blue * factor, static_cast<float>(fourth)};
+}
+
+float linear(float shown) { return shown <= 0.04045F ? shown / 12.92F : std::pow((shown + 0.055F) / 1.055F, 2.4F); }
+
+void addLamp(const Lamp& lamp, const PictureView& view, const std::optional<Region>& region, int shadowEdge,
+             LampBlock::Lamp& to, Lighting& lighting) {
+  const Light& light = *lamp.light;
+  const Vector3 place = lamp.X_WorldLight.position - view.X_WorldEye.position;
+  const Vector3 direction = lamp.X_WorldLight.rotation * light.direction;
+  const bool isParallel = light.type == LightType::kDirectional, isSpot = light.type == LightType::kSpot;
+  double shadow = -1, pixel = 0;
+  if (light.castsShadows && region && (isParallel || isSpot) && lighting.shadows.size() < shaders::kMostShadows) {
+    shadow = static_cast<double>(lighting.shadows.size());
+    pixel = 2 * (isSpot ? std::tan(halfAngle(light)) : region->radius) / shadowEdge;
+    const Matrix4d clip = isSpot ? spotShadow(light, place, direction) : parallelShadow(*region, direction);
+    lighting.block.shadowFromPlace[lighting.shadows.size()] = clip.cast<float>();
+    lighting.shadows.push_back(clip);
+  }
+  const auto four = [](double x, double y, double z, double w) -> Vector4f {
+    return Eigen::Vector4d(x, y, z, w).cast<float>();
+  };
+  to.place = four(place.x(), place.y(), place.z(), isParallel ? 0 : 1);
+  to.direction = four(direction.x(), direction.y(), direction.z(), isSpot ? 1 : 0);
+  to.diffuse = colorOf(light.diffuse, light.intensity, shadow);
+  to.specular = colorOf(light.specular, light.intensity, light.range);
+  to.attenuation = four(light.constantAttenuation, light.linearAttenuation, light.quadraticAttenuation, light.falloff);
+  to.cone = four(std::cos(light.innerAngle / 2), std::cos(light.outerAngle / 2), pixel, 0);
+}
+
+}  // namespace
+
+Lighting lightingOf(const Scene& scene, const PictureView& view, int shadowEdge) {
+  Lighting lighting{};
+  const description::Scene& surroundings = scene.surroundings();
+  const std::optional<Region> region = surroundings.hasShadows ? shadowRegion(scene, view) : std::nullopt;
+  const std::size_t count = std::min(scene.lamps().size(), lighting.block.lamps.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    addLamp(scene.lamps()[i], view, region, shadowEdge, lighting.block.lamps[i], lighting);
+  }
+  // as in Fortress, whose renderer spreads it over the half of the sky and does not make up for that
+  lighting.block.surroundings = colorOf(surroundings.ambient, 1 / std::numbers::pi, static_cast<double>(count));
+  const Eigen::Vector3f background =
+      surroundings.sky ? skyColors(*surroundings.sky).horizon : lightOf(surroundings.background);
+  lighting.block.background = {background.x(), background.y(), background.z(), 1};
+  return lighting;
+}
+
+Eigen::Vector3f lightOf(const description::Color& color) {
+  return {linear(color.red), linear(color.green), linear(color.blue)};
+}
+
+SkyColors skyColors(const description::Sky& sky) {
+  const Eigen::Vector3f zenith(0.09F, 0.24F, 0.60F), horizon(0.55F, 0.70F, 0.85F);
+  const double length = sky.sunset - sky.sunrise;
+  const double sun = length > 0 ? std::sin(std::numbers::pi * (sky.time - sky.sunrise) / length) : 1;
+  // bright all day, dark from an hour or so after sunset on
+  const auto daylight = static_cast<float>(std::clamp(0.5 + 3 * sun, 0.05, 1.0));
+  return {zenith * daylight, horizon * daylight};
+}
+
+}  // namespace pongsim::rendering

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "rendering/gl.hh"
+
+namespace pongsim::rendering {
+
+/// Shaders, compiled and linked. It lives while its context does, and may be used while that is bound.
+class Program {
+ public:
+  /// @throws std::runtime_error where they can't be compiled.
+  Program(const Gl& gl, const char* vertexSource, const char* fragmentSource);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void use() const { gl_.useProgram(id_); }
+
+ private:
+  const Gl& gl_;
+  GLuint id_;
+};
+
+}  // namespace pongsim::rendering

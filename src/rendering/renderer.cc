@@ -1,0 +1,260 @@
+#include "rendering/renderer.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "rendering/frame.hh"
+#include "rendering/gl.hh"
+#include "rendering/lighting.hh"
+#include "rendering/lines.hh"
+#include "rendering/program.hh"
+#include "rendering/projection.hh"
+#include "rendering/shaders.hh"
+#include "rendering/shadow_maps.hh"
+#include "rendering/store.hh"
+
+namespace pongsim::rendering {
+
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Matrix4f;
+
+constexpr int kSamples = 4;
+// shadows of small pictures need not be fine
+constexpr std::uint64_t kLargePicture = 200'000;
+
+Matrix4d placeFromSurface(const Item& item, const Vector3& eye) {
+  const Pose X_WorldSurface = item.X_WorldSurface();
+  Matrix4d place = Matrix4d::Identity();
+  place.topLeftCorner<3, 3>() = X_WorldSurface.rotation.toRotationMatrix() * item.scale.asDiagonal();
+  place.topRightCorner<3, 1>() = X_WorldSurface.position - eye;
+  return place;
+}
+
+/// @return What is seen at all, opaque things first, then the others from the farthest on.
+std::vector<const Item*> seenItems(const Scene& scene, const PictureView& view, const Matrix4d& clip) {
+  std::vector<const Item*> opaque;
+  std::vector<std::pair<double, const Item*>> others;
+  for (const Item& item : scene.items()) {
+    if ((item.visibility & view.visibilityMask) == 0) continue;
+    const Eigen::AlignedBox3d box = item.boundsInWorld();
+    const Vector3 middle = box.center() - view.X_WorldEye.position;
+    if (!mayBeSeen(clip, middle, box.diagonal().norm() / 2)) continue;
+    if (item.paint.opacity < 1) {
+      others.emplace_back(-middle.squaredNorm(), &item);
+    } else {
+      opaque.push_back(&item);
+    }
+  }
+  std::ranges::stable_sort(others, {}, &std::pair<double, const Item*>::first);
+  for (const auto& [distance, item] : others) opaque.push_back(item);
+  return opaque;
+}
+
+}  // namespace
+
+class Renderer::Content {
+ public:
+  explicit Content(const Context& context)
+      : gl_(context),
+        store_(gl_),
+        shadows_(gl_),
+        colors_(gl_, shaders::kSurfaceVertex, shaders::kSurfaceFragment),
+        depths_(gl_, shaders::kSurfaceVertex, shaders::kDepthFragment),
+        sky_(gl_, shaders::kSkyVertex, shaders::kSkyFragment),
+        lines_(gl_) {
+    gl_.clipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    gl_.genBuffers(1, &lamps_);
+    gl_.genVertexArrays(1, &nothing_);
+  }
+
+  ~Content() {
+    gl_.deleteBuffers(1, &lamps_);
+    gl_.deleteVertexArrays(1, &nothing_);
+  }
+  Content(const Content&) = delete;
+  Content& operator=(const Content&) = delete;
+
+  void drawColors(const Scene& scene, const PictureView& view, std::span<std::uint8_t> pixels) {
+    tidy(scene);
+    const int shadowEdge = std::uint64_t{view.width} * view.height > kLargePicture ? 2048 : 1024;
+    const Lighting lighting = lightingOf(scene, view, shadowEdge);
+    if (!lighting.shadows.empty()) drawShadows(scene, view, lighting, shadowEdge);
+    tellLighting(lighting.block);
+
+    const Frame& frame = frameFor(Frame::Kind::kColors, view, view.antiAliasing >= kSamples ? kSamples : 1);
+    begin(frame);
+    gl_.enable(GL_FRAMEBUFFER_SRGB);
+    drawBackground(scene, view, lighting.block);
+    const Matrix4d clip = clipFromPlace(view);
+    colors_.use();
+    tell(shaders::kClipFromPlace, clip);
+    for (const Item* item : seenItems(scene, view, clip)) drawInColors(*item, view.X_WorldEye.position);
+    gl_.disable(GL_BLEND);
+    gl_.depthMask(GL_TRUE);
+    lines_.draw(view, clip);
+    frame.read(pixels);
+  }
+
+  void drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
+    tidy(scene);
+    const Frame& frame = frameFor(Frame::Kind::kDepths, view, 1);
+    begin(frame);
+    gl_.disable(GL_FRAMEBUFFER_SRGB);
+    constexpr std::array<float, 4> kNothing{INFINITY, 0, 0, 0};
+    gl_.clearBufferfv(GL_COLOR, 0, kNothing.data());
+    const Matrix4d clip = clipFromPlace(view);
+    depths_.use();
+    tell(shaders::kClipFromPlace, clip);
+    const Eigen::Vector3f ahead = (view.X_WorldEye.rotation * Vector3::UnitX()).cast<float>();
+    gl_.uniform3fv(shaders::kAhead, 1, ahead.data());
+    for (const Item* item : seenItems(scene, view, clip)) drawSurface(*item, view.X_WorldEye.position);
+    frame.read(depths);
+  }
+
+ private:
+  void tidy(const Scene& scene) {
+    if (scene.version() != version_) store_.tidy();
+    version_ = scene.version();
+  }
+
+  const Frame& frameFor(Frame::Kind kind, const PictureView& view, int samples) {
+    std::unique_ptr<Frame>& frame = frames_[{kind, view.width, view.height, samples}];
+    if (frame == nullptr) frame = std::make_unique<Frame>(gl_, kind, view.width, view.height, samples);
+    return *frame;
+  }
+
+  void begin(const Frame& frame) {
+    frame.use();
+    gl_.enable(GL_DEPTH_TEST);
+    gl_.depthFunc(GL_GREATER);
+    gl_.depthMask(GL_TRUE);
+    gl_.disable(GL_BLEND);
+    constexpr float kFar = 0;
+    gl_.clearBufferfv(GL_DEPTH, 0, &kFar);
+  }
+
+  void drawShadows(const Scene& scene, const PictureView& view, const Lighting& lighting, int edge) {
+    gl_.enable(GL_CULL_FACE);
+    shadows_.begin(edge);
+    for (std::size_t i = 0; i < lighting.shadows.size(); ++i) {
+      const Matrix4d& clip = lighting.shadows[i];
+      shadows_.use(static_cast<int>(i));
+      tell(shaders::kClipFromPlace, clip);
+      for (const Item& item : scene.items()) {
+        if (!item.castsShadows || item.isGround || item.paint.opacity < 1) continue;
+        const Matrix4d place = placeFromSurface(item, view.X_WorldEye.position);
+        tell(shaders::kPlaceFromSurface, place);
+        // both sides throw shadows
+        gl_.disable(GL_CULL_FACE);
+        store_.draw(item.surface);
+      }
+    }
+  }
+
+  void drawBackground(const Scene& scene, const PictureView& view, const LampBlock& block) {
+    gl_.clearBufferfv(GL_COLOR, 0, block.background.data());
+    const auto& sky = scene.surroundings().sky;
+    if (!sky) return;
+    const SkyColors colors = skyColors(*sky);
+    sky_.use();
+    const Eigen::Matrix3f directions = directionFromClip(view).cast<float>();
+    gl_.uniformMatrix3fv(shaders::kDirectionFromClip, 1, GL_FALSE, directions.data());
+    gl_.uniform3fv(shaders::kZenith, 1, colors.zenith.data());
+    gl_.uniform3fv(shaders::kHorizon, 1, colors.horizon.data());
+    gl_.disable(GL_DEPTH_TEST);
+    gl_.disable(GL_CULL_FACE);
+    gl_.bindVertexArray(nothing_);
+    gl_.drawArrays(GL_TRIANGLES, 0, 3);
+    gl_.enable(GL_DEPTH_TEST);
+  }
+
+  void drawInColors(const Item& item, const Vector3& eye) {
+    const Paint& paint = item.paint;
+    gl_.uniform4fv(shaders::kDiffuse, 1,
+                   Eigen::Vector4f(paint.diffuse.x(), paint.diffuse.y(), paint.diffuse.z(), paint.opacity).data());
+    gl_.uniform3fv(shaders::kAmbient, 1, paint.ambient.data());
+    gl_.uniform3fv(shaders::kSpecular, 1, paint.specular.data());
+    gl_.uniform3fv(shaders::kEmissive, 1, paint.emissive.data());
+    gl_.uniform4fv(shaders::kFinish, 1,
+                   Eigen::Vector4f(paint.metalness, paint.roughness, paint.isLit ? 1.0F : 0.0F,
+                                   item.picture != nullptr ? 1.0F : 0.0F)
+                       .data());
+    if (item.picture != nullptr) store_.use(item.picture);
+    if (paint.opacity < 1) {
+      gl_.enable(GL_BLEND);
+      gl_.blendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+      gl_.depthMask(GL_FALSE);
+    }
+    drawSurface(item, eye);
+  }
+
+  void drawSurface(const Item& item, const Vector3& eye) {
+    tell(shaders::kPlaceFromSurface, placeFromSurface(item, eye));
+    const Matrix3 normals = item.X_WorldSurface().rotation.toRotationMatrix() * item.scale.cwiseInverse().asDiagonal();
+    gl_.uniformMatrix3fv(shaders::kNormalFromSurface, 1, GL_FALSE, Eigen::Matrix3f(normals.cast<float>()).data());
+    if (item.paint.isDoubleSided) {
+      gl_.disable(GL_CULL_FACE);
+    } else {
+      gl_.enable(GL_CULL_FACE);
+    }
+    // the picture stands on its head, which turns all triangles round, as mirroring does
+    gl_.frontFace(item.scale.prod() < 0 ? GL_CCW : GL_CW);
+    store_.draw(item.surface);
+  }
+
+  void tell(int place, const Matrix4d& matrix) {
+    gl_.uniformMatrix4fv(place, 1, GL_FALSE, Matrix4f(matrix.cast<float>()).data());
+  }
+
+  void tellLighting(const LampBlock& block) {
+    static_assert(sizeof(LampBlock) == (6 * shaders::kMostLamps + 4 * shaders::kMostShadows + 2) * 4 * sizeof(float));
+    gl_.bindBuffer(GL_UNIFORM_BUFFER, lamps_);
+    gl_.bufferData(GL_UNIFORM_BUFFER, sizeof(block), &block, GL_STREAM_DRAW);
+    gl_.bindBufferBase(GL_UNIFORM_BUFFER, 0, lamps_);
+  }
+
+  Gl gl_;
+  Store store_;
+  ShadowMaps shadows_;
+  Program colors_;
+  Program depths_;
+  Program sky_;
+  Lines lines_;
+  std::map<std::tuple<Frame::Kind, std::uint32_t, std::uint32_t, int>, std::unique_ptr<Frame>> frames_;
+  GLuint lamps_ = 0;
+  /// A vertex array with nothing in it, for what is made in a shader.
+  GLuint nothing_ = 0;
+  std::uint64_t version_ = 0;
+};
+
+Renderer::Renderer(std::unique_ptr<Context> context) : context_(std::move(context)) {}
+
+Renderer::~Renderer() {
+  if (content_ == nullptr) return;
+  const Binding binding(*context_);
+  content_.reset();
+}
+
+Renderer::Content& Renderer::content() {
+  if (content_ == nullptr) content_ = std::make_unique<Content>(*context_);
+  return *content_;
+}
+
+void Renderer::drawColors(const Scene& scene, const PictureView& view, std::span<std::uint8_t> pixels) {
+  const Binding binding(*context_);
+  content().drawColors(scene, view, pixels);
+}
+
+void Renderer::drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
+  const Binding binding(*context_);
+  content().drawDepths(scene, view, depths);
+}
+
+}  // namespace pongsim::rendering

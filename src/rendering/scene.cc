@@ -1,0 +1,209 @@
+#include "rendering/scene.hh"
+
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "assets/ground.hh"
+
+namespace pongsim::rendering {
+
+namespace {
+
+using world::Slot;
+
+/// What a geometry looks like.
+struct Body {
+  std::shared_ptr<const Surface> surface = nullptr;
+  Pose X_GeometryBody = {};
+  Vector3 scale = Vector3::Ones();
+  bool isGround = false;
+  /// Of its file; nothing where that gives none.
+  std::optional<description::Material> material = std::nullopt;
+};
+/// One, or as many as its mesh has parts.
+using Bodies = std::vector<Body>;
+
+struct MakeBodies {
+  std::map<std::string, std::shared_ptr<const Surface>>& shapes;
+  MeshLooks& meshes;
+  const Scene::Warn& warn;
+
+  Bodies operator()(const description::Empty&) const { return {}; }
+  // as in Fortress
+  Bodies operator()(const description::Image&) const { return {}; }
+  Bodies operator()(const description::Box& box) const { return {{shape("box", boxSurface), {}, box.size}}; }
+  Bodies operator()(const description::Sphere& sphere) const {
+    return {{shape("sphere", sphereSurface), {}, Vector3::Constant(sphere.radius)}};
+  }
+  Bodies operator()(const description::Ellipsoid& ellipsoid) const {
+    return {{shape("sphere", sphereSurface), {}, ellipsoid.radii}};
+  }
+  Bodies operator()(const description::Cylinder& cylinder) const {
+    return {{shape("cylinder", cylinderSurface), {}, {cylinder.radius, cylinder.radius, cylinder.length}}};
+  }
+  Bodies operator()(const description::Capsule& capsule) const {
+    const std::string name = "capsule " + std::to_string(capsule.radius) + " " + std::to_string(capsule.length);
+    return {{shape(name, [&capsule] { return capsuleSurface(capsule); })}};
+  }
+
+  // as large as its picture, as in Fortress
+  Bodies operator()(const description::Plane& plane) const {
+    return {{shape("plane", planeSurface),
+             {Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal)},
+             {std::abs(plane.size.x()), std::abs(plane.size.y()), 1},
+             true}};
+  }
+
+  Bodies operator()(const description::Polyline& polyline) const {
+    if (polyline.triangles == nullptr) return {};
+    return {{std::make_shared<const Surface>(meshSurface(*polyline.triangles, false))}};
+  }
+
+  // of a file that is not there, here and below, the loader has warned
+  Bodies operator()(const description::Mesh& mesh) const {
+    if (mesh.file.empty()) return {};
+    const MeshLookKey key(mesh.file, mesh.submesh, mesh.isCentered);
+    auto known = meshes.find(key);
+    if (known == meshes.end()) known = meshes.emplace(key, read(mesh)).first;
+    Bodies bodies;
+    for (const MeshPartLook& part : known->second) {
+      bodies.push_back({part.surface, {}, mesh.scale, false, part.material});
+    }
+    return bodies;
+  }
+
+  Bodies operator()(const description::Heightmap& heightmap) const {
+    if (heightmap.file.empty()) return {};
+    const auto ground = assets::readGround(heightmap.file, heightmap.size, heightmap.position);
+    if (const auto* problem = std::get_if<assets::Problem>(&ground)) {
+      warn("heightmap", heightmap.file, *problem);
+      return {};
+    }
+    if (std::get<0>(ground).triangles.empty()) return {};
+    return {{std::make_shared<const Surface>(meshSurface(std::get<0>(ground), true)), {}, Vector3::Ones(), true}};
+  }
+
+ private:
+  template <class Make>
+  std::shared_ptr<const Surface> shape(const std::string& name, const Make& make) const {
+    std::shared_ptr<const Surface>& known = shapes[name];
+    if (known == nullptr) known = std::make_shared<const Surface>(make());
+    return known;
+  }
+
+  std::vector<MeshPartLook> read(const description::Mesh& mesh) const {
+    auto found = assets::readMeshLook(mesh.file, mesh.submesh, mesh.isCentered);
+    if (const auto* problem = std::get_if<assets::Problem>(&found)) {
+      warn("mesh", mesh.file, *problem);
+      return {};
+    }
+    std::vector<MeshPartLook> parts;
+    for (assets::MeshLook& look : std::get<0>(found)) {
+      parts.push_back({std::make_shared<const Surface>(Surface{std::move(look.corners), std::move(look.triangles)}),
+                       std::move(look.material)});
+    }
+    return parts;
+  }
+};
+
+description::Color plainColor(const Vector3& shares) {
+  const Eigen::Vector3f color = shares.cast<float>();
+  return {color.x(), color.y(), color.z(), 1};
+}
+
+bool holds(const world::Entities& entities, Slot outer, Slot model) {
+  while (model != outer && model != world::kNoSlot) model = entities.models()[model].parent;
+  return model == outer;
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d Item::boundsInWorld() const {
+  const Pose X = X_WorldSurface();
+  const Matrix3 M_WorldSurface = X.rotation.toRotationMatrix() * scale.asDiagonal();
+  const Vector3 middle = X.position + M_WorldSurface * bounds.center();
+  const Vector3 half = M_WorldSurface.cwiseAbs() * bounds.sizes() / 2;
+  return {middle - half, middle + half};
+}
+
+void Scene::setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient) {
+  background_ = background;
+  ambient_ = ambient;
+}
+
+void Scene::build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
+  items_.clear();
+  ++version_;
+  for (Slot slot = 0; slot < entities.links().size(); ++slot) {
+    const world::LinkRecord& link = entities.links()[slot];
+    Item prototype;
+    prototype.link = slot;
+    prototype.model = entities.models()[link.model].id;
+    for (const description::Visual& visual : link.description->visuals) {
+      addVisual(visual, prototype, "visual '" + visual.name + "' of link '" + link.description->name + "'",
+                diagnostics);
+    }
+  }
+  surroundings_ = entities.description().scene;
+  if (background_) surroundings_.background = plainColor(*background_);
+  if (ambient_) surroundings_.ambient = plainColor(*ambient_);
+  update(entities, state);
+}
+
+void Scene::addVisual(const description::Visual& visual, const Item& prototype, const std::string& owner,
+                      Diagnostics& diagnostics) {
+  const auto warn = [&](const std::string& kind, const std::filesystem::path& file, const assets::Problem& problem) {
+    std::string text = kind + " '" + file.string() + "' " + problem.text + ": cameras will not see it on " + owner;
+    if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
+  };
+  for (const Body& body : std::visit(MakeBodies{shapes_, meshes_, warn}, visual.geometry)) {
+    Item item = prototype;
+    item.surface = body.surface;
+    item.paint = paintOf(visual, body.material);
+    if (item.paint.opacity <= 0) continue;
+    item.picture = pictureOf(item.paint.texture, warn);
+    item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
+    item.scale = body.scale;
+    item.bounds = body.surface->bounds();
+    item.visibility = visual.visibilityFlags;
+    item.castsShadows = visual.castsShadows;
+    item.isGround = body.isGround;
+    items_.push_back(std::move(item));
+  }
+}
+
+std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::path& file, const Warn& warn) {
+  if (file.empty()) return nullptr;
+  const auto [entry, isNew] = pictures_.try_emplace(file);
+  if (!isNew) return entry->second;
+  auto read = assets::readPicture(file);
+  if (const auto* problem = std::get_if<assets::Problem>(&read)) {
+    warn("texture", file, *problem);
+  } else {
+    entry->second = std::make_shared<const assets::Picture>(std::move(std::get<0>(read)));
+  }
+  return entry->second;
+}
+
+void Scene::update(const world::Entities& entities, const world::State& state) {
+  for (Item& item : items_) item.X_WorldLink = state.links[item.link].X_WorldLink;
+  lamps_.clear();
+  for (const world::LightRecord& record : entities.lights()) {
+    const description::Light& light = *record.description;
+    if (!light.isOn || light.intensity <= 0) continue;
+    const Pose X_WorldParent = record.link == world::kNoSlot ? Pose() : state.links[record.link].X_WorldLink;
+    lamps_.push_back({&light, X_WorldParent * light.X_ParentLight});
+  }
+}
+
+Eigen::AlignedBox3d Scene::bounds(const world::Entities& entities, Slot model) const {
+  Eigen::AlignedBox3d bodies, ground;
+  for (const Item& item : items_) {
+    if (model != world::kNoSlot && !holds(entities, model, entities.slot(item.model))) continue;
+    (item.isGround ? ground : bodies).extend(item.boundsInWorld());
+  }
+  return bodies.isEmpty() ? ground : bodies;
+}
+
+}  // namespace pongsim::rendering

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "assets/mesh_look.hh"
+#include "description/geometry.hh"
+#include "description/triangle_mesh.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::rendering {
+
+/// A corner of a surface: place, normal (outwards), place in its texture.
+using Vertex = assets::MeshLook::Corner;
+
+/// Triangles as they are drawn, seen from where their corners go round counter-clockwise.
+struct Surface {
+  std::vector<Vertex> vertices;
+  /// Three for each triangle.
+  std::vector<std::uint32_t> corners;
+
+  Eigen::AlignedBox3d bounds() const;
+};
+
+/// From -0.5 to 0.5 along each axis.
+Surface boxSurface();
+/// Of radius 1.
+Surface sphereSurface();
+/// Of radius 1, from -0.5 to 0.5 along z.
+Surface cylinderSurface();
+Surface capsuleSurface(const description::Capsule& capsule);
+/// From -0.5 to 0.5 along x and y, seen from above.
+Surface planeSurface();
+/// @param isSmooth Normals are those of all triangles at a corner, in place of each triangle's own.
+Surface meshSurface(const description::TriangleMesh& mesh, bool isSmooth);
+
+}  // namespace pongsim::rendering

@@ -1,0 +1,56 @@
+#include "pongsim/camera_scene.hh"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "assets/picture_file.hh"
+#include "rendering/osmesa.hh"
+#include "rendering/renderer.hh"
+#include "rendering/scene.hh"
+#include "sim/access.hh"
+
+namespace pongsim {
+
+struct CameraScene::Content {
+  sim::Access& access;
+  std::unique_ptr<rendering::Renderer> renderer;
+  rendering::Scene scene = {};
+};
+
+CameraScene::CameraScene(const World& world)
+    : content_(new Content{*world.access_, std::make_unique<rendering::Renderer>(rendering::openOsmesa())}) {}
+
+CameraScene::~CameraScene() = default;
+
+void CameraScene::setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient) {
+  content_->scene.setColors(background, ambient);
+}
+
+void CameraScene::rebuild(Diagnostics& diagnostics) {
+  content_->scene.build(content_->access.entities, content_->access.state, diagnostics);
+}
+
+void CameraScene::update() { content_->scene.update(content_->access.entities, content_->access.state); }
+
+void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pixels) {
+  content_->renderer->drawColors(content_->scene, view, pixels);
+}
+
+void CameraScene::drawDepths(const PictureView& view, std::span<float> depths) {
+  content_->renderer->drawDepths(content_->scene, view, depths);
+}
+
+void CameraScene::writePicture(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height,
+                               std::span<const std::uint8_t> pixels) {
+  if (const auto problem = assets::writePicture(file, width, height, pixels)) {
+    throw std::runtime_error("'" + file.string() + "' " + problem->text);
+  }
+}
+
+Eigen::AlignedBox3d CameraScene::bounds(const std::optional<Model>& model) const {
+  const world::Slot slot = model ? sim::slotOf(content_->access, model->id()) : world::kNoSlot;
+  return content_->scene.bounds(content_->access.entities, slot);
+}
+
+}  // namespace pongsim
