@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -18,6 +20,8 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/ign_arguments.hh"
+#include "cli/manual.hh"
+#include "cli/version.hh"
 
 namespace pongsim::cli {
 
@@ -117,26 +121,27 @@ int parse(CLI::App& program, std::vector<std::string> arguments) {
   return kDone;
 }
 
-/// As users see it, without commands.
-std::unique_ptr<CLI::App> makeProgram() {
+/// As users see it.
+std::unique_ptr<CLI::App> makeProgram(Work& work) {
   auto program =
       std::make_unique<CLI::App>("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
-  program->set_version_flag("--version", "pongsim " PONGSIM_VERSION, "Print the version and end");
+  program->set_version_flag("--version", versionText,
+                            "Print the version, and those of the libraries that results depend on, and end");
   program->set_help_flag("-h,--help", "Print this and end");
   program->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim topic --list\n"
       "  pongsim topic --help");
+  for (const auto add : kCommands) add(*program, work);
   return program;
 }
 
 }  // namespace
 
 Work workOf(int argc, char** argv) {
-  const std::shared_ptr<CLI::App> program = makeProgram();
   const auto work = std::make_shared<Work>();
-  for (const auto add : kCommands) add(*program, *work);
+  const std::shared_ptr<CLI::App> program = makeProgram(*work);
   const std::vector<std::string> arguments = argumentsOf(argc, argv);
   if (arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
   const int done = parse(*program, arguments);
@@ -155,6 +160,16 @@ int run(int argc, char** argv) {
   } catch (const std::exception& error) {
     return fail(error.what());
   }
+}
+
+bool writeManual(const std::string& folder) {
+  Work none;
+  for (const ManualPage& page : manualPages(*makeProgram(none))) {
+    std::ofstream stream(std::filesystem::path(folder) / page.file, std::ios::binary);
+    stream << page.text;
+    if (!stream.flush()) return false;
+  }
+  return true;
 }
 
 }  // namespace pongsim::cli
