@@ -30,6 +30,7 @@ struct Echo {
 class PONGSIM_API BeamScene {
  public:
   /// Of a world in which it sees nothing yet.
+  /// @throws std::runtime_error where Embree is not installed, saying which package to install.
   explicit BeamScene(const World& world);
   ~BeamScene();
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <list>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,10 +30,11 @@ namespace pongsim {
 ///     };
 ///
 /// The constructor may fill in what never changes, and throws an `Error` for a sensor that can't be had, which is left
-/// out with a warning. `measure` is called when a message is due and somebody listens, and fills in all but the header.
-/// Where there are, `void observe(const StepInfo&)` is called before it in each step, `void reset()` where the world is
-/// set back, and `kHolder` names what holds the sensor in its topic, in place of "link/L". What it remembers it tells
-/// by `void transfer(StateArchive&)`; its noise is taken care of.
+/// out with a warning; so it is where a library is missing (std::runtime_error). `measure` is called when a message is
+/// due and somebody listens, and fills in all but the header. Where there are, `void observe(const StepInfo&)` is
+/// called before it in each step, `void reset()` where the world is set back, and `kHolder` names what holds the sensor
+/// in its topic, in place of "link/L". What it remembers it tells by `void transfer(StateArchive&)`; its noise is taken
+/// care of.
 ///
 /// Sensors of several types have `kTypes`, an array, in place of `kType`. `Shared` is what those of a system share:
 /// made of the world and the node with the first of them, given to their constructors as the last argument, its `void
@@ -173,6 +175,9 @@ class SensorSystem : public System {
         } catch (const Error& error) {
           const Diagnostic& found = error.diagnostic();
           diagnostics.warning(found.position, found.message, found.hint);
+        } catch (const std::runtime_error& error) {
+          diagnostics.warning(sensor.sdf().position,
+                              "sensor '" + sensor.scopedName() + "' is left out: " + error.what());
         }
       }
     }

@@ -3,16 +3,18 @@
 #include <assimp/config.h>
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
-#include <assimp/scene.h>
 
 #include <algorithm>
 #include <array>
-#include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
 #include <exception>
+#include <memory>
+#include <mutex>
 #include <string_view>
 #include <system_error>
+
+#include "assets/assimp.hh"
 
 namespace pongsim::assets {
 
@@ -34,11 +36,32 @@ std::string lowerCaseEnding(const std::filesystem::path& file) {
   return ending;
 }
 
-void configure(Assimp::Importer& importer) {
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, kDropped);
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+struct ReleaseProperties {
+  void operator()(aiPropertyStore* store) const { assimp().releasePropertyStore(store); }
+};
+struct ReleaseImport {
+  void operator()(const aiScene* scene) const { assimp().releaseImport(scene); }
+};
+using ScenePointer = std::unique_ptr<const aiScene, ReleaseImport>;
+
+std::unique_ptr<aiPropertyStore, ReleaseProperties> importSettings() {
+  std::unique_ptr<aiPropertyStore, ReleaseProperties> settings(assimp().createPropertyStore());
+  const auto set = [&](const char* name, int value) { assimp().setImportPropertyInteger(settings.get(), name, value); };
+  set(AI_CONFIG_PP_RVC_FLAGS, kDropped);
+  set(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  set(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
+  set(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
+  return settings;
+}
+
+std::variant<ScenePointer, Problem> import(const std::filesystem::path& file) {
+  // what went wrong Assimp keeps for the whole process
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const auto settings = importSettings();
+  ScenePointer scene(assimp().importFileExWithProperties(file.c_str(), kSteps, nullptr, settings.get()));
+  if (!scene) return Problem{"can't be read as a mesh", assimp().getErrorString()};
+  return scene;
 }
 
 /// Copies the meshes of a scene, as its nodes place them.
@@ -111,11 +134,9 @@ std::variant<std::vector<MeshPart>, Problem> readMeshFile(const std::filesystem:
     return Problem{"is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MiB, which is the limit", {}};
   }
   try {
-    Assimp::Importer importer;
-    configure(importer);
-    const aiScene* scene = importer.ReadFile(file.string(), kSteps);
-    if (scene == nullptr) return Problem{"can't be read as a mesh", importer.GetErrorString()};
-    return partsOf(*scene);
+    const auto imported = import(file);
+    if (const auto* problem = std::get_if<Problem>(&imported)) return *problem;
+    return partsOf(*std::get<ScenePointer>(imported));
   } catch (const std::exception& problem) {
     return Problem{"can't be read as a mesh", problem.what()};
   }

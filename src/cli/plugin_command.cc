@@ -35,17 +35,10 @@ struct PluginOptions {
   CLI::App* newCommand = nullptr;
 };
 
-std::vector<std::string> availableNames() {
-  std::vector<std::string> names;
-  for (const std::filesystem::path& file : plugin::librariesIn(plugin::defaultSearchPath())) {
-    names.push_back(plugin::systemName(file.filename().string()));
-  }
-  return names;
-}
-
 int listMissing() {
   std::string text;
-  for (const std::string_view name : plugin::missingSystems(availableNames())) text += std::string(name) + "\n";
+  for (const std::string_view name : plugin::missingSystems(plugin::systemsIn(plugin::defaultSearchPath())))
+    text += std::string(name) + "\n";
   return print(text) ? kDone : kFailed;
 }
 
@@ -74,8 +67,9 @@ int listPlugins() {
 std::filesystem::path libraryNamed(const std::string& name) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(name, ignored)) return name;
-  if (const auto found = plugin::findLibrary(plugin::defaultSearchPath(), name)) return *found;
-  const std::vector<std::string> names = availableNames();
+  const std::vector<std::filesystem::path> searchPath = plugin::defaultSearchPath();
+  if (const auto found = plugin::findLibrary(searchPath, name)) return *found;
+  const std::vector<std::string> names = plugin::systemsIn(searchPath);
   const std::string shortName = plugin::systemName(name);
   if (std::ranges::count(plugin::missingSystems(names), shortName) > 0) {
     throw UsageError("the system '" + shortName + "' of Gazebo is not there yet", "pongsim plugin -l lists what is");

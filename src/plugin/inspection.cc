@@ -62,4 +62,12 @@ std::vector<std::filesystem::path> librariesIn(const std::vector<std::filesystem
   return all;
 }
 
+std::vector<std::string> systemsIn(const std::vector<std::filesystem::path>& searchPath) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : librariesIn(searchPath)) {
+    names.push_back(systemName(file.filename().string()));
+  }
+  return names;
+}
+
 }  // namespace pongsim::plugin

@@ -46,4 +46,7 @@ std::optional<std::filesystem::path> findLibrary(const std::vector<std::filesyst
 /// one that a world gets.
 std::vector<std::filesystem::path> librariesIn(const std::vector<std::filesystem::path>& searchPath);
 
+/// @return The short names of the systems in those libraries.
+std::vector<std::string> systemsIn(const std::vector<std::filesystem::path>& searchPath);
+
 }  // namespace pongsim::plugin

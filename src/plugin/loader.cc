@@ -1,7 +1,5 @@
 #include "plugin/loader.hh"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "base/nearest_word.hh"
+#include "base/shared_library.hh"
 #include "plugin/fortress_systems.hh"
 #include "plugin/inspection.hh"
 #include "plugin/system_name.hh"
@@ -44,12 +43,8 @@ std::vector<std::filesystem::path> defaultSearchPath() {
   std::vector<std::filesystem::path> folders;
   appendFolders("PONGSIM_PLUGIN_PATH", folders);
   appendFolders("IGN_GAZEBO_SYSTEM_PLUGIN_PATH", folders);
-  Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&defaultSearchPath), &info) != 0 && info.dli_fname != nullptr) {
-    std::error_code ignored;
-    const std::filesystem::path self = std::filesystem::canonical(info.dli_fname, ignored);
-    if (!self.empty()) folders.push_back(self.parent_path() / PONGSIM_PLUGIN_SUBDIRECTORY);
-  }
+  const std::filesystem::path self = base::ownLibraryFile();
+  if (!self.empty()) folders.push_back(self.parent_path() / PONGSIM_PLUGIN_SUBDIRECTORY);
   return folders;
 }
 
@@ -104,7 +99,7 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
     }
     return;
   }
-  const std::vector<std::string> available = availableSystems();
+  const std::vector<std::string> available = systemsIn(searchPath_);
   std::vector<std::string_view> words(available.begin(), available.end());
   words.insert(words.end(), fortressSystems().begin(), fortressSystems().end());
   std::string hint = base::didYouMean(name, words);
@@ -114,14 +109,6 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
     hint += "; PONGSIM_PLUGIN_PATH adds folders";
   }
   diagnostics.error(plugin.sdf.position, "plugin '" + plugin.filename + "' was not found", hint);
-}
-
-std::vector<std::string> Loader::availableSystems() const {
-  std::vector<std::string> names;
-  for (const std::filesystem::path& file : librariesIn(searchPath_)) {
-    names.push_back(systemName(file.filename().string()));
-  }
-  return names;
 }
 
 }  // namespace pongsim::plugin

@@ -31,7 +31,6 @@ class Loader {
  private:
   const Library* library(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics);
   void reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics);
-  std::vector<std::string> availableSystems() const;
 
   std::vector<std::filesystem::path> searchPath_;
   /// By short name.

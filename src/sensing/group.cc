@@ -37,19 +37,19 @@ bool meet(const Object& object, const BeamQuery& query, Beam& beam) {
 }  // namespace
 
 Group::Group(RTCDevice device)
-    : scene_(rtcNewScene(device)), geometry_(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
-  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  rtcSetGeometryUserData(geometry_.get(), this);
-  rtcSetGeometryBoundsFunction(geometry_.get(), tellBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry_.get(), intersect);
-  rtcAttachGeometry(scene_.get(), geometry_.get());
+    : scene_(embree().newScene(device)), geometry_(embree().newGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
+  embree().setSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  embree().setGeometryUserData(geometry_.get(), this);
+  embree().setGeometryBoundsFunction(geometry_.get(), tellBounds, nullptr);
+  embree().setGeometryIntersectFunction(geometry_.get(), intersect);
+  embree().attachGeometry(scene_.get(), geometry_.get());
 }
 
 void Group::commit(double reach) {
   reach_ = reach;
-  rtcSetGeometryUserPrimitiveCount(geometry_.get(), static_cast<unsigned>(objects_.size()));
-  rtcCommitGeometry(geometry_.get());
-  rtcCommitScene(scene_.get());
+  embree().setGeometryUserPrimitiveCount(geometry_.get(), static_cast<unsigned>(objects_.size()));
+  embree().commitGeometry(geometry_.get());
+  embree().commitScene(scene_.get());
 }
 
 void Group::tellBounds(const RTCBoundsFunctionArguments* arguments) {
@@ -104,7 +104,7 @@ void Group::cast(BeamQuery& query) const {
     rays.ray.mask[i] = std::numeric_limits<unsigned>::max();
     rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
   }
-  rtcIntersect8(valid.data(), scene_.get(), &query.context, &rays);
+  embree().intersect8(valid.data(), scene_.get(), &query.context, &rays);
 }
 
 }  // namespace pongsim::sensing

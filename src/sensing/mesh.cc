@@ -46,24 +46,24 @@ void dropHiddenSides(const RTCFilterFunctionNArguments* arguments) {
 }  // namespace
 
 Mesh::Mesh(RTCDevice device, std::shared_ptr<const description::TriangleMesh> triangles)
-    : triangles_(std::move(triangles)), scene_(rtcNewScene(device)) {
+    : triangles_(std::move(triangles)), scene_(embree().newScene(device)) {
   for (const Vector3& vertex : triangles_->vertices) bounds_.extend(vertex);
-  const GeometryPointer geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+  const GeometryPointer geometry(embree().newGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  auto* vertices = static_cast<float*>(embree().setNewGeometryBuffer(
       geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), triangles_->vertices.size()));
   const Vector3 center = bounds_.center();
   for (const Vector3& vertex : triangles_->vertices) {
     for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(vertex[axis] - center[axis]);
   }
-  auto* corners =
-      static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                          3 * sizeof(std::uint32_t), triangles_->triangles.size()));
+  auto* corners = static_cast<std::uint32_t*>(embree().setNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
+                                                                            RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
+                                                                            triangles_->triangles.size()));
   for (const auto& triangle : triangles_->triangles) corners = std::ranges::copy(triangle, corners).out;
-  rtcSetGeometryIntersectFilterFunction(geometry.get(), dropHiddenSides);
-  rtcCommitGeometry(geometry.get());
-  rtcAttachGeometry(scene_.get(), geometry.get());
-  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  rtcCommitScene(scene_.get());
+  embree().setGeometryIntersectFilterFunction(geometry.get(), dropHiddenSides);
+  embree().commitGeometry(geometry.get());
+  embree().attachGeometry(scene_.get(), geometry.get());
+  embree().setSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  embree().commitScene(scene_.get());
 }
 
 double Mesh::firstHit(const Line& line, double from, double to, bool seesInside) const {
@@ -91,7 +91,7 @@ double Mesh::firstHit(const Line& line, double from, double to, bool seesInside)
   ray.ray.tfar = static_cast<float>((end - begin) * length + kMargin * size);
   ray.ray.mask = std::numeric_limits<unsigned>::max();
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_.get(), &query.context, &ray);
+  embree().intersect1(scene_.get(), &query.context, &ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return kNowhere;
 
   // which triangle it is, single precision tells; where it is met, double precision

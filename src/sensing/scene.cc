@@ -42,7 +42,7 @@ Echo echoOf(const Beam& beam, double minRange) {
 class Scene::Content {
  public:
   // One thread: more gain nothing for worlds of thousands of bodies, and the simulation's is the one that may work.
-  Content() : device_(rtcNewDevice("threads=1")), still_(device_.get()), moving_(device_.get()) {}
+  Content() : device_(embree().newDevice("threads=1")), still_(device_.get()), moving_(device_.get()) {}
 
   void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics) {
     still_.objects().clear();

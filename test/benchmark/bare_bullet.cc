@@ -6,21 +6,14 @@
 
 #include <stdexcept>
 
+#include "benchmark/bare_shape.hh"
+#include "physics/convert.hh"
 #include "physics/group_solver.hh"
 #include "physics/settings.hh"
 
 namespace pongsim::benchmark {
 
-namespace {
-
-btVector3 vector(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-
-btTransform transform(const Pose& X) {
-  const Quaternion& q = X.rotation;
-  return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), vector(X.position));
-}
-
-}  // namespace
+using physics::toBullet;
 
 struct BareBullet::Motor {
   std::string name;
@@ -41,7 +34,7 @@ BareBullet::BareBullet(const description::World& world, BareSolver solver) {
   }
   world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), broadphase_.get(), solver_.get(),
                                                      configuration_.get());
-  world_->setGravity(vector(world.gravity));
+  world_->setGravity(toBullet(world.gravity));
   world_->setForceUpdateAllAabbs(false);
   if (solver == BareSolver::kPongsim) {
     btContactSolverInfo& info = world_->getSolverInfo();
@@ -61,7 +54,7 @@ BareBullet::~BareBullet() {
 
 void BareBullet::addModel(const description::Model& model) {
   bodyOfLink_.clear();
-  for (const description::Link& link : model.links) addLink(link, transform(model.X_ParentModel), model.isStatic);
+  for (const description::Link& link : model.links) addLink(link, toBullet(model.X_ParentModel), model.isStatic);
   for (const description::Joint& joint : model.joints) addJoint(joint);
 }
 
@@ -70,7 +63,7 @@ void BareBullet::addLink(const description::Link& link, const btTransform& X_Wor
   btCollisionShape* shape = nullptr;
   for (const description::Collision& collision : link.collisions) {
     shape = addShape(collision.geometry);
-    compound->addChildShape(transform(collision.X_LinkCollision), shape);
+    compound->addChildShape(toBullet(collision.X_LinkCollision), shape);
   }
   if (link.collisions.size() != 1 || !link.collisions[0].X_LinkCollision.position.isZero(0)) {
     shape = compound.get();
@@ -81,8 +74,8 @@ void BareBullet::addLink(const description::Link& link, const btTransform& X_Wor
     throw std::invalid_argument("no offset masses here");
   }
   btRigidBody::btRigidBodyConstructionInfo info(isStatic ? 0 : link.inertial.mass, nullptr, shape,
-                                                vector(moments.diagonal()));
-  info.m_startWorldTransform = X_WorldModel * transform(link.X_ModelLink);
+                                                toBullet(moments.diagonal()));
+  info.m_startWorldTransform = X_WorldModel * toBullet(link.X_ModelLink);
   info.m_friction = 1;
   btRigidBody* body = bodies_.emplace_back(std::make_unique<btRigidBody>(info)).get();
   if (!isStatic) body->setActivationState(DISABLE_DEACTIVATION);
@@ -92,36 +85,22 @@ void BareBullet::addLink(const description::Link& link, const btTransform& X_Wor
 }
 
 btCollisionShape* BareBullet::addShape(const description::Geometry& geometry) {
-  std::unique_ptr<btCollisionShape> shape;
-  if (const auto* box = std::get_if<description::Box>(&geometry)) {
-    shape = std::make_unique<btBoxShape>(vector(box->size / 2));
-  } else if (const auto* sphere = std::get_if<description::Sphere>(&geometry)) {
-    shape = std::make_unique<btSphereShape>(sphere->radius);
-  } else if (const auto* cylinder = std::get_if<description::Cylinder>(&geometry)) {
-    shape = std::make_unique<btCylinderShapeZ>(btVector3(cylinder->radius, cylinder->radius, cylinder->length / 2));
-    shape->setMargin(0.001);
-  } else if (const auto* plane = std::get_if<description::Plane>(&geometry)) {
-    shape = std::make_unique<btStaticPlaneShape>(vector(plane->normal), 0);
-    shape->setMargin(0);
-  } else {
-    throw std::invalid_argument("no such shape here");
-  }
-  return shapes_.emplace_back(std::move(shape)).get();
+  return shapes_.emplace_back(bareShape(geometry)).get();
 }
 
 void BareBullet::addJoint(const description::Joint& joint) {
   btRigidBody& parent = *bodyOfLink_.at(joint.parent);
   btRigidBody& child = *bodyOfLink_.at(joint.child);
-  const btVector3 inParent = vector(joint.X_ParentJoint.position);
-  const btVector3 inChild = vector(joint.X_ChildJoint.position);
+  const btVector3 inParent = toBullet(joint.X_ParentJoint.position);
+  const btVector3 inChild = toBullet(joint.X_ChildJoint.position);
   if (joint.type == description::JointType::kBall) {
     joints_.push_back(std::make_unique<btPoint2PointConstraint>(parent, child, inParent, inChild));
   } else if (joint.type == description::JointType::kRevolute) {
     const Vector3& axis = joint.axes.front().xyz;
     // Bullet's hinge counts the other way round: the parent comes second
     auto hinge = std::make_unique<btHingeConstraint>(child, parent, inChild, inParent,
-                                                     vector(joint.X_ChildJoint.rotation * axis),
-                                                     vector(joint.X_ParentJoint.rotation * axis));
+                                                     toBullet(joint.X_ChildJoint.rotation * axis),
+                                                     toBullet(joint.X_ParentJoint.rotation * axis));
     motors_.push_back({joint.name, hinge.get()});
     joints_.push_back(std::move(hinge));
   } else {

@@ -11,17 +11,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "benchmark/bare_shape.hh"
+#include "physics/convert.hh"
+
 namespace pongsim::benchmark {
 
-namespace {
-
-btVector3 bulletVector(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-
-btQuaternion bulletRotation(const Quaternion& q) { return {q.x(), q.y(), q.z(), q.w()}; }
-
-btTransform bulletTransform(const Pose& X) { return btTransform(bulletRotation(X.rotation), bulletVector(X.position)); }
-
-}  // namespace
+using physics::toBullet;
 
 struct MultiBodyWorld::Parts {
   btDefaultCollisionConfiguration configuration;
@@ -37,7 +32,7 @@ struct MultiBodyWorld::Parts {
 
 MultiBodyWorld::MultiBodyWorld(const description::World& world, int iterations) : parts_(std::make_unique<Parts>()) {
   parts_->configuration.setPlaneConvexMultipointIterations(4, 4);
-  parts_->world.setGravity(bulletVector(world.gravity));
+  parts_->world.setGravity(toBullet(world.gravity));
   parts_->world.getSolverInfo().m_numIterations = iterations;
   parts_->world.getSolverInfo().m_leastSquaresResidualThreshold = 0;
   for (const description::Model& model : world.models) {
@@ -58,7 +53,7 @@ MultiBodyWorld::~MultiBodyWorld() {
 void MultiBodyWorld::addStatic(const description::Model& model) {
   auto object = std::make_unique<btCollisionObject>();
   object->setCollisionShape(addShape(model.links.front()));
-  object->setWorldTransform(bulletTransform(model.X_ParentModel * model.links.front().X_ModelLink));
+  object->setWorldTransform(toBullet(model.X_ParentModel * model.links.front().X_ModelLink));
   object->setFriction(1);
   parts_->world.addCollisionObject(object.get());
   parts_->colliders.push_back(std::move(object));
@@ -69,11 +64,11 @@ void MultiBodyWorld::addTree(const description::Model& model) {
   for (const description::Link& link : model.links) links[link.name] = &link;
   const bool isFixed = model.joints.front().parent == "world";
   const description::Link* base = isFixed ? nullptr : links.at(model.joints.front().parent);
-  auto made = std::make_unique<btMultiBody>(
-      static_cast<int>(model.joints.size()), isFixed ? 0 : base->inertial.mass,
-      isFixed ? btVector3(0, 0, 0) : bulletVector(base->inertial.moments.diagonal()), isFixed, false);
+  auto made = std::make_unique<btMultiBody>(static_cast<int>(model.joints.size()), isFixed ? 0 : base->inertial.mass,
+                                            isFixed ? btVector3(0, 0, 0) : toBullet(base->inertial.moments.diagonal()),
+                                            isFixed, false);
   btMultiBody& body = *made;
-  body.setBaseWorldTransform(bulletTransform(isFixed ? model.X_ParentModel : model.X_ParentModel * base->X_ModelLink));
+  body.setBaseWorldTransform(toBullet(isFixed ? model.X_ParentModel : model.X_ParentModel * base->X_ModelLink));
   std::unordered_map<std::string, int> indices;
   if (base != nullptr) indices[base->name] = -1;
   indices["world"] = -1;
@@ -81,14 +76,14 @@ void MultiBodyWorld::addTree(const description::Model& model) {
     const description::Joint& joint = model.joints[static_cast<std::size_t>(i)];
     const description::Link& child = *links.at(joint.child);
     const btQuaternion turn =
-        bulletRotation((joint.X_ParentJoint.rotation * joint.X_ChildJoint.rotation.conjugate()).conjugate());
-    const btVector3 toPivot = bulletVector(joint.X_ParentJoint.position);
-    const btVector3 fromPivot = -bulletVector(joint.X_ChildJoint.position);
-    const btVector3 moments = bulletVector(child.inertial.moments.diagonal());
+        toBullet((joint.X_ParentJoint.rotation * joint.X_ChildJoint.rotation.conjugate()).conjugate());
+    const btVector3 toPivot = toBullet(joint.X_ParentJoint.position);
+    const btVector3 fromPivot = -toBullet(joint.X_ChildJoint.position);
+    const btVector3 moments = toBullet(child.inertial.moments.diagonal());
     const int parent = indices.at(joint.parent);
     if (joint.type == description::JointType::kRevolute) {
       body.setupRevolute(i, child.inertial.mass, moments, parent, turn,
-                         bulletVector(joint.X_ChildJoint.rotation * joint.axes.front().xyz), toPivot, fromPivot, true);
+                         toBullet(joint.X_ChildJoint.rotation * joint.axes.front().xyz), toPivot, fromPivot, true);
     } else if (joint.type == description::JointType::kBall) {
       body.setupSpherical(i, child.inertial.mass, moments, parent, turn, toPivot, fromPivot, true);
     } else {
@@ -140,22 +135,7 @@ btCollisionShape* MultiBodyWorld::addShape(const description::Link& link) {
   if (link.collisions.size() != 1 || !link.collisions[0].X_LinkCollision.position.isZero(0)) {
     throw std::invalid_argument("one collision in the middle of each link here");
   }
-  const description::Geometry& geometry = link.collisions[0].geometry;
-  std::unique_ptr<btCollisionShape> shape;
-  if (const auto* box = std::get_if<description::Box>(&geometry)) {
-    shape = std::make_unique<btBoxShape>(bulletVector(box->size / 2));
-  } else if (const auto* sphere = std::get_if<description::Sphere>(&geometry)) {
-    shape = std::make_unique<btSphereShape>(sphere->radius);
-  } else if (const auto* cylinder = std::get_if<description::Cylinder>(&geometry)) {
-    shape = std::make_unique<btCylinderShapeZ>(btVector3(cylinder->radius, cylinder->radius, cylinder->length / 2));
-    shape->setMargin(0.001);
-  } else if (const auto* plane = std::get_if<description::Plane>(&geometry)) {
-    shape = std::make_unique<btStaticPlaneShape>(bulletVector(plane->normal), 0);
-    shape->setMargin(0);
-  } else {
-    throw std::invalid_argument("no such shape here");
-  }
-  return parts_->shapes.emplace_back(std::move(shape)).get();
+  return parts_->shapes.emplace_back(bareShape(link.collisions[0].geometry)).get();
 }
 
 void MultiBodyWorld::setVelocity(std::string_view joint, double velocity) {

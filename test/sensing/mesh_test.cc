@@ -20,7 +20,7 @@ std::shared_ptr<const description::TriangleMesh> triangleAt(double distance) {
 
 class MeshTest : public testing::Test {
  protected:
-  DevicePointer device_{rtcNewDevice("threads=1")};
+  DevicePointer device_{embree().newDevice("threads=1")};
 };
 
 TEST_F(MeshTest, IsSeenFromWhereItsCornersGoRoundCounterClockwise) {
