@@ -132,7 +132,13 @@ std::unique_ptr<CLI::App> makeProgram(Work& work) {
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim topic --list\n"
-      "  pongsim topic --help");
+      "  pongsim topic --help\n"
+      "\n"
+      "Environment:\n"
+      "  PONGSIM_DOMAIN         DDS domain, 0 to 232 (0): processes of different ones do not meet\n"
+      "  PONGSIM_NETWORK        network interface for other machines, by name or address\n"
+      "  PONGSIM_PLUGIN_PATH    folders of systems, before pongsim's own\n"
+      "  PONGSIM_RESOURCE_PATH  folders of worlds and models");
   for (const auto add : kCommands) add(*program, work);
   return program;
 }
