@@ -1,3 +1,42 @@
-#include "cli/cli.hh"
+#include <cstdio>
+#include <string>
+#include <variant>
 
-int main(int argc, char** argv) { return pongsim::cli::run(argc, argv); }
+#include "base/shared_library.hh"
+#include "cli/own_folder.hh"
+#include "cli/talk.hh"
+#include "msgs/described_types.hh"
+
+namespace pongsim::msgs {
+
+const TypeSource& typeSource() {
+  static const DescribedTypes types(cli::ownFolder() / "message_types");
+  return types.source();
+}
+
+}  // namespace pongsim::msgs
+
+namespace {
+
+using pongsim::base::SharedLibrary;
+
+/// All other commands stand in the library, which is opened for them.
+int runWhole(int argc, char** argv) {
+  const auto opened = SharedLibrary::open(PONGSIM_LIBRARY);
+  if (const auto* why = std::get_if<std::string>(&opened)) {
+    std::fprintf(stderr, "pongsim: error: %s\n", why->c_str());
+    return 1;
+  }
+  auto* const whole = std::get<SharedLibrary>(opened).find<int(int, char**)>("pongsim_main");
+  if (whole == nullptr) {
+    std::fputs("pongsim: error: " PONGSIM_LIBRARY " is of another version\n", stderr);
+    return 1;
+  }
+  return whole(argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return pongsim::cli::isTalk(argc, argv) ? pongsim::cli::talk(argc, argv) : runWhole(argc, argv);
+}

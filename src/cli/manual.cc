@@ -1,7 +1,10 @@
 #include "cli/manual.hh"
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string_view>
 
@@ -133,6 +136,15 @@ std::vector<ManualPage> manualPages(const CLI::App& program) {
   }
   pages.push_back({"pongsim.1", page(program, "pongsim", commands, all)});
   return pages;
+}
+
+bool writeManual(const CLI::App& program, const std::string& folder) {
+  for (const ManualPage& page : manualPages(program)) {
+    std::ofstream stream(std::filesystem::path(folder) / page.file, std::ios::binary);
+    stream << page.text;
+    if (!stream.flush()) return false;
+  }
+  return true;
 }
 
 }  // namespace pongsim::cli

@@ -19,4 +19,8 @@ struct ManualPage {
 /// @return A page for the program and one for each of its commands, of the words that `--help` prints.
 std::vector<ManualPage> manualPages(const CLI::App& program);
 
+/// Writes them into a folder.
+/// @return Whether it could.
+bool writeManual(const CLI::App& program, const std::string& folder);
+
 }  // namespace pongsim::cli

@@ -7,7 +7,7 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/message_option.hh"
-#include "cli/world_file.hh"
+#include "cli/own_folder.hh"
 #include "msgs/definition.hh"
 #include "msgs/message_template.hh"
 #include "pongsim/message.hh"

@@ -1,5 +1,8 @@
 #include "cli/version.hh"
 
+#include <CLI/App.hpp>
+
+#include "cli/command.hh"
 #include "physics/bullet_version.hh"
 #include "sensing/embree_version.hh"
 #include "transport/fast_dds_version.hh"
@@ -9,6 +12,11 @@ namespace pongsim::cli {
 std::string versionText() {
   return "pongsim " PONGSIM_VERSION "\nBullet " + physics::bulletVersion() + "\nFast DDS " +
          transport::fastDdsVersion() + "\nEmbree " + sensing::embreeVersion();
+}
+
+void addVersionOption(CLI::App& program, Work&) {
+  program.set_version_flag("--version", versionText,
+                           "Print the version, and those of the libraries that results depend on, and end");
 }
 
 }  // namespace pongsim::cli

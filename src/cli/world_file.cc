@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assets/places.hh"
+#include "cli/own_folder.hh"
 
 namespace pongsim::cli {
 
@@ -20,12 +21,6 @@ fs::path findWorldFile(const std::string& name) {
     if (fs::is_regular_file(folder / given, error)) return folder / given;
   }
   return given;
-}
-
-fs::path ownFolder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : program.parent_path().parent_path() / "share/pongsim";
 }
 
 }  // namespace pongsim::cli

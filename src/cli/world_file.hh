@@ -10,7 +10,4 @@ namespace pongsim::cli {
 /// @return Its path; `name` itself where there is no such file.
 std::filesystem::path findWorldFile(const std::string& name);
 
-/// @return What came with this program is there: PREFIX/share/pongsim; empty where it can't be told.
-std::filesystem::path ownFolder();
-
 }  // namespace pongsim::cli

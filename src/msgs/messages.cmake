@@ -34,7 +34,8 @@ install(TARGETS pongsim_messages EXPORT pongsim LIBRARY DESTINATION ${CMAKE_INST
 install(DIRECTORY ${folder}/ignition DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pongsim/messages
         FILES_MATCHING PATTERN "*.pb.h")
 
-# What stands beside the types in their files, for pongsim msg -i.
+# The types as files: with what stands beside them, for pongsim msg -i, and as little as it takes to read and write
+# messages, for programs that do without the classes.
 file(GLOB installed ${ignition_msgs_proto_dir}/ignition/msgs/*.proto)
 file(GLOB own ${CMAKE_CURRENT_SOURCE_DIR}/proto/ignition/msgs/*.proto)
 foreach(proto ${own})
@@ -43,10 +44,15 @@ foreach(proto ${own})
     list(REMOVE_ITEM own ${proto})
   endif()
 endforeach()
-set(comments ${CMAKE_BINARY_DIR}/share/pongsim/message_comments)
+set(types)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/pongsim)
-add_custom_command(OUTPUT ${comments} DEPENDS ${installed} ${own} VERBATIM
-  COMMAND protobuf::protoc --proto_path=${CMAKE_CURRENT_SOURCE_DIR}/proto --proto_path=${ignition_msgs_proto_dir}
-          --include_imports --include_source_info --descriptor_set_out=${comments} ${installed} ${own})
-add_custom_target(pongsim_message_comments ALL DEPENDS ${comments})
-install(FILES ${comments} DESTINATION ${CMAKE_INSTALL_DATADIR}/pongsim)
+foreach(name message_types message_comments)
+  set(file ${CMAKE_BINARY_DIR}/share/pongsim/${name})
+  set(with_source_info $<$<STREQUAL:${name},message_comments>:--include_source_info>)
+  add_custom_command(OUTPUT ${file} DEPENDS ${installed} ${own} VERBATIM COMMAND_EXPAND_LISTS
+    COMMAND protobuf::protoc --proto_path=${CMAKE_CURRENT_SOURCE_DIR}/proto --proto_path=${ignition_msgs_proto_dir}
+            --include_imports ${with_source_info} --descriptor_set_out=${file} ${installed} ${own})
+  list(APPEND types ${file})
+endforeach()
+add_custom_target(pongsim_message_types ALL DEPENDS ${types})
+install(FILES ${types} DESTINATION ${CMAKE_INSTALL_DATADIR}/pongsim)

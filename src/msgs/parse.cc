@@ -10,6 +10,7 @@
 
 #include "base/nearest_word.hh"
 #include "msgs/text_context.hh"
+#include "msgs/type_source.hh"
 #include "pongsim/message.hh"
 
 namespace pongsim {
@@ -110,8 +111,7 @@ MessageError saying(std::string message) {
 
 MessageError unknownField(std::string_view typeName, std::string_view field) {
   MessageError error = saying("field " + quote(field) + " is not in " + std::string(typeName));
-  const protobuf::Descriptor* type =
-      protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(std::string(typeName));
+  const protobuf::Descriptor* type = msgs::typeSource().pool.FindMessageTypeByName(std::string(typeName));
   if (type == nullptr) return error;
   const std::vector<std::string_view> known = fieldsOf(*type);
   // any two names of a letter or two are near each other

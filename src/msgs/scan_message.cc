@@ -1,38 +1,39 @@
 #include "msgs/scan_message.hh"
 
-#include <ignition/msgs/laserscan.pb.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+
+#include "msgs/field_reader.hh"
+#include "msgs/stamp.hh"
 
 namespace pongsim::msgs {
 
 ScanRow levelRowOf(const Message& scan) {
-  const auto& message = static_cast<const ignition::msgs::LaserScan&>(scan);
+  const FieldReader reader(scan);
   ScanRow row;
-  row.time =
-      std::chrono::seconds(message.header().stamp().sec()) + std::chrono::nanoseconds(message.header().stamp().nsec());
-  row.firstAngle = message.angle_min();
-  row.angleStep = message.angle_step();
-  const auto size = static_cast<std::size_t>(message.ranges_size());
-  const std::size_t count = message.count() > 0 ? std::min<std::size_t>(message.count(), size) : size;
+  row.time = stampOf(scan).value_or(Time(0));
+  row.firstAngle = reader.number("angle_min");
+  row.angleStep = reader.number("angle_step");
+  const std::vector<double> ranges = reader.numbers("ranges");
+  const auto said = static_cast<std::size_t>(reader.whole("count"));
+  const std::size_t count = said > 0 ? std::min(said, ranges.size()) : ranges.size();
   if (count == 0) return row;
 
   // rows that are there
-  const std::size_t rows = std::clamp<std::size_t>(message.vertical_count(), 1, size / count);
-  const auto elevationOf = [&message](std::size_t index) {
-    return index == 0 ? message.vertical_angle_min()
-                      : message.vertical_angle_min() + static_cast<double>(index) * message.vertical_angle_step();
+  const auto rows =
+      std::clamp<std::size_t>(static_cast<std::size_t>(reader.whole("vertical_count")), 1, ranges.size() / count);
+  const double lowest = reader.number("vertical_angle_min"), step = reader.number("vertical_angle_step");
+  const auto elevationOf = [lowest, step](std::size_t index) {
+    return index == 0 ? lowest : lowest + static_cast<double>(index) * step;
   };
   std::size_t level = 0;
   for (std::size_t index = 1; index < rows; ++index) {
     if (std::abs(elevationOf(index)) < std::abs(elevationOf(level))) level = index;
   }
   row.elevation = elevationOf(level);
-  row.ranges = {message.ranges().data() + level * count, count};
+  const auto first = ranges.begin() + static_cast<std::ptrdiff_t>(level * count);
+  row.ranges.assign(first, first + static_cast<std::ptrdiff_t>(count));
   return row;
 }
 

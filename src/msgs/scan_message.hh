@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "pongsim/message.hh"
 #include "pongsim/types.hh"
@@ -15,8 +15,8 @@ struct ScanRow {
   double angleStep = 0;
   /// How far up the row looks [rad].
   double elevation = 0;
-  /// [m] Infinite where nothing is. Lives as long as the message.
-  std::span<const double> ranges;
+  /// [m] Infinite where nothing is.
+  std::vector<double> ranges;
 };
 
 /// @param scan An `ignition.msgs.LaserScan`, perhaps with less ranges than it says.

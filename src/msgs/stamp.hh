@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -7,6 +8,9 @@
 #include "pongsim/types.hh"
 
 namespace pongsim::msgs {
+
+/// @return The time as far as it fits in nanoseconds, from -146 to 146 years.
+Time timeOf(std::int64_t seconds, std::int64_t nanoseconds);
 
 /// @param type Full name of a message type.
 /// @return Whether its messages have a header that can tell a time.

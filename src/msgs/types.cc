@@ -2,12 +2,11 @@
 #include <google/protobuf/descriptor_database.h>
 #include <google/protobuf/message.h>
 #include <google/protobuf/stubs/logging.h>
-#include <ignition/msgs/empty.pb.h>
-#include <ignition/msgs/entity_wrench.pb.h>
 
 #include <algorithm>
 
 #include "base/nearest_word.hh"
+#include "msgs/type_source.hh"
 #include "pongsim/log.hh"
 #include "pongsim/message.hh"
 
@@ -37,14 +36,8 @@ std::string_view withoutPackage(std::string_view name) {
 }
 
 const protobuf::Descriptor* findType(std::string_view name) {
-  // The calls make the linker keep the libraries whose static initialisers register all types.
-  static const protobuf::DescriptorPool* const pool = [] {
-    (void)ignition::msgs::Empty::descriptor();
-    (void)ignition::msgs::EntityWrench::descriptor();
-    return protobuf::DescriptorPool::generated_pool();
-  }();
   const protobuf::Descriptor* type =
-      pool->FindMessageTypeByName(std::string(kPackage) + std::string(withoutPackage(name)));
+      msgs::typeSource().pool.FindMessageTypeByName(std::string(kPackage) + std::string(withoutPackage(name)));
   // The entry of a map is a message to protobuf only.
   return type == nullptr || type->map_key() != nullptr ? nullptr : type;
 }
@@ -68,7 +61,7 @@ std::string nearestMessageType(std::string_view name) {
 
 std::vector<std::string> messageTypes() {
   std::vector<std::string> all;
-  protobuf::DescriptorPool::internal_generated_database()->FindAllMessageNames(&all);
+  msgs::typeSource().database.FindAllMessageNames(&all);
   std::erase_if(all, [](const std::string& name) { return !name.starts_with(kPackage) || findType(name) == nullptr; });
   std::sort(all.begin(), all.end());
   return all;
@@ -79,7 +72,7 @@ void MessageDeleter::operator()(Message* message) const { delete message; }
 MessagePointer newMessage(std::string_view name) {
   const protobuf::Descriptor* type = findType(name);
   if (type == nullptr) return nullptr;
-  return MessagePointer(protobuf::MessageFactory::generated_factory()->GetPrototype(type)->New());
+  return MessagePointer(msgs::typeSource().factory.GetPrototype(type)->New());
 }
 
 }  // namespace pongsim

@@ -41,8 +41,8 @@ TEST(Manual, TellsWhatHelpTells) {
 // As man takes them, and with all that is in the help.
 TEST(Manual, HasPagesThatManReadsWithoutComplaint) {
   const test::TempFolder folder;
-  ASSERT_TRUE(writeManual(folder.path().string()));
-  EXPECT_FALSE(writeManual((folder.path() / "not/there").string()));
+  ASSERT_TRUE(pongsim_write_manual(folder.path().c_str()));
+  EXPECT_FALSE(pongsim_write_manual((folder.path() / "not/there").c_str()));
   int pages = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     ++pages;

@@ -126,12 +126,11 @@ TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
   const std::regex ownName("N[KRO]*7pongsim(\\d+)(\\w+)");
   const std::vector<std::string> names = exportsOf(libraries / "libpongsim.so");
   for (const std::string& name : names) {
+    // the program's own ways in
+    if (name == "pongsim_main" || name == "pongsim_write_manual") continue;
     std::smatch found;
     ASSERT_TRUE(std::regex_search(name, found, ownName)) << name;
     const std::string member = found[2].str().substr(0, std::stoul(found[1]));
-    // the program's own ways in
-    if (member == "cli" && found[2].str().starts_with("cli3run")) continue;
-    if (member == "cli" && found[2].str().starts_with("cli11writeManual")) continue;
     EXPECT_EQ(std::ranges::count(kLayers, member), 0) << name;
     EXPECT_NE(declared.find(member), std::string::npos) << name;
   }

@@ -1,0 +1,159 @@
+#include "cli/command_line.hh"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/nearest_word.hh"
+#include "cli/console.hh"
+#include "cli/ign_arguments.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+bool isOption(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
+
+/// @return The subcommand that the user named, or the program itself.
+const CLI::App& namedCommand(const CLI::App& program) {
+  const std::vector<CLI::App*> named = program.get_subcommands();
+  return named.empty() ? program : *named.front();
+}
+
+/// @return "pongsim run --help".
+std::string helpFor(const CLI::App& command) {
+  const CLI::App* program = command.get_parent();
+  return (program == nullptr ? "" : program->get_name() + " ") + command.get_name() + " --help";
+}
+
+UsageError unknownOption(const CLI::App& command, const std::string& option) {
+  std::vector<std::string> known;
+  for (const CLI::Option* each : command.get_options()) {
+    for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
+  }
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  std::string hint = base::didYouMean(option, words);
+  if (hint.empty()) hint = helpFor(command) + " lists the options";
+  return UsageError("unknown option '" + option + "'", hint);
+}
+
+UsageError unknownCommand(const CLI::App& program, const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const CLI::App* each : program.get_subcommands({})) known.push_back(each->get_name());
+  std::string hint = base::didYouMean(name, known);
+  if (hint.empty()) hint = "pongsim --help lists the commands";
+  return UsageError("unknown command '" + name + "'", hint);
+}
+
+/// @return What the user took for a command, where there is none of that name.
+std::optional<std::string> wrongCommand(const CLI::App& program) {
+  if (!program.get_subcommands().empty()) return std::nullopt;
+  for (const std::string& extra : program.remaining()) {
+    if (!isOption(extra)) return extra;
+  }
+  return std::nullopt;
+}
+
+/// Says in our words what CLI11 found wrong.
+UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
+  if (const auto name = wrongCommand(program)) return unknownCommand(program, *name);
+  const CLI::App& command = namedCommand(program);
+  const std::vector<std::string> extras = program.remaining(true);
+  const auto option = std::find_if(extras.begin(), extras.end(), isOption);
+  if (option != extras.end()) return unknownOption(command, option->substr(0, option->find('=')));
+  if (!extras.empty()) return UsageError("unexpected argument '" + extras.front() + "'");
+
+  const std::string said = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) {
+    return UsageError(said, helpFor(command) + " tells more");
+  }
+  std::string name = said.substr(0, said.find_first_of(": "));
+  if (!isOption(name)) name.insert(0, name.size() > 1 ? "--" : "-");
+  if (said.ends_with("missing")) return UsageError("option '" + name + "' needs a value");
+  if (said.find("At Most") != std::string::npos) return UsageError("option '" + name + "' is given twice");
+  return UsageError("option '" + name + "' takes no value");
+}
+
+/// `pongsim help topic` is `pongsim topic --help`.
+std::vector<std::string> argumentsOf(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (argc > 0 && isCalledAsIgn(argv[0])) arguments = fromIgnArguments(std::move(arguments));
+  if (!arguments.empty() && arguments.front() == "help") {
+    arguments.erase(arguments.begin());
+    arguments.push_back("--help");
+  }
+  return arguments;
+}
+
+/// @return The exit code, where the command line asks for nothing more than words.
+int parse(CLI::App& program, std::vector<std::string> arguments) {
+  try {
+    // CLI11 takes them from the back
+    std::reverse(arguments.begin(), arguments.end());
+    program.parse(std::move(arguments));
+  } catch (const CLI::Success& success) {
+    if (const auto name = wrongCommand(program)) throw unknownCommand(program, *name);
+    std::ostringstream text;
+    program.exit(success, text, text);
+    return print(text.str()) ? kDone : kFailed;
+  } catch (const CLI::ParseError& error) {
+    throw explain(program, error);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work& work) {
+  auto program =
+      std::make_unique<CLI::App>("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
+  program->set_help_flag("-h,--help", "Print this and end");
+  program->footer(
+      "Examples:\n"
+      "  pongsim run worlds/pong_world.sdf\n"
+      "  pongsim topic --list\n"
+      "  pongsim topic --help\n"
+      "\n"
+      "Environment:\n"
+      "  PONGSIM_DOMAIN         DDS domain, 0 to 232 (0): processes of different ones do not meet\n"
+      "  PONGSIM_NETWORK        network interface for other machines, by name or address\n"
+      "  PONGSIM_PLUGIN_PATH    folders of systems, before pongsim's own\n"
+      "  PONGSIM_RESOURCE_PATH  folders of worlds and models");
+  for (const AddCommand add : commands) add(*program, work);
+  return program;
+}
+
+Work workOf(int argc, char** argv, std::span<const AddCommand> commands) {
+  const auto work = std::make_shared<Work>();
+  const std::shared_ptr<CLI::App> program = makeProgram(commands, *work);
+  const std::vector<std::string> arguments = argumentsOf(argc, argv);
+  if (arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
+  const int done = parse(*program, arguments);
+  // what the commands have read stands in the program
+  return [program, work, done] { return *work ? (*work)() : done; };
+}
+
+int run(int argc, char** argv, std::span<const AddCommand> commands) {
+  // a reader that goes away is seen where the writing is done
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return workOf(argc, argv, commands)();
+  } catch (const UsageError& error) {
+    sayError(error.what(), error.hint());
+    return kWrongUsage;
+  } catch (const std::exception& error) {
+    return fail(error.what());
+  }
+}
+
+}  // namespace pongsim::cli
