@@ -28,9 +28,9 @@ Link chassisOf(Simulation& simulation) {
   throw std::runtime_error("no robot here");
 }
 
-void driveOff(Simulation& simulation) {
+void driveOff(Simulation& simulation, double angular) {
   const auto twist = newMessage("ignition.msgs.Twist");
-  parseMessage("linear: {x: " + std::to_string(kLinear) + "}, angular: {z: " + std::to_string(kAngular) + "}", *twist);
+  parseMessage("linear: {x: " + std::to_string(kLinear) + "}, angular: {z: " + std::to_string(angular) + "}", *twist);
   Publisher publisher = simulation.transport().node().advertise("/cmd_vel", "ignition.msgs.Twist");
   publisher.publish(*twist);
   const Link chassis = chassisOf(simulation);

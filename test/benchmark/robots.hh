@@ -20,8 +20,9 @@ std::string withRobots(std::string text, int count);
 Link chassisOf(Simulation& simulation);
 
 /// Makes steps until the robots drive as commanded.
+/// @param angular [rad/s]
 /// @throws std::runtime_error where the first one does not: what stands still costs nothing to compare.
-void driveOff(Simulation& simulation);
+void driveOff(Simulation& simulation, double angular = kAngular);
 
 /// @throws std::runtime_error where the way [m] that a robot went in `kSettlingSteps` is not as commanded.
 void requireMoved(double distance);

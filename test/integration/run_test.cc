@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "integration/program.hh"
 #include "support/temp_folder.hh"
@@ -30,6 +32,36 @@ TEST(Run, GivesTheSameStateHashTwice) {
   const std::string first = hashAfter("500");
   EXPECT_EQ(hashAfter("500"), first);
   EXPECT_NE(hashAfter("501"), first);
+}
+
+/// Where memory lies and what it held, how many threads there are, and what time it is.
+struct Surroundings {
+  const char* what;
+  /// Before the program's name.
+  std::vector<std::string> launcher;
+  std::map<std::string, std::string> environment;
+  std::string threads = "1";
+};
+
+TEST(Run, GivesTheSameStateHashWhateverSurroundsIt) {
+  const std::string expected = hashAfter("1500");
+  const Surroundings all[] = {
+      {"addresses that are not random", {"setarch", "-R"}, {}},
+      {"freed memory overwritten", {}, {{"MALLOC_PERTURB_", "165"}}},
+      {"one heap for all", {}, {{"MALLOC_ARENA_MAX", "1"}, {"MALLOC_TOP_PAD_", "1"}}},
+      {"another time of day and another tongue", {}, {{"TZ", "Asia/Kathmandu"}, {"LC_ALL", "C.UTF-8"}}},
+      {"two threads", {}, {}, "2"},
+      {"four threads, freed memory overwritten", {}, {{"MALLOC_PERTURB_", "90"}}, "4"}};
+  for (const Surroundings& each : all) {
+    std::vector<std::string> arguments = each.launcher;
+    const std::vector<std::string> command = {PONGSIM_PROGRAM, "run",  ownWorld(kWorld), "-z",        "0",
+                                              "--iterations",  "1500", "--hash",         "--threads", each.threads};
+    arguments.insert(arguments.end(), command.begin(), command.end());
+    testDomain();
+    Process process(arguments, {.environment = each.environment, .folder = {}});
+    EXPECT_EQ(process.wait(), 0) << each.what << ": " << process.error();
+    EXPECT_EQ(process.output(), expected) << each.what;
+  }
 }
 
 TEST(Run, EndsWithExitCode0AtSigintAndSigterm) {
