@@ -58,7 +58,7 @@ TEST(Manual, HasPagesThatManReadsWithoutComplaint) {
     EXPECT_EQ(man.error(), "") << entry.path();
     EXPECT_NE(man.output().find("Print this and end"), std::string::npos) << man.output();
   }
-  EXPECT_EQ(pages, 11);
+  EXPECT_GT(pages, 10);
 }
 
 }  // namespace
