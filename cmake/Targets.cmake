@@ -16,6 +16,15 @@ function(pongsim_layer name)
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS_USE ${arg_USES})
 endfunction()
 
+# pongsim_export(TARGET FILE)
+# Of a library's names, lets only those of a linker's version script in cmake/ be seen: what templates of others leave
+# behind is not ours to offer.
+function(pongsim_export target file)
+  set(map ${CMAKE_SOURCE_DIR}/cmake/${file})
+  target_link_options(${target} PRIVATE LINKER:--version-script=${map})
+  set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${map})
+endfunction()
+
 # pongsim_plugin(NAME SOURCES ... [USES third-party targets ...])
 # A system's library; knows the installed API only.
 function(pongsim_plugin name)
@@ -23,6 +32,7 @@ function(pongsim_plugin name)
   set(target pongsim-${name}-system)
   add_library(${target} MODULE ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE pongsim pongsim_settings ${arg_USES})
+  pongsim_export(${target} system.map)
   target_precompile_headers(${target} REUSE_FROM pongsim_plugin_precompiled)
   set_target_properties(${target} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PONGSIM_PLUGIN_SUBDIRECTORY}

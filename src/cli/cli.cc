@@ -1,15 +1,18 @@
 #include "cli/cli.hh"
 
+#include <CLI/App.hpp>
+
 #include "cli/command.hh"
 #include "cli/command_line.hh"
+#include "cli/manual.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
-constexpr AddCommand kCommands[] = {addRunCommand,   addTopicCommand,  addServiceCommand,   addModelCommand,
-                                    addWorldCommand, addKeyCommand,    addViewCommand,      addMsgCommand,
-                                    addSdfCommand,   addPluginCommand, addCompletionCommand};
+constexpr AddCommand kCommands[] = {addVersionOption, addRunCommand,   addTopicCommand,  addServiceCommand,
+                                    addModelCommand,  addWorldCommand, addKeyCommand,    addViewCommand,
+                                    addMsgCommand,    addSdfCommand,   addPluginCommand, addCompletionCommand};
 
 }  // namespace
 
@@ -18,5 +21,11 @@ Work workOf(int argc, char** argv) { return workOf(argc, argv, kCommands); }
 int run(int argc, char** argv) { return run(argc, argv, kCommands); }
 
 }  // namespace pongsim::cli
+
+bool pongsim_write_manual(const char* folder) {
+  pongsim::cli::Work none;
+  const auto program = pongsim::cli::makeProgram(pongsim::cli::kCommands, none);
+  return pongsim::cli::writeManual(*program, folder);
+}
 
 int pongsim_main(int argc, char** argv) { return pongsim::cli::run(argc, argv); }

@@ -18,3 +18,7 @@ int run(int argc, char** argv);
 
 /// The whole program, for `main.cc` to find in the library.
 extern "C" PONGSIM_API int pongsim_main(int argc, char** argv);
+
+/// Writes the pages of the manual, `pongsim.1` and one for each command, into a folder, for `manual_main.cc`.
+/// @return Whether it could.
+extern "C" PONGSIM_API bool pongsim_write_manual(const char* folder);

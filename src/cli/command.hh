@@ -12,8 +12,9 @@ namespace pongsim::cli {
 /// @return The exit code.
 using Work = std::function<int()>;
 
-/// Each adds its subcommand to `program`, which sets `work` where the user names it. Both must stay until the work
-/// is done.
+/// Each adds its subcommand (the first an option) to `program`, which sets `work` where the user names it. Both must
+/// stay until the work is done.
+void addVersionOption(CLI::App& program, Work& work);
 void addRunCommand(CLI::App& program, Work& work);
 void addSdfCommand(CLI::App& program, Work& work);
 void addCompletionCommand(CLI::App& program, Work& work);

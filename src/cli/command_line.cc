@@ -112,26 +112,30 @@ int parse(CLI::App& program, std::vector<std::string> arguments) {
   return kDone;
 }
 
-/// As users see it, without commands.
-std::unique_ptr<CLI::App> makeProgram() {
+}  // namespace
+
+std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work& work) {
   auto program =
       std::make_unique<CLI::App>("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
-  program->set_version_flag("--version", "pongsim " PONGSIM_VERSION, "Print the version and end");
   program->set_help_flag("-h,--help", "Print this and end");
   program->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim topic --list\n"
-      "  pongsim topic --help");
+      "  pongsim topic --help\n"
+      "\n"
+      "Environment:\n"
+      "  PONGSIM_DOMAIN         DDS domain, 0 to 232 (0): processes of different ones do not meet\n"
+      "  PONGSIM_NETWORK        network interface for other machines, by name or address\n"
+      "  PONGSIM_PLUGIN_PATH    folders of systems, before pongsim's own\n"
+      "  PONGSIM_RESOURCE_PATH  folders of worlds and models");
+  for (const AddCommand add : commands) add(*program, work);
   return program;
 }
 
-}  // namespace
-
 Work workOf(int argc, char** argv, std::span<const AddCommand> commands) {
-  const std::shared_ptr<CLI::App> program = makeProgram();
   const auto work = std::make_shared<Work>();
-  for (const AddCommand add : commands) add(*program, *work);
+  const std::shared_ptr<CLI::App> program = makeProgram(commands, *work);
   const std::vector<std::string> arguments = argumentsOf(argc, argv);
   if (arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
   const int done = parse(*program, arguments);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "cli/command.hh"
@@ -8,6 +9,10 @@ namespace pongsim::cli {
 
 /// Adds a subcommand, as those in `command.hh`.
 using AddCommand = void (*)(CLI::App& program, Work& work);
+
+/// @param commands What it offers, each adding its own. They set `work` where the user names them.
+/// @return The program as users see it.
+std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work& work);
 
 /// Reads a whole command line, of which the program's name is the first word; does nothing yet, but that it prints help
 /// where that is asked for.

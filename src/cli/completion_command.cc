@@ -41,7 +41,15 @@ _pongsim() {
 complete -o filenames -F _pongsim pongsim
 )sh";
 
-constexpr const char* kZsh = "autoload -Uz +X compinit bashcompinit && compinit -u && bashcompinit\n";
+/// Before and behind it for zsh, which takes the script from `source`, or as the function _pongsim of a file of that
+/// name in a folder of completions: that function then has to do what it was called for.
+constexpr const char* kZsh = R"sh(#compdef pongsim
+if [[ ${funcstack[1]} != _pongsim ]]; then autoload -Uz +X compinit && compinit -u; fi
+autoload -Uz +X bashcompinit && bashcompinit
+)sh";
+constexpr const char* kZshEnd =
+    R"sh(if [[ ${funcstack[1]} == _pongsim ]]; then _bash_complete -o filenames -F _pongsim; fi
+)sh";
 
 void replace(std::string& text, std::string_view mark, std::string_view by) {
   text.replace(text.find(mark), mark.size(), by);
@@ -75,7 +83,7 @@ std::string script(const CLI::App& program, bool isZsh) {
   std::string text = kBash;
   replace(text, "@COMMANDS@", commands);
   replace(text, "@CASES@", cases);
-  return (isZsh ? kZsh : "") + text;
+  return isZsh ? kZsh + text + kZshEnd : text;
 }
 
 }  // namespace

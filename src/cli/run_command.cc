@@ -12,6 +12,7 @@
 #include "cli/diagnostic_report.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
+#include "cli/readiness.hh"
 #include "cli/stop_signal.hh"
 #include "cli/world_file.hh"
 #include "pongsim/log.hh"
@@ -80,7 +81,9 @@ int runWorld(const RunCommandOptions& options) {
   }
   sim::Runner runner(*simulation, options.run);
   signal.onStop([&runner] { runner.stop(); });
+  tellReady(startLine(*simulation, options.run));
   runner.run();
+  tellStopping();
   signal.onStop({});
 
   if (!options.hash) return kDone;

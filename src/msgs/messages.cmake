@@ -21,7 +21,7 @@ if(sources)
   add_library(pongsim_messages SHARED ${sources})
   target_compile_options(pongsim_messages PRIVATE -w)
   set_target_properties(pongsim_messages PROPERTIES OUTPUT_NAME pongsim-messages CXX_VISIBILITY_PRESET default
-    VISIBILITY_INLINES_HIDDEN OFF VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+    VISIBILITY_INLINES_HIDDEN OFF VERSION ${PROJECT_VERSION} SOVERSION ${PONGSIM_SOVERSION})
   set(scope PUBLIC)
 else()
   add_library(pongsim_messages INTERFACE)

@@ -11,6 +11,7 @@ Embree openEmbree() {
   Embree functions{};
   library.bind(functions.newDevice, "rtcNewDevice");
   library.bind(functions.releaseDevice, "rtcReleaseDevice");
+  library.bind(functions.getDeviceProperty, "rtcGetDeviceProperty");
   library.bind(functions.newScene, "rtcNewScene");
   library.bind(functions.releaseScene, "rtcReleaseScene");
   library.bind(functions.setSceneFlags, "rtcSetSceneFlags");

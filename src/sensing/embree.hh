@@ -11,6 +11,7 @@ namespace pongsim::sensing {
 struct Embree {
   decltype(&rtcNewDevice) newDevice;
   decltype(&rtcReleaseDevice) releaseDevice;
+  decltype(&rtcGetDeviceProperty) getDeviceProperty;
   decltype(&rtcNewScene) newScene;
   decltype(&rtcReleaseScene) releaseScene;
   decltype(&rtcSetSceneFlags) setSceneFlags;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -120,10 +121,13 @@ const Case kWrong[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Cli, WrongCommandLine, testing::ValuesIn(kWrong));
 
-TEST(Cli, PrintsItsVersion) {
+TEST(Cli, PrintsItsVersionAndThoseOfItsLibraries) {
   const Outcome outcome = runWith({"--version"});
   EXPECT_EQ(outcome.exitCode, 0);
-  EXPECT_EQ(outcome.output, "pongsim " PONGSIM_VERSION "\n");
+  const std::regex wanted(
+      "pongsim " PONGSIM_VERSION
+      "\nBullet \\d\\.\\d\\d\nFast DDS \\d+\\.\\d+\\.\\d+\nEmbree \\d+\\.\\d+\\.\\d+\nMesa \\d+\\.\\d+\\.\\d+\n");
+  EXPECT_TRUE(std::regex_match(outcome.output, wanted)) << outcome.output;
 }
 
 TEST(Cli, HelpsWithEachCommandAndShowsExamples) {

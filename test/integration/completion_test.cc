@@ -50,7 +50,7 @@ TEST(Completion, OffersFilesTypesAndTopics) {
 }
 
 TEST(Completion, IsForBashAndZsh) {
-  EXPECT_TRUE(runToEnd({"completion", "zsh"}).output.starts_with("autoload "));
+  EXPECT_TRUE(runToEnd({"completion", "zsh"}).output.starts_with("#compdef pongsim\n"));
   const Outcome fish = runToEnd({"completion", "fish"});
   EXPECT_EQ(fish.exitCode, 2);
   EXPECT_EQ(fish.error, "pongsim: error: no completion for 'fish'\n  hint: bash or zsh\n");

@@ -33,8 +33,8 @@ TEST_P(Tour, GoesAsThePageSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documentation, Tour,
-                         testing::Values("README.md", "docs/cli.md", "docs/plugins.md", "docs/sensors.md",
-                                         "docs/tutorials.md"),
+                         testing::Values("README.md", "docs/ci.md", "docs/cli.md", "docs/installation.md",
+                                         "docs/plugins.md", "docs/sensors.md", "docs/tutorials.md"),
                          [](const auto& page) {
                            std::string name;
                            for (const char letter : std::string(page.param)) {
@@ -93,7 +93,7 @@ TEST(Documentation, LinksLeadSomewhere) {
   namespace fs = std::filesystem;
   const std::regex link("\\]\\(([^)#:]+)(#[^)]*)?\\)");
   int links = 0;
-  std::vector<fs::path> files = {test::projectFolder() / "README.md"};
+  std::vector<fs::path> files = {test::projectFolder() / "README.md", test::projectFolder() / "CHANGELOG.md"};
   for (const char* folder : {"docs", "plugins", "src"}) {
     for (const auto& entry : fs::recursive_directory_iterator(test::projectFolder() / folder)) {
       if (entry.path().extension() == ".md") files.push_back(entry.path());

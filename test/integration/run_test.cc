@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <map>
@@ -81,6 +85,33 @@ TEST(Run, SaysInOneLineWhatItRuns) {
   EXPECT_TRUE(std::regex_match(outcome.error,
                                std::regex("pongsim: world 'pong_world': \\d+ models, step 1 ms, real-time factor 1\n")))
       << outcome.error;
+}
+
+// As a service manager sees it: ready comes when the world is there, stopping at its end.
+TEST(Run, TellsWhoWaitsForItWhenItIsReadyAndWhenItStops) {
+  const TempFolder folder;
+  const std::string path = (folder.path() / "notify").string();
+  const int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  ASSERT_EQ(bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  const timeval patience{60, 0};
+  setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  const auto next = [socket] {
+    char text[256];
+    const ssize_t length = recv(socket, text, sizeof text, 0);
+    return std::string(text, length < 0 ? 0 : static_cast<std::size_t>(length));
+  };
+
+  testDomain();
+  Process process({PONGSIM_PROGRAM, "run", ownWorld(kWorld)}, {.environment = {{"NOTIFY_SOCKET", path}}, .folder = {}});
+  EXPECT_TRUE(next().starts_with("READY=1\nSTATUS=world 'pong_world': "));
+  EXPECT_EQ(runToEnd({"service", "-s", "/world/pong_world/control", "--req", "pause: true"}).exitCode, 0);
+  process.kill(SIGTERM);
+  EXPECT_EQ(next(), "STOPPING=1\n");
+  EXPECT_EQ(process.wait(), 0) << process.error();
+  close(socket);
 }
 
 TEST(Run, PutsARobotInUrdfOnTheGround) {

@@ -2,10 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
+#include <regex>
+#include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "support/fortress_worlds.hh"
 #include "support/process.hh"
@@ -14,6 +21,10 @@
 
 namespace pongsim::test {
 namespace {
+
+/// Namespaces of what is hidden.
+constexpr std::string_view kLayers[] = {"base",    "description", "assets",    "urdf",   "sdf", "world", "sensing",
+                                        "physics", "msgs",        "transport", "plugin", "sim", "cli"};
 
 class PackageTest : public testing::Test {
  protected:
@@ -91,6 +102,54 @@ TEST_F(PackageTest, BuildsTheSystemThatItBeginsForOne) {
   const std::string info = run("PONGSIM_PLUGIN_PATH=own pongsim plugin -i my-own-system");
   EXPECT_NE(info.find("class MyOwnSystem\nLifts a model.\nStands in a <model>.\n"), std::string::npos) << info;
   EXPECT_NE(info.find("listens to  <topic>  ignition.msgs.Double  force [N]"), std::string::npos) << info;
+}
+
+/// @return The names that a library offers, as the linker has them.
+std::vector<std::string> exportsOf(const std::filesystem::path& library) {
+  Process nm({"nm", "-D", "--defined-only", "--format=posix", library.string()});
+  EXPECT_EQ(nm.wait(), 0) << nm.error();
+  std::vector<std::string> names;
+  std::istringstream lines(nm.output());
+  for (std::string line; std::getline(lines, line);) names.push_back(line.substr(0, line.find(' ')));
+  return names;
+}
+
+TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
+  const auto libraries = folder_.path() / "moved" / PONGSIM_LIBRARY_FOLDER;
+  std::string declared;
+  for (const auto& header : std::filesystem::directory_iterator(folder_.path() / "moved/include/pongsim")) {
+    if (header.path().extension() != ".hh") continue;
+    std::ifstream stream(header.path());
+    declared.append(std::istreambuf_iterator<char>(stream), {});
+  }
+  // _ZN7pongsim10SimulationC1Ev, _ZTIN7pongsim4GoneE: a name after its length
+  const std::regex ownName("N[KRO]*7pongsim(\\d+)(\\w+)");
+  const std::vector<std::string> names = exportsOf(libraries / "libpongsim.so");
+  for (const std::string& name : names) {
+    // the program's own ways in
+    if (name == "pongsim_main" || name == "pongsim_write_manual") continue;
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(name, found, ownName)) << name;
+    const std::string member = found[2].str().substr(0, std::stoul(found[1]));
+    EXPECT_EQ(std::ranges::count(kLayers, member), 0) << name;
+    EXPECT_NE(declared.find(member), std::string::npos) << name;
+  }
+  EXPECT_GT(names.size(), 100U);
+
+  int systems = 0;
+  for (const auto& library : std::filesystem::directory_iterator(libraries / "pongsim/plugins")) {
+    EXPECT_EQ(exportsOf(library.path()), std::vector<std::string>{"pongsim_systems"}) << library.path();
+    ++systems;
+  }
+  EXPECT_GT(systems, 20);
+}
+
+TEST_F(PackageTest, HasManualAndCompletionOfItsOwn) {
+  const auto share = folder_.path() / "moved/share";
+  for (const char* file : {"man/man1/pongsim.1", "man/man1/pongsim-run.1", "bash-completion/completions/pongsim",
+                           "zsh/site-functions/_pongsim", "pongsim/worlds/pong_world.sdf"}) {
+    EXPECT_GT(std::filesystem::file_size(share / file), 100U) << file;
+  }
 }
 
 }  // namespace

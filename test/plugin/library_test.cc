@@ -28,10 +28,18 @@ TEST(Library, OffersItsSystems) {
   EXPECT_NE(system, nullptr);
 }
 
-TEST(Library, RefusesAnotherVersionOfTheInterface) {
-  EXPECT_EQ(reason(testLibrary("ancient")),
-            "it was built for version 0 of pongsim's plugin interface, this is version " + std::to_string(kAbiVersion) +
-                ": build it anew");
+// Both want functions that are not there: the version is said all the same.
+TEST(Library, RefusesAnotherVersionOfTheInterfaceAndSaysWhichIsTooOld) {
+  const std::string here = " of pongsim's plugin interface, this is version " + std::to_string(kAbiVersion);
+  EXPECT_EQ(reason(testLibrary("ancient")), "it was built for version 0" + here + ": it is too old, build it anew");
+  EXPECT_EQ(reason(testLibrary("future")),
+            "it was built for version " + std::to_string(kAbiVersion + 1) + here + ": this pongsim is too old for it");
+}
+
+TEST(Library, SaysWhatToDoWhereAFunctionOfPongsimIsMissing) {
+  const std::string text = reason(testLibrary("lacking"));
+  EXPECT_NE(text.find("functionOfAnotherVersion"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with(": it was built for another version of pongsim, build it anew")) << text;
 }
 
 TEST(Library, RefusesALibraryWithoutSystems) {

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace pongsim::rendering {
+
+/// @return The version of Mesa that cameras draw with, "22.3.6"; "not installed" without it.
+std::string mesaVersion();
+
+}  // namespace pongsim::rendering
