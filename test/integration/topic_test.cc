@@ -40,10 +40,11 @@ TEST_F(Topic, DrivesTheRobotByAKeyPress) {
   EXPECT_TRUE(odometry->waitForOutput("linear \\{\n    x: 0\\.(5|49)")) << odometry->output();
 }
 
-TEST_F(Topic, DrawsNothingButScans) {
+TEST_F(Topic, DrawsScansAndImagesOnly) {
   const Outcome clock = runToEnd({"topic", "-e", "-t", "/clock", "--plot"});
   EXPECT_EQ(clock.exitCode, 1);
-  EXPECT_EQ(clock.error, "pongsim: error: --plot draws ignition.msgs.LaserScan, not ignition.msgs.Clock\n");
+  EXPECT_EQ(clock.error,
+            "pongsim: error: --plot draws ignition.msgs.LaserScan and ignition.msgs.Image, not ignition.msgs.Clock\n");
   const Outcome both = runToEnd({"topic", "-e", "-t", "/clock", "--plot", "--json"});
   EXPECT_EQ(both.exitCode, 2);
   EXPECT_EQ(both.error.substr(0, both.error.find('\n')),
