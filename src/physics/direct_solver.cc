@@ -54,36 +54,49 @@ void DirectSolver::collectRows() {
   for (int i = 0; i < torsionRows().size(); ++i) rows_.push_back(&torsionRows()[i]);
 }
 
-// how much velocity along row `a` an impulse along row `b` gives
-double DirectSolver::coupling(const btSolverConstraint& a, const btSolverConstraint& b) const {
-  double sum = 0;
-  const auto add = [&](int body, const btVector3& linearA, const btVector3& angularA, const btVector3& linearB,
-                       const btVector3& angularComponentB) {
-    sum += (linearA * m_tmpSolverBodyPool[body].internalGetInvMass()).dot(linearB) + angularA.dot(angularComponentB);
+DirectSolver::PackedRow DirectSolver::packed(const btSolverConstraint& row) const {
+  PackedRow result;
+  const auto set = [this](PackedRow::End& end, int body, const btVector3& linear, const btVector3& angular,
+                          const btVector3& angularComponent) {
+    const btVector3 linearComponent = linear * m_tmpSolverBodyPool[body].internalGetInvMass();
+    end.body = body;
+    for (int i = 0; i < 3; ++i) {
+      end.direction[i] = linear[i];
+      end.direction[3 + i] = angular[i];
+      end.response[i] = linearComponent[i];
+      end.response[3 + i] = angularComponent[i];
+    }
   };
-  if (a.m_solverBodyIdA == b.m_solverBodyIdA) {
-    add(a.m_solverBodyIdA, a.m_contactNormal1, a.m_relpos1CrossNormal, b.m_contactNormal1, b.m_angularComponentA);
-  }
-  if (a.m_solverBodyIdA == b.m_solverBodyIdB) {
-    add(a.m_solverBodyIdA, a.m_contactNormal1, a.m_relpos1CrossNormal, b.m_contactNormal2, b.m_angularComponentB);
-  }
-  if (a.m_solverBodyIdB == b.m_solverBodyIdA) {
-    add(a.m_solverBodyIdB, a.m_contactNormal2, a.m_relpos2CrossNormal, b.m_contactNormal1, b.m_angularComponentA);
-  }
-  if (a.m_solverBodyIdB == b.m_solverBodyIdB) {
-    add(a.m_solverBodyIdB, a.m_contactNormal2, a.m_relpos2CrossNormal, b.m_contactNormal2, b.m_angularComponentB);
+  set(result.ends[0], row.m_solverBodyIdA, row.m_contactNormal1, row.m_relpos1CrossNormal, row.m_angularComponentA);
+  set(result.ends[1], row.m_solverBodyIdB, row.m_contactNormal2, row.m_relpos2CrossNormal, row.m_angularComponentB);
+  return result;
+}
+
+// how much velocity along row `a` an impulse along row `b` gives
+double DirectSolver::coupling(const PackedRow& a, const PackedRow& b) {
+  double sum = 0;
+  for (const PackedRow::End& one : a.ends) {
+    for (const PackedRow::End& other : b.ends) {
+      if (one.body != other.body) continue;
+      double sums[2] = {0, 0};
+      for (int i = 0; i < 6; i += 2) {
+        sums[0] += one.direction[i] * other.response[i];
+        sums[1] += one.direction[i + 1] * other.response[i + 1];
+      }
+      sum += sums[0] + sums[1];
+    }
   }
   return sum;
 }
 
 double DirectSolver::coupling(int i, int j) const {
-  double sum = coupling(*rows_[i], *rows_[j]);
+  double sum = coupling(packedRows_[i], packedRows_[j]);
   for (const Tail& tail : tails_) {
-    if (tail.row == i) sum += coupling(*tail.second, *rows_[j]);
+    if (tail.row == i) sum += coupling(packed(*tail.second), packedRows_[j]);
     if (tail.row != j) continue;
-    sum += coupling(*rows_[i], *tail.second);
+    sum += coupling(packedRows_[i], packed(*tail.second));
     for (const Tail& other : tails_) {
-      if (other.row == i) sum += coupling(*other.second, *tail.second);
+      if (other.row == i) sum += coupling(packed(*other.second), packed(*tail.second));
     }
   }
   return sum;
@@ -93,6 +106,8 @@ double DirectSolver::coupling(int i, int j) const {
 void DirectSolver::buildMatrix(double softness) {
   const int rows = rows_.size();
   A_.resizeNoInitialize(rows * rows);
+  packedRows_.resizeNoInitialize(rows);
+  for (int i = 0; i < rows; ++i) packedRows_[i] = packed(*rows_[i]);
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j <= i; ++j) A_[i * rows + j] = A_[j * rows + i] = coupling(i, j);
     A_[i * rows + i] += softness;
@@ -105,7 +120,7 @@ void DirectSolver::buildMatrix(double softness) {
 }
 
 // the first `rows` of them, into `x_`; `b_` is set
-bool DirectSolver::solve(int rows) {
+bool DirectSolver::solve(int rows, bool isSameMatrix) {
   x_.resizeNoInitialize(rows);
   lowest_.resizeNoInitialize(rows);
   highest_.resizeNoInitialize(rows);
@@ -121,7 +136,8 @@ bool DirectSolver::solve(int rows) {
     }
   }
   const Lcp::Problem problem{rows, &A_[0], rows_.size(), &b_[0], &lowest_[0], &highest_[0], &normalOf_[0]};
-  if (!lcp_.solve(problem, &x_[0])) return false;
+  const bool isSolved = isSameMatrix ? lcp_.solveWithSameMatrix(problem, &x_[0]) : lcp_.solve(problem, &x_[0]);
+  if (!isSolved) return false;
   for (int i = 0; i < rows; ++i) {
     if (!(std::abs(x_[i]) < kLargestImpulse)) return false;
   }
@@ -135,7 +151,7 @@ bool DirectSolver::solveVelocities() {
     const double inverse = rows_[i]->m_jacDiagABInv;
     b_[i] = inverse == 0 ? 0 : rows_[i]->m_rhs / inverse;
   }
-  if (!solve(rows)) return false;
+  if (!solve(rows, false)) return false;
   for (int i = 0; i < rows; ++i) {
     // not by way of a sum, which would round it
     const double change = x_[i] - static_cast<double>(rows_[i]->m_appliedImpulse);
@@ -156,7 +172,7 @@ bool DirectSolver::solvePositions() {
     penetrates = penetrates || b_[i] != 0;
   }
   if (!penetrates) return true;
-  if (!solve(unfrictionalRows_)) return false;
+  if (!solve(unfrictionalRows_, true)) return false;
   const auto push = [this](btSolverConstraint& row, double impulse) {
     btSolverBody& bodyA = m_tmpSolverBodyPool[row.m_solverBodyIdA];
     btSolverBody& bodyB = m_tmpSolverBodyPool[row.m_solverBodyIdB];

@@ -21,12 +21,24 @@ class DirectSolver final : public ContactSolver {
                                              const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
 
  private:
+  /// A row as its couplings take it: at each end, how the body's motion counts (linear, angular), and how the body
+  /// answers an impulse.
+  struct PackedRow {
+    struct End {
+      int body;
+      double direction[6];
+      double response[6];
+    };
+    End ends[2];
+  };
+
   void collectRows();
   void buildMatrix(double softness);
-  bool solve(int rows);
+  bool solve(int rows, bool isSameMatrix);
   bool solveVelocities();
   bool solvePositions();
-  double coupling(const btSolverConstraint& a, const btSolverConstraint& b) const;
+  PackedRow packed(const btSolverConstraint& row) const;
+  static double coupling(const PackedRow& a, const PackedRow& b);
   double coupling(int i, int j) const;
 
   btAlignedObjectArray<btSolverConstraint*> rows_;
@@ -39,6 +51,7 @@ class DirectSolver final : public ContactSolver {
   int jointRows_ = 0;
   /// Rows of joints and of contacts' normal directions: all but friction.
   int unfrictionalRows_ = 0;
+  btAlignedObjectArray<PackedRow> packedRows_;
   btAlignedObjectArray<btScalar> A_;
   btAlignedObjectArray<btScalar> b_;
   btAlignedObjectArray<btScalar> x_;

@@ -32,28 +32,53 @@ double dot(const double* a, const double* b, std::size_t count) {
 
 bool Lcp::solve(const Problem& problem, double* x) {
   begin(problem, x);
-  if (solveByRounds()) return true;
+  if (solveByRounds(0)) return true;
   begin(problem, x);
   return solveByPivots();
 }
 
-// first without friction, whose bounds follow from that
-bool Lcp::solveByRounds() {
+bool Lcp::solveWithSameMatrix(const Problem& problem, double* x) {
+  const std::size_t before = rows_;
+  const std::size_t factored = factoredRows(static_cast<std::size_t>(problem.rows));
+  begin(problem, x);
+  // rows of factors lie as far apart as there are rows
+  for (std::size_t row = 1; row < factored; ++row) std::copy_n(&L_[row * before], row, factorRow(row));
+  if (solveByRounds(factored)) return true;
+  begin(problem, x);
+  return solveByPivots();
+}
+
+/// @return How many rows, from the first one on, stand in the factors at their own places, but for rows that the new
+/// problem, of `rows` rows, does not have.
+std::size_t Lcp::factoredRows(std::size_t rows) const {
+  std::size_t count = 0;
+  while (count < std::min(free_.size(), rows) && free_[count] == static_cast<int>(count)) ++count;
+  return count;
+}
+
+/// @param factored So many rows, from the first one on, have their factors already.
+bool Lcp::solveByRounds(std::size_t factored) {
+  // first without friction, whose bounds follow from that
   const int* const end = problem_.normalOf + rows_;
   const auto frictional =
       static_cast<int>(std::find_if(problem_.normalOf, end, [](int row) { return row >= 0; }) - problem_.normalOf);
-  if (!settle(0, frictional)) return false;
+  if (!settle(0, frictional, factored)) return false;
   if (frictional == problem_.rows) return true;
   setFrictionBounds();
-  return settle(frictional, problem_.rows);
+  return settle(frictional, problem_.rows, 0);
 }
 
 /// Adds the rows from `first` to `end` to those that are settled, and settles them all anew.
-bool Lcp::settle(int first, int end) {
+bool Lcp::settle(int first, int end, std::size_t factored) {
   for (int row = first; row < end; ++row) {
     const auto i = static_cast<std::size_t>(row);
     if (lowest_[i] == 0 && highest_[i] == 0) {
       setBound(row, State::kLowest);
+      // those behind it move up
+      factored = std::min(factored, i);
+    } else if (i < factored) {
+      free_.push_back(row);
+      states_[i] = State::kFree;
     } else if (!setFree(row)) {
       return false;
     }

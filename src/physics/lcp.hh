@@ -39,6 +39,9 @@ class Lcp {
   /// @return Whether it did; else `x` makes no sense.
   bool solve(const Problem& problem, double* x);
 
+  /// As `solve`, where A is that of the problem before, or the first rows of it: what is known of it is used again.
+  bool solveWithSameMatrix(const Problem& problem, double* x);
+
  private:
   /// What a row's x does while another one is driven.
   enum class State { kOut, kFree, kLowest, kHighest };
@@ -50,8 +53,9 @@ class Lcp {
   };
 
   void begin(const Problem& problem, double* x);
-  bool solveByRounds();
-  bool settle(int first, int end);
+  bool solveByRounds(std::size_t factored);
+  std::size_t factoredRows(std::size_t rows) const;
+  bool settle(int first, int end, std::size_t factored);
   void solveFree();
   void findChanges(int end);
   bool solveByPivots();

