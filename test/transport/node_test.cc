@@ -203,12 +203,15 @@ TEST_F(NodeTest, EndsAPublisherThatASubscriberHasNotAnswered) {
   const auto other = listener();
   // long enough for heartbeats to come while they end
   for (int i = 0; i < 100; ++i) {
-    Publisher publisher = node_.advertise<StringMsg>("/chatter");
-    ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
-    other->kill(SIGSTOP);
-    for (int k = 0; k < 1000; ++k) publisher.publish(text(std::to_string(k)));
+    {
+      Publisher publisher = node_.advertise<StringMsg>("/chatter");
+      ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
+      other->kill(SIGSTOP);
+      for (int k = 0; k < 1000; ++k) publisher.publish(text(std::to_string(k)));
+    }
+    // or it would be forgotten where all this takes long
+    other->kill(SIGCONT);
   }
-  other->kill(SIGCONT);
   Publisher publisher = node_.advertise<StringMsg>("/chatter");
   int sent = 0;
   EXPECT_TRUE(publishUntilHeard(publisher, *other, sent));
