@@ -1,0 +1,25 @@
+#include "assets/png_image.hh"
+
+#include <string>
+
+namespace pongsim::assets {
+
+std::variant<std::vector<std::uint8_t>, Problem> readRgba(const std::filesystem::path& file, std::size_t mostPixels,
+                                                          png_uint_32 flags, PngImage& png) {
+  png_image& image = png.image;
+  if (png_image_begin_read_from_file(&image, file.c_str()) == 0) {
+    return Problem{std::string("can't be read as a PNG image: ") + image.message, {}};
+  }
+  if (std::size_t{image.width} * image.height > mostPixels) {
+    return Problem{"has more than " + std::to_string(mostPixels) + " pixels, which is the limit", {}};
+  }
+  image.flags |= flags;
+  image.format = PNG_FORMAT_RGBA;
+  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(image));
+  if (png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) == 0) {
+    return Problem{std::string("can't be read as a PNG image: ") + image.message, {}};
+  }
+  return pixels;
+}
+
+}  // namespace pongsim::assets

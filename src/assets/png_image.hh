@@ -1,0 +1,31 @@
+#pragma once
+
+#include <png.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+#include "assets/problem.hh"
+
+namespace pongsim::assets {
+
+/// libpng's image, freed with this object.
+struct PngImage {
+  PngImage() { image.version = PNG_IMAGE_VERSION; }
+  ~PngImage() { png_image_free(&image); }
+  PngImage(const PngImage&) = delete;
+  PngImage& operator=(const PngImage&) = delete;
+
+  png_image image{};
+};
+
+/// Reads a file into `png`.
+/// @param flags Of libpng's PNG_IMAGE_FLAG_*: how to take it.
+/// @return Its pixels row by row from the top, red, green, blue and opacity each.
+std::variant<std::vector<std::uint8_t>, Problem> readRgba(const std::filesystem::path& file, std::size_t mostPixels,
+                                                          png_uint_32 flags, PngImage& png);
+
+}  // namespace pongsim::assets
