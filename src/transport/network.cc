@@ -22,6 +22,7 @@
 #include "transport/domain.hh"
 #include "transport/gated_udp.hh"
 #include "transport/payload.hh"
+#include "transport/scheduling.hh"
 #include "transport/service_name.hh"
 
 namespace pongsim::transport {
@@ -138,6 +139,8 @@ Network::Network(std::optional<int> domain, const std::optional<std::string>& in
   setUpLibrary();
   const auto domainId = static_cast<std::uint32_t>(domain_);
   const auto gate = std::make_shared<UdpGate>();
+  // with DDS's threads
+  const GivesWay givesWay;
   participant_ =
       rtps::RTPSDomain::createParticipant(domainId, false, participantAttributes(domain_, interface_, gate), this);
   if (participant_ == nullptr) {

@@ -1,11 +1,10 @@
 #include "transport/outbox.hh"
 
-#include <sched.h>
-
 #include <optional>
 #include <utility>
 
 #include "pongsim/log.hh"
+#include "transport/scheduling.hh"
 
 namespace pongsim::transport {
 
@@ -85,9 +84,7 @@ void Outbox::flush(Target& target) {
 }
 
 void Outbox::run() {
-  // A thread of this policy that wakes does not push away the one that runs, which is who publishes.
-  const sched_param unused{};
-  sched_setscheduler(0, SCHED_BATCH, &unused);
+  const GivesWay givesWay;
   std::vector<Entry> taken;
   std::unique_lock lock(mutex_);
   while (true) {

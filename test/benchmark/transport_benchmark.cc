@@ -3,6 +3,7 @@
 //   pongsim_transport_bench                                the whole of it
 //   pongsim_transport_bench listen LIBRARY KIND COUNT MS   its other process: hears so many, takes MS for each
 //   pongsim_transport_bench flood                          publishes as fast as it can
+//   pongsim_transport_bench kill                           starts listeners and kills them
 
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/int32.pb.h>
@@ -10,11 +11,14 @@
 #include <ignition/msgs/pointcloud_packed.pb.h>
 #include <ignition/msgs/twist.pb.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -32,6 +36,7 @@
 #include "pongsim/node.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
+#include "transport/scheduling.hh"
 
 namespace {
 
@@ -121,19 +126,31 @@ std::string summary(std::vector<Microseconds> all) {
   return text;
 }
 
-/// Calls `publish` at the rate.
-/// @return What each call took.
-std::vector<Microseconds> publishAt(double rate, int count, const std::function<void()>& publish) {
+/// How long each of many calls took, and in how many of them the thread had to wait for another one, or was pushed away
+/// by one: what else is slow is so by the machine.
+struct Calls {
   std::vector<Microseconds> took;
+  int waits = 0;
+  int pushes = 0;
+};
+
+/// Calls `publish` at the rate.
+Calls publishAt(double rate, int count, const std::function<void()>& publish) {
+  Calls calls;
   const auto start = Clock::now();
   for (int i = 0; i < count; ++i) {
     std::this_thread::sleep_until(start +
                                   std::chrono::duration_cast<Clock::duration>(i / rate * std::chrono::seconds(1)));
-    const auto before = Clock::now();
+    rusage before{}, after{};
+    getrusage(RUSAGE_THREAD, &before);
+    const auto begin = Clock::now();
     publish();
-    took.push_back(Clock::now() - before);
+    calls.took.push_back(Clock::now() - begin);
+    getrusage(RUSAGE_THREAD, &after);
+    calls.waits += after.ru_nvcsw > before.ru_nvcsw ? 1 : 0;
+    calls.pushes += after.ru_nivcsw > before.ru_nivcsw ? 1 : 0;
   }
-  return took;
+  return calls;
 }
 
 /// The listening process: until it has `count` messages or hears nothing any more.
@@ -241,9 +258,9 @@ void measureMany(int kind, int listeners) {
     // all of them are there for the first message
     while (transport.watchTopic(kTopic, std::chrono::milliseconds(200)).subscribers.size() < others.size()) continue;
     const std::string publishing = summary(publishAt(what.rate, what.count, [&] {
-      stamp(message);
-      publisher.publish(message);
-    }));
+                                             stamp(message);
+                                             publisher.publish(message);
+                                           }).took);
     for (const auto& other : others) std::printf("  pongsim       %s\n", reportOf(*other).c_str());
     std::printf("  (publishing)  %s\n", publishing.c_str());
   });
@@ -259,9 +276,9 @@ void measureDelivery(int kind) {
     auto publisher = transport.node().advertise<M>(kTopic);
     publisher.waitForSubscribers(pongsim::test::kDeadline);
     publishing = summary(publishAt(what.rate, what.count, [&] {
-      stamp(message);
-      publisher.publish(message);
-    }));
+                           stamp(message);
+                           publisher.publish(message);
+                         }).took);
     there = reportOf(*other);
   });
   std::printf("%s at %.0f Hz\n  pongsim       %s\n  (publishing)  %s\n", what.name, what.rate, there.c_str(),
@@ -285,6 +302,42 @@ void measureDelivery(int kind) {
   std::fflush(stdout);
 }
 
+void printCalls(const char* name, const Calls& calls) {
+  std::printf("  %-27s %s, %d waited, %d pushed away", name, summary(calls.took).c_str(), calls.waits, calls.pushes);
+}
+
+/// What the machine takes of a thread that publishes nothing, wakes another one and is busy for as long.
+void measureMachine() {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool isOver = false;
+  int asked = 0;
+  std::thread other([&] {
+    const pongsim::transport::GivesWay givesWay;
+    std::unique_lock lock(mutex);
+    while (!isOver) {
+      changed.wait(lock, [&] { return isOver || asked > 0; });
+      asked = 0;
+    }
+  });
+  printCalls("none: 10 us of nothing", publishAt(1000, 4000, [&] {
+               const auto end = Clock::now() + std::chrono::microseconds(10);
+               {
+                 const std::lock_guard lock(mutex);
+                 ++asked;
+               }
+               changed.notify_one();
+               while (Clock::now() < end) continue;
+             }));
+  std::printf("\n");
+  {
+    const std::lock_guard lock(mutex);
+    isOver = true;
+  }
+  changed.notify_one();
+  other.join();
+}
+
 /// Publishes a Twist at 1 kHz beside other processes that behave badly.
 /// @param trouble Called from a thread of its own until the publishing is over.
 void measureTrouble(const char* name, std::vector<std::unique_ptr<Process>> others,
@@ -300,18 +353,22 @@ void measureTrouble(const char* name, std::vector<std::unique_ptr<Process>> othe
     while (!isOver && trouble) trouble();
   });
   ignition::msgs::Twist message;
-  const auto took = publishAt(1000, 4000, [&] {
+  const Calls calls = publishAt(1000, 4000, [&] {
     stamp(message);
     publisher.publish(message);
     transport.dispatch();
   });
   isOver = true;
   troubled.join();
-  std::printf("  %-26s %s", name, summary(took).c_str());
+  printCalls(name, calls);
   if (flooded > 0) std::printf("; %llu messages came", static_cast<unsigned long long>(flooded));
   std::printf("\n");
   std::fflush(stdout);
-  for (auto& each : others) each->kill(SIGKILL);
+  for (auto& each : others) {
+    each->kill(SIGTERM);
+    each->kill(SIGCONT);
+    each->wait();
+  }
 }
 
 void measureTroubles() {
@@ -321,6 +378,7 @@ void measureTroubles() {
     all.push_back(std::move(process));
     return all;
   };
+  measureMachine();
   measureTrouble("nobody listens", {}, {});
   measureTrouble("one listens", one(listener("pongsim", 0, 1'000'000)), {});
   measureTrouble("one takes 20 ms a message", one(listener("pongsim", 0, 1'000'000, 20)), {});
@@ -331,15 +389,30 @@ void measureTroubles() {
     kill(pid, SIGSTOP);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   });
-  measureTrouble("one after another is killed", one(listener("pongsim", 0, 1'000'000)), [] {
-    auto next = listener("pongsim", 0, 1'000'000);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    next->kill(SIGKILL);
-    next->wait();
-  });
+  auto killer = std::make_unique<Process>(std::vector<std::string>{"/proc/self/exe", "kill"});
+  killer->waitForOutput("ready");
+  measureTrouble("one after another is killed", one(std::move(killer)), {});
   auto flooding = std::make_unique<Process>(std::vector<std::string>{"/proc/self/exe", "flood"});
   flooding->waitForOutput("ready");
   measureTrouble("one sends 100,000 a second", one(std::move(flooding)), {});
+}
+
+/// Starts listeners and kills one after another, until it is asked to end. Not done by who publishes: a process that
+/// forks copies each page that it writes to afterwards.
+int killListeners() {
+  sigset_t ending;
+  sigemptyset(&ending);
+  sigaddset(&ending, SIGTERM);
+  sigprocmask(SIG_BLOCK, &ending, nullptr);
+  sayReady();
+  constexpr timespec kLife{0, 100'000'000};
+  for (bool isOver = false; !isOver;) {
+    const auto next = listener("pongsim", 0, 1'000'000);
+    isOver = sigtimedwait(&ending, nullptr, &kLife) > 0;
+    next->kill(SIGKILL);
+    next->wait();
+  }
+  return 0;
 }
 
 }  // namespace
@@ -347,6 +420,7 @@ void measureTroubles() {
 int main(int count, char** texts) {
   const std::vector<std::string> arguments(texts + 1, texts + count);
   if (!arguments.empty() && arguments[0] == "flood") return flood();
+  if (!arguments.empty() && arguments[0] == "kill") return killListeners();
   if (arguments.size() == 5 && arguments[0] == "listen") {
     return listen(arguments[1], std::stoi(arguments[2]), std::stoul(arguments[3]), std::stoi(arguments[4]));
   }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/clock.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+#include <ignition/msgs/twist.pb.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -127,6 +130,40 @@ TEST_F(TransportFault, OfAFloodHoldsUpNothing) {
       said, std::regex(std::to_string(world_->pid()) + ", ignition\\.msgs\\.Twist, [1-9]\\d* Hz, [1-9]\\d* received")))
       << said;
   EXPECT_LT(memoryOf(world_->pid()), memory + kSomeMemory);
+}
+
+// How long a write takes is up to the machine as well; whether its thread waits for another one is up to us.
+TEST(Transport, HoldsUpNobodyWhoPublishes) {
+  testDomain();
+  Transport transport;
+  Publisher publisher = transport.node().advertise<ignition::msgs::StringMsg>("/texts");
+  const Subscription flooded =
+      transport.node().subscribe<ignition::msgs::Twist>("/flood", [](const ignition::msgs::Twist&) {});
+  Process flood({TRANSPORT_PEER, "flood", "/flood", "ignition.msgs.Twist", "100000"});
+  ASSERT_TRUE(flood.waitForOutput("ready"));
+  std::vector<std::unique_ptr<Process>> listeners;
+  for (int i = 0; i < 3; ++i) {
+    listeners.push_back(std::make_unique<Process>(std::vector<std::string>{TRANSPORT_PEER, "listen", "/texts"}));
+    ASSERT_TRUE(listeners.back()->waitForOutput("ready"));
+  }
+  listeners[1]->kill(SIGSTOP);
+  listeners[2]->kill(SIGKILL);
+
+  constexpr int kWrites = 5000;
+  int waits = 0;
+  ignition::msgs::StringMsg message;
+  for (int i = 0; i < kWrites; ++i) {
+    rusage before{};
+    rusage after{};
+    getrusage(RUSAGE_THREAD, &before);
+    publisher.publish(message);
+    getrusage(RUSAGE_THREAD, &after);
+    waits += after.ru_nvcsw > before.ru_nvcsw ? 1 : 0;
+    transport.dispatchFor(std::chrono::microseconds(200));
+  }
+  EXPECT_TRUE(listeners[0]->waitForOutput("got"));
+  // the outbox's lock is taken now and then, and never for long
+  EXPECT_LT(waits, kWrites / 200);
 }
 
 TEST(Transport, LeavesNothingBehindHoweverItEnds) {
