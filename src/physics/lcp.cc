@@ -89,6 +89,7 @@ bool Lcp::settle(int first, int end, std::size_t factored) {
     solveFree();
     findChanges(end);
     if (changes_.empty()) return true;
+    if (round == 0) spareOpposed();
     for (const auto& [row, state] : changes_) {
       if (state != State::kFree) {
         setBound(row, state);
@@ -126,6 +127,24 @@ void Lcp::findChanges(int end) {
       if (states_[i] == State::kLowest ? w < 0 : w > 0) changes_.emplace_back(row, State::kFree);
     }
   }
+}
+
+/// Of two rows that go beyond their bounds against each other, while both together stay within them, as those of the
+/// two wheels on an axle do, one at its bound relieves the other: that of the narrower bounds.
+void Lcp::spareOpposed() {
+  const auto room = [this](int row) { return highest_[static_cast<std::size_t>(row)]; };
+  const auto isRelieved = [&](int row, State state, int other, State otherState) {
+    const bool isOpposed = (state == State::kLowest && otherState == State::kHighest) ||
+                           (state == State::kHighest && otherState == State::kLowest);
+    return isOpposed && std::pair(room(row), row) > std::pair(room(other), other) &&
+           std::abs(x_[row] + x_[other]) < room(row) + room(other);
+  };
+  for (auto& [row, state] : changes_) {
+    for (const auto& [other, otherState] : changes_) {
+      if (isRelieved(row, state, other, otherState)) state = State::kOut;
+    }
+  }
+  std::erase_if(changes_, [](const std::pair<int, State>& change) { return change.second == State::kOut; });
 }
 
 bool Lcp::solveByPivots() {
@@ -374,12 +393,31 @@ void Lcp::dropFactor(std::size_t place) {
   }
 }
 
+/// Takes what stands before it out of four values from `first` on, side by side.
+void Lcp::solveFourForward(double* values, std::size_t first) const {
+  double even[4] = {};
+  double odd[4] = {};
+  const double* const rows[4] = {factorRow(first), factorRow(first + 1), factorRow(first + 2), factorRow(first + 3)};
+  // `first` is a multiple of four
+  for (std::size_t k = 0; k < first; k += 2) {
+    for (std::size_t r = 0; r < 4; ++r) {
+      even[r] += rows[r][k] * values[k];
+      odd[r] += rows[r][k + 1] * values[k + 1];
+    }
+  }
+  for (std::size_t r = 0; r < 4; ++r) {
+    values[first + r] -= even[r] + odd[r];
+    for (std::size_t k = first; k < first + r; ++k) values[first + r] -= rows[r][k] * values[k];
+  }
+}
+
 /// Solves L D L^T y = `values` in place.
 void Lcp::solveFactors(std::vector<double>& values) const {
   const std::size_t count = free_.size();
-  for (std::size_t i = 0; i < count; ++i) values[i] -= dot(factorRow(i), values.data(), i);
-  for (std::size_t i = 0; i < count; ++i) values[i] *= inverseD_[i];
-  std::size_t i = count;
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) solveFourForward(values.data(), i);
+  for (; i < count; ++i) values[i] -= dot(factorRow(i), values.data(), i);
+  for (i = 0; i < count; ++i) values[i] *= inverseD_[i];
   // two rows at a time
   for (; i >= 2; i -= 2) {
     const double* const l1 = factorRow(i - 1);

@@ -58,6 +58,7 @@ class Lcp {
   bool settle(int first, int end, std::size_t factored);
   void solveFree();
   void findChanges(int end);
+  void spareOpposed();
   bool solveByPivots();
   bool solveUnbounded();
   void setFrictionBounds();
@@ -72,6 +73,7 @@ class Lcp {
   bool addFactor(int row, double d);
   void setBound(int row, State state);
   void dropFactor(std::size_t place);
+  void solveFourForward(double* values, std::size_t first) const;
   void solveFactors(std::vector<double>& values) const;
   const double* rowOfA(std::size_t row) const { return problem_.A + row * static_cast<std::size_t>(problem_.stride); }
   double* factorRow(std::size_t place) { return &L_[place * rows_]; }
