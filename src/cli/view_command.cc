@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <chrono>
@@ -13,9 +15,13 @@
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
+#include "cli/labels.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/picture_plot.hh"
+#include "cli/shrink.hh"
+#include "cli/sixel.hh"
+#include "cli/sixel_terminal.hh"
 #include "cli/terminal_size.hh"
 #include "cli/view_command.hh"
 #include "cli/viewpoint.hh"
@@ -28,6 +34,10 @@ namespace {
 
 constexpr double kFieldOfView = std::numbers::pi / 3;
 constexpr std::uint64_t kLongestViewEdge = 8192;
+/// Terminals show no more on an edge, as xterm unless it is told otherwise.
+constexpr int kMostSixels = 1000;
+/// For a terminal to say what it can.
+constexpr std::chrono::milliseconds kTerminalPatience{500};
 
 /// Reads "1280x720".
 void readSize(const std::string& text, ViewOptions& options) {
@@ -76,13 +86,30 @@ std::optional<int> placeEye(Sight& sight, const std::string& camera, PictureView
   return std::nullopt;
 }
 
+/// @return The picture as sixels, as large as the terminal lets it be.
+std::string sixelPlot(const ViewOptions& options, const std::vector<std::uint8_t>& pixels, const TerminalSize& size) {
+  const double columns = std::min(size.columns * size.letterWidth, kMostSixels);
+  // below stands the cursor
+  const double rows = std::min(std::max(1, size.rows - 1) * size.letterHeight, kMostSixels);
+  const double scale = std::min({1.0, columns / options.width, rows / options.height});
+  const auto shrunk = [scale](std::uint32_t length) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(scale * length));
+  };
+  const std::size_t across = shrunk(options.width), down = shrunk(options.height);
+  return sixels(shrink(pixels, options.width, options.height, across, down), across, down) + "\n";
+}
+
+std::string terminalPlot(const ViewOptions& options, const std::vector<std::uint8_t>& pixels) {
+  const TerminalSize size = terminalSize();
+  if (options.sixel || knowsSixels(STDIN_FILENO, STDOUT_FILENO, kTerminalPatience)) {
+    return sixelPlot(options, pixels, size);
+  }
+  return picturePlot(pixels, options.width, options.height, size.columns, std::max(1, size.rows - 1));
+}
+
 int show(const ViewOptions& options, const std::vector<std::uint8_t>& pixels) {
-  if (options.terminal) {
-    const TerminalSize size = terminalSize();
-    // below stands the cursor
-    if (!print(picturePlot(pixels, options.width, options.height, size.columns, std::max(1, size.rows - 1)))) {
-      return kFailed;
-    }
+  if (options.terminal || options.sixel) {
+    if (!print(terminalPlot(options, pixels))) return outputIsClosed() ? kDone : kFailed;
     if (options.output.empty()) return kDone;
   }
   const std::string file = options.output.empty() ? "view.png" : options.output;
@@ -99,6 +126,7 @@ int viewWorld(const ViewOptions& options) {
   if (const auto code = placeEye(*sight, options.camera, view)) return *code;
   std::vector<std::uint8_t> pixels(std::size_t{3} * options.width * options.height);
   sight->draw(view, pixels);
+  if (options.names) drawLabels(labelsOf(*sight, view), options.width, options.height, pixels);
   return show(options, pixels);
 }
 
@@ -156,20 +184,23 @@ void addViewCommand(CLI::App& program, Work& work) {
       "Where the eye is, 'x y z roll pitch yaw' or 'x y z', which looks at\n"
       "the origin; or the model that fills the picture (all of them)",
       [options](const std::string& text) { options->camera = text; });
-  add("-o,--output", "FILE", "PNG file to write (view.png, unless --terminal)",
+  add("-o,--output", "FILE", "PNG file to write (view.png, unless --terminal or --sixel)",
       [options](const std::string& text) { options->output = text; });
   add("--size", "WxH", "Pixels, up to 8192 each (1280x720)",
       [options](const std::string& text) { readSize(text, *options); });
   addFlag("--grid", options->grid, "Draw a grid on the ground, a metre from line to line");
   addFlag("--axes", options->axes, "Draw the world's axes, a metre each: x red, y green, z blue");
-  addFlag("--terminal", options->terminal, "Draw it in the terminal, with blocks of 24-bit colour");
+  addFlag("--names", options->names, "Write the models' names over them");
+  addFlag("--terminal", options->terminal,
+          "Draw it in the terminal: by sixels if it says that it can, else with blocks of\n24-bit colour");
+  addFlag("--sixel", options->sixel, "Draw it in the terminal by sixels, whatever it says");
   addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim view worlds/pong_world.sdf -o court.png\n"
       "  pongsim view worlds/pong_world.sdf --at 2 --camera pong_bot --size 640x480\n"
       "  pongsim view worlds/pong_world.sdf --camera '-6 -4 3 0 0.4 0.6' --grid --terminal\n"
-      "  pongsim view -o now.png\n"
+      "  pongsim view --names -o now.png\n"
       "  pongsim view -w pong_world --camera pong_bot --terminal");
   command->callback([options, source, &work] {
     readSource(*source, *options);

@@ -24,7 +24,10 @@ struct ViewOptions {
   std::uint32_t height = 720;
   bool grid = false;
   bool axes = false;
+  bool names = false;
   bool terminal = false;
+  /// In the terminal, whatever that says that it can.
+  bool sixel = false;
 };
 
 /// Loads the world of the file and lets time go by. Says why where it can't.
