@@ -1,6 +1,8 @@
 #include "physics/direct_solver.hh"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
 #include <limits>
 
@@ -54,62 +56,78 @@ void DirectSolver::collectRows() {
   for (int i = 0; i < torsionRows().size(); ++i) rows_.push_back(&torsionRows()[i]);
 }
 
-DirectSolver::PackedRow DirectSolver::packed(const btSolverConstraint& row) const {
-  PackedRow result;
-  const auto set = [this](PackedRow::End& end, int body, const btVector3& linear, const btVector3& angular,
-                          const btVector3& angularComponent) {
+// by counting how many there are at each body
+void DirectSolver::collectEnds() {
+  const int bodies = m_tmpSolverBodyPool.size();
+  endsOfBody_.resizeNoInitialize(0);
+  endsOfBody_.resize(bodies + 1, 0);
+  const auto forEach = [this](auto use) {
+    std::size_t tail = 0;
+    for (int i = 0; i < rows_.size(); ++i) {
+      use(i, *rows_[i]);
+      if (tail < tails_.size() && tails_[tail].row == i) use(i, *tails_[tail++].second);
+    }
+  };
+  const auto moves = [this](int body) { return !m_tmpSolverBodyPool[body].internalGetInvMass().isZero(); };
+  forEach([&](int, const btSolverConstraint& row) {
+    for (const int body : {row.m_solverBodyIdA, row.m_solverBodyIdB}) {
+      if (moves(body)) ++endsOfBody_[body + 1];
+    }
+  });
+  for (int body = 0; body < bodies; ++body) endsOfBody_[body + 1] += endsOfBody_[body];
+  ends_.resizeNoInitialize(endsOfBody_[bodies]);
+
+  const auto add = [&](int row, int body, const btVector3& linear, const btVector3& angular,
+                       const btVector3& angularComponent) {
+    if (!moves(body)) return;
+    // which comes to be where the next body's begin
+    End& end = ends_[endsOfBody_[body]++];
     const btVector3 linearComponent = linear * m_tmpSolverBodyPool[body].internalGetInvMass();
-    end.body = body;
     for (int i = 0; i < 3; ++i) {
       end.direction[i] = linear[i];
       end.direction[3 + i] = angular[i];
       end.response[i] = linearComponent[i];
       end.response[3 + i] = angularComponent[i];
     }
+    end.row = row;
   };
-  set(result.ends[0], row.m_solverBodyIdA, row.m_contactNormal1, row.m_relpos1CrossNormal, row.m_angularComponentA);
-  set(result.ends[1], row.m_solverBodyIdB, row.m_contactNormal2, row.m_relpos2CrossNormal, row.m_angularComponentB);
-  return result;
+  forEach([&](int i, const btSolverConstraint& row) {
+    add(i, row.m_solverBodyIdA, row.m_contactNormal1, row.m_relpos1CrossNormal, row.m_angularComponentA);
+    add(i, row.m_solverBodyIdB, row.m_contactNormal2, row.m_relpos2CrossNormal, row.m_angularComponentB);
+  });
 }
 
-// how much velocity along row `a` an impulse along row `b` gives
-double DirectSolver::coupling(const PackedRow& a, const PackedRow& b) {
-  double sum = 0;
-  for (const PackedRow::End& one : a.ends) {
-    for (const PackedRow::End& other : b.ends) {
-      if (one.body != other.body) continue;
+// how much velocity along one row an impulse along another one gives, by way of the body that these are at
+void DirectSolver::addCouplings(const End* ends, int count) {
+  const int rows = rows_.size();
+  for (int i = 0; i < count; ++i) {
+    const End& one = ends[i];
+    double* const A = &A_[one.row * rows];
+    for (int j = 0; j <= i; ++j) {
+      const End& other = ends[j];
       double sums[2] = {0, 0};
-      for (int i = 0; i < 6; i += 2) {
-        sums[0] += one.direction[i] * other.response[i];
-        sums[1] += one.direction[i + 1] * other.response[i + 1];
+      for (int k = 0; k < 6; k += 2) {
+        sums[0] += one.direction[k] * other.response[k];
+        sums[1] += one.direction[k + 1] * other.response[k + 1];
       }
-      sum += sums[0] + sums[1];
+      const double sum = sums[0] + sums[1];
+      // two ends of one row, as tails have them, count both ways
+      A[other.row] += j < i && other.row == one.row ? 2 * sum : sum;
     }
   }
-  return sum;
-}
-
-double DirectSolver::coupling(int i, int j) const {
-  double sum = coupling(packedRows_[i], packedRows_[j]);
-  for (const Tail& tail : tails_) {
-    if (tail.row == i) sum += coupling(packed(*tail.second), packedRows_[j]);
-    if (tail.row != j) continue;
-    sum += coupling(packedRows_[i], packed(*tail.second));
-    for (const Tail& other : tails_) {
-      if (other.row == i) sum += coupling(packed(*other.second), packed(*tail.second));
-    }
-  }
-  return sum;
 }
 
 // A = J M^-1 J^T, symmetric, a little softened
 void DirectSolver::buildMatrix(double softness) {
   const int rows = rows_.size();
   A_.resizeNoInitialize(rows * rows);
-  packedRows_.resizeNoInitialize(rows);
-  for (int i = 0; i < rows; ++i) packedRows_[i] = packed(*rows_[i]);
+  std::fill_n(&A_[0], rows * rows, 0.0);
+  collectEnds();
+  for (int body = 0, first = 0; body < m_tmpSolverBodyPool.size(); first = endsOfBody_[body++]) {
+    if (endsOfBody_[body] > first) addCouplings(&ends_[first], endsOfBody_[body] - first);
+  }
   for (int i = 0; i < rows; ++i) {
-    for (int j = 0; j <= i; ++j) A_[i * rows + j] = A_[j * rows + i] = coupling(i, j);
+    for (int j = 0; j < i; ++j) A_[j * rows + i] = A_[i * rows + j];
     A_[i * rows + i] += softness;
     // what friction slips by, and contacts that are not rigid
     const bool isContact = i >= jointRows_ && i < unfrictionalRows_;

@@ -21,15 +21,12 @@ class DirectSolver final : public ContactSolver {
                                              const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
 
  private:
-  /// A row as its couplings take it: at each end, how the body's motion counts (linear, angular), and how the body
-  /// answers an impulse.
-  struct PackedRow {
-    struct End {
-      int body;
-      double direction[6];
-      double response[6];
-    };
-    End ends[2];
+  /// One end of a row as couplings take it: how the motion of the body there counts for the row (linear, angular), and
+  /// how the body answers an impulse along it.
+  struct End {
+    double direction[6];
+    double response[6];
+    int row;
   };
 
   void collectRows();
@@ -37,9 +34,8 @@ class DirectSolver final : public ContactSolver {
   bool solve(int rows, bool isSameMatrix);
   bool solveVelocities();
   bool solvePositions();
-  PackedRow packed(const btSolverConstraint& row) const;
-  static double coupling(const PackedRow& a, const PackedRow& b);
-  double coupling(int i, int j) const;
+  void collectEnds();
+  void addCouplings(const End* ends, int count);
 
   btAlignedObjectArray<btSolverConstraint*> rows_;
   /// Of joints' rows that are two of Bullet's: their numbers in `rows_`, and the second ones.
@@ -51,7 +47,9 @@ class DirectSolver final : public ContactSolver {
   int jointRows_ = 0;
   /// Rows of joints and of contacts' normal directions: all but friction.
   int unfrictionalRows_ = 0;
-  btAlignedObjectArray<PackedRow> packedRows_;
+  /// Those at the bodies that move, body after body, each body's in the rows' order; and where those of each body end.
+  btAlignedObjectArray<End> ends_;
+  btAlignedObjectArray<int> endsOfBody_;
   btAlignedObjectArray<btScalar> A_;
   btAlignedObjectArray<btScalar> b_;
   btAlignedObjectArray<btScalar> x_;

@@ -22,6 +22,17 @@ constexpr int kNoMember = -1;
 
 int memberOf(const btCollisionObject& object) { return object.getIslandTag(); }
 
+// Where it will be after `dt`, for its box only: turned to first order, which makes it larger by half the square of the
+// angle.
+btTransform roughlyMoved(const btRigidBody& body, double dt) {
+  const btTransform& now = body.getWorldTransform();
+  const btMatrix3x3& R = now.getBasis();
+  const btVector3 turn = body.getAngularVelocity() * dt;
+  const btMatrix3x3 turned(R[0] + turn.y() * R[2] - turn.z() * R[1], R[1] + turn.z() * R[0] - turn.x() * R[2],
+                           R[2] + turn.x() * R[1] - turn.y() * R[0]);
+  return btTransform(turned, now.getOrigin() + body.getLinearVelocity() * dt);
+}
+
 template <class T>
 T* dataOf(std::vector<T>& array, std::size_t first) {
   return array.empty() ? nullptr : array.data() + first;
@@ -69,8 +80,8 @@ void GroupedWorld::forEachBody(Work&& work) {
 void GroupedWorld::predictUnconstraintMotion(btScalar dt) {
   aabbs_.resize(bodies_.size());
   forEachBody([&](btRigidBody& body, std::size_t i) {
-    body.applyDamping(dt);
-    body.predictIntegratedTransform(dt, body.getInterpolationWorldTransform());
+    if (body.getLinearDamping() != 0 || body.getAngularDamping() != 0) body.applyDamping(dt);
+    body.setInterpolationWorldTransform(roughlyMoved(body, dt));
     aabbs_[i] = aabbOf(body);
   });
   aabbsAreNew_ = true;

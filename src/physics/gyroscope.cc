@@ -1,22 +1,25 @@
 #include "physics/gyroscope.hh"
 
-#include <LinearMath/btQuaternion.h>
+#include <cmath>
 
 namespace pongsim::physics {
 
 namespace {
 
 // each takes the error down by about the angle of half a step; a wheel at 100 rad/s so ends below a billionth
-constexpr int kIterations = 5;
+constexpr int kMostIterations = 5;
+// where an iteration changes less than that part there is no more to be had
+constexpr double kEnough = 1e-15;
 // below this turn in a step [rad] there is nothing to do
 constexpr double kSmallestTurn = 1e-8;
 
-btMatrix3x3 turnedBy(const btVector3& turn, const btMatrix3x3& R) {
-  return btMatrix3x3(btQuaternion(turn, turn.length())) * R;
-}
-
-btVector3 scaledInBody(const btMatrix3x3& R_WorldBody, const btVector3& factors, const btVector3& vector) {
-  return R_WorldBody * (factors * (vector * R_WorldBody));
+// Rodrigues' formula
+btVector3 turned(const btVector3& vector, const btVector3& turn) {
+  const double angle = turn.length();
+  if (angle == 0) return vector;
+  const btVector3 axis = turn / angle;
+  const double c = std::cos(angle);
+  return c * vector + std::sin(angle) * axis.cross(vector) + (1 - c) * axis.dot(vector) * axis;
 }
 
 }  // namespace
@@ -24,13 +27,19 @@ btVector3 scaledInBody(const btMatrix3x3& R_WorldBody, const btVector3& factors,
 btVector3 gyroscopicTorque(const btMatrix3x3& R_WorldBody, const btVector3& w_World, const btVector3& moments,
                            double dt) {
   if (w_World.length2() * dt * dt < kSmallestTurn * kSmallestTurn) return {0, 0, 0};
-  const btVector3 momentum = scaledInBody(turnedBy(-dt / 2 * w_World, R_WorldBody), moments, w_World);
+  if (moments.x() == moments.y() && moments.y() == moments.z()) return {0, 0, 0};
+  // all of it in the body's frame
+  const btVector3 before = w_World * R_WorldBody;
+  const btVector3 momentum = turned(moments * before, -dt / 2 * before);
   const btVector3 inverse(1 / moments.x(), 1 / moments.y(), 1 / moments.z());
-  btVector3 next = w_World;
-  for (int i = 0; i < kIterations; ++i) {
-    next = scaledInBody(turnedBy(dt / 2 * next, R_WorldBody), inverse, momentum);
+  btVector3 next = before;
+  for (int i = 0; i < kMostIterations; ++i) {
+    const btVector3 last = next;
+    const btVector3 half = dt / 2 * last;
+    next = turned(inverse * turned(momentum, -half), half);
+    if ((next - last).length2() <= kEnough * kEnough * next.length2()) break;
   }
-  return scaledInBody(R_WorldBody, moments, next - w_World) / dt;
+  return R_WorldBody * (moments * (next - before)) / dt;
 }
 
 }  // namespace pongsim::physics

@@ -70,6 +70,7 @@ bool Lcp::solveByRounds(std::size_t factored) {
 
 /// Adds the rows from `first` to `end` to those that are settled, and settles them all anew.
 bool Lcp::settle(int first, int end, std::size_t factored) {
+  freed_.clear();
   for (int row = first; row < end; ++row) {
     const auto i = static_cast<std::size_t>(row);
     if (lowest_[i] == 0 && highest_[i] == 0) {
@@ -79,14 +80,16 @@ bool Lcp::settle(int first, int end, std::size_t factored) {
     } else if (i < factored) {
       free_.push_back(row);
       states_[i] = State::kFree;
-    } else if (!setFree(row)) {
-      return false;
+    } else {
+      freed_.push_back(row);
     }
   }
+  if (!setFree(freed_)) return false;
   for (int round = 0; round < kMostRounds; ++round) {
     solveFree();
     findChanges(end);
     if (changes_.empty()) return true;
+    if (round == 0) spareOpposed();
     for (const auto& [row, state] : changes_) {
       if (state != State::kFree) {
         setBound(row, state);
@@ -126,6 +129,24 @@ void Lcp::findChanges(int end) {
   }
 }
 
+/// Of two rows that go beyond their bounds against each other, while both together stay within them, as those of the
+/// two wheels on an axle do, one at its bound relieves the other: that of the narrower bounds.
+void Lcp::spareOpposed() {
+  const auto room = [this](int row) { return highest_[static_cast<std::size_t>(row)]; };
+  const auto isRelieved = [&](int row, State state, int other, State otherState) {
+    const bool isOpposed = (state == State::kLowest && otherState == State::kHighest) ||
+                           (state == State::kHighest && otherState == State::kLowest);
+    return isOpposed && std::pair(room(row), row) > std::pair(room(other), other) &&
+           std::abs(x_[row] + x_[other]) < room(row) + room(other);
+  };
+  for (auto& [row, state] : changes_) {
+    for (const auto& [other, otherState] : changes_) {
+      if (isRelieved(row, state, other, otherState)) state = State::kOut;
+    }
+  }
+  std::erase_if(changes_, [](const std::pair<int, State>& change) { return change.second == State::kOut; });
+}
+
 bool Lcp::solveByPivots() {
   if (!solveUnbounded()) return false;
   bool hasFriction = false;
@@ -155,16 +176,19 @@ void Lcp::begin(const Problem& problem, double* x) {
   free_.reserve(rows_);
   L_.resize(std::max(L_.size(), rows_ * rows_));
   D_.resize(std::max(D_.size(), rows_));
-  values_.reserve(rows_);
+  inverseD_.resize(D_.size());
+  values_.reserve(4 * rows_);
+  freed_.reserve(rows_);
 }
 
 // equations: they hold whatever the others do
 bool Lcp::solveUnbounded() {
+  freed_.clear();
   for (int row = 0; row < problem_.rows; ++row) {
     const auto i = static_cast<std::size_t>(row);
-    if (problem_.normalOf[row] >= 0 || lowest_[i] != -kUnbounded || highest_[i] != kUnbounded) continue;
-    if (!setFree(row)) return false;
+    if (problem_.normalOf[row] < 0 && lowest_[i] == -kUnbounded && highest_[i] == kUnbounded) freed_.push_back(row);
   }
+  if (!setFree(freed_)) return false;
   values_.clear();
   for (const int row : free_) values_.push_back(problem_.b[row]);
   solveFactors(values_);
@@ -266,11 +290,64 @@ bool Lcp::setFree(int row) {
   double d = A[row];
   for (std::size_t j = 0; j < place; ++j) {
     const double unscaled = l[j];
-    l[j] /= D_[j];
+    l[j] *= inverseD_[j];
     d -= unscaled * l[j];
   }
+  return addFactor(row, d);
+}
+
+/// As for one row after the other: each of their numbers waits for the one before it, and in the meantime goes on with
+/// those of the others.
+template <std::size_t kCount>
+bool Lcp::setFreeTogether(const int* rows) {
+  const std::size_t first = free_.size();
+  // the rows of L D side by side
+  values_.resize(kCount * (first + kCount));
+  double* const u = values_.data();
+  for (std::size_t j = 0; j < first + kCount; ++j) {
+    double* const l = factorRow(j);
+    if (j >= first) {
+      for (std::size_t k = 0; k < j; ++k) l[k] = u[kCount * k + j - first] * inverseD_[k];
+    }
+    double even[kCount] = {};
+    double odd[kCount] = {};
+    std::size_t k = 0;
+    for (; k + 2 <= j; k += 2) {
+      for (std::size_t r = 0; r < kCount; ++r) even[r] += u[kCount * k + r] * l[k];
+      for (std::size_t r = 0; r < kCount; ++r) odd[r] += u[kCount * (k + 1) + r] * l[k + 1];
+    }
+    if (k < j) {
+      for (std::size_t r = 0; r < kCount; ++r) even[r] += u[kCount * k + r] * l[k];
+    }
+    const int column = j < first ? free_[j] : rows[j - first];
+    for (std::size_t r = 0; r < kCount; ++r) {
+      u[kCount * j + r] = rowOfA(static_cast<std::size_t>(rows[r]))[column] - (even[r] + odd[r]);
+    }
+    if (j < first) continue;
+    if (!addFactor(rows[j - first], u[kCount * j + j - first])) return false;
+  }
+  return true;
+}
+
+/// @return False where A is not positive definite.
+bool Lcp::setFree(const std::vector<int>& rows) {
+  std::size_t i = 0;
+  for (; i + 4 <= rows.size(); i += 4) {
+    if (!setFreeTogether<4>(&rows[i])) return false;
+  }
+  if (i + 2 <= rows.size()) {
+    if (!setFreeTogether<2>(&rows[i])) return false;
+    i += 2;
+  }
+  return i == rows.size() || setFree(rows[i]);
+}
+
+/// Adds the row, whose factors stand at their place already.
+/// @return False where A is not positive definite.
+bool Lcp::addFactor(int row, double d) {
   if (!(d > 0)) return false;
-  D_[place] = d;
+  D_[free_.size()] = d;
+  inverseD_[free_.size()] = 1 / d;
   free_.push_back(row);
   states_[static_cast<std::size_t>(row)] = State::kFree;
   return true;
@@ -297,6 +374,7 @@ void Lcp::dropFactor(std::size_t place) {
     std::copy(from, from + place, to);
     std::copy(from + place + 1, from + row, to + place);
     D_[row - 1] = D_[row];
+    inverseD_[row - 1] = inverseD_[row];
   }
   free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(place));
   for (std::size_t j = 0; j < values_.size(); ++j) {
@@ -306,6 +384,7 @@ void Lcp::dropFactor(std::size_t place) {
     const double beta = alpha * p / after;
     alpha *= before / after;
     D_[place + j] = after;
+    inverseD_[place + j] = 1 / after;
     for (std::size_t r = j + 1; r < values_.size(); ++r) {
       double& l = factorRow(place + r)[place + j];
       values_[r] -= p * l;
@@ -314,15 +393,38 @@ void Lcp::dropFactor(std::size_t place) {
   }
 }
 
+/// Takes what stands before it out of four values from `first` on, side by side.
+void Lcp::solveFourForward(double* values, std::size_t first) const {
+  double even[4] = {};
+  double odd[4] = {};
+  const double* const rows[4] = {factorRow(first), factorRow(first + 1), factorRow(first + 2), factorRow(first + 3)};
+  // `first` is a multiple of four
+  for (std::size_t k = 0; k < first; k += 2) {
+    for (std::size_t r = 0; r < 4; ++r) {
+      even[r] += rows[r][k] * values[k];
+      odd[r] += rows[r][k + 1] * values[k + 1];
+    }
+  }
+  for (std::size_t r = 0; r < 4; ++r) {
+    values[first + r] -= even[r] + odd[r];
+    for (std::size_t k = first; k < first + r; ++k) values[first + r] -= rows[r][k] * values[k];
+  }
+}
+
 /// Solves L D L^T y = `values` in place.
 void Lcp::solveFactors(std::vector<double>& values) const {
   const std::size_t count = free_.size();
-  for (std::size_t i = 0; i < count; ++i) values[i] -= dot(factorRow(i), values.data(), i);
-  for (std::size_t i = 0; i < count; ++i) values[i] /= D_[i];
-  for (std::size_t i = count; i-- > 0;) {
-    const double* const l = factorRow(i);
-    const double value = values[i];
-    for (std::size_t j = 0; j < i; ++j) values[j] -= l[j] * value;
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) solveFourForward(values.data(), i);
+  for (; i < count; ++i) values[i] -= dot(factorRow(i), values.data(), i);
+  for (i = 0; i < count; ++i) values[i] *= inverseD_[i];
+  // two rows at a time
+  for (; i >= 2; i -= 2) {
+    const double* const l1 = factorRow(i - 1);
+    const double* const l2 = factorRow(i - 2);
+    const double value1 = values[i - 1];
+    const double value2 = values[i - 2] -= l1[i - 2] * value1;
+    for (std::size_t j = 0; j + 2 < i; ++j) values[j] -= l1[j] * value1 + l2[j] * value2;
   }
 }
 

@@ -58,6 +58,7 @@ class Lcp {
   bool settle(int first, int end, std::size_t factored);
   void solveFree();
   void findChanges(int end);
+  void spareOpposed();
   bool solveByPivots();
   bool solveUnbounded();
   void setFrictionBounds();
@@ -66,8 +67,13 @@ class Lcp {
   Way findWay(int row, double direction) const;
   void shorten(Way& way, int row, double length, State becomes) const;
   bool setFree(int row);
+  bool setFree(const std::vector<int>& rows);
+  template <std::size_t kCount>
+  bool setFreeTogether(const int* rows);
+  bool addFactor(int row, double d);
   void setBound(int row, State state);
   void dropFactor(std::size_t place);
+  void solveFourForward(double* values, std::size_t first) const;
   void solveFactors(std::vector<double>& values) const;
   const double* rowOfA(std::size_t row) const { return problem_.A + row * static_cast<std::size_t>(problem_.stride); }
   double* factorRow(std::size_t place) { return &L_[place * rows_]; }
@@ -83,11 +89,13 @@ class Lcp {
   /// By which x and w change for each unit of the way.
   std::vector<double> dx_;
   std::vector<double> dw_;
-  /// The rows whose x is free, and of A among them the factors: L D L^T, the diagonal of L being ones.
+  /// The rows whose x is free, and of A among them the factors: L D L^T, the diagonal of L being ones; and 1/D.
   std::vector<int> free_;
   std::vector<double> L_;
   std::vector<double> D_;
+  std::vector<double> inverseD_;
   std::vector<double> values_;
+  std::vector<int> freed_;
   std::vector<std::pair<int, State>> changes_;
 };
 

@@ -115,6 +115,24 @@ TEST(Lcp, StandsOnMorePointsThanItNeeds) {
   EXPECT_NEAR(x[0] + x[1] + x[2] + x[3], 1, 1e-4);
 }
 
+TEST(Lcp, HoldsAnAxleAcrossByTheFrictionOfBothItsWheels) {
+  // both wheels hold the same but for a little softness, and ask for 3.1 and 3, which would take thousands of each
+  // against the other one: one gives all it can, the other one what is missing
+  const double s = 1 + 1e-5;
+  const std::vector<double> A{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, s, 1, 0, 0, 1, s};
+  Case axle{A, {8, 4, 3.1, 3}, {0, 0, -0.5, -0.5}, {kEndless, kEndless, 0.5, 0.5}, {-1, -1, 0, 1}};
+  std::vector<double> x(4);
+  Lcp lcp;
+  ASSERT_TRUE(lcp.solve(axle.problem(), x.data()));
+  expectConditions(axle, x);
+  EXPECT_NEAR(x[2], 4, 1e-3);
+  EXPECT_NEAR(x[3], -1, 1e-3);
+  // pulled harder than both can hold
+  axle.b[2] = axle.b[3] = 10;
+  ASSERT_TRUE(lcp.solve(axle.problem(), x.data()));
+  EXPECT_EQ(x, (std::vector<double>{8, 4, 4, 2}));
+}
+
 TEST(Lcp, SaysWhatCantBeSolved) {
   const Case contradiction{{1, 1, 1, 1}, {1, 2}, {-kEndless, -kEndless}, {kEndless, kEndless}, {-1, -1}};
   std::vector<double> x(2);
