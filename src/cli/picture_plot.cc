@@ -1,31 +1,17 @@
 #include "cli/picture_plot.hh"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
+
+#include "cli/shrink.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
-using BlockColor = std::array<unsigned, 3>;
-
-/// @return The mean of a part of a picture; the ends are past the last.
-BlockColor meanColor(std::span<const std::uint8_t> pixels, std::size_t width, std::array<std::size_t, 2> columns,
-                     std::array<std::size_t, 2> rows) {
-  std::array<std::size_t, 3> sums{};
-  for (std::size_t row = rows[0]; row < rows[1]; ++row) {
-    for (std::size_t column = columns[0]; column < columns[1]; ++column) {
-      for (std::size_t i = 0; i < 3; ++i) sums[i] += pixels[3 * (row * width + column) + i];
-    }
-  }
-  const std::size_t count = (rows[1] - rows[0]) * (columns[1] - columns[0]);
-  return {static_cast<unsigned>(sums[0] / count), static_cast<unsigned>(sums[1] / count),
-          static_cast<unsigned>(sums[2] / count)};
-}
-
 /// @param layer 38: what is written; 48: what is behind it.
-std::string colorCode(int layer, const BlockColor& color) {
+std::string colorCode(int layer, const std::uint8_t* color) {
   return "\033[" + std::to_string(layer) + ";2;" + std::to_string(color[0]) + ";" + std::to_string(color[1]) + ";" +
          std::to_string(color[2]) + "m";
 }
@@ -39,10 +25,8 @@ std::string picturePlot(std::span<const std::uint8_t> pixels, std::size_t width,
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(scale * static_cast<double>(length) + 1e-9)));
   };
   const std::size_t across = blocksOf(width), down = blocksOf(height);
-  const auto color = [&](std::size_t column, std::size_t row) {
-    return meanColor(pixels, width, {column * width / across, (column + 1) * width / across},
-                     {row * height / down, (row + 1) * height / down});
-  };
+  const std::vector<std::uint8_t> blocks = shrink(pixels, width, height, across, down);
+  const auto color = [&](std::size_t column, std::size_t row) { return &blocks[3 * (row * across + column)]; };
   std::string text;
   for (std::size_t row = 0; row < down; row += 2) {
     for (std::size_t column = 0; column < across; ++column) {

@@ -8,7 +8,12 @@ namespace pongsim::cli {
 TerminalSize terminalSize() {
   winsize window{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0 || window.ws_row == 0) return {};
-  return {window.ws_col, window.ws_row};
+  TerminalSize size{window.ws_col, window.ws_row};
+  if (window.ws_xpixel >= window.ws_col && window.ws_ypixel >= window.ws_row) {
+    size.letterWidth = window.ws_xpixel / window.ws_col;
+    size.letterHeight = window.ws_ypixel / window.ws_row;
+  }
+  return size;
 }
 
 }  // namespace pongsim::cli

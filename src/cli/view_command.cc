@@ -1,8 +1,10 @@
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -13,15 +15,18 @@
 #include "base/nearest_word.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
-#include "cli/diagnostic_report.hh"
+#include "cli/labels.hh"
+#include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/picture_plot.hh"
+#include "cli/shrink.hh"
+#include "cli/sixel.hh"
+#include "cli/sixel_terminal.hh"
 #include "cli/terminal_size.hh"
+#include "cli/view_command.hh"
 #include "cli/viewpoint.hh"
-#include "cli/world_file.hh"
 #include "pongsim/camera_scene.hh"
 #include "pongsim/log.hh"
-#include "pongsim/simulation.hh"
 
 namespace pongsim::cli {
 
@@ -29,21 +34,13 @@ namespace {
 
 constexpr double kFieldOfView = std::numbers::pi / 3;
 constexpr std::uint64_t kLongestViewEdge = 8192;
-
-struct ViewCommandOptions {
-  std::string world;
-  double at = 0;
-  std::string camera;
-  std::string output;
-  std::uint32_t width = 1280;
-  std::uint32_t height = 720;
-  bool grid = false;
-  bool axes = false;
-  bool terminal = false;
-};
+/// Terminals show no more on an edge, as xterm unless it is told otherwise.
+constexpr int kMostSixels = 1000;
+/// For a terminal to say what it can.
+constexpr std::chrono::milliseconds kTerminalPatience{500};
 
 /// Reads "1280x720".
-void readSize(const std::string& text, ViewCommandOptions& options) {
+void readSize(const std::string& text, ViewOptions& options) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) throw UsageError("option '--size' takes WIDTHxHEIGHT, not '" + text + "'");
   const auto edge = [](const std::string& number) {
@@ -53,7 +50,7 @@ void readSize(const std::string& text, ViewCommandOptions& options) {
   options.height = edge(text.substr(cross + 1));
 }
 
-PictureView pinhole(const ViewCommandOptions& options) {
+PictureView pinhole(const ViewOptions& options) {
   PictureView view;
   view.width = options.width;
   view.height = options.height;
@@ -69,38 +66,50 @@ PictureView pinhole(const ViewCommandOptions& options) {
 
 /// Puts the eye where the options say.
 /// @return The exit code, if that can't be.
-std::optional<int> placeEye(Simulation& simulation, const CameraScene& scene, const std::string& camera,
-                            PictureView& view) {
+std::optional<int> placeEye(Sight& sight, const std::string& camera, PictureView& view) {
   const std::optional<Pose> pose = readViewpoint(camera);
   if (pose) {
     view.X_WorldEye = *pose;
     return std::nullopt;
   }
-  std::optional<Model> model;
   if (!camera.empty()) {
-    model = simulation.world().model(camera);
-    if (!model) {
-      std::vector<std::string> names;
-      for (const Model& each : simulation.world().models()) names.emplace_back(each.scopedName());
-      const std::vector<std::string_view> words(names.begin(), names.end());
-      std::string hint = base::didYouMean(camera, words);
+    const std::vector<std::string> names = sight.models();
+    if (std::ranges::find(names, camera) == names.end()) {
+      std::string hint = base::didYouMean(camera, std::vector<std::string_view>(names.begin(), names.end()));
       if (hint.empty()) hint = "--camera takes the name of a model, or 'x y z roll pitch yaw'";
       return fail("there is no model '" + camera + "' to look at", hint);
     }
   }
-  Eigen::AlignedBox3d box = scene.bounds(model);
+  Eigen::AlignedBox3d box = sight.bounds(camera);
   if (box.isEmpty()) box = {Vector3(-1, -1, 0), Vector3(1, 1, 1)};
   lookAt(box, view);
   return std::nullopt;
 }
 
-int show(const ViewCommandOptions& options, const std::vector<std::uint8_t>& pixels) {
-  if (options.terminal) {
-    const TerminalSize size = terminalSize();
-    // below stands the cursor
-    if (!print(picturePlot(pixels, options.width, options.height, size.columns, std::max(1, size.rows - 1)))) {
-      return kFailed;
-    }
+/// @return The picture as sixels, as large as the terminal lets it be.
+std::string sixelPlot(const ViewOptions& options, const std::vector<std::uint8_t>& pixels, const TerminalSize& size) {
+  const double columns = std::min(size.columns * size.letterWidth, kMostSixels);
+  // below stands the cursor
+  const double rows = std::min(std::max(1, size.rows - 1) * size.letterHeight, kMostSixels);
+  const double scale = std::min({1.0, columns / options.width, rows / options.height});
+  const auto shrunk = [scale](std::uint32_t length) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(scale * length));
+  };
+  const std::size_t across = shrunk(options.width), down = shrunk(options.height);
+  return sixels(shrink(pixels, options.width, options.height, across, down), across, down) + "\n";
+}
+
+std::string terminalPlot(const ViewOptions& options, const std::vector<std::uint8_t>& pixels) {
+  const TerminalSize size = terminalSize();
+  if (options.sixel || knowsSixels(STDIN_FILENO, STDOUT_FILENO, kTerminalPatience)) {
+    return sixelPlot(options, pixels, size);
+  }
+  return picturePlot(pixels, options.width, options.height, size.columns, std::max(1, size.rows - 1));
+}
+
+int show(const ViewOptions& options, const std::vector<std::uint8_t>& pixels) {
+  if (options.terminal || options.sixel) {
+    if (!print(terminalPlot(options, pixels))) return outputIsClosed() ? kDone : kFailed;
     if (options.output.empty()) return kDone;
   }
   const std::string file = options.output.empty() ? "view.png" : options.output;
@@ -109,61 +118,94 @@ int show(const ViewCommandOptions& options, const std::vector<std::uint8_t>& pix
   return kDone;
 }
 
-int viewWorld(const ViewCommandOptions& options) {
+int viewWorld(const ViewOptions& options) {
   setLogLevel(LogLevel::kWarning);
-  Diagnostics diagnostics;
-  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(findWorldFile(options.world), {}, diagnostics);
-  say(diagnostics, Severity::kWarning, Severity::kError);
-  if (simulation == nullptr || diagnostics.hasErrors()) return kFailed;
-  simulation->step(static_cast<std::uint64_t>(std::llround(options.at / toSeconds(simulation->stepSize()))));
-
-  CameraScene scene(simulation->world());
-  Diagnostics found;
-  scene.rebuild(found);
-  say(found, Severity::kWarning, Severity::kError);
-  scene.update();
+  const std::unique_ptr<Sight> sight = options.file.empty() ? sightOfRunningWorld(options) : sightOfFile(options);
+  if (sight == nullptr) return kFailed;
   PictureView view = pinhole(options);
-  if (const auto code = placeEye(*simulation, scene, options.camera, view)) return *code;
+  if (const auto code = placeEye(*sight, options.camera, view)) return *code;
   std::vector<std::uint8_t> pixels(std::size_t{3} * options.width * options.height);
-  scene.drawColors(view, pixels);
+  sight->draw(view, pixels);
+  if (options.names) drawLabels(labelsOf(*sight, view), options.width, options.height, pixels);
   return show(options, pixels);
+}
+
+/// What goes with a file, or with a running world, and was given.
+struct ViewSource {
+  std::optional<std::string> file, at, world, timeout;
+};
+
+/// Reads what there is to be drawn.
+void readSource(const ViewSource& given, ViewOptions& options) {
+  if (given.file && given.file->empty()) throw UsageError("no world file given", "pongsim view WORLD");
+  if (given.world && given.world->empty()) throw UsageError("option '-w' needs a world's name");
+  const auto refuse = [](const char* option, const char* why) {
+    throw UsageError("option '" + std::string(option) + "' means nothing here", why);
+  };
+  constexpr const char* kOfRunning = "it goes with a running world, which is drawn where no file is named";
+  if (given.file && given.world) refuse("-w", kOfRunning);
+  if (given.file && given.timeout) refuse("--timeout", kOfRunning);
+  if (!given.file && given.at) refuse("--at", "it goes with a world file: a running world is drawn as it is now");
+  options.file = given.file.value_or("");
+  options.world = given.world.value_or("");
+  if (given.at) options.at = numberFromZero("--at", *given.at, "a number of seconds");
+  if (given.timeout) {
+    options.timeout = std::chrono::milliseconds(wholeNumber("--timeout", *given.timeout, 0, kLongestMs));
+  }
 }
 
 }  // namespace
 
 void addViewCommand(CLI::App& program, Work& work) {
-  const auto options = std::make_shared<ViewCommandOptions>();
-  CLI::App* command = program.add_subcommand("view", "Draw a world as it stands after some time");
+  const auto options = std::make_shared<ViewOptions>();
+  const auto source = std::make_shared<ViewSource>();
+  CLI::App* command =
+      program.add_subcommand("view", "Draw a world as it stands after some time, or one that runs as it is now");
   command->set_help_flag("-h,--help", "Print this and end");
-  command
-      ->add_option("WORLD", options->world, "World file, or one with a model: a path, or a name as for 'pongsim run'")
-      ->type_name("")
-      ->required();
   const auto add = [command](const char* names, const char* value, const char* description, auto read) {
     command->add_option_function<std::string>(names, read, description)->type_name(value);
+  };
+  const auto addSource = [add](const char* names, const char* value, const char* description,
+                               std::optional<std::string>& target) {
+    add(names, value, description, [&target](const std::string& text) { target = text; });
   };
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
-  add("--at", "S", "Simulated seconds that go by before (0)",
-      [options](const std::string& text) { options->at = numberFromZero("--at", text, "a number of seconds"); });
+  addSource("WORLD", "",
+            "World file, or one with a model: a path, or a name as for 'pongsim run'; without one the\n"
+            "world that runs is drawn",
+            source->file);
+  addSource("--at", "S", "Simulated seconds that go by before (0), of a file's world", source->at);
+  addSource("-w,--world", "WORLD", "Name of the running world, where several run", source->world);
+  addSource("--timeout", "MS", "Give up after MS milliseconds (1000) without a running world or its answer",
+            source->timeout);
   add("--camera", "POSE|MODEL",
       "Where the eye is, 'x y z roll pitch yaw' or 'x y z', which looks at\n"
       "the origin; or the model that fills the picture (all of them)",
       [options](const std::string& text) { options->camera = text; });
-  add("-o,--output", "FILE", "PNG file to write (view.png, unless --terminal)",
+  add("-o,--output", "FILE", "PNG file to write (view.png, unless --terminal or --sixel)",
       [options](const std::string& text) { options->output = text; });
   add("--size", "WxH", "Pixels, up to 8192 each (1280x720)",
       [options](const std::string& text) { readSize(text, *options); });
   addFlag("--grid", options->grid, "Draw a grid on the ground, a metre from line to line");
   addFlag("--axes", options->axes, "Draw the world's axes, a metre each: x red, y green, z blue");
-  addFlag("--terminal", options->terminal, "Draw it in the terminal, with blocks of 24-bit colour");
+  addFlag("--names", options->names, "Write the models' names over them");
+  addFlag("--terminal", options->terminal,
+          "Draw it in the terminal: by sixels if it says that it can, else with blocks of\n24-bit colour");
+  addFlag("--sixel", options->sixel, "Draw it in the terminal by sixels, whatever it says");
+  addNetworkOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim view worlds/pong_world.sdf -o court.png\n"
       "  pongsim view worlds/pong_world.sdf --at 2 --camera pong_bot --size 640x480\n"
-      "  pongsim view worlds/pong_world.sdf --camera '-6 -4 3 0 0.4 0.6' --grid --terminal");
-  command->callback([options, &work] { work = [options] { return viewWorld(*options); }; });
+      "  pongsim view worlds/pong_world.sdf --camera '-6 -4 3 0 0.4 0.6' --grid --terminal\n"
+      "  pongsim view --names -o now.png\n"
+      "  pongsim view -w pong_world --camera pong_bot --terminal");
+  command->callback([options, source, &work] {
+    readSource(*source, *options);
+    work = [options] { return viewWorld(*options); };
+  });
 }
 
 }  // namespace pongsim::cli

@@ -44,6 +44,12 @@ std::uint64_t componentType(std::string_view name) {
   return hash.value();
 }
 
+std::string componentText(double value) {
+  std::string text;
+  append(value, text);
+  return text;
+}
+
 std::string componentText(const Vector3& vector) {
   std::string text;
   for (const double value : vector) append(value, text);

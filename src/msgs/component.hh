@@ -14,6 +14,8 @@ namespace pongsim::msgs {
 /// @return The number that stands for it in states: a hash of its full name (FNV-1a, 64 bits).
 std::uint64_t componentType(std::string_view name);
 
+/// Components that are numbers are text.
+std::string componentText(double value);
 /// Components that are several numbers are text with blanks between them; a pose is x y z roll pitch yaw [m, rad].
 std::string componentText(const Vector3& vector);
 std::string componentText(const Pose& pose);

@@ -8,23 +8,13 @@
 
 #include <numbers>
 
+#include "msgs/pose_message.hh"
+
 namespace pongsim::msgs {
 
 namespace {
 
 namespace im = ignition::msgs;
-
-Vector3 vector(const im::Vector3d& message) { return {message.x(), message.y(), message.z()}; }
-
-Pose poseFrom(const im::Pose& message) {
-  Pose pose;
-  pose.position = vector(message.position());
-  if (message.has_orientation()) {
-    const im::Quaternion& rotation = message.orientation();
-    pose.rotation = Quaternion(rotation.w(), rotation.x(), rotation.y(), rotation.z());
-  }
-  return pose;
-}
 
 PlaceOnEarth placeFrom(const im::SphericalCoordinates& message) {
   constexpr double kDegree = std::numbers::pi / 180;
@@ -87,7 +77,7 @@ PlaceOfEntity placeOfEntity(const Message& message) {
 PhysicsSettings physicsSettings(const Message& message) {
   const auto& physics = static_cast<const im::Physics&>(message);
   PhysicsSettings settings{physics.max_step_size(), physics.real_time_factor(), {}};
-  if (physics.has_gravity()) settings.gravity = vector(physics.gravity());
+  if (physics.has_gravity()) settings.gravity = vectorFrom(physics.gravity());
   return settings;
 }
 

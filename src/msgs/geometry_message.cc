@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "msgs/pose_message.hh"
 #include "pongsim/fields.hh"
 
 namespace pongsim::msgs {
@@ -16,7 +17,7 @@ namespace im = ignition::msgs;
 
 /// @return The full path, or what stands in the description where it leads nowhere.
 std::string pathOf(const std::filesystem::path& file, const std::string& uri) {
-  return file.empty() ? uri : file.string();
+  return file.empty() ? uri : std::filesystem::absolute(file).lexically_normal().string();
 }
 
 struct GeometryWriter {
@@ -111,6 +112,79 @@ struct GeometryWriter {
 };
 
 }  // namespace
+
+namespace {
+
+Vector3 vectorOr(const im::Vector3d& vector, bool isThere, const Vector3& other) {
+  return isThere ? vectorFrom(vector) : other;
+}
+
+description::Mesh meshOf(const im::MeshGeom& message) {
+  description::Mesh mesh;
+  mesh.uri = message.filename();
+  mesh.submesh = message.submesh();
+  mesh.isCentered = message.center_submesh();
+  mesh.scale = vectorOr(message.scale(), message.has_scale(), mesh.scale);
+  return mesh;
+}
+
+description::Heightmap heightmapOf(const im::HeightmapGeom& message) {
+  description::Heightmap heightmap;
+  heightmap.uri = message.filename();
+  heightmap.size = vectorOr(message.size(), message.has_size(), heightmap.size);
+  heightmap.position = vectorFrom(message.origin());
+  heightmap.sampling = message.sampling();
+  heightmap.usesPaging = message.use_terrain_paging();
+  for (const im::HeightmapGeom::Texture& each : message.texture()) {
+    heightmap.textures.push_back({each.size(), {each.diffuse(), {}}, {each.normal(), {}}});
+  }
+  for (const im::HeightmapGeom::Blend& each : message.blend()) {
+    heightmap.blends.push_back({each.min_height(), each.fade_dist()});
+  }
+  return heightmap;
+}
+
+description::Polyline polylineOf(const im::Geometry& message) {
+  description::Polyline polyline;
+  for (const im::Polyline& each : message.polyline()) {
+    polyline.height = each.height();
+    auto& line = polyline.lines.emplace_back();
+    for (const im::Vector2d& point : each.point()) line.emplace_back(point.x(), point.y());
+  }
+  return polyline;
+}
+
+}  // namespace
+
+description::Geometry geometryFrom(const im::Geometry& message) {
+  switch (message.type()) {
+    case im::Geometry::BOX:
+      return description::Box{vectorFrom(message.box().size())};
+    case im::Geometry::SPHERE:
+      return description::Sphere{message.sphere().radius()};
+    case im::Geometry::CYLINDER:
+      return description::Cylinder{message.cylinder().radius(), message.cylinder().length()};
+    case im::Geometry::CAPSULE:
+      return description::Capsule{message.capsule().radius(), message.capsule().length()};
+    case im::Geometry::ELLIPSOID:
+      return description::Ellipsoid{vectorFrom(message.ellipsoid().radii())};
+    case im::Geometry::PLANE:
+      return description::Plane{vectorFrom(message.plane().normal()),
+                                {message.plane().size().x(), message.plane().size().y()}};
+    case im::Geometry::MESH:
+      return meshOf(message.mesh());
+    case im::Geometry::HEIGHTMAP:
+      return heightmapOf(message.heightmap());
+    case im::Geometry::POLYLINE:
+      return polylineOf(message);
+    case im::Geometry::IMAGE:
+      return description::Image{message.image().uri(),    {},
+                                message.image().scale(),  message.image().threshold(),
+                                message.image().height(), message.image().granularity()};
+    default:
+      return description::Empty{};
+  }
+}
 
 void setGeometry(const description::Geometry& geometry, im::Geometry& message) {
   message.Clear();

@@ -12,4 +12,8 @@ namespace pongsim::msgs {
 /// not there.
 void setGeometry(const description::Geometry& geometry, ignition::msgs::Geometry& message);
 
+/// @return The geometry that a message tells of. Its files are named as the message does (`uri`) and not looked for,
+/// and it has no triangles.
+description::Geometry geometryFrom(const ignition::msgs::Geometry& message);
+
 }  // namespace pongsim::msgs

@@ -3,6 +3,7 @@
 #include <ignition/msgs/light.pb.h>
 
 #include "msgs/color_message.hh"
+#include "msgs/pose_message.hh"
 #include "pongsim/fields.hh"
 
 namespace pongsim::msgs {
@@ -54,22 +55,25 @@ LightName lightName(const Message& light) {
   return {message.id(), message.name(), message.parent_id()};
 }
 
+description::Light lightFrom(const im::Light& message) {
+  description::Light none;
+  none.name = message.name();
+  description::Light light = changedLight(none, message);
+  light.X_ParentLight = poseFrom(message.pose());
+  return light;
+}
+
 description::Light changedLight(const description::Light& before, const Message& light) {
   const auto& message = static_cast<const im::Light&>(light);
   description::Light changed = before;
   changed.type = typeOf(message.type());
-  if (message.pose().has_position()) {
-    const im::Vector3d& position = message.pose().position();
-    changed.X_ParentLight.position = {position.x(), position.y(), position.z()};
-  }
+  if (message.pose().has_position()) changed.X_ParentLight.position = vectorFrom(message.pose().position());
   if (message.has_diffuse()) changed.diffuse = colorOf(message.diffuse());
   if (message.has_specular()) changed.specular = colorOf(message.specular());
   changed.constantAttenuation = message.attenuation_constant();
   changed.linearAttenuation = message.attenuation_linear();
   changed.quadraticAttenuation = message.attenuation_quadratic();
-  if (message.has_direction()) {
-    changed.direction = {message.direction().x(), message.direction().y(), message.direction().z()};
-  }
+  if (message.has_direction()) changed.direction = vectorFrom(message.direction());
   changed.range = message.range();
   changed.castsShadows = message.cast_shadows();
   changed.innerAngle = message.spot_inner_angle();

@@ -15,6 +15,9 @@ namespace pongsim::msgs {
 /// Fills in a light as Fortress does, but for its id and that of what holds it.
 void setLight(const description::Light& light, ignition::msgs::Light& message);
 
+/// @return The light that a message tells of.
+description::Light lightFrom(const ignition::msgs::Light& message);
+
 /// Which light an `ignition.msgs.Light` means.
 struct LightName {
   /// 0: it is named by its name.

@@ -2,6 +2,7 @@
 
 #include <ignition/msgs/material.pb.h>
 
+#include <filesystem>
 #include <string>
 
 #include "msgs/color_message.hh"
@@ -13,7 +14,7 @@ namespace {
 namespace im = ignition::msgs;
 
 std::string pictureOf(const description::Texture& texture) {
-  return texture.file.empty() ? texture.uri : texture.file.string();
+  return texture.file.empty() ? texture.uri : std::filesystem::absolute(texture.file).lexically_normal().string();
 }
 
 void setMaps(const description::PbrMaps& maps, im::Material::PBR& message) {
@@ -26,7 +27,39 @@ void setMaps(const description::PbrMaps& maps, im::Material::PBR& message) {
   message.set_light_map_texcoord_set(maps.lightCoordinates);
 }
 
+description::PbrMaps mapsFrom(const im::Material::PBR& message) {
+  description::PbrMaps maps;
+  maps.albedo.uri = message.albedo_map();
+  maps.normal.uri = message.normal_map();
+  maps.environment.uri = message.environment_map();
+  maps.ambientOcclusion.uri = message.ambient_occlusion_map();
+  maps.emissive.uri = message.emissive_map();
+  maps.light.uri = message.light_map();
+  maps.lightCoordinates = message.light_map_texcoord_set();
+  return maps;
+}
+
 }  // namespace
+
+description::Material materialFrom(const im::Material& message) {
+  description::Material material;
+  material.ambient = colorOf(message.ambient());
+  material.diffuse = colorOf(message.diffuse());
+  material.specular = colorOf(message.specular());
+  material.emissive = colorOf(message.emissive());
+  material.isLit = message.lighting();
+  material.isDoubleSided = message.double_sided();
+  material.renderOrder = message.render_order();
+  if (!message.has_pbr()) return material;
+  const im::Material::PBR& pbr = message.pbr();
+  if (pbr.type() == im::Material::PBR::METAL) {
+    material.metal = {
+        mapsFrom(pbr), pbr.roughness(), {pbr.roughness_map(), {}}, pbr.metalness(), {pbr.metalness_map(), {}}};
+  } else if (pbr.type() == im::Material::PBR::SPECULAR) {
+    material.gloss = {mapsFrom(pbr), pbr.glossiness(), {pbr.glossiness_map(), {}}, {pbr.specular_map(), {}}};
+  }
+  return material;
+}
 
 void setMaterial(const description::Material& material, im::Material& message) {
   message.Clear();

@@ -12,4 +12,7 @@ namespace pongsim::msgs {
 /// not there.
 void setMaterial(const description::Material& material, ignition::msgs::Material& message);
 
+/// @return The material that a message tells of. Pictures are named as the message does (`uri`) and not looked for.
+description::Material materialFrom(const ignition::msgs::Material& message);
+
 }  // namespace pongsim::msgs

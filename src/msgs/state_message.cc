@@ -6,6 +6,7 @@
 #include <ignition/msgs/inertial.pb.h>
 #include <ignition/msgs/light.pb.h>
 #include <ignition/msgs/material.pb.h>
+#include <ignition/msgs/scene.pb.h>
 #include <ignition/msgs/sensor.pb.h>
 #include <ignition/msgs/serialized_map.pb.h>
 
@@ -17,6 +18,7 @@
 #include "msgs/light_message.hh"
 #include "msgs/material_message.hh"
 #include "msgs/sensor_message.hh"
+#include "msgs/surroundings_message.hh"
 #include "msgs/time.hh"
 #include "pongsim/fields.hh"
 
@@ -89,6 +91,9 @@ class StateWriter {
     worldEntity.add("World");
     worldEntity.add("Name", entities_.description().name);
     worldEntity.add("Gravity", componentText(state_.gravity));
+    im::Scene surroundings;
+    setSurroundings(entities_.description().scene, surroundings);
+    worldEntity.add("Scene", surroundings);
     for (const world::ModelRecord& model : entities_.models()) writeModel(model);
     for (const world::LinkRecord& link : entities_.links()) writeLink(link);
     for (const world::CollisionRecord& collision : entities_.collisions()) {
@@ -154,6 +159,9 @@ class StateWriter {
     entity.addPlace("Visual", visual.name, link.id.value);
     entity.add("Pose", componentText(visual.X_LinkVisual));
     entity.add("CastShadows", visual.castsShadows ? "1" : "0");
+    entity.add("Transparency", componentText(visual.transparency));
+    entity.add("VisibilityFlags", std::to_string(visual.visibilityFlags));
+    if (visual.laserRetro != 0) entity.add("LaserRetro", componentText(visual.laserRetro));
     entity.add("Geometry", bytesOf(visual.geometry));
     if (!visual.material) return;
     im::Material material;
@@ -180,6 +188,8 @@ class StateWriter {
     EntityWriter entity(light.id.value, message_);
     im::Light settings;
     setLight(*light.description, settings);
+    // as Fortress does where its messages have no field for it
+    if (!light.description->isOn) setHeaderValue("isLightOn", "0", *settings.mutable_header());
     entity.add("Light", settings);
     entity.add("Name", light.description->name);
     entity.add("ParentEntity", std::to_string(parent));

@@ -1,7 +1,6 @@
 #include "msgs/state_reader.hh"
 
 #include <ignition/msgs/axis.pb.h>
-#include <ignition/msgs/double_v.pb.h>
 #include <ignition/msgs/inertial.pb.h>
 #include <ignition/msgs/sensor.pb.h>
 #include <ignition/msgs/serialized_map.pb.h>
@@ -9,8 +8,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "base/parse_number.hh"
-#include "msgs/component.hh"
+#include "msgs/component_reader.hh"
+#include "msgs/pose_message.hh"
 #include "msgs/sensor_message.hh"
 
 namespace pongsim::msgs {
@@ -19,51 +18,10 @@ namespace {
 
 namespace im = ignition::msgs;
 
-class ComponentReader {
- public:
-  explicit ComponentReader(const im::SerializedEntityMap& entity) : entity_(entity) {}
-
-  /// @return The component's bytes; null where the entity has it not.
-  const std::string* find(std::string_view name) const {
-    const auto found = entity_.components().find(static_cast<std::int64_t>(componentType(name)));
-    return found == entity_.components().end() ? nullptr : &found->second.component();
-  }
-  bool has(std::string_view name) const { return find(name) != nullptr; }
-
-  std::string text(std::string_view name) const {
-    const std::string* const bytes = find(name);
-    return bytes == nullptr ? std::string() : *bytes;
-  }
-
-  std::optional<long long> number(std::string_view name) const {
-    const std::string* const bytes = find(name);
-    return bytes == nullptr ? std::nullopt : base::parseInteger(*bytes);
-  }
-
-  template <class Message>
-  std::optional<Message> message(std::string_view name) const {
-    const std::string* const bytes = find(name);
-    Message message;
-    if (bytes == nullptr || !message.ParseFromString(*bytes)) return std::nullopt;
-    return message;
-  }
-
-  std::vector<double> numbers(std::string_view name) const {
-    const auto list = message<im::Double_V>(name);
-    return list ? std::vector<double>(list->data().begin(), list->data().end()) : std::vector<double>();
-  }
-
- private:
-  const im::SerializedEntityMap& entity_;
-};
-
 description::Inertial inertialOf(const im::Inertial& message) {
   description::Inertial inertial;
   inertial.mass = message.mass();
-  const im::Vector3d& position = message.pose().position();
-  const im::Quaternion& rotation = message.pose().orientation();
-  inertial.X_LinkCom = {{position.x(), position.y(), position.z()},
-                        Quaternion(rotation.w(), rotation.x(), rotation.y(), rotation.z())};
+  inertial.X_LinkCom = poseFrom(message.pose());
   inertial.moments << message.ixx(), message.ixy(), message.ixz(), message.ixy(), message.iyy(), message.iyz(),
       message.ixz(), message.iyz(), message.izz();
   return inertial;

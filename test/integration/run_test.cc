@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <string>
@@ -62,6 +64,42 @@ TEST(Run, GivesTheSameStateHashWhateverSurroundsIt) {
     EXPECT_EQ(process.wait(), 0) << each.what << ": " << process.error();
     EXPECT_EQ(process.output(), expected) << each.what;
   }
+}
+
+// nobody listens: the camera draws for the disk
+TEST(Run, SavesTheSamePicturesWithAnyNumberOfThreads) {
+  const TempFolder folder;
+  const auto picturesOf = [&folder](const std::string& name, const std::string& threads, const std::string& drawers) {
+    const auto world = folder.write(name + ".sdf", R"(<sdf version="1.9"><world name="w">
+      <plugin filename="ignition-gazebo-physics-system" name="ignition::gazebo::systems::Physics"/>
+      <plugin filename="ignition-gazebo-sensors-system" name="ignition::gazebo::systems::Sensors"/>
+      <light name="sun" type="directional"><cast_shadows>true</cast_shadows></light>
+      <model name="eye"><static>true</static><link name="l"><sensor name="s" type="camera"><update_rate>50</update_rate>
+        <camera><image><width>64</width><height>48</height></image><save enabled="true"><path>)" +
+                                                       (folder.path() / name).string() +
+                                                       R"(</path></save>
+          <noise><type>gaussian</type><stddev>0.02</stddev></noise></camera></sensor></link></model>
+      <model name="a"><pose>4 0.8 1 0.3 0.2 0</pose><link name="l"><visual name="v"><geometry><box/></geometry></visual></link>
+      </model><model name="b"><pose>4 -0.8 1 0 0.2 0.5</pose><link name="l"><visual name="v"><geometry><sphere/></geometry>
+      </visual></link></model></world></sdf>)");
+    testDomain();
+    Process process({PONGSIM_PROGRAM, "run", world.string(), "-z", "0", "--iterations", "200", "--threads", threads},
+                    {.environment = {{"LP_NUM_THREADS", drawers}}, .folder = {}});
+    EXPECT_EQ(process.wait(), 0) << process.error();
+    std::map<std::string, std::string> pictures;
+    if (process.error().find("libOSMesa") != std::string::npos) return pictures;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / name)) {
+      std::ifstream file(entry.path(), std::ios::binary);
+      pictures[entry.path().filename().string()] = {std::istreambuf_iterator<char>(file), {}};
+    }
+    return pictures;
+  };
+  const auto expected = picturesOf("first", "1", "0");
+  if (expected.empty()) GTEST_SKIP() << "libosmesa6 is not here";
+  EXPECT_EQ(expected.size(), 11U);
+  EXPECT_NE(expected.begin()->second, expected.rbegin()->second);
+  EXPECT_TRUE(picturesOf("second", "1", "2") == expected);
+  EXPECT_TRUE(picturesOf("third", "2", "1") == expected);
 }
 
 TEST(Run, EndsWithExitCode0AtSigintAndSigterm) {

@@ -57,5 +57,33 @@ TEST(GeometryMessage, TellsEveryShape) {
   for (const auto& [geometry, text] : cases) EXPECT_EQ(textOf(geometry), text);
 }
 
+TEST(GeometryMessage, MakesEveryShapeAgain) {
+  description::Mesh mesh;
+  mesh.uri = "model://cup/cup.dae";
+  mesh.submesh = "handle";
+  mesh.isCentered = true;
+  mesh.scale = {1, 2, -3};
+  description::Heightmap hills;
+  hills.uri = "hills.png";
+  hills.size = {10, 20, 3};
+  hills.position = {1, 2, 3};
+  hills.textures = {{5, {"grass.png", {}}, {"normals.png", {}}}};
+  hills.blends = {{.minHeight = 2, .fadeDistance = 1}};
+  description::Polyline triangle;
+  triangle.lines = {{{0, 0}, {1, 0}, {0, 2}}};
+  triangle.height = 2;
+  for (const description::Geometry& geometry :
+       {description::Geometry(description::Empty{}), description::Geometry(description::Box{{1, 2, 3}}),
+        description::Geometry(description::Sphere{0.5}), description::Geometry(description::Cylinder{0.5, 2}),
+        description::Geometry(description::Capsule{0.5, 2}), description::Geometry(description::Ellipsoid{{1, 2, 3}}),
+        description::Geometry(description::Plane{{0, 1, 0}, {5, 6}}), description::Geometry(mesh),
+        description::Geometry(hills), description::Geometry(triangle),
+        description::Geometry(description::Image{"a.png", {}, 1, 200, 2, 1})}) {
+    ignition::msgs::Geometry message;
+    setGeometry(geometry, message);
+    EXPECT_EQ(geometryFrom(message), geometry) << textOf(geometry);
+  }
+}
+
 }  // namespace
 }  // namespace pongsim::msgs

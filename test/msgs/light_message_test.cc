@@ -50,6 +50,14 @@ TEST(LightMessage, LeavesPartsThatItDoesNotHave) {
   EXPECT_EQ(changed.name, "lamp");
 }
 
+TEST(LightMessage, MakesALightAnew) {
+  description::Light light = spot();
+  light.specular = {0.5F, 0.5F, 0.5F, 1};
+  im::Light message;
+  setLight(light, message);
+  EXPECT_EQ(lightFrom(message), light);
+}
+
 TEST(LightMessage, NamesALight) {
   im::Light message;
   message.set_name("sun");

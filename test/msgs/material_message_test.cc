@@ -43,5 +43,25 @@ TEST(MaterialMessage, TellsHowASurfaceReflects) {
   EXPECT_EQ(message.pbr().albedo_map(), "");
 }
 
+TEST(MaterialMessage, MakesTheSameMaterialAgain) {
+  description::Material material;
+  material.diffuse = {0.25F, 0, 0.5F, 1};
+  material.isLit = false;
+  material.isDoubleSided = true;
+  material.renderOrder = 2;
+  im::Material message;
+  setMaterial(material, message);
+  EXPECT_EQ(materialFrom(message), material);
+  material.metal.emplace().metalness = 0.75;
+  material.metal->maps.albedo.uri = "wood.png";
+  setMaterial(material, message);
+  EXPECT_EQ(materialFrom(message), material);
+  material.metal.reset();
+  material.gloss.emplace().glossiness = 0.5;
+  material.gloss->specularMap.uri = "shine.png";
+  setMaterial(material, message);
+  EXPECT_EQ(materialFrom(message), material);
+}
+
 }  // namespace
 }  // namespace pongsim::msgs

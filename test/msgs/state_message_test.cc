@@ -49,6 +49,11 @@ TEST_F(StateMessageTest, WritesComponentsAsFortressDoes) {
   EXPECT_EQ(component(4, "ParentEntity"), "1");
   EXPECT_EQ(component(4, "Pose"), "1 0 0 0 0 0");
   EXPECT_EQ(component(5, "CanonicalLink"), "");
+  EXPECT_EQ(component(6, "CastShadows"), "1");
+  EXPECT_EQ(component(6, "Transparency"), "0");
+  EXPECT_EQ(component(6, "VisibilityFlags"), "4294967295");
+  EXPECT_EQ(component(6, "LaserRetro"), "none");
+  EXPECT_NE(component(1, "Scene"), "none");
   EXPECT_EQ(component(12, "JointType"), "6");
   EXPECT_EQ(component(12, "ParentLinkName"), "base");
   EXPECT_EQ(component(12, "JointAxis2"), "none");

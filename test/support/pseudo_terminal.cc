@@ -1,6 +1,7 @@
 #include "support/pseudo_terminal.hh"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -27,6 +28,18 @@ PseudoTerminal::~PseudoTerminal() {
 void PseudoTerminal::type(std::string_view keys) const {
   if (write(control_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size())) {
     throw std::runtime_error("the terminal does not take keys");
+  }
+}
+
+void PseudoTerminal::waitFor(std::string_view text) const {
+  constexpr int kPatienceMs = 60'000;
+  std::string shown;
+  while (shown.find(text) == std::string::npos) {
+    pollfd descriptor{control_, POLLIN, 0};
+    char bytes[64];
+    const ssize_t count = poll(&descriptor, 1, kPatienceMs) > 0 ? read(control_, bytes, sizeof bytes) : 0;
+    if (count <= 0) throw std::runtime_error("the terminal was not told what it was to be");
+    shown.append(bytes, static_cast<std::size_t>(count));
   }
 }
 

@@ -23,6 +23,9 @@ class PseudoTerminal {
   int terminal() const { return terminal_; }
   /// @throws std::runtime_error if the keys can't be sent.
   void type(std::string_view keys) const;
+  /// Waits until that was written to the terminal.
+  /// @throws std::runtime_error if it was not in time.
+  void waitFor(std::string_view text) const;
   /// @throws std::runtime_error if they can't be read.
   termios settings() const;
 

@@ -1,0 +1,51 @@
+#include <cmath>
+#include <utility>
+
+#include "cli/diagnostic_report.hh"
+#include "cli/view_command.hh"
+#include "cli/world_file.hh"
+#include "pongsim/simulation.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+class FileSight final : public Sight {
+ public:
+  explicit FileSight(std::unique_ptr<Simulation> simulation)
+      : simulation_(std::move(simulation)), scene_(simulation_->world()) {
+    Diagnostics found;
+    scene_.rebuild(found);
+    say(found, Severity::kWarning, Severity::kError);
+    scene_.update();
+  }
+
+  std::vector<std::string> models() override {
+    std::vector<std::string> names;
+    for (const Model& each : simulation_->world().models()) names.emplace_back(each.scopedName());
+    return names;
+  }
+
+  Eigen::AlignedBox3d bounds(const std::string& model) override {
+    return model.empty() ? scene_.bounds() : scene_.bounds(simulation_->world().model(model));
+  }
+
+  void draw(const PictureView& view, std::span<std::uint8_t> pixels) override { scene_.drawColors(view, pixels); }
+
+ private:
+  std::unique_ptr<Simulation> simulation_;
+  CameraScene scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Sight> sightOfFile(const ViewOptions& options) {
+  Diagnostics diagnostics;
+  std::unique_ptr<Simulation> simulation = Simulation::fromFile(findWorldFile(options.file), {}, diagnostics);
+  say(diagnostics, Severity::kWarning, Severity::kError);
+  if (simulation == nullptr || diagnostics.hasErrors()) return nullptr;
+  simulation->step(static_cast<std::uint64_t>(std::llround(options.at / toSeconds(simulation->stepSize()))));
+  return std::make_unique<FileSight>(std::move(simulation));
+}
+
+}  // namespace pongsim::cli

@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "integration/program.hh"
+#include "support/temp_folder.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim::test {
+namespace {
+
+/// @return What stands in a model: a visual whose colour light does not change.
+std::string flatVisual(const std::string& geometry, const std::string& color) {
+  return "<link name='l'><visual name='v'><geometry>" + geometry + "</geometry><material><lighting>false</lighting>" +
+         "<ambient>" + color + "</ambient><diffuse>" + color + "</diffuse></material></visual></link>";
+}
+
+constexpr const char* kBox = "<box><size>1 1 1</size></box>";
+constexpr const char* kRed = "1 0 0 1";
+constexpr const char* kGreen = "0 1 0 1";
+constexpr const char* kBlue = "0 0 1 1";
+
+/// A black world with a red box in its middle, and three metres to the right (y = -3) a blue square out of a file.
+std::string coloredWorld(const std::string& name) {
+  return "<sdf version='1.9'><world name='" + name +
+         "'><scene><background>0 0 0 1</background></scene>"
+         "<model name='box'><static>true</static>" +
+         flatVisual(kBox, kRed) + "</model><model name='square'><static>true</static><pose>0 -3 0 0 0 0</pose>" +
+         flatVisual("<mesh><uri>model://shapes/square.obj</uri></mesh>", kBlue) + "</model></world></sdf>";
+}
+
+/// What a world looks like from ten metres above: x is up, y to the left.
+class SeenFromAbove {
+ public:
+  /// @param arguments Of `view`, that say which world.
+  explicit SeenFromAbove(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "view");
+    arguments.insert(arguments.end(), {"--camera", "0 0 10 0 1.570796 0", "--size", "40x40", "--terminal"});
+    outcome_ = runToEnd(arguments);
+    static const std::regex kBlock("\033\\[38;2;(\\d+);(\\d+);(\\d+)m\033\\[48;2;(\\d+);(\\d+);(\\d+)m");
+    for (const std::string& line : lines(outcome_.output)) {
+      std::array<std::vector<std::string>, 2> pair;
+      for (std::sregex_iterator block(line.begin(), line.end(), kBlock), end; block != end; ++block) {
+        for (std::size_t i = 0; i < 2; ++i) {
+          const auto number = [&](std::size_t part) { return (*block)[3 * i + part].str(); };
+          pair[i].push_back(number(1) + " " + number(2) + " " + number(3));
+        }
+      }
+      for (std::vector<std::string>& row : pair) rows_.push_back(std::move(row));
+    }
+  }
+
+  const Outcome& outcome() const { return outcome_; }
+
+  /// @return The colour at a place on the ground, "255 0 0", or "nothing".
+  std::string at(double x, double y) const {
+    // 60 degrees are as wide as the picture
+    const double perMetre = 20 / (10 * 0.57735);
+    const auto row = static_cast<std::size_t>(20 - x * perMetre), column = static_cast<std::size_t>(20 - y * perMetre);
+    return row < rows_.size() && column < rows_[row].size() ? rows_[row][column] : "nothing";
+  }
+
+ private:
+  Outcome outcome_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+class ViewOfARunningWorld : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("models/shapes/square.obj",
+                  "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nf 1 2 3\nf 1 3 4\n");
+    const Outcome picture =
+        runToEnd({"view", folder_.write("empty.sdf", "<sdf version='1.9'><world name='e'/></sdf>").string(), "-o",
+                  (folder_.path() / "e.png").string()});
+    if (picture.error.find("libOSMesa") != std::string::npos) GTEST_SKIP() << picture.error;
+  }
+
+  /// Runs the world, paused, until its services are there.
+  std::unique_ptr<Process> runColoredWorld(const std::string& name) {
+    const auto file = folder_.write(name + ".sdf", coloredWorld(name));
+    testDomain();
+    auto process = std::make_unique<Process>(
+        std::vector<std::string>{PONGSIM_PROGRAM, "run", file.string(), "--paused"},
+        Process::Options{.environment = {{"PONGSIM_RESOURCE_PATH", (folder_.path() / "models").string()}},
+                         .folder = {}});
+    EXPECT_TRUE(process->waitForError("pongsim: world '")) << process->error();
+    EXPECT_EQ(runToEnd({"service", "-s", "/world/" + name + "/scene/info", "--req", "", "--timeout", "60000"}).exitCode,
+              0);
+    return process;
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(ViewOfARunningWorld, ShowsWhatIsThereNow) {
+  const auto world = runColoredWorld("w");
+  const SeenFromAbove before({"--timeout", "60000"});
+  ASSERT_EQ(before.outcome().exitCode, 0) << before.outcome().error;
+  EXPECT_EQ(before.outcome().error, "");
+  EXPECT_EQ(before.at(0, 0), "255 0 0");
+  EXPECT_EQ(before.at(0, -3), "0 0 255");
+  EXPECT_EQ(before.at(0, 3), "0 0 0");
+
+  const std::string ball = "<sdf version='1.9'><model name='ball'><static>true</static><pose>0 3 0 0 0 0</pose>" +
+                           flatVisual("<sphere><radius>0.6</radius></sphere>", kGreen) + "</model></sdf>";
+  const auto ask = [](const std::string& service, const std::string& request) {
+    const Outcome call = runToEnd({"service", "-s", "/world/w/" + service, "--req", request, "--timeout", "60000"});
+    EXPECT_EQ(call.exitCode, 0) << call.error;
+  };
+  ask("create", "sdf: \"" + ball + "\"");
+  ask("set_pose", "name: 'box', position: {x: 3}");
+  const SeenFromAbove after({"-w", "w", "--timeout", "60000"});
+  ASSERT_EQ(after.outcome().exitCode, 0) << after.outcome().error;
+  EXPECT_EQ(after.at(0, 0), "0 0 0");
+  EXPECT_EQ(after.at(3, 0), "255 0 0");
+  EXPECT_EQ(after.at(0, 3), "0 255 0");
+  EXPECT_EQ(after.at(0, -3), "0 0 255");
+}
+
+TEST_F(ViewOfARunningWorld, SaysWhichFilesAreNotHere) {
+  const auto world = runColoredWorld("w");
+  const auto mesh = folder_.path() / "models/shapes/square.obj";
+  std::filesystem::remove(mesh);
+  const SeenFromAbove seen({"--timeout", "60000"});
+  EXPECT_EQ(seen.outcome().exitCode, 0) << seen.outcome().error;
+  EXPECT_NE(seen.outcome().error.find("warning: mesh '" + mesh.string() + "' is not on this machine"),
+            std::string::npos)
+      << seen.outcome().error;
+  EXPECT_NE(seen.outcome().error.find("hint: "), std::string::npos);
+  EXPECT_EQ(seen.at(0, 0), "255 0 0");
+  EXPECT_EQ(seen.at(0, -3), "0 0 0");
+}
+
+TEST_F(ViewOfARunningWorld, LooksAtOneOfItsModels) {
+  const auto world = runColoredWorld("w");
+  const std::string picture = (folder_.path() / "box.png").string();
+  const Outcome seen = runToEnd({"view", "--camera", "box", "-o", picture, "--timeout", "60000"});
+  EXPECT_EQ(seen.exitCode, 0) << seen.error;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+  const Outcome wrong = runToEnd({"view", "--camera", "bax", "--timeout", "60000"});
+  EXPECT_EQ(wrong.exitCode, 1);
+  EXPECT_EQ(wrong.error, "pongsim: error: there is no model 'bax' to look at\n  hint: did you mean 'box'?\n");
+}
+
+TEST_F(ViewOfARunningWorld, WantsToKnowWhichOne) {
+  const Outcome none = runToEnd({"view", "--timeout", "0"});
+  EXPECT_EQ(none.exitCode, 1);
+  EXPECT_EQ(none.error, "pongsim: error: no world runs\n  hint: start one with pongsim run WORLD\n");
+  const auto first = runColoredWorld("w"), second = runColoredWorld("v");
+  const Outcome either = runToEnd({"view", "--timeout", "60000"});
+  EXPECT_EQ(either.exitCode, 1);
+  EXPECT_TRUE(either.error.starts_with("pongsim: error: several worlds run: ")) << either.error;
+  EXPECT_NE(either.error.find("hint: choose with -w WORLD"), std::string::npos) << either.error;
+  EXPECT_EQ(SeenFromAbove({"-w", "v", "--timeout", "60000"}).at(0, 0), "255 0 0");
+}
+
+TEST_F(ViewOfARunningWorld, IsThatOfItsFileWhereNothingHasMoved) {
+  const auto world = startServedWorld("pong_lidar.sdf", {"--paused"});
+  const auto picture = [](std::vector<std::string> which) {
+    which.insert(which.begin(), "view");
+    which.insert(which.end(), {"--size", "64x48", "--terminal"});
+    const Outcome outcome = runToEnd(which);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+    return outcome.output;
+  };
+  EXPECT_EQ(picture({"--timeout", "60000"}), picture({ownWorld("pong_lidar.sdf")}));
+}
+
+}  // namespace
+}  // namespace pongsim::test
