@@ -13,14 +13,28 @@ constexpr double kEnough = 1e-15;
 // below this turn in a step [rad] there is nothing to do
 constexpr double kSmallestTurn = 1e-8;
 
-// Rodrigues' formula
-btVector3 turned(const btVector3& vector, const btVector3& turn) {
-  const double angle = turn.length();
-  if (angle == 0) return vector;
-  const btVector3 axis = turn / angle;
-  const double c = std::cos(angle);
-  return c * vector + std::sin(angle) * axis.cross(vector) + (1 - c) * axis.dot(vector) * axis;
-}
+struct Turn {
+  explicit Turn(const btVector3& vector) : axis(0, 0, 0), sine(0), cosine(1) {
+    const double angle = vector.length();
+    if (angle == 0) return;
+    axis = vector / angle;
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+
+  // Rodrigues' formula
+  btVector3 operator()(const btVector3& vector) const { return turned(vector, sine); }
+  btVector3 back(const btVector3& vector) const { return turned(vector, -sine); }
+
+  btVector3 axis;
+  double sine;
+  double cosine;
+
+ private:
+  btVector3 turned(const btVector3& vector, double s) const {
+    return cosine * vector + s * axis.cross(vector) + (1 - cosine) * axis.dot(vector) * axis;
+  }
+};
 
 }  // namespace
 
@@ -30,13 +44,13 @@ btVector3 gyroscopicTorque(const btMatrix3x3& R_WorldBody, const btVector3& w_Wo
   if (moments.x() == moments.y() && moments.y() == moments.z()) return {0, 0, 0};
   // all of it in the body's frame
   const btVector3 before = w_World * R_WorldBody;
-  const btVector3 momentum = turned(moments * before, -dt / 2 * before);
+  const btVector3 momentum = Turn(dt / 2 * before).back(moments * before);
   const btVector3 inverse(1 / moments.x(), 1 / moments.y(), 1 / moments.z());
   btVector3 next = before;
   for (int i = 0; i < kMostIterations; ++i) {
     const btVector3 last = next;
-    const btVector3 half = dt / 2 * last;
-    next = turned(inverse * turned(momentum, -half), half);
+    const Turn half(dt / 2 * last);
+    next = half(inverse * half.back(momentum));
     if ((next - last).length2() <= kEnough * kEnough * next.length2()) break;
   }
   return R_WorldBody * (moments * (next - before)) / dt;

@@ -331,15 +331,17 @@ bool Lcp::setFreeTogether(const int* rows) {
 
 /// @return False where A is not positive definite.
 bool Lcp::setFree(const std::vector<int>& rows) {
-  std::size_t i = 0;
-  for (; i + 4 <= rows.size(); i += 4) {
-    if (!setFreeTogether<4>(&rows[i])) return false;
-  }
-  if (i + 2 <= rows.size()) {
+  // what does not make up four goes first, for rows cost more the more there are before them
+  std::size_t i = rows.size() % 2;
+  if (i == 1 && !setFree(rows[0])) return false;
+  if (rows.size() % 4 >= 2) {
     if (!setFreeTogether<2>(&rows[i])) return false;
     i += 2;
   }
-  return i == rows.size() || setFree(rows[i]);
+  for (; i < rows.size(); i += 4) {
+    if (!setFreeTogether<4>(&rows[i])) return false;
+  }
+  return true;
 }
 
 /// Adds the row, whose factors stand at their place already.
