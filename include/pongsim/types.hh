@@ -79,5 +79,6 @@ using CollisionId = Id<struct CollisionKind>;
 using SensorId = Id<struct SensorKind>;
 using VisualId = Id<struct VisualKind>;
 using LightId = Id<struct LightKind>;
+using ActorId = Id<struct ActorKind>;
 
 }  // namespace pongsim

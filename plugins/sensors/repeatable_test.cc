@@ -1,6 +1,7 @@
 // Readings repeat to the bit, whoever listens and however many threads move the bodies.
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/laserscan.pb.h>
 
 #include <algorithm>
 #include <cstdint>

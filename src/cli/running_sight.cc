@@ -6,6 +6,7 @@
 #include "cli/view_command.hh"
 #include "cli/world_finder.hh"
 #include "cli/world_state.hh"
+#include "msgs/status_messages.hh"
 #include "msgs/visible_world.hh"
 #include "pongsim/node.hh"
 #include "rendering/osmesa.hh"
@@ -20,8 +21,10 @@ namespace {
 
 class RunningSight final : public Sight {
  public:
-  explicit RunningSight(description::World world)
+  /// @param time At which actors are where they are.
+  RunningSight(description::World world, Time time)
       : world_(std::move(world)), entities_(world_), state_(entities_), renderer_(rendering::openOsmesa()) {
+    state_.time = time;
     Diagnostics found;
     scene_.build(entities_, state_, found);
     say(found, Severity::kWarning, Severity::kError);
@@ -44,7 +47,7 @@ class RunningSight final : public Sight {
  private:
   const description::World world_;
   const world::Entities entities_;
-  const world::State state_;
+  world::State state_;
   rendering::Scene scene_;
   rendering::Renderer renderer_;
 };
@@ -65,7 +68,7 @@ std::unique_ptr<Sight> sightOfRunningWorld(const ViewOptions& options) {
   Diagnostics missing;
   description::World world = msgs::visibleWorld(*state, missing);
   say(missing, Severity::kWarning, Severity::kError);
-  return std::make_unique<RunningSight>(std::move(world));
+  return std::make_unique<RunningSight>(std::move(world), msgs::statusOfState(*state).simulated);
 }
 
 }  // namespace pongsim::cli

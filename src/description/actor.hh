@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "description/link.hh"
 #include "description/plugin.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/types.hh"
@@ -56,15 +57,20 @@ struct Actor {
   SourcePosition position;
   Pose X_WorldActor;
   ActorFile skin;
+  /// Of its links, in the actor's frame (`X_LinkVisual`).
+  std::vector<Visual> visuals;
   std::vector<Animation> animations;
   /// `<script>`: it begins anew when it has ended.
   bool loops = true;
-  /// Simulated seconds before each beginning.
+  /// Simulated seconds before the first beginning.
   double startDelay = 0;
   bool startsByItself = true;
   std::vector<Trajectory> trajectories;
   std::vector<Plugin> plugins;
   bool operator==(const Actor&) const = default;
 };
+
+/// @return All that is to be seen of an actor, in its frame: its skin, where it has one, and the visuals of its links.
+std::vector<Visual> visualsOf(const Actor& actor);
 
 }  // namespace pongsim::description

@@ -1,5 +1,6 @@
 #include "msgs/state_message.hh"
 
+#include <ignition/msgs/actor.pb.h>
 #include <ignition/msgs/axis.pb.h>
 #include <ignition/msgs/double_v.pb.h>
 #include <ignition/msgs/geometry.pb.h>
@@ -13,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "msgs/actor_message.hh"
 #include "msgs/component.hh"
 #include "msgs/geometry_message.hh"
 #include "msgs/light_message.hh"
@@ -105,6 +107,7 @@ class StateWriter {
     for (const world::JointRecord& joint : entities_.joints()) writeJoint(joint);
     for (const world::LightRecord& light : entities_.lights()) writeLight(light);
     for (const world::SensorRecord& sensor : entities_.sensors()) writeSensor(sensor);
+    for (const world::ActorRecord& actor : entities_.actors()) writeActor(actor);
   }
 
   /// @param isAll Of those that stand still, too.
@@ -150,13 +153,28 @@ class StateWriter {
     entity.addPlace("Link", link.description->name, model.id.value);
     entity.add("Inertial", inertialMessage(link.description->inertial));
     if (model.canonicalLink != kNoSlot && &entities_.links()[model.canonicalLink] == &link) entity.add("CanonicalLink");
-    for (std::size_t i = 0; i < link.description->visuals.size(); ++i) writeVisual(link, i);
+    for (std::size_t i = 0; i < link.description->visuals.size(); ++i) {
+      writeVisual(link.description->visuals[i], visualId(link, i), link.id.value);
+    }
   }
 
-  void writeVisual(const world::LinkRecord& link, std::size_t number) {
-    const description::Visual& visual = link.description->visuals[number];
-    EntityWriter entity(visualId(link, number).value, message_);
-    entity.addPlace("Visual", visual.name, link.id.value);
+  /// That it goes about is to be told of its script.
+  void writeActor(const world::ActorRecord& actor) {
+    EntityWriter entity(actor.id.value, message_);
+    im::Actor settings;
+    setActor(*actor.description, settings);
+    entity.add("Actor", settings);
+    entity.add("Name", actor.description->name);
+    entity.add("ParentEntity", std::to_string(entities_.worldId().value));
+    entity.add("Pose", componentText(actor.description->X_WorldActor));
+    for (std::size_t i = 0; i < actor.description->visuals.size(); ++i) {
+      writeVisual(actor.description->visuals[i], visualId(actor, i), actor.id.value);
+    }
+  }
+
+  void writeVisual(const description::Visual& visual, VisualId id, std::uint64_t parent) {
+    EntityWriter entity(id.value, message_);
+    entity.addPlace("Visual", visual.name, parent);
     entity.add("Pose", componentText(visual.X_LinkVisual));
     entity.add("CastShadows", visual.castsShadows ? "1" : "0");
     entity.add("Transparency", componentText(visual.transparency));

@@ -1,5 +1,6 @@
 #include "msgs/visible_world.hh"
 
+#include <ignition/msgs/actor.pb.h>
 #include <ignition/msgs/geometry.pb.h>
 #include <ignition/msgs/light.pb.h>
 #include <ignition/msgs/material.pb.h>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "assets/finder.hh"
+#include "msgs/actor_message.hh"
 #include "msgs/component_reader.hh"
 #include "msgs/geometry_message.hh"
 #include "msgs/light_message.hh"
@@ -80,6 +82,7 @@ class VisibleWorldReader {
     for (const std::uint64_t id : childrenOf(world_)) {
       if (componentsOf(id).has("Model")) world.models.push_back(readModel(id, 0));
       if (componentsOf(id).has("Light")) addLight(id, world.lights);
+      addActor(id, world.actors);
     }
     return world;
   }
@@ -142,6 +145,17 @@ class VisibleWorldReader {
       complete(*visual.material);
     }
     return visual;
+  }
+
+  /// Adds the actor, if it is one.
+  void addActor(std::uint64_t id, std::vector<description::Actor>& actors) {
+    const auto message = componentsOf(id).message<im::Actor>("Actor");
+    if (!message) return;
+    description::Actor& actor = actors.emplace_back(actorFrom(*message));
+    actor.skin.file = files_.find("skin", actor.skin.uri);
+    for (const std::uint64_t child : childrenOf(id)) {
+      if (componentsOf(child).has("Visual")) actor.visuals.push_back(readVisual(componentsOf(child)));
+    }
   }
 
   void addLight(std::uint64_t id, std::vector<description::Light>& lights) {

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "assets/ground.hh"
+#include "world/actor_motion.hh"
 
 namespace pongsim::rendering {
 
@@ -145,10 +146,19 @@ void Scene::build(const world::Entities& entities, const world::State& state, Di
                 diagnostics);
     }
   }
+  for (const world::ActorRecord& actor : entities.actors()) addActor(*actor.description, diagnostics);
   surroundings_ = entities.description().scene;
   if (background_) surroundings_.background = plainColor(*background_);
   if (ambient_) surroundings_.ambient = plainColor(*ambient_);
   update(entities, state);
+}
+
+void Scene::addActor(const description::Actor& actor, Diagnostics& diagnostics) {
+  Item prototype;
+  prototype.actor = &actor;
+  for (const description::Visual& visual : description::visualsOf(actor)) {
+    addVisual(visual, prototype, "visual '" + visual.name + "' of actor '" + actor.name + "'", diagnostics);
+  }
 }
 
 void Scene::addVisual(const description::Visual& visual, const Item& prototype, const std::string& owner,
@@ -187,7 +197,10 @@ std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::p
 }
 
 void Scene::update(const world::Entities& entities, const world::State& state) {
-  for (Item& item : items_) item.X_WorldLink = state.links[item.link].X_WorldLink;
+  for (Item& item : items_) {
+    item.X_WorldLink =
+        item.actor != nullptr ? world::actorPose(*item.actor, state.time) : state.links[item.link].X_WorldLink;
+  }
   lamps_.clear();
   for (const world::LightRecord& record : entities.lights()) {
     const description::Light& light = *record.description;

@@ -12,6 +12,7 @@
 
 #include "assets/picture_file.hh"
 #include "assets/problem.hh"
+#include "description/actor.hh"
 #include "description/light.hh"
 #include "description/material.hh"
 #include "description/scene.hh"
@@ -33,6 +34,8 @@ struct Item {
   world::Slot link = world::kNoSlot;
   /// That holds the link.
   ModelId model;
+  /// In place of a link; it moves by itself.
+  const description::Actor* actor = nullptr;
   Pose X_LinkSurface;
   /// Along the axes of the surface, before it is turned.
   Vector3 scale = Vector3::Ones();
@@ -91,6 +94,7 @@ class Scene {
   Eigen::AlignedBox3d bounds(const world::Entities& entities, world::Slot model) const;
 
  private:
+  void addActor(const description::Actor& actor, Diagnostics& diagnostics);
   void addVisual(const description::Visual& visual, const Item& prototype, const std::string& owner,
                  Diagnostics& diagnostics);
 

@@ -7,6 +7,7 @@
 #include "sdf/asset_file.hh"
 #include "sdf/names.hh"
 #include "sdf/plugin_reader.hh"
+#include "sdf/visual_reader.hh"
 
 namespace pongsim::sdf {
 
@@ -46,7 +47,29 @@ void readAnimations(const Element& element, const std::string& label, descriptio
     animation.source = readFile(*child, context);
     animation.followsPath = readFlag(*child, "interpolate_x", animation.followsPath, context);
     names.claim(animation.name, child->name, *child, context);
+    if (context.firstTime("kind animation")) {
+      context.unsimulated.warning(child->position, "<animation> is not simulated yet: the limbs of actors do not move",
+                                  "they go along their trajectories");
+    }
     actor.animations.push_back(std::move(animation));
+  }
+}
+
+/// Adds what a link of an actor shows.
+void readActorLink(const Element& element, const std::string& owner, description::Actor& actor, Context& context) {
+  const std::string label = partLabel(element, readName(element, owner, context), owner);
+  const auto poseOf = [&context](const Element& part) {
+    const PoseText pose = readPose(part, context);
+    if (!pose.relativeTo.empty()) {
+      context.diagnostics.warning(pose.position, "frames in actors have no meaning: the pose is taken as it is");
+    }
+    return pose.value;
+  };
+  const Pose X_ActorLink = poseOf(element);
+  for (const Element* child : element.childrenNamed("visual")) {
+    description::Visual visual = readVisual(*child, label, context);
+    visual.X_LinkVisual = X_ActorLink * poseOf(*child);
+    actor.visuals.push_back(std::move(visual));
   }
 }
 
@@ -61,6 +84,7 @@ ActorDraft readActor(const Element& element, const std::string& owner, Context& 
   const std::string label = partLabel(element, actor.name, owner);
   if (const Element* skin = element.child("skin")) actor.skin = readFile(*skin, context);
   readAnimations(element, label, actor, context);
+  for (const Element* link : element.childrenNamed("link")) readActorLink(*link, label, actor, context);
   if (const Element* script = element.child("script")) readScript(*script, actor, context);
   for (const Element* plugin : element.childrenNamed("plugin")) {
     actor.plugins.push_back(readPlugin(*plugin, label, context));

@@ -60,7 +60,8 @@ void checkRequired(const Element& element, const Schema::ElementType& type, Cont
 }
 
 /// @param isPassed No reader looks at the element, so that its values are checked here.
-void check(const Element& element, const Schema::ElementType* type, bool isPassed, Context& context) {
+/// @param isActorLink It is a link of an actor, of which readers look at pose and visuals only.
+void check(const Element& element, const Schema::ElementType* type, bool isPassed, bool isActorLink, Context& context) {
   static const Schema::ElementType kNothing;
   if (type == nullptr) type = &kNothing;
   if (isPassed) checkRequired(element, *type, context);
@@ -76,10 +77,11 @@ void check(const Element& element, const Schema::ElementType* type, bool isPasse
     const Schema::Part* part =
         knownPart(child.name, type->children, "<" + child.name + ">", element, child.position, context);
     if (part == nullptr) continue;
-    const bool isChildPassed = isPassed || part->row.use != Use::kRead;
+    const bool isUnread = isActorLink && child.name != "pose" && child.name != "visual";
+    const bool isChildPassed = isPassed || isUnread || part->row.use != Use::kRead;
     if (isChildPassed) checkType(part->row.type, child.text, "<" + child.name + ">", child.position, context);
     if (!part->isFreeForm) {
-      check(child, part->type, isChildPassed, context);
+      check(child, part->type, isChildPassed, element.name == "actor" && child.name == "link", context);
     } else if (isChildPassed) {
       checkRequired(child, *part->type, context);
     }
@@ -89,7 +91,7 @@ void check(const Element& element, const Schema::ElementType* type, bool isPasse
 }  // namespace
 
 void checkElements(const Element& root, Context& context) {
-  check(root, Schema::instance().root().type, false, context);
+  check(root, Schema::instance().root().type, false, false, context);
 }
 
 }  // namespace pongsim::sdf

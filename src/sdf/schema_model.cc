@@ -24,7 +24,7 @@ constexpr SchemaRow kModelRows[] = {
     {"actor.animation.scale", "double", "1.0", '0', 2, 0, kRead, "Scale for the animation skeleton."},
     {"actor.frame", "+frame", "", '*', 5, 7, kPassed, ""},
     {"actor.joint", "+joint", "", '*', 0, 0, kPassed, ""},
-    {"actor.link", "+link", "", '+', 0, 0, kPassed, ""},
+    {"actor.link", "+link", "", '+', 0, 0, kRead, ""},
     {"actor.plugin", "+plugin", "", '*', 0, 0, kRead, ""},
     {"actor.pose", "+pose", "", '0', 2, 0, kRead, ""},
     {"actor.script", "", "", '1', 0, 0, kRead, "Adds scripted trajectories to the actor."},

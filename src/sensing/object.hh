@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "description/actor.hh"
 #include "pongsim/types.hh"
 #include "sensing/mesh.hh"
 #include "sensing/shape.hh"
@@ -18,6 +19,8 @@ struct Object {
   /// Of the body, before scaling, in its own frame.
   Eigen::AlignedBox3d bounds;
   world::Slot link = world::kNoSlot;
+  /// In place of a link; it moves by itself.
+  const description::Actor* actor = nullptr;
   Pose X_LinkObject;
   Vector3 scale = Vector3::Ones();
   /// Its place among all objects of the scene.

@@ -15,6 +15,7 @@
 #include "sensing/look.hh"
 #include "sensing/mesh.hh"
 #include "sensing/object.hh"
+#include "world/actor_motion.hh"
 
 namespace pongsim::sensing {
 
@@ -51,13 +52,19 @@ class Scene::Content {
     for (Slot slot = 0; slot < entities.links().size(); ++slot) {
       const world::LinkRecord& link = entities.links()[slot];
       for (const description::Visual& visual : link.description->visuals) {
-        std::optional<Object> object = read(visual, link, diagnostics);
+        std::optional<Object> object = read(visual, "link '" + link.description->name + "'", diagnostics);
         if (!object) continue;
         object->link = slot;
-        object->order = count++;
         object->owner = entities.models()[topLevelModel(entities, link.model)].id;
-        object->place(state.links[slot].X_WorldLink);
-        (link.isStatic ? still_ : moving_).objects().push_back(std::move(*object));
+        add(std::move(*object), link.isStatic ? still_ : moving_, count, state);
+      }
+    }
+    for (const world::ActorRecord& actor : entities.actors()) {
+      for (const description::Visual& visual : description::visualsOf(*actor.description)) {
+        std::optional<Object> object = read(visual, "actor '" + actor.description->name + "'", diagnostics);
+        if (!object) continue;
+        object->actor = actor.description;
+        add(std::move(*object), moving_, count, state);
       }
     }
     commit();
@@ -67,7 +74,7 @@ class Scene::Content {
     for (Group* group : {&still_, &moving_}) {
       bool hasMoved = false;
       for (Object& object : group->objects()) {
-        const Pose& X_WorldLink = state.links[object.link].X_WorldLink;
+        const Pose X_WorldLink = poseOf(object, state);
         if (object.X_WorldLink == X_WorldLink) continue;
         object.place(X_WorldLink);
         hasMoved = true;
@@ -108,17 +115,29 @@ class Scene::Content {
   }
 
  private:
+  static Pose poseOf(const Object& object, const world::State& state) {
+    if (object.actor != nullptr) return world::actorPose(*object.actor, state.time);
+    return state.links[object.link].X_WorldLink;
+  }
+
+  /// @param count Of those before it.
+  static void add(Object object, Group& group, std::size_t& count, const world::State& state) {
+    object.order = count++;
+    object.place(poseOf(object, state));
+    group.objects().push_back(std::move(object));
+  }
+
   void commit() {
     still_.commit(reach_);
     moving_.commit(reach_);
   }
 
+  /// @param owner "link 'l'"
   /// @return Nothing where it is not drawn.
-  std::optional<Object> read(const description::Visual& visual, const world::LinkRecord& link,
-                             Diagnostics& diagnostics) {
+  std::optional<Object> read(const description::Visual& visual, const std::string& owner, Diagnostics& diagnostics) {
     const auto warn = [&](const std::string& kind, const std::filesystem::path& file, const assets::Problem& problem) {
-      std::string text = kind + " '" + file.string() + "' " + problem.text + ": visual '" + visual.name +
-                         "' of link '" + link.description->name + "' will not be seen by sensors";
+      std::string text = kind + " '" + file.string() + "' " + problem.text + ": visual '" + visual.name + "' of " +
+                         owner + " will not be seen by sensors";
       if (said_.insert(text).second) diagnostics.warning(visual.position, std::move(text), problem.hint);
     };
     Look look = reader_.look(visual.geometry, warn);

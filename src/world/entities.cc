@@ -39,6 +39,10 @@ void Entities::addAll() {
   }
   for (const description::Joint& joint : description_->joints) addJoint(joint, kNoSlot);
   addLights(description_->lights, kNoSlot);
+  for (const description::Actor& actor : description_->actors) {
+    actors_.push_back({ActorId{nextId()}, &actor});
+    lastId_ += actor.visuals.size();
+  }
 }
 
 Slot Entities::addModel(const description::Model& description, Slot parent, const Pose& X_WorldParent) {

@@ -69,6 +69,14 @@ struct LightRecord {
   Slot link = kNoSlot;
 };
 
+struct ActorRecord {
+  ActorId id;
+  const description::Actor* description = nullptr;
+};
+
+/// @return The id of one of the visuals of the actor's links.
+inline VisualId visualId(const ActorRecord& actor, std::size_t visual) { return VisualId{actor.id.value + 1 + visual}; }
+
 struct ModelRecord {
   ModelId id;
   /// Keeps the description of a model that was inserted while running; the models in it have none.
@@ -120,7 +128,8 @@ void eraseSlots(Array& array, const std::vector<Slot>& slots) {
 ///
 /// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it
 /// has visuals, by its collisions, its lights and its sensors), the models in it and its joints (each followed by its
-/// sensors); last the world's own joints and its lights. All of a kind take their slots in the same order; what comes
+/// sensors); last the world's own joints, its lights, and its actors, each followed by as many ids as its links have
+/// visuals. All of a kind take their slots in the same order; what comes
 /// later takes the last ones, and where something goes, those behind it move up.
 class Entities {
  public:
@@ -136,6 +145,8 @@ class Entities {
   const std::vector<CollisionRecord>& collisions() const { return collisions_; }
   const std::vector<SensorRecord>& sensors() const { return sensors_; }
   const std::vector<LightRecord>& lights() const { return lights_; }
+  /// They neither come nor go while running.
+  const std::vector<ActorRecord>& actors() const { return actors_; }
   /// Slots of the models at the top level, in the order of the file.
   const std::vector<Slot>& topLevelModels() const { return topLevelModels_; }
 
@@ -214,6 +225,7 @@ class Entities {
   std::vector<CollisionRecord> collisions_;
   std::vector<SensorRecord> sensors_;
   std::vector<LightRecord> lights_;
+  std::vector<ActorRecord> actors_;
   std::vector<Slot> topLevelModels_;
   std::unordered_map<std::uint64_t, Slot> slotOfId_;
   std::unordered_map<std::string, Slot> modelOfName_;

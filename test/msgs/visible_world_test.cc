@@ -110,6 +110,24 @@ TEST(VisibleWorld, HasItsPolylinesFilledAgain) {
   EXPECT_NE(polyline.triangles, nullptr);
 }
 
+TEST(VisibleWorld, HasItsActors) {
+  description::World world = test::cartWorld();
+  description::Actor& actor = world.actors.emplace_back();
+  actor.name = "walker";
+  actor.X_WorldActor.position = {1, 2, 3};
+  actor.trajectories.emplace_back().waypoints = {{0, {}}, {2, {{4, 0, 0}, Quaternion::Identity()}}};
+  description::Visual& look = actor.visuals.emplace_back();
+  look.name = "look";
+  look.geometry = description::Sphere{0.5};
+  Diagnostics diagnostics;
+  EXPECT_EQ(throughAState(world, diagnostics).actors, world.actors);
+  // one whose skin is not here
+  actor.skin.uri = "/no/such/walk.dae";
+  EXPECT_TRUE(throughAState(world, diagnostics).actors.at(0).skin.file.empty());
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_TRUE(diagnostics.all()[0].message.starts_with("skin '/no/such/walk.dae' is not on this machine"));
+}
+
 TEST(VisibleWorld, LeavesOutWhatItCanNotRead) {
   ignition::msgs::SerializedStepMap step;
   const auto set = [&step](std::uint64_t id, const char* name, const std::string& bytes) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -60,6 +61,11 @@ class DrawnWorld {
     std::vector<float> depths(std::size_t{view.width} * view.height);
     renderer_->drawDepths(scene_, view, depths);
     return depths;
+  }
+
+  void letPass(Time time) {
+    state_->time += time;
+    scene_.update(*entities_, *state_);
   }
 
   void move(std::size_t model, const Vector3& position) {
@@ -127,6 +133,20 @@ TEST_F(Pictures, ShowPointsWhereThePinholeProjectsThem) {
     EXPECT_NEAR(found.x(), eye.cx - (eye.fx * place.y() + eye.skew * place.z()) / place.x(), 0.3);
     EXPECT_NEAR(found.y(), eye.cy - eye.fy * place.z() / place.x(), 0.3);
   }
+}
+
+TEST_F(Pictures, ShowActorsWhereTheyGo) {
+  DrawnWorld world;
+  description::Actor& actor = world.description().actors.emplace_back();
+  actor.name = "a";
+  actor.visuals.emplace_back().geometry = description::Box{{1, 1, 1}};
+  actor.trajectories.emplace_back().waypoints = {{0, {{3, 0, 0}, Quaternion::Identity()}},
+                                                 {2, {{5, 0, 0}, Quaternion::Identity()}}};
+  world.start();
+  const PictureView eye = view(9, 9, 5);
+  EXPECT_NEAR(world.depths(eye)[40], 2.5, 1e-5);
+  world.letPass(std::chrono::seconds(2));
+  EXPECT_NEAR(world.depths(eye)[40], 4.5, 1e-5);
 }
 
 TEST_F(Pictures, MeasureDepthAlongTheLineOfSight) {

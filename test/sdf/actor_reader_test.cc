@@ -4,7 +4,12 @@
 namespace pongsim::sdf::test {
 namespace {
 
-const std::string kNotSimulated = "t.sdf:2:1: warning: <actor> is not simulated yet: it is left out";
+/// @param place "3:1"
+std::string noLimbs(const std::string& place) {
+  return "t.sdf:" + place +
+         ": warning: <animation> is not simulated yet: the limbs of actors do not move | they go along their "
+         "trajectories";
+}
 
 TEST(Actor, IsReadWhole) {
   const pongsim::test::TempFolder folder;
@@ -18,7 +23,7 @@ TEST(Actor, IsReadWhole) {
                 "<pose>1 0 0 0 0 0</pose></waypoint><waypoint><time>2</time><pose>1 2 0 0 0 0</pose>" +
                 "</waypoint></trajectory></script><plugin filename='f' name='n'/></actor>" +
                 "<frame name='f'><pose>7 0 0 0 0 0</pose></frame>");
-  EXPECT_EQ(loaded.messages, Messages{kNotSimulated});
+  EXPECT_EQ(loaded.messages, Messages{noLimbs("2:" + std::to_string(107 + file.size()))});
   const description::Actor& actor = loaded.world().actors.at(0);
   EXPECT_EQ(actor.name, "a");
   expectPose(actor.X_WorldActor, {7, 0, 1});
@@ -40,7 +45,7 @@ TEST(Actor, IsReadWhole) {
 
 TEST(Actor, MayStandAtTheRoot) {
   const Loaded loaded = load("<sdf version='1.9'>\n<actor name='a'/></sdf>");
-  EXPECT_EQ(loaded.messages, Messages{kNotSimulated});
+  EXPECT_EQ(loaded.messages, Messages());
   EXPECT_EQ(loaded.root.actors.at(0).name, "a");
 }
 
@@ -55,7 +60,21 @@ TEST(Actor, SaysWhatIsWrong) {
                       "'w' | the first one is in line 3",
                       "t.sdf:3:51: error: actor 'a' has the same name as another actor of world 'w' | the first one is "
                       "in line 2",
-                      kNotSimulated}));
+                      noLimbs("3:1")}));
+}
+
+TEST(Actor, ShowsWhatItsLinksShow) {
+  const Loaded loaded = loadWorld(
+      "<actor name='a'><link name='l'><pose>1 0 0 0 0 0</pose><visual name='v'><pose>0 2 0 0 0 0</pose>"
+      "<geometry><sphere><radius>0.5</radius></sphere></geometry></visual></link><link name='m'/></actor>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const description::Actor& actor = loaded.world().actors.at(0);
+  ASSERT_EQ(actor.visuals.size(), 1U);
+  EXPECT_EQ(actor.visuals[0].name, "v");
+  expectPose(actor.visuals[0].X_LinkVisual, {1, 2, 0});
+  EXPECT_EQ(actor.visuals[0].geometry, description::Geometry(description::Sphere{0.5}));
+  EXPECT_EQ(loadWorld("<actor name='a'><link name='l'><pose relative_to='x'/></link></actor>").messages,
+            Messages{"t.sdf:2:38: warning: frames in actors have no meaning: the pose is taken as it is"});
 }
 
 }  // namespace

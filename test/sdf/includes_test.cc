@@ -107,10 +107,9 @@ TEST_F(IncludesTest, LeaveOutALightInAModelWithAWarning) {
                "or in the world"});
 }
 
-TEST_F(IncludesTest, LeaveOutActorsWithAWarning) {
+TEST_F(IncludesTest, MayBeActors) {
   write("a.sdf", "<actor name='a'/>");
-  EXPECT_EQ(loadWorldWith("<include><uri>a.sdf</uri></include>").messages,
-            Messages{"DIR/a.sdf:2:1: warning: <actor> is not simulated yet: it is left out (from DIR/w.sdf:3:1)"});
+  EXPECT_EQ(loadWorldWith("<include><uri>a.sdf</uri></include>").messages, Messages());
 }
 
 TEST_F(IncludesTest, NestInModelsAndFiles) {

@@ -52,6 +52,10 @@ class PositionEraser {
 
   void erase(description::Actor& actor) {
     actor.position = {};
+    for (description::Visual& visual : actor.visuals) {
+      visual.position = {};
+      erasePlugins(visual);
+    }
     erasePlugins(actor);
   }
 

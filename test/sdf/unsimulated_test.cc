@@ -4,8 +4,8 @@ namespace pongsim::sdf::test {
 namespace {
 
 TEST(Unsimulated, KindsAreNamedOnce) {
-  EXPECT_EQ(loadWorld("<actor name='a'/><actor name='b'/>").messages,
-            Messages{"t.sdf:2:1: warning: <actor> is not simulated yet: it is left out"});
+  EXPECT_EQ(loadWorld("<population name='a'/><population name='b'/>").messages,
+            Messages{"t.sdf:2:1: warning: <population> is not simulated yet: it is left out"});
 }
 
 }  // namespace

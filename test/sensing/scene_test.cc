@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -52,6 +53,12 @@ class BeamWorld {
     scene_.update(*state_);
   }
 
+  void letPass(Time time) {
+    state_->time += time;
+    scene_.update(*state_);
+  }
+
+  description::World& description() { return world_; }
   ModelId id(std::size_t model) const { return entities_->models()[model].id; }
   const std::vector<Diagnostic>& warnings() const { return diagnostics_.all(); }
 
@@ -262,6 +269,20 @@ TEST(BeamScene, GoesWithWhatMoves) {
     world.move(0, {5, 0, 0});
     EXPECT_NEAR(world.cast(from({})).range, 4, 1e-12);
   }
+}
+
+TEST(BeamScene, SeesActorsWhereTheyGo) {
+  BeamWorld world;
+  description::Actor& actor = world.description().actors.emplace_back();
+  actor.name = "a";
+  actor.visuals.emplace_back().geometry = description::Sphere{1};
+  actor.trajectories.emplace_back().waypoints = {{0, at(3)}, {2, at(7)}, {4, at(7, 5)}};
+  world.start();
+  EXPECT_NEAR(world.cast(from({})).range, 2, 1e-12);
+  world.letPass(std::chrono::seconds(2));
+  EXPECT_NEAR(world.cast(from({})).range, 6, 1e-12);
+  world.letPass(std::chrono::seconds(2));
+  EXPECT_EQ(world.cast(from({})).range, kNowhere);
 }
 
 TEST(BeamScene, SeesNothingFromOutOfAllMeasure) {
