@@ -132,12 +132,15 @@ void Lcp::findChanges(int end) {
 /// Of two rows that go beyond their bounds against each other, while both together stay within them, as those of the
 /// two wheels on an axle do, one at its bound relieves the other: that of the narrower bounds.
 void Lcp::spareOpposed() {
-  const auto room = [this](int row) { return highest_[static_cast<std::size_t>(row)]; };
-  const auto isRelieved = [&](int row, State state, int other, State otherState) {
+  const auto isRelieved = [this](int row, State state, int other, State otherState) {
     const bool isOpposed = (state == State::kLowest && otherState == State::kHighest) ||
                            (state == State::kHighest && otherState == State::kLowest);
-    return isOpposed && std::pair(room(row), row) > std::pair(room(other), other) &&
-           std::abs(x_[row] + x_[other]) < room(row) + room(other);
+    if (!isOpposed) return false;
+    const auto bound = [this](int each, State side) {
+      return std::abs((side == State::kLowest ? lowest_ : highest_)[static_cast<std::size_t>(each)]);
+    };
+    const double room = bound(row, state), otherRoom = bound(other, otherState);
+    return std::pair(room, row) > std::pair(otherRoom, other) && std::abs(x_[row] + x_[other]) < room + otherRoom;
   };
   for (auto& [row, state] : changes_) {
     for (const auto& [other, otherState] : changes_) {
