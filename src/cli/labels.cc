@@ -16,21 +16,19 @@ constexpr double kRowsPerDot = 300;
 /// How much of the picture is seen through the panel behind a name.
 constexpr int kPanelShare = 3, kPanelWhole = 8;
 
-/// @return The code points of a text; what is no UTF-8 is taken byte by byte.
-std::vector<char32_t> lettersOf(const std::string& text) {
-  std::vector<char32_t> letters;
+/// @return A byte for each letter: all beyond ASCII look alike.
+std::string lettersOf(const std::string& text) {
+  std::string letters;
   for (const char each : text) {
-    const auto byte = static_cast<unsigned char>(each);
-    const bool goesOn = (byte & 0xC0U) == 0x80U;
-    // all letters beyond ASCII look alike
-    if (!goesOn || letters.empty()) letters.push_back(byte);
+    const bool goesOn = (static_cast<unsigned char>(each) & 0xC0U) == 0x80U;
+    if (!goesOn || letters.empty()) letters.push_back(each);
   }
   return letters;
 }
 
 /// Of a label, in pixels; the ends are past the last.
 struct Panel {
-  std::vector<char32_t> letters;
+  std::string letters;
   long left = 0, right = 0, top = 0, bottom = 0;
 
   bool meets(const Panel& other) const {
@@ -47,7 +45,7 @@ class LabelWriter {
   void add(const Label& label) {
     Panel panel;
     panel.letters = lettersOf(label.text);
-    const long across = (static_cast<long>(panel.letters.size()) * (kLetterAdvance) + 1) * dot_;
+    const long across = (static_cast<long>(panel.letters.size()) * kLetterAdvance + 1) * dot_;
     const long down = (static_cast<long>(kLetterHeight) + 2) * dot_;
     panel.left = std::lround(label.column) - across / 2;
     panel.right = panel.left + across;
@@ -70,8 +68,8 @@ class LabelWriter {
     fill(panel.left, panel.top, panel.right, panel.bottom,
          [](std::uint8_t value) { return static_cast<std::uint8_t>(value * kPanelShare / kPanelWhole); });
     long left = panel.left + dot_;
-    for (const char32_t letter : panel.letters) {
-      const SmallLetter dots = smallLetter(letter);
+    for (const char letter : panel.letters) {
+      const SmallLetter dots = smallLetter(static_cast<unsigned char>(letter));
       for (std::size_t column = 0; column < kLetterWidth; ++column) {
         for (std::size_t row = 0; row < kLetterHeight; ++row) {
           if ((dots[column] >> row & 1U) == 0) continue;

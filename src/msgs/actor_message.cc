@@ -2,34 +2,24 @@
 
 #include <ignition/msgs/actor.pb.h>
 
-#include <filesystem>
-#include <string>
-
+#include "msgs/full_path.hh"
 #include "msgs/pose_message.hh"
 #include "pongsim/fields.hh"
 
 namespace pongsim::msgs {
 
-namespace {
-
 namespace im = ignition::msgs;
-
-std::string placeOf(const description::ActorFile& file) {
-  return file.file.empty() ? file.uri : std::filesystem::absolute(file.file).lexically_normal().string();
-}
-
-}  // namespace
 
 void setActor(const description::Actor& actor, im::Actor& message) {
   message.Clear();
   message.mutable_entity()->set_name(actor.name);
   setPose(actor.X_WorldActor, *message.mutable_pose());
-  message.set_skin_filename(placeOf(actor.skin));
+  message.set_skin_filename(pathOf(actor.skin));
   message.set_skin_scale(static_cast<float>(actor.skin.scale));
   for (const description::Animation& animation : actor.animations) {
     im::Actor::Animation& added = *message.add_animations();
     added.set_name(animation.name);
-    added.set_filename(placeOf(animation.source));
+    added.set_filename(pathOf(animation.source));
     added.set_scale(static_cast<float>(animation.source.scale));
     added.set_interpolate_x(animation.followsPath);
   }

@@ -2,10 +2,10 @@
 
 #include <ignition/msgs/geometry.pb.h>
 
-#include <filesystem>
 #include <string>
 #include <variant>
 
+#include "msgs/full_path.hh"
 #include "msgs/pose_message.hh"
 #include "pongsim/fields.hh"
 
@@ -14,11 +14,6 @@ namespace pongsim::msgs {
 namespace {
 
 namespace im = ignition::msgs;
-
-/// @return The full path, or what stands in the description where it leads nowhere.
-std::string pathOf(const std::filesystem::path& file, const std::string& uri) {
-  return file.empty() ? uri : std::filesystem::absolute(file).lexically_normal().string();
-}
 
 struct GeometryWriter {
   im::Geometry& message;
@@ -61,7 +56,7 @@ struct GeometryWriter {
 
   void operator()(const description::Mesh& mesh) const {
     message.set_type(im::Geometry::MESH);
-    message.mutable_mesh()->set_filename(pathOf(mesh.file, mesh.uri));
+    message.mutable_mesh()->set_filename(pathOf(mesh));
     setVector(mesh.scale, *message.mutable_mesh()->mutable_scale());
     message.mutable_mesh()->set_submesh(mesh.submesh);
     message.mutable_mesh()->set_center_submesh(mesh.isCentered);
@@ -70,7 +65,7 @@ struct GeometryWriter {
   void operator()(const description::Heightmap& heightmap) const {
     message.set_type(im::Geometry::HEIGHTMAP);
     im::HeightmapGeom& ground = *message.mutable_heightmap();
-    ground.set_filename(pathOf(heightmap.file, heightmap.uri));
+    ground.set_filename(pathOf(heightmap));
     setVector(heightmap.size, *ground.mutable_size());
     setVector(heightmap.position, *ground.mutable_origin());
     ground.set_use_terrain_paging(heightmap.usesPaging);
@@ -78,8 +73,8 @@ struct GeometryWriter {
     for (const description::HeightmapTexture& texture : heightmap.textures) {
       im::HeightmapGeom::Texture& added = *ground.add_texture();
       added.set_size(texture.size);
-      added.set_diffuse(pathOf(texture.diffuse.file, texture.diffuse.uri));
-      added.set_normal(pathOf(texture.normal.file, texture.normal.uri));
+      added.set_diffuse(pathOf(texture.diffuse));
+      added.set_normal(pathOf(texture.normal));
     }
     for (const description::HeightmapBlend& blend : heightmap.blends) {
       im::HeightmapGeom::Blend& added = *ground.add_blend();
@@ -103,7 +98,7 @@ struct GeometryWriter {
   void operator()(const description::Image& image) const {
     message.set_type(im::Geometry::IMAGE);
     im::ImageGeom& boxes = *message.mutable_image();
-    boxes.set_uri(pathOf(image.file, image.uri));
+    boxes.set_uri(pathOf(image));
     boxes.set_scale(image.scale);
     boxes.set_threshold(static_cast<std::int32_t>(image.threshold));
     boxes.set_height(image.height);

@@ -2,10 +2,10 @@
 
 #include <ignition/msgs/material.pb.h>
 
-#include <filesystem>
 #include <string>
 
 #include "msgs/color_message.hh"
+#include "msgs/full_path.hh"
 
 namespace pongsim::msgs {
 
@@ -13,17 +13,13 @@ namespace {
 
 namespace im = ignition::msgs;
 
-std::string pictureOf(const description::Texture& texture) {
-  return texture.file.empty() ? texture.uri : std::filesystem::absolute(texture.file).lexically_normal().string();
-}
-
 void setMaps(const description::PbrMaps& maps, im::Material::PBR& message) {
-  message.set_albedo_map(pictureOf(maps.albedo));
-  message.set_normal_map(pictureOf(maps.normal));
-  message.set_environment_map(pictureOf(maps.environment));
-  message.set_ambient_occlusion_map(pictureOf(maps.ambientOcclusion));
-  message.set_emissive_map(pictureOf(maps.emissive));
-  message.set_light_map(pictureOf(maps.light));
+  message.set_albedo_map(pathOf(maps.albedo));
+  message.set_normal_map(pathOf(maps.normal));
+  message.set_environment_map(pathOf(maps.environment));
+  message.set_ambient_occlusion_map(pathOf(maps.ambientOcclusion));
+  message.set_emissive_map(pathOf(maps.emissive));
+  message.set_light_map(pathOf(maps.light));
   message.set_light_map_texcoord_set(maps.lightCoordinates);
 }
 
@@ -76,16 +72,16 @@ void setMaterial(const description::Material& material, im::Material& message) {
     pbr.set_type(im::Material::PBR::METAL);
     setMaps(material.metal->maps, pbr);
     pbr.set_metalness(material.metal->metalness);
-    pbr.set_metalness_map(pictureOf(material.metal->metalnessMap));
+    pbr.set_metalness_map(pathOf(material.metal->metalnessMap));
     pbr.set_roughness(material.metal->roughness);
-    pbr.set_roughness_map(pictureOf(material.metal->roughnessMap));
+    pbr.set_roughness_map(pathOf(material.metal->roughnessMap));
   } else if (material.gloss) {
     im::Material::PBR& pbr = *message.mutable_pbr();
     pbr.set_type(im::Material::PBR::SPECULAR);
     setMaps(material.gloss->maps, pbr);
     pbr.set_glossiness(material.gloss->glossiness);
-    pbr.set_glossiness_map(pictureOf(material.gloss->glossinessMap));
-    pbr.set_specular_map(pictureOf(material.gloss->specularMap));
+    pbr.set_glossiness_map(pathOf(material.gloss->glossinessMap));
+    pbr.set_specular_map(pathOf(material.gloss->specularMap));
   }
 }
 

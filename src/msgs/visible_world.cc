@@ -32,9 +32,6 @@ namespace {
 
 namespace im = ignition::msgs;
 
-// as for polylines in files
-constexpr std::size_t kMostOutlinePoints = 5'000;
-
 /// Finds the files that a state names, once each.
 class FileSearch {
  public:
@@ -182,7 +179,7 @@ class VisibleWorldReader {
         areSound =
             areSound && line.size() >= 3 && std::ranges::all_of(line, [](const auto& p) { return p.allFinite(); });
       }
-      if (areSound && count > 0 && count <= kMostOutlinePoints && !sdf::crosses(polyline->lines)) {
+      if (areSound && count > 0 && count <= sdf::kMostOutlinePoints && !sdf::crosses(polyline->lines)) {
         polyline->triangles = sdf::extrude(polyline->lines, polyline->height);
       }
     }

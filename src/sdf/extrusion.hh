@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace pongsim::sdf {
 
 /// Closed lines in the xy plane, each without its first point at its end.
 using Outline = std::vector<std::vector<Eigen::Vector2d>>;
+
+/// No outline has more points: what it takes to fill one grows faster than their number.
+inline constexpr std::size_t kMostOutlinePoints = 5'000;
 
 /// @return Whether a line meets itself or another one anywhere but from one point to the next.
 bool crosses(const Outline& outline);

@@ -12,9 +12,6 @@ namespace pongsim::sdf {
 
 namespace {
 
-// What it takes to fill an outline grows faster than the number of its points.
-constexpr std::size_t kMostPoints = 5'000;
-
 /// @return The points, those left out that are where the one before is.
 std::vector<Eigen::Vector2d> readLine(const Element& polyline, Context& context) {
   std::vector<Eigen::Vector2d> line;
@@ -54,8 +51,9 @@ description::Polyline readPolylines(const Element& geometry, const std::string& 
     polyline.lines.push_back(std::move(line));
   }
   const std::string effect = isCollision ? ": it will not collide" : ": it will not be seen";
-  if (count > kMostPoints) {
-    warn(first, "the polylines of " + owner + " have more than " + std::to_string(kMostPoints) + " points" + effect);
+  if (count > kMostOutlinePoints) {
+    warn(first,
+         "the polylines of " + owner + " have more than " + std::to_string(kMostOutlinePoints) + " points" + effect);
   } else if (crosses(polyline.lines)) {
     warn(first, "the polylines of " + owner + " cross or touch" + effect);
   } else if (!polyline.lines.empty()) {
