@@ -1,13 +1,14 @@
 #include "transport/domain.hh"
 
+#include <netinet/in.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "base/parse_number.hh"
+#include "transport/udp_sockets.hh"
 
 namespace pongsim::transport {
 
@@ -48,20 +49,15 @@ DiscoveryPorts discoveryPorts(int domain) {
 }
 
 std::optional<std::vector<OpenPort>> openDiscoveryPorts(int domain) {
-  std::ifstream table("/proc/net/udp");
-  if (!table) return std::nullopt;
+  const auto sockets = boundUdpSockets();
+  if (!sockets) return std::nullopt;
   const DiscoveryPorts ports = discoveryPorts(domain);
   std::vector<OpenPort> open;
-  std::string line;
-  std::getline(table, line);
-  while (std::getline(table, line)) {
-    unsigned address = 0;
-    unsigned port = 0;
-    if (std::sscanf(line.c_str(), " %*u: %8X:%4X", &address, &port) != 2) continue;
-    const bool ours = port >= ports.first && port < ports.first + 2 * ports.count && (port - ports.first) % 2 == 0;
-    // 127.0.0.1 as the kernel prints it on a little-endian machine, or any address
-    const bool isLoopback = address == 0x0100007F;
-    if (ours && (isLoopback || address == 0)) open.push_back({port, isLoopback});
+  for (const BoundUdp& each : *sockets) {
+    const bool ours =
+        each.port >= ports.first && each.port < ports.first + 2 * ports.count && (each.port - ports.first) % 2 == 0;
+    const bool isLoopback = each.address == INADDR_LOOPBACK;
+    if (ours && (isLoopback || each.address == INADDR_ANY)) open.push_back({each.port, isLoopback});
   }
   return open;
 }

@@ -1,10 +1,15 @@
 #include "transport/domain.hh"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include "support/test_domain.hh"
+#include "support/udp_socket.hh"
 
 namespace pongsim::transport {
 
@@ -53,6 +58,23 @@ TEST(Domain, HasPortsOfItsOwn) {
     EXPECT_LT(multicastPort(domain), ports.first) << domain;
   }
   EXPECT_LE(discoveryPorts(232).first + 2 * discoveryPorts(232).count, 65535);
+}
+
+TEST(Domain, KnowsWhoListensOnThisMachine) {
+  const int domain = test::testDomain();
+  const DiscoveryPorts ports = discoveryPorts(domain);
+  const test::UdpSocket near(INADDR_LOOPBACK, ports.first + 20);
+  const test::UdpSocket far(INADDR_ANY, ports.first + 200);
+  const test::UdpSocket data(INADDR_LOOPBACK, ports.first + 21);
+  const test::UdpSocket next(INADDR_LOOPBACK, ports.first + 2 * ports.count);
+  auto open = openDiscoveryPorts(domain);
+  ASSERT_TRUE(open);
+  std::ranges::sort(*open, {}, &OpenPort::port);
+  ASSERT_EQ(open->size(), 2);
+  EXPECT_EQ(open->front().port, ports.first + 20);
+  EXPECT_TRUE(open->front().isOnLoopbackAlone);
+  EXPECT_EQ(open->back().port, ports.first + 200);
+  EXPECT_FALSE(open->back().isOnLoopbackAlone);
 }
 
 }  // namespace pongsim::transport

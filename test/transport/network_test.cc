@@ -1,17 +1,13 @@
 #include "transport/network.hh"
 
-#include <arpa/inet.h>
 #include <fastdds/rtps/writer/RTPSWriter.h>
 #include <gtest/gtest.h>
 #include <ignition/msgs/stringmsg.pb.h>
 
 #include <netinet/in.h>
-#include <poll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -22,6 +18,7 @@
 #include "pongsim/node.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
+#include "support/udp_socket.hh"
 #include "transport/domain.hh"
 
 namespace pongsim::transport {
@@ -68,30 +65,6 @@ class Sender {
 
 void noDamage(std::byte*) {}
 
-/// A program of another kind that listens at a discovery port.
-class Stranger {
- public:
-  Stranger(std::uint32_t address, std::uint32_t port) : descriptor_(socket(AF_INET, SOCK_DGRAM, 0)) {
-    sockaddr_in place{};
-    place.sin_family = AF_INET;
-    place.sin_addr.s_addr = htonl(address);
-    place.sin_port = htons(static_cast<std::uint16_t>(port));
-    EXPECT_EQ(bind(descriptor_, reinterpret_cast<const sockaddr*>(&place), sizeof place), 0);
-  }
-  ~Stranger() { close(descriptor_); }
-
-  /// @return The first four bytes of what comes.
-  std::string hear() {
-    pollfd waited{descriptor_, POLLIN, 0};
-    std::array<char, 4> begin{};
-    if (poll(&waited, 1, 60'000) != 1 || recv(descriptor_, begin.data(), begin.size(), 0) != 4) return "nothing";
-    return {begin.begin(), begin.end()};
-  }
-
- private:
-  int descriptor_;
-};
-
 }  // namespace
 
 TEST(Network, DropsWhatIsNoMessageAndSaysWhoSentIt) {
@@ -125,16 +98,12 @@ TEST(Network, DropsWhatIsNoMessageAndSaysWhoSentIt) {
 TEST(Network, AnnouncesItselfToAllWhoListenOnThisMachine) {
   const int domain = test::testDomain();
   const std::uint32_t first = discoveryPorts(domain).first;
-  Stranger near(INADDR_LOOPBACK, first + 20);
-  Stranger far(INADDR_ANY, first + 200);
-  const auto open = openDiscoveryPorts(domain);
-  ASSERT_TRUE(open);
-  ASSERT_EQ(open->size(), 2);
-  EXPECT_EQ((*open)[0].port + (*open)[1].port, 2 * first + 220);
-  EXPECT_NE((*open)[0].isOnLoopbackAlone, (*open)[1].isOnLoopbackAlone);
-  Network network(domain);
-  EXPECT_EQ(near.hear(), "RTPS");
-  EXPECT_EQ(far.hear(), "RTPS");
+  // programs of another kind
+  test::UdpSocket near(INADDR_LOOPBACK, first + 20);
+  test::UdpSocket far(INADDR_ANY, first + 200);
+  const Network network(domain);
+  EXPECT_EQ(near.hearBeginning(), "RTPS");
+  EXPECT_EQ(far.hearBeginning(), "RTPS");
 }
 
 TEST(Network, KeepsNoMoreForASlowReaderThanItMay) {
