@@ -96,7 +96,8 @@ class PONGSIM_API Subscription {
   /// @return Messages that have come so far, without the dropped ones.
   std::uint64_t received() const;
 
-  /// @return Messages lost so far because `dispatch`, or this process, did not keep up.
+  /// @return Messages lost so far because `dispatch`, or this process, did not keep up. Of another process's it knows
+  /// from the first one on that it has heard; what that process gave up before is in its own count.
   std::uint64_t dropped() const;
 
  private:
