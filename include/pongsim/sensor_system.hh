@@ -55,8 +55,7 @@ class SensorSystem : public System {
     if constexpr (requires { OneSensor::kHolder; }) holder = OneSensor::kHolder;
     declaration.publishes("/world/W/model/M/" + holder + "/sensor/S" + OneSensor::kSuffix, type,
                           "of each sensor; `<topic>` in the `<sensor>` names another, `<update_rate>` says how often");
-    declaration.serves("TOPIC/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
-                       "messages a simulated second, at most what the file says");
+    SensorTopic::declare(declaration);
   }
 
   void configure(const SystemContext& context) override {
