@@ -200,7 +200,7 @@ class SensorSystem : public System {
           add(sensor, diagnostics);
         } catch (const Error& error) {
           const Diagnostic& found = error.diagnostic();
-          diagnostics.warning(found.position, found.message, found.hint);
+          diagnostics.warning(found.position, found.message + ": it is left out", found.hint);
         } catch (const std::runtime_error& error) {
           diagnostics.warning(sensor.sdf().position,
                               "sensor '" + sensor.scopedName() + "' is left out: " + error.what());
