@@ -49,13 +49,13 @@ DiscoveryPorts discoveryPorts(int domain) {
 }
 
 std::optional<std::vector<OpenPort>> openDiscoveryPorts(int domain) {
-  const auto sockets = boundUdpSockets();
-  if (!sockets) return std::nullopt;
   const DiscoveryPorts ports = discoveryPorts(domain);
+  const auto sockets = boundUdpSockets(
+      {static_cast<std::uint16_t>(ports.first), static_cast<std::uint16_t>(ports.first + 2 * (ports.count - 1))});
+  if (!sockets) return std::nullopt;
   std::vector<OpenPort> open;
   for (const BoundUdp& each : *sockets) {
-    const bool ours =
-        each.port >= ports.first && each.port < ports.first + 2 * ports.count && (each.port - ports.first) % 2 == 0;
+    const bool ours = (each.port - ports.first) % 2 == 0;
     const bool isLoopback = each.address == INADDR_LOOPBACK;
     if (ours && (isLoopback || each.address == INADDR_ANY)) open.push_back({each.port, isLoopback});
   }

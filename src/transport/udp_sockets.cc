@@ -19,12 +19,30 @@ namespace pongsim::transport {
 
 namespace {
 
-/// A question to the kernel for all UDP sockets over IPv4.
+/// A step of the filter that the kernel runs for each socket: whether its port compares so with `port`. If so it goes
+/// on `ifSo` bytes further, else `ifNot`; one that ends right behind the last step is told of.
+struct Comparison {
+  inet_diag_bc_op compare;
+  inet_diag_bc_op port;
+
+  Comparison(int code, std::size_t ifSo, std::size_t ifNot, std::uint16_t with)
+      : compare{static_cast<unsigned char>(code), static_cast<unsigned char>(ifSo), static_cast<unsigned short>(ifNot)},
+        port{0, 0, with} {}
+};
+
+/// A question to the kernel for the UDP sockets over IPv4 at some ports.
 struct Question {
   nlmsghdr header{};
   inet_diag_req_v2 wanted{};
+  nlattr filter{};
+  std::array<Comparison, 2> steps;
 
-  Question() {
+  explicit Question(const PortRange& ports)
+      : steps{Comparison(INET_DIAG_BC_S_GE, sizeof(Comparison), sizeof steps + sizeof(inet_diag_bc_op), ports.first),
+              Comparison(INET_DIAG_BC_S_LE, sizeof(Comparison), sizeof(Comparison) + sizeof(inet_diag_bc_op),
+                         ports.last)} {
+    filter.nla_len = sizeof filter + sizeof steps;
+    filter.nla_type = INET_DIAG_REQ_BYTECODE;
     header.nlmsg_len = sizeof *this;
     header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
     header.nlmsg_flags = NLM_F_REQUEST | NLM_F_DUMP;
@@ -55,8 +73,8 @@ Rest readPiece(const std::byte* bytes, std::size_t size, std::vector<BoundUdp>& 
   return Rest::kMore;
 }
 
-std::optional<std::vector<BoundUdp>> askKernel(int netlink) {
-  const Question question;
+std::optional<std::vector<BoundUdp>> askKernel(int netlink, const PortRange& ports) {
+  const Question question(ports);
   if (send(netlink, &question, sizeof question, 0) != sizeof question) return std::nullopt;
   std::vector<BoundUdp> sockets;
   alignas(nlmsghdr) std::array<std::byte, 32 << 10> piece;
@@ -71,20 +89,20 @@ std::optional<std::vector<BoundUdp>> askKernel(int netlink) {
 
 }  // namespace
 
-std::optional<std::vector<BoundUdp>> boundUdpSockets() {
-  if (auto sockets = udpSocketsBySockDiag()) return sockets;
-  return udpSocketsByProc();
+std::optional<std::vector<BoundUdp>> boundUdpSockets(const PortRange& ports) {
+  if (auto sockets = udpSocketsBySockDiag(ports)) return sockets;
+  return udpSocketsByProc(ports);
 }
 
-std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag() {
+std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports) {
   const int netlink = socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_SOCK_DIAG);
   if (netlink < 0) return std::nullopt;
-  auto sockets = askKernel(netlink);
+  auto sockets = askKernel(netlink, ports);
   close(netlink);
   return sockets;
 }
 
-std::optional<std::vector<BoundUdp>> udpSocketsByProc() {
+std::optional<std::vector<BoundUdp>> udpSocketsByProc(const PortRange& ports) {
   std::ifstream table("/proc/net/udp");
   if (!table) return std::nullopt;
   std::vector<BoundUdp> sockets;
@@ -94,7 +112,8 @@ std::optional<std::vector<BoundUdp>> udpSocketsByProc() {
     // the address as it lies in memory, in the network's byte order
     unsigned address = 0;
     unsigned port = 0;
-    if (std::sscanf(line.c_str(), " %*u: %8X:%4X", &address, &port) == 2) sockets.push_back({ntohl(address), port});
+    if (std::sscanf(line.c_str(), " %*u: %8X:%4X", &address, &port) != 2) continue;
+    if (port >= ports.first && port <= ports.last) sockets.push_back({ntohl(address), port});
   }
   return sockets;
 }
