@@ -9,6 +9,7 @@ find_package(Protobuf REQUIRED)
 find_package(fastcdr REQUIRED)
 find_package(fastrtps REQUIRED)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
+pkg_check_modules(jpeg REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(png REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
@@ -23,7 +24,8 @@ if(BUILD_TESTING)
 endif()
 
 # Headers of others are not ours to warn about.
-foreach(target PkgConfig::assimp PkgConfig::png PkgConfig::tinyxml2 PkgConfig::urdfdom PkgConfig::bullet PkgConfig::ignition_msgs)
+foreach(target PkgConfig::assimp PkgConfig::jpeg PkgConfig::png PkgConfig::tinyxml2 PkgConfig::urdfdom PkgConfig::bullet
+        PkgConfig::ignition_msgs)
   get_target_property(directories ${target} INTERFACE_INCLUDE_DIRECTORIES)
   if(directories)
     set_target_properties(${target} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${directories}")
