@@ -219,4 +219,12 @@ Eigen::AlignedBox3d Scene::bounds(const world::Entities& entities, Slot model) c
   return bodies.isEmpty() ? ground : bodies;
 }
 
+Eigen::AlignedBox3d Scene::actorBounds(const std::string& name) const {
+  Eigen::AlignedBox3d box;
+  for (const Item& item : items_) {
+    if (item.actor != nullptr && item.actor->name == name) box.extend(item.boundsInWorld());
+  }
+  return box;
+}
+
 }  // namespace pongsim::rendering

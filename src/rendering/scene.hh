@@ -92,6 +92,8 @@ class Scene {
 
   /// As `CameraScene::bounds`; `kNoSlot` stands for all models.
   Eigen::AlignedBox3d bounds(const world::Entities& entities, world::Slot model) const;
+  /// As `CameraScene::actorBounds`.
+  Eigen::AlignedBox3d actorBounds(const std::string& name) const;
 
  private:
   void addActor(const description::Actor& actor, Diagnostics& diagnostics);
