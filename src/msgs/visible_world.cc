@@ -161,9 +161,7 @@ class VisibleWorldReader {
     description::Light& light = lights.emplace_back(lightFrom(*message));
     light.name = componentsOf(id).text("Name");
     light.X_ParentLight = poseOf(componentsOf(id));
-    for (const auto& entry : message->header().data()) {
-      if (entry.key() == "isLightOn" && entry.value_size() > 0) light.isOn = entry.value(0) != "0";
-    }
+    light.isOn = isOn(*message);
   }
 
   void complete(description::Geometry& geometry) {
