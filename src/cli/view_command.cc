@@ -91,12 +91,8 @@ std::string sixelPlot(const ViewOptions& options, const std::vector<std::uint8_t
   const double columns = std::min(size.columns * size.letterWidth, kMostSixels);
   // below stands the cursor
   const double rows = std::min(std::max(1, size.rows - 1) * size.letterHeight, kMostSixels);
-  const double scale = std::min({1.0, columns / options.width, rows / options.height});
-  const auto shrunk = [scale](std::uint32_t length) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(scale * length));
-  };
-  const std::size_t across = shrunk(options.width), down = shrunk(options.height);
-  return sixels(shrink(pixels, options.width, options.height, across, down), across, down) + "\n";
+  const SmallPicture small = shrinkInto(pixels, options.width, options.height, columns, rows);
+  return sixels(small.pixels, small.across, small.down) + "\n";
 }
 
 std::string terminalPlot(const ViewOptions& options, const std::vector<std::uint8_t>& pixels) {
