@@ -184,11 +184,16 @@ class VisibleWorldReader {
   }
 
   void complete(description::Material& material) {
+    // those that are drawn
+    const auto find = [this](description::Texture& texture) { texture.file = files_.find("texture", texture.uri); };
     for (description::PbrMaps* maps :
          {material.metal ? &material.metal->maps : nullptr, material.gloss ? &material.gloss->maps : nullptr}) {
-      // the only map that is drawn
-      if (maps != nullptr) maps->albedo.file = files_.find("texture", maps->albedo.uri);
+      if (maps == nullptr) continue;
+      for (description::Texture* texture : {&maps->albedo, &maps->normal, &maps->emissive}) find(*texture);
     }
+    if (!material.metal) return;
+    find(material.metal->roughnessMap);
+    find(material.metal->metalnessMap);
   }
 
   const im::SerializedStateMap& state_;
