@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,10 @@
 #include "pongsim/types.hh"
 
 namespace pongsim {
+
+namespace sim {
+class SensorMetrics;
+}  // namespace sim
 
 /// A way to one `<sensor>` of a running world. A copy is the same sensor; it must not outlive its `Simulation`.
 class PONGSIM_API Sensor {
@@ -41,6 +46,8 @@ class PONGSIM_API Sensor {
   /// @return Messages a simulated second that the file asks for; zero: one every step.
   double updateRate() const;
   bool isAlwaysOn() const;
+  /// @return Whether the file asks for `SensorTopic`'s metrics.
+  bool hasMetrics() const;
   /// @return What the file says in `<topic>`, else "/world/W/model/M/link/L/sensor/S" and `suffix`, which begins with
   /// a slash.
   std::string topic(std::string_view suffix) const;
@@ -65,7 +72,9 @@ class PONGSIM_API Sensor {
 };
 
 /// Where a sensor speaks and when: its topic, its rate in simulated time, the service that changes the rate
-/// (`TOPIC/set_rate`, ignition.msgs.Double).
+/// (`TOPIC/set_rate`, ignition.msgs.Double). Of a sensor with `<enable_metrics>` it also tells how often it really
+/// speaks
+/// (`TOPIC/performance_metrics`, ignition.msgs.PerformanceSensorMetrics, with each reading from the second on).
 class PONGSIM_API SensorTopic {
  public:
   /// @param suffix See `Sensor::topic`.
@@ -75,16 +84,21 @@ class PONGSIM_API SensorTopic {
   SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node,
               std::string_view behind = {});
   // services hold on to it
+  ~SensorTopic();
   SensorTopic(const SensorTopic&) = delete;
   SensorTopic& operator=(const SensorTopic&) = delete;
+
+  /// Declares what each sensor has beside its messages.
+  static void declare(Declaration& declaration);
 
   /// Call it in each `postUpdate`.
   /// @return Whether a reading is due in this step. As in Fortress, the time between two is cut off to whole
   /// milliseconds, and none is due while paused.
   bool isDue(const StepInfo& info);
-  /// @return Whether somebody listens, so that the reading that is due is to be published.
-  bool hasSubscribers() const { return publisher_.hasSubscribers(); }
-  void publish(const Message& message) { publisher_.publish(message); }
+  /// @return Whether somebody listens, to the metrics too, so that the reading that is due is to be published.
+  bool hasSubscribers() const;
+  /// Publishes the reading that was due last.
+  void publish(const Message& message);
 
   /// @return Time between the last two readings that were due [s], zero for the first one: what `Noise` asks for.
   double sinceLast() const { return sinceLast_; }
@@ -100,6 +114,8 @@ class PONGSIM_API SensorTopic {
   std::string frameName_;
   /// Largest rate, zero: not limited.
   double largestRate_;
+  /// As it is now, zero: one every step.
+  double rate_;
   Time period_{0};
   Time due_{0};
   Time now_{0};
@@ -108,6 +124,8 @@ class PONGSIM_API SensorTopic {
   std::uint64_t count_ = 0;
   Publisher publisher_;
   Service rateService_;
+  /// Null where the file asks for none.
+  std::unique_ptr<sim::SensorMetrics> metrics_;
 };
 
 }  // namespace pongsim

@@ -55,8 +55,7 @@ class SensorSystem : public System {
     if constexpr (requires { OneSensor::kHolder; }) holder = OneSensor::kHolder;
     declaration.publishes("/world/W/model/M/" + holder + "/sensor/S" + OneSensor::kSuffix, type,
                           "of each sensor; `<topic>` in the `<sensor>` names another, `<update_rate>` says how often");
-    declaration.serves("TOPIC/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
-                       "messages a simulated second, at most what the file says");
+    SensorTopic::declare(declaration);
   }
 
   void configure(const SystemContext& context) override {
@@ -201,7 +200,7 @@ class SensorSystem : public System {
           add(sensor, diagnostics);
         } catch (const Error& error) {
           const Diagnostic& found = error.diagnostic();
-          diagnostics.warning(found.position, found.message, found.hint);
+          diagnostics.warning(found.position, found.message + ": it is left out", found.hint);
         } catch (const std::runtime_error& error) {
           diagnostics.warning(sensor.sdf().position,
                               "sensor '" + sensor.scopedName() + "' is left out: " + error.what());

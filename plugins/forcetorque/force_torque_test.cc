@@ -65,7 +65,7 @@ TEST(ForceTorque, WarnsOfASensorInALink) {
           "<plugin filename='ignition-gazebo-forcetorque-system' name='ignition::gazebo::systems::ForceTorque'/><model "
           "name='m'><link name='l'><inertial><mass>1</mass></inertial><sensor name='s' type='force_torque'/></link>"
           "</model>"),
-      std::vector<std::string>{"sensor 'm::l::s' stands in a link"});
+      std::vector<std::string>{"sensor 'm::l::s' stands in a link: it is left out"});
 }
 
 TEST(ForceTorque, OfFortressTestWorldCarriesTheWeightOnItsPlate) {

@@ -27,8 +27,7 @@ class Sensors final : public System {
                           "`/points` behind the topic of each `depth_camera` and `rgbd_camera`");
     declaration.publishes(sensor + "/camera_info", "ignition.msgs.CameraInfo",
                           "of each camera, beside its images; `<camera_info_topic>` names another");
-    declaration.serves("TOPIC/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
-                       "messages a simulated second, at most what the file says");
+    SensorTopic::declare(declaration);
   }
 
   void configure(const SystemContext& context) override {

@@ -1,6 +1,7 @@
 #include "msgs/status_messages.hh"
 
 #include <ignition/msgs/clock.pb.h>
+#include <ignition/msgs/performance_sensor_metrics.pb.h>
 #include <ignition/msgs/serialized_map.pb.h>
 #include <ignition/msgs/world_stats.pb.h>
 
@@ -47,6 +48,18 @@ Status statusOf(const Message& message) {
 
 Status statusOfState(const Message& step) {
   return statusOf(static_cast<const ignition::msgs::SerializedStepMap&>(step).stats());
+}
+
+void setSensorName(const std::string& name, Message& message) {
+  static_cast<ignition::msgs::PerformanceSensorMetrics&>(message).set_name(name);
+}
+
+void setRates(const SensorRates& rates, Message& message) {
+  auto& metrics = static_cast<ignition::msgs::PerformanceSensorMetrics&>(message);
+  metrics.set_sim_update_rate(rates.simulated);
+  metrics.set_real_update_rate(rates.real);
+  metrics.set_nominal_update_rate(rates.nominal);
+  if (rates.pictures) metrics.mutable_fps_optional()->set_data(*rates.pictures);
 }
 
 }  // namespace pongsim::msgs

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "pongsim/message.hh"
 #include "pongsim/types.hh"
@@ -44,5 +46,21 @@ Status statusOf(const Message& statistics);
 
 /// @return What the statistics in an `ignition.msgs.SerializedStepMap` tell.
 Status statusOfState(const Message& step);
+
+/// How often a sensor speaks, as `ignition.msgs.PerformanceSensorMetrics` tells it; all a second.
+struct SensorRates {
+  /// Readings in simulated time.
+  double simulated = 0;
+  /// Readings in wall time.
+  double real = 0;
+  /// What is asked for, in simulated time.
+  double nominal = 0;
+  /// Of a camera, pictures in wall time, a mean.
+  std::optional<double> pictures = std::nullopt;
+};
+
+/// Each fills in that part of an `ignition.msgs.PerformanceSensorMetrics`.
+void setSensorName(const std::string& name, Message& performanceSensorMetrics);
+void setRates(const SensorRates& rates, Message& performanceSensorMetrics);
 
 }  // namespace pongsim::msgs

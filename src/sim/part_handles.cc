@@ -77,6 +77,8 @@ double Sensor::updateRate() const { return record(*access_, id_).description->up
 
 bool Sensor::isAlwaysOn() const { return record(*access_, id_).description->alwaysOn; }
 
+bool Sensor::hasMetrics() const { return record(*access_, id_).description->hasMetrics; }
+
 std::string Sensor::topic(std::string_view suffix) const {
   const world::SensorRecord& sensor = record(*access_, id_);
   if (!sensor.description->topic.empty()) return sensor.description->topic;

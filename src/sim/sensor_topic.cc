@@ -4,6 +4,7 @@
 
 #include "msgs/control_messages.hh"
 #include "pongsim/sensor.hh"
+#include "sim/sensor_metrics.hh"
 
 namespace pongsim {
 
@@ -19,7 +20,10 @@ Time messagePeriod(double rate) {
 
 SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node,
                          std::string_view behind)
-    : frameName_(sensor.frameName()), largestRate_(sensor.updateRate()), period_(messagePeriod(sensor.updateRate())) {
+    : frameName_(sensor.frameName()),
+      largestRate_(sensor.updateRate()),
+      rate_(largestRate_),
+      period_(messagePeriod(rate_)) {
   const std::string topic = cleanTopic(sensor.topic(suffix));
   try {
     publisher_ = node.advertise(topic + std::string(behind), type);
@@ -28,6 +32,7 @@ SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::str
                                 setRate(msgs::number(request));
                                 return true;
                               });
+    if (sensor.hasMetrics()) metrics_ = std::make_unique<sim::SensorMetrics>(sensor, topic, node);
   } catch (const std::invalid_argument& error) {
     throw Error({Severity::kError,
                  sensor.sdf().position,
@@ -36,10 +41,29 @@ SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::str
   }
 }
 
+SensorTopic::~SensorTopic() = default;
+
+void SensorTopic::declare(Declaration& declaration) {
+  declaration.publishes("TOPIC/performance_metrics", "ignition.msgs.PerformanceSensorMetrics",
+                        "with `<enable_metrics>`: how often it speaks, in simulated and in real time");
+  declaration.serves("TOPIC/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
+                     "messages a simulated second, at most what the file says");
+}
+
+bool SensorTopic::hasSubscribers() const {
+  return publisher_.hasSubscribers() || (metrics_ && metrics_->hasSubscribers());
+}
+
+void SensorTopic::publish(const Message& message) {
+  publisher_.publish(message);
+  if (metrics_) metrics_->publish(last_, rate_);
+}
+
 void SensorTopic::setRate(double rate) {
   if (!(rate >= 0)) return;
   // no more than the file asks for
   if (largestRate_ > 0) rate = rate > 0 ? std::min(rate, largestRate_) : largestRate_;
+  rate_ = rate;
   period_ = messagePeriod(rate);
   due_ = now_ + period_;
 }
@@ -60,10 +84,12 @@ void SensorTopic::reset() {
   due_ = now_ = last_ = Time::zero();
   sinceLast_ = 0;
   count_ = 0;
+  if (metrics_) metrics_->reset();
 }
 
 void SensorTopic::transfer(StateArchive& archive) {
-  archive(period_);
+  archive(rate_);
+  period_ = messagePeriod(rate_);
   archive(due_);
   archive(now_);
   archive(last_);

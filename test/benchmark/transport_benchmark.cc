@@ -126,16 +126,24 @@ std::string summary(std::vector<Microseconds> all) {
   return text;
 }
 
-/// How long each of many calls took, and in how many of them the thread had to wait for another one, or was pushed away
-/// by one: what else is slow is so by the machine.
+/// How long each of many calls took, how long of that its thread ran, and in how many of them it had to wait for
+/// another one, or was pushed away by one: what else is slow is so by the machine.
 struct Calls {
   std::vector<Microseconds> took;
+  std::vector<Microseconds> ran;
   int waits = 0;
   int pushes = 0;
 };
 
-/// Calls `publish` at the rate.
-Calls publishAt(double rate, int count, const std::function<void()>& publish) {
+Microseconds processorTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+/// Calls `publish` at the rate, and `afterwards` each time, which does not count.
+Calls publishAt(double rate, int count, const std::function<void()>& publish,
+                const std::function<void()>& afterwards = {}) {
   Calls calls;
   const auto start = Clock::now();
   for (int i = 0; i < count; ++i) {
@@ -143,12 +151,15 @@ Calls publishAt(double rate, int count, const std::function<void()>& publish) {
                                   std::chrono::duration_cast<Clock::duration>(i / rate * std::chrono::seconds(1)));
     rusage before{}, after{};
     getrusage(RUSAGE_THREAD, &before);
+    const Microseconds ranBefore = processorTime();
     const auto begin = Clock::now();
     publish();
     calls.took.push_back(Clock::now() - begin);
+    calls.ran.push_back(processorTime() - ranBefore);
     getrusage(RUSAGE_THREAD, &after);
     calls.waits += after.ru_nvcsw > before.ru_nvcsw ? 1 : 0;
     calls.pushes += after.ru_nivcsw > before.ru_nivcsw ? 1 : 0;
+    if (afterwards) afterwards();
   }
   return calls;
 }
@@ -303,7 +314,8 @@ void measureDelivery(int kind) {
 }
 
 void printCalls(const char* name, const Calls& calls) {
-  std::printf("  %-27s %s, %d waited, %d pushed away", name, summary(calls.took).c_str(), calls.waits, calls.pushes);
+  std::printf("  %-27s %s, %d waited, %d pushed away\n", name, summary(calls.took).c_str(), calls.waits, calls.pushes);
+  std::printf("  %-27s %s\n", "  processor time", summary(calls.ran).c_str());
 }
 
 /// What the machine takes of a thread that publishes nothing, wakes another one and is busy for as long.
@@ -329,7 +341,6 @@ void measureMachine() {
                changed.notify_one();
                while (Clock::now() < end) continue;
              }));
-  std::printf("\n");
   {
     const std::lock_guard lock(mutex);
     isOver = true;
@@ -353,16 +364,17 @@ void measureTrouble(const char* name, std::vector<std::unique_ptr<Process>> othe
     while (!isOver && trouble) trouble();
   });
   ignition::msgs::Twist message;
-  const Calls calls = publishAt(1000, 4000, [&] {
-    stamp(message);
-    publisher.publish(message);
-    transport.dispatch();
-  });
+  const Calls calls = publishAt(
+      1000, 4000,
+      [&] {
+        stamp(message);
+        publisher.publish(message);
+      },
+      [&] { transport.dispatch(); });
   isOver = true;
   troubled.join();
   printCalls(name, calls);
-  if (flooded > 0) std::printf("; %llu messages came", static_cast<unsigned long long>(flooded));
-  std::printf("\n");
+  if (flooded > 0) std::printf("    %llu messages came meanwhile\n", static_cast<unsigned long long>(flooded));
   std::fflush(stdout);
   for (auto& each : others) {
     each->kill(SIGTERM);
@@ -372,7 +384,7 @@ void measureTrouble(const char* name, std::vector<std::unique_ptr<Process>> othe
 }
 
 void measureTroubles() {
-  std::printf("publishing a Twist at 1 kHz and dispatching, each of 4,000 times\n");
+  std::printf("publishing a Twist at 1 kHz, each of 4,000 times\n");
   const auto one = [](std::unique_ptr<Process> process) {
     std::vector<std::unique_ptr<Process>> all;
     all.push_back(std::move(process));

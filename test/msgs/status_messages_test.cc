@@ -49,5 +49,15 @@ TEST(StatusMessages, AreMadeAnewEachTime) {
   EXPECT_EQ(messageText(messages.statistics({.iterations = 1})).find("paused"), std::string::npos);
 }
 
+TEST(StatusMessages, TellASensorsRates) {
+  const MessagePointer message = newMessage("ignition.msgs.PerformanceSensorMetrics");
+  setSensorName("m::l::s", *message);
+  setRates({.simulated = 50, .real = 75, .nominal = 60}, *message);
+  EXPECT_EQ(messageText(*message),
+            "name: \"m::l::s\"\nreal_update_rate: 75\nsim_update_rate: 50\nnominal_update_rate: 60\n");
+  setRates({.pictures = 20}, *message);
+  EXPECT_NE(messageText(*message).find("fps_optional {\n  data: 20\n}\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace pongsim::msgs

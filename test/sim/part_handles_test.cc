@@ -68,6 +68,7 @@ TEST_F(PartHandlesTest, TellOfASensorOnALink) {
   EXPECT_EQ(imu.frameName(), "outer::base::imu");
   EXPECT_EQ(imu.updateRate(), 5);
   EXPECT_TRUE(imu.isAlwaysOn());
+  EXPECT_FALSE(imu.hasMetrics());
   EXPECT_NE(imu.settings<ImuSettings>(), nullptr);
   EXPECT_EQ(imu.sdf().name, "sensor");
   base().setVelocity({1, 0, 0}, {0, 3, 0});

@@ -117,6 +117,34 @@ TEST_F(SensorTopicTest, ChangesItsRateUpToThatOfTheFile) {
   EXPECT_EQ(dueBetween(2000, 3000), 100);
 }
 
+TEST_F(SensorTopicTest, TellsItsMetricsToWhoeverListensToThemAlone) {
+  start("<topic>t</topic><update_rate>100</update_rate><enable_metrics>true</enable_metrics>");
+  subscription_ = Subscription();
+  EXPECT_FALSE(topic_->hasSubscribers());
+  std::vector<std::string> heard;
+  const Subscription metrics = simulation_->transport().node().subscribe(
+      "/t/performance_metrics", "ignition.msgs.PerformanceSensorMetrics",
+      [&heard](const Message& message) { heard.push_back(messageText(message)); });
+  EXPECT_TRUE(topic_->hasSubscribers());
+  EXPECT_TRUE(setRate(50));
+  const MessagePointer reading = newMessage("ignition.msgs.Int32");
+  for (int time = 1; time <= 60; ++time) {
+    if (topic_->isDue(at(time))) topic_->publish(*reading);
+  }
+  simulation_->transport().dispatch();
+  ASSERT_EQ(heard.size(), 2);
+  EXPECT_NE(heard[1].find("sim_update_rate: 50\n"), std::string::npos) << heard[1];
+  EXPECT_NE(heard[1].find("nominal_update_rate: 50\n"), std::string::npos) << heard[1];
+}
+
+TEST_F(SensorTopicTest, HasNoMetricsThatNobodyAskedFor) {
+  start("<topic>t</topic>");
+  const Subscription metrics = simulation_->transport().node().subscribe(
+      "/t/performance_metrics", "ignition.msgs.PerformanceSensorMetrics", [](const Message&) {});
+  subscription_ = Subscription();
+  EXPECT_FALSE(topic_->hasSubscribers());
+}
+
 TEST_F(SensorTopicTest, NamesTheSensorWhoseTopicIsNone) {
   EXPECT_THROW(
       try { start("<topic>/</topic>"); } catch (const Error& error) {
