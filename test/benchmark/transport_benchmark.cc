@@ -12,13 +12,11 @@
 #include <ignition/msgs/twist.pb.h>
 #include <signal.h>
 #include <sys/resource.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -36,7 +34,6 @@
 #include "pongsim/node.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
-#include "transport/scheduling.hh"
 
 namespace {
 
@@ -126,40 +123,40 @@ std::string summary(std::vector<Microseconds> all) {
   return text;
 }
 
-/// How long each of many calls took, how long of that its thread ran, and in how many of them it had to wait for
-/// another one, or was pushed away by one: what else is slow is so by the machine.
+/// How long each of many calls took, and in how many of them the thread had to wait for another one, or was pushed away
+/// by one.
 struct Calls {
   std::vector<Microseconds> took;
-  std::vector<Microseconds> ran;
   int waits = 0;
   int pushes = 0;
-};
 
-Microseconds processorTime() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
-
-/// Calls `publish` at the rate, and `afterwards` each time, which does not count.
-Calls publishAt(double rate, int count, const std::function<void()>& publish,
-                const std::function<void()>& afterwards = {}) {
-  Calls calls;
-  const auto start = Clock::now();
-  for (int i = 0; i < count; ++i) {
-    std::this_thread::sleep_until(start +
-                                  std::chrono::duration_cast<Clock::duration>(i / rate * std::chrono::seconds(1)));
+  void measure(const std::function<void()>& call) {
     rusage before{}, after{};
     getrusage(RUSAGE_THREAD, &before);
-    const Microseconds ranBefore = processorTime();
     const auto begin = Clock::now();
-    publish();
-    calls.took.push_back(Clock::now() - begin);
-    calls.ran.push_back(processorTime() - ranBefore);
+    call();
+    took.push_back(Clock::now() - begin);
     getrusage(RUSAGE_THREAD, &after);
-    calls.waits += after.ru_nvcsw > before.ru_nvcsw ? 1 : 0;
-    calls.pushes += after.ru_nivcsw > before.ru_nivcsw ? 1 : 0;
-    if (afterwards) afterwards();
+    waits += after.ru_nvcsw > before.ru_nvcsw ? 1 : 0;
+    pushes += after.ru_nivcsw > before.ru_nivcsw ? 1 : 0;
+  }
+};
+
+/// Calls `publish` at the rate, and `between` after each, half a period later.
+Calls publishAt(double rate, int count, const std::function<void()>& publish,
+                const std::function<void()>& between = {}) {
+  Calls calls;
+  const auto start = Clock::now();
+  const auto sleepUntil = [&](double period) {
+    std::this_thread::sleep_until(start +
+                                  std::chrono::duration_cast<Clock::duration>(period / rate * std::chrono::seconds(1)));
+  };
+  for (int i = 0; i < count; ++i) {
+    sleepUntil(i);
+    calls.measure(publish);
+    if (!between) continue;
+    sleepUntil(i + 0.5);
+    between();
   }
   return calls;
 }
@@ -315,41 +312,16 @@ void measureDelivery(int kind) {
 
 void printCalls(const char* name, const Calls& calls) {
   std::printf("  %-27s %s, %d waited, %d pushed away\n", name, summary(calls.took).c_str(), calls.waits, calls.pushes);
-  std::printf("  %-27s %s\n", "  processor time", summary(calls.ran).c_str());
 }
 
-/// What the machine takes of a thread that publishes nothing, wakes another one and is busy for as long.
-void measureMachine() {
-  std::mutex mutex;
-  std::condition_variable changed;
-  bool isOver = false;
-  int asked = 0;
-  std::thread other([&] {
-    const pongsim::transport::GivesWay givesWay;
-    std::unique_lock lock(mutex);
-    while (!isOver) {
-      changed.wait(lock, [&] { return isOver || asked > 0; });
-      asked = 0;
-    }
-  });
-  printCalls("none: 10 us of nothing", publishAt(1000, 4000, [&] {
-               const auto end = Clock::now() + std::chrono::microseconds(10);
-               {
-                 const std::lock_guard lock(mutex);
-                 ++asked;
-               }
-               changed.notify_one();
-               while (Clock::now() < end) continue;
-             }));
-  {
-    const std::lock_guard lock(mutex);
-    isOver = true;
-  }
-  changed.notify_one();
-  other.join();
+/// What a write takes, when nothing is in its way.
+void doNothing() {
+  const auto end = Clock::now() + std::chrono::microseconds(10);
+  while (Clock::now() < end) continue;
 }
 
-/// Publishes a Twist at 1 kHz beside other processes that behave badly.
+/// Publishes a Twist at 1 kHz beside other processes that behave badly. Between two of them the same thread does
+/// nothing for as long: what holds that up is the machine.
 /// @param trouble Called from a thread of its own until the publishing is over.
 void measureTrouble(const char* name, std::vector<std::unique_ptr<Process>> others,
                     const std::function<void()>& trouble) {
@@ -364,17 +336,25 @@ void measureTrouble(const char* name, std::vector<std::unique_ptr<Process>> othe
     while (!isOver && trouble) trouble();
   });
   ignition::msgs::Twist message;
+  Calls nothing;
   const Calls calls = publishAt(
       1000, 4000,
       [&] {
         stamp(message);
         publisher.publish(message);
       },
-      [&] { transport.dispatch(); });
+      [&] {
+        nothing.measure(doNothing);
+        transport.dispatch();
+      });
   isOver = true;
   troubled.join();
   printCalls(name, calls);
-  if (flooded > 0) std::printf("    %llu messages came meanwhile\n", static_cast<unsigned long long>(flooded));
+  printCalls("  10 us of nothing", nothing);
+  if (flooded > 0) {
+    std::printf("    %llu messages came meanwhile, %llu were dropped\n", static_cast<unsigned long long>(flooded),
+                static_cast<unsigned long long>(subscription.dropped()));
+  }
   std::fflush(stdout);
   for (auto& each : others) {
     each->kill(SIGTERM);
@@ -390,7 +370,6 @@ void measureTroubles() {
     all.push_back(std::move(process));
     return all;
   };
-  measureMachine();
   measureTrouble("nobody listens", {}, {});
   measureTrouble("one listens", one(listener("pongsim", 0, 1'000'000)), {});
   measureTrouble("one takes 20 ms a message", one(listener("pongsim", 0, 1'000'000, 20)), {});
@@ -404,9 +383,10 @@ void measureTroubles() {
   auto killer = std::make_unique<Process>(std::vector<std::string>{"/proc/self/exe", "kill"});
   killer->waitForOutput("ready");
   measureTrouble("one after another is killed", one(std::move(killer)), {});
-  auto flooding = std::make_unique<Process>(std::vector<std::string>{"/proc/self/exe", "flood"});
-  flooding->waitForOutput("ready");
-  measureTrouble("one sends 100,000 a second", one(std::move(flooding)), {});
+  auto flooding = one(std::make_unique<Process>(std::vector<std::string>{"/proc/self/exe", "flood"}));
+  flooding.front()->waitForOutput("ready");
+  flooding.push_back(listener("pongsim", 0, 1'000'000));
+  measureTrouble("one sends 100,000 a second", std::move(flooding), {});
 }
 
 /// Starts listeners and kills one after another, until it is asked to end. Not done by who publishes: a process that
