@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
@@ -81,6 +82,11 @@ class PONGSIM_API CameraScene {
   /// @return A box around the visuals of a model, of models in it too, or of all models, where they are since `update`;
   /// planes and heightmaps count where there is nothing else. Empty where nothing is to be seen.
   Eigen::AlignedBox3d bounds(const std::optional<Model>& model = std::nullopt) const;
+
+  /// @return The names of the world's actors.
+  std::vector<std::string> actors() const;
+  /// @return A box around an actor where it is since `update`; empty where nothing is to be seen of that name.
+  Eigen::AlignedBox3d actorBounds(const std::string& name) const;
 
  private:
   struct Content;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -113,7 +114,8 @@ CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises,
       settings_(*sensor.settings<CameraSettings>()),
       kind_(kindOf(sensor)),
       surroundings_(shared),
-      noise_(noises.add(settings_.noise, "image")) {
+      noise_(noises.add(settings_.noise, "image")),
+      depthNoise_(noises.add(settings_.noise, "depth")) {
   if (std::uint64_t{settings_.width} * settings_.height > kMostPixels) {
     throw errorOf(sensor, "has more than " + std::to_string(kMostPixels) + " pixels", {});
   }
@@ -195,13 +197,28 @@ void CameraSensor::drawColors() {
   }
 }
 
+void CameraSensor::drawDepths() {
+  depths_.resize(std::size_t{settings_.width} * settings_.height);
+  surroundings_.now().drawDepths(depthView_, depths_);
+  if (settings_.noise.type == NoiseSettings::Type::kNone) return;
+  shifts_.assign(depths_.size(), 0);
+  for (std::size_t i = 0; i < depths_.size(); ++i) {
+    float& depth = depths_[i];
+    if (!std::isfinite(depth)) continue;
+    shifts_[i] = static_cast<float>(depthNoise_.apply(0));
+    depth += shifts_[i];
+    // as in Fortress, which clips once more behind the noise
+    if (depth >= static_cast<float>(depthView_.far)) depth = std::numeric_limits<float>::infinity();
+    if (depth <= static_cast<float>(depthView_.near)) depth = -std::numeric_limits<float>::infinity();
+  }
+}
+
 void CameraSensor::measure(Message& message, bool isHeard) {
   view_.X_WorldEye = depthView_.X_WorldEye = sensor_.pose() * settings_.X_SensorCamera;
   const bool ofDepths = kind_ == Kind::kDepths;
   if ((isHeard && !ofDepths) || arePointsHeard() || settings_.savesPictures) drawColors();
   if ((isHeard && ofDepths) || isDepthHeard() || arePointsHeard()) {
-    depths_.resize(std::size_t{settings_.width} * settings_.height);
-    surroundings_.now().drawDepths(depthView_, depths_);
+    drawDepths();
   }
   if (!isHeard) return;
   if (ofDepths) {
@@ -231,6 +248,15 @@ void CameraSensor::fillInColors(Message& message) const {
   }
 }
 
+Eigen::Vector3f CameraSensor::placeOf(std::size_t pixel, double right, double down) const {
+  const float depth = depths_[pixel];
+  if (!std::isfinite(depth)) return Eigen::Vector3f::Constant(depth);
+  // Fortress adds the noise of the depth to y and z, too
+  const double shift = shifts_.empty() ? 0 : static_cast<double>(shifts_[pixel]);
+  const double ahead = static_cast<double>(depth) - shift;
+  return {depth, static_cast<float>(shift - ahead * right), static_cast<float>(shift - ahead * down)};
+}
+
 void CameraSensor::fillInPoints() {
   char* point = cloud_.mutable_data()->data();
   bool isDense = true;
@@ -239,9 +265,8 @@ void CameraSensor::fillInPoints() {
     for (std::uint32_t column = 0; column < settings_.width; ++column, point += kPointSize) {
       const std::size_t i = std::size_t{row} * settings_.width + column;
       const double right = (column + 0.5 - depthView_.cx - depthView_.skew * down) / depthView_.fx;
-      const auto depth = static_cast<double>(depths_[i]);
-      isDense = isDense && std::isfinite(depth);
-      const Eigen::Vector3f place = Vector3(depth, -depth * right, -depth * down).cast<float>();
+      const Eigen::Vector3f place = placeOf(i, right, down);
+      isDense = isDense && place.allFinite();
       std::memcpy(point, place.data(), sizeof(float) * 3);
       // blue first, as in Fortress
       const std::array<std::uint8_t, 4> color{colors_[3 * i + 2], colors_[3 * i + 1], colors_[3 * i], 0};

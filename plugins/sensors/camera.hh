@@ -4,6 +4,7 @@
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/pointcloud_packed.pb.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -61,7 +62,11 @@ class CameraSensor {
   bool isDepthHeard() const { return depthImages_ && depthImages_.hasSubscribers(); }
   bool arePointsHeard() const { return points_ && points_.hasSubscribers(); }
   void drawColors();
+  void drawDepths();
   void fillInColors(Message& message) const;
+  /// @param right, down Slopes of the line of sight of the pixel.
+  /// @return The point of the cloud; minus infinity where it is too near, infinity where nothing is.
+  Eigen::Vector3f placeOf(std::size_t pixel, double right, double down) const;
   void fillInPoints();
   void save();
 
@@ -70,6 +75,8 @@ class CameraSensor {
   Kind kind_;
   CameraSurroundings& surroundings_;
   Noise& noise_;
+  /// In metres; of its own, so that depths do not depend on whether colours are drawn.
+  Noise& depthNoise_;
   /// Of colours and of depths, which may have other clip planes.
   PictureView view_;
   PictureView depthView_;
@@ -78,6 +85,8 @@ class CameraSensor {
   /// Before it is distorted.
   std::vector<std::uint8_t> drawn_;
   std::vector<float> depths_;
+  /// What noise has added to each of them [m]; empty: there is none.
+  std::vector<float> shifts_;
   Publisher infos_;
   Publisher depthImages_;
   Publisher points_;

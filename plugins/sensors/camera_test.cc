@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/running_world.hh"
@@ -213,6 +214,81 @@ TEST_F(Cameras, AreNoisyByTheirOwnStream) {
   ASSERT_EQ(images.size(), 2U);
   EXPECT_NE(images[0].data(), images[1].data());
   EXPECT_EQ(images[0].data(), heardOn<Image>("/cam/it", noisy + kWall)[0].data());
+}
+
+std::vector<float> depthsIn(const Image& image) {
+  std::vector<float> depths(image.data().size() / sizeof(float));
+  std::memcpy(depths.data(), image.data().data(), image.data().size());
+  return depths;
+}
+
+std::string depthNoise(double mean, double deviation) {
+  return "<clip><near>0.1</near><far>50</far></clip><noise><type>gaussian</type><mean>" + std::to_string(mean) +
+         "</mean><stddev>" + std::to_string(deviation) + "</stddev></noise>";
+}
+
+TEST_F(Cameras, OfDepthsAreNoisyInMetres) {
+  const std::string noisy = camera("depth_camera", depthNoise(0.5, 0.1));
+  const auto images = heardOn<Image>("/cam/it", noisy + kWall, 2);
+  ASSERT_EQ(images.size(), 2U);
+  EXPECT_NE(images[0].data(), images[1].data());
+  EXPECT_EQ(images[0].data(), heardOn<Image>("/cam/it", noisy + kWall)[0].data());
+  // the wall is 4 m ahead on the left, on the right is nothing, which stays so
+  double sum = 0, squares = 0, count = 0;
+  const std::vector<float> depths = depthsIn(images[0]);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (i % 32 >= 16) {
+      EXPECT_EQ(depths[i], INFINITY) << i;
+      continue;
+    }
+    const double error = static_cast<double>(depths[i]) - 4;
+    sum += error;
+    squares += error * error;
+    ++count;
+  }
+  EXPECT_NEAR(sum / count, 0.5, 0.03);
+  EXPECT_NEAR(std::sqrt(squares / count - sum * sum / count / count), 0.1, 0.02);
+}
+
+TEST_F(Cameras, ClipDepthsBehindTheirNoise) {
+  for (const auto& [mean, found] : {std::pair(-10.0, -INFINITY), std::pair(60.0, INFINITY)}) {
+    const auto images = heardOn<Image>("/cam/it", camera("depth_camera", depthNoise(mean, 0)) + kWall);
+    ASSERT_EQ(images.size(), 1U);
+    EXPECT_EQ(depthsIn(images[0])[12 * 32 + 5], static_cast<float>(found));
+  }
+}
+
+TEST_F(Cameras, MovePointsByTheNoiseOfTheirDepths) {
+  // along each axis, as Fortress does; the same whether somebody listens to the colours, too
+  for (const bool areColorsHeard : {false, true}) {
+    RunningWorld world(kSystem + camera("rgbd_camera", depthNoise(0, 0.1)) + kWall);
+    std::vector<Image> images, depthImages;
+    std::vector<PointCloudPacked> clouds;
+    if (areColorsHeard) world.listen("/cam/image", images);
+    world.listen("/cam/depth_image", depthImages);
+    world.listen("/cam/points", clouds);
+    world.step(1);
+    ASSERT_EQ(depthImages.size(), 1U);
+    ASSERT_EQ(clouds.size(), 1U);
+    EXPECT_EQ(depthImages[0].data(),
+              heardOn<Image>("/cam/depth_image", camera("rgbd_camera", depthNoise(0, 0.1)) + kWall)[0].data());
+    const std::vector<float> depths = depthsIn(depthImages[0]);
+    const double focal = 16 / std::tan(1.047 / 2);
+    for (std::size_t column = 0; column < 32; ++column) {
+      const std::size_t pixel = 12 * 32 + column;
+      float place[3];
+      std::memcpy(place, clouds[0].data().data() + pixel * 32, sizeof place);
+      EXPECT_EQ(place[0], depths[pixel]);
+      if (column >= 16) {
+        EXPECT_EQ(place[1], INFINITY);
+        EXPECT_EQ(place[2], INFINITY);
+        continue;
+      }
+      const double shift = static_cast<double>(depths[pixel]) - 4;
+      EXPECT_NEAR(place[1], 4 * (15.5 - static_cast<double>(column)) / focal + shift, 1e-4);
+      EXPECT_NEAR(place[2], -4 * 0.5 / focal + shift, 1e-4);
+    }
+  }
 }
 
 TEST_F(Cameras, WaitForTheirTrigger) {

@@ -30,17 +30,19 @@ description::Color colorOf(const aiMaterial& material, const char* key, const de
   return {color.r, color.g, color.b, 1};
 }
 
-/// @return The file of the picture that goes over it; nothing where it has none beside it. Pictures within the mesh's
-/// own file are not read.
+/// @return The file of the picture that goes over it: beside the mesh, or where models have their pictures, as Fortress
+/// looks; nothing where there is none. Pictures within the mesh's own file are not read.
 std::filesystem::path textureOf(const aiMaterial& material, const std::filesystem::path& folder) {
   for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
     aiString name;
     const aiReturn found =
         assimp().getMaterialTexture(&material, type, 0, &name, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
     if (found != aiReturn_SUCCESS) continue;
-    std::error_code error;
-    const std::filesystem::path file = folder / name.C_Str();
-    if (std::filesystem::is_regular_file(file, error)) return file;
+    for (const std::filesystem::path& place : {folder, folder / ".." / "materials" / "textures"}) {
+      std::error_code error;
+      const std::filesystem::path file = place / name.C_Str();
+      if (std::filesystem::is_regular_file(file, error)) return file;
+    }
   }
   return {};
 }

@@ -1,13 +1,39 @@
 #include "assets/picture_file.hh"
 
+#include <fstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "assets/jpeg_image.hh"
 #include "assets/png_image.hh"
 
 namespace pongsim::assets {
 
+namespace {
+
+// what files begin with
+constexpr std::string_view kPngStart = "\x89PNG";
+constexpr std::string_view kJpegStart = "\xFF\xD8\xFF";
+
+/// @return The first bytes of a file, as many as a start may have; fewer where it has no more.
+std::string startOf(const std::filesystem::path& file) {
+  std::string start(4, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(stream.gcount()));
+  return start;
+}
+
+}  // namespace
+
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file) {
+  // names lie: many a PNG of a model is called .jpg
+  const std::string start = startOf(file);
+  if (start.starts_with(kJpegStart)) return readJpeg(file, kMostPicturePixels);
+  if (!start.starts_with(kPngStart)) {
+    return Problem{"is neither a PNG nor a JPEG image", "other formats (TGA, BMP, TIFF, DDS) have to be converted"};
+  }
   PngImage png;
   auto pixels = readRgba(file, kMostPicturePixels, 0, png);
   if (auto* problem = std::get_if<Problem>(&pixels)) return std::move(*problem);

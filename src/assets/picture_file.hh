@@ -23,7 +23,7 @@ struct Picture {
 /// Pictures with more pixels are refused.
 inline constexpr std::size_t kMostPicturePixels = std::size_t{4096} * 4096;
 
-/// Reads a PNG file.
+/// Reads a PNG or JPEG file, whatever it is called.
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file);
 
 /// Writes a PNG file, in place of one that is there.

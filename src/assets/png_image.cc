@@ -10,9 +10,7 @@ std::variant<std::vector<std::uint8_t>, Problem> readRgba(const std::filesystem:
   if (png_image_begin_read_from_file(&image, file.c_str()) == 0) {
     return Problem{std::string("can't be read as a PNG image: ") + image.message, {}};
   }
-  if (std::size_t{image.width} * image.height > mostPixels) {
-    return Problem{"has more than " + std::to_string(mostPixels) + " pixels, which is the limit", {}};
-  }
+  if (std::size_t{image.width} * image.height > mostPixels) return tooManyPixels(mostPixels);
   image.flags |= flags;
   image.format = PNG_FORMAT_RGBA;
   std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(image));

@@ -20,14 +20,17 @@ class FileSight final : public Sight {
     scene_.update();
   }
 
-  std::vector<std::string> models() override {
+  std::vector<std::string> names() override {
     std::vector<std::string> names;
     for (const Model& each : simulation_->world().models()) names.emplace_back(each.scopedName());
+    for (std::string& actor : scene_.actors()) names.push_back(std::move(actor));
     return names;
   }
 
-  Eigen::AlignedBox3d bounds(const std::string& model) override {
-    return model.empty() ? scene_.bounds() : scene_.bounds(simulation_->world().model(model));
+  Eigen::AlignedBox3d bounds(const std::string& name) override {
+    if (name.empty()) return scene_.bounds();
+    const std::optional<Model> model = simulation_->world().model(name);
+    return model ? scene_.bounds(model) : scene_.actorBounds(name);
   }
 
   void draw(const PictureView& view, std::span<std::uint8_t> pixels) override { scene_.drawColors(view, pixels); }

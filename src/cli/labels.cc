@@ -115,7 +115,7 @@ std::optional<Eigen::Vector2d> pixelOf(const Vector3& p_World, const PictureView
 
 std::vector<Label> labelsOf(Sight& sight, const PictureView& view) {
   std::vector<Label> labels;
-  for (const std::string& name : sight.models()) {
+  for (const std::string& name : sight.names()) {
     if (name.find("::") != std::string::npos) continue;
     const Eigen::AlignedBox3d box = sight.bounds(name);
     if (box.isEmpty()) continue;

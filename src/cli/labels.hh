@@ -16,8 +16,9 @@ struct Label {
   double row = 0;
 };
 
-/// @return The names of the models at the top level, each over the corner of the box around it that is highest in the
-/// picture, or over its middle where they are all beside it; those that are not in the picture have none.
+/// @return The names of the models at the top level and of the actors, each over the corner of the box around it that
+/// is highest in the picture, or over its middle where they are all beside it; those that are not in the picture have
+/// none.
 std::vector<Label> labelsOf(Sight& sight, const PictureView& view);
 
 /// Writes labels into a picture, over all that it shows: each above its place, and as far above as it takes not to

@@ -1,9 +1,5 @@
 #include "cli/picture_plot.hh"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "cli/shrink.hh"
 
 namespace pongsim::cli {
@@ -20,13 +16,10 @@ std::string colorCode(int layer, const std::uint8_t* color) {
 
 std::string picturePlot(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height, int columns,
                         int rows) {
-  const double scale = std::min({1.0, columns / static_cast<double>(width), 2.0 * rows / static_cast<double>(height)});
-  const auto blocksOf = [scale](std::size_t length) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(scale * static_cast<double>(length) + 1e-9)));
+  const auto& [across, down, blocks] = shrinkInto(pixels, width, height, columns, 2.0 * rows);
+  const auto color = [across = across, &blocks = blocks](std::size_t column, std::size_t row) {
+    return &blocks[3 * (row * across + column)];
   };
-  const std::size_t across = blocksOf(width), down = blocksOf(height);
-  const std::vector<std::uint8_t> blocks = shrink(pixels, width, height, across, down);
-  const auto color = [&](std::size_t column, std::size_t row) { return &blocks[3 * (row * across + column)]; };
   std::string text;
   for (std::size_t row = 0; row < down; row += 2) {
     for (std::size_t column = 0; column < across; ++column) {

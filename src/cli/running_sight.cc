@@ -30,14 +30,17 @@ class RunningSight final : public Sight {
     say(found, Severity::kWarning, Severity::kError);
   }
 
-  std::vector<std::string> models() override {
+  std::vector<std::string> names() override {
     std::vector<std::string> names;
     for (const world::ModelRecord& model : entities_.models()) names.push_back(model.scopedName);
+    for (const world::ActorRecord& actor : entities_.actors()) names.push_back(actor.description->name);
     return names;
   }
 
-  Eigen::AlignedBox3d bounds(const std::string& model) override {
-    return scene_.bounds(entities_, model.empty() ? world::kNoSlot : entities_.findModel(model));
+  Eigen::AlignedBox3d bounds(const std::string& name) override {
+    if (name.empty()) return scene_.bounds(entities_, world::kNoSlot);
+    const world::Slot model = entities_.findModel(name);
+    return model != world::kNoSlot ? scene_.bounds(entities_, model) : scene_.actorBounds(name);
   }
 
   void draw(const PictureView& view, std::span<std::uint8_t> pixels) override {

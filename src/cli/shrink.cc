@@ -1,6 +1,8 @@
 #include "cli/shrink.hh"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pongsim::cli {
 
@@ -23,6 +25,18 @@ std::vector<std::uint8_t> shrink(std::span<const std::uint8_t> pixels, std::size
     }
   }
   return smaller;
+}
+
+SmallPicture shrinkInto(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height, double mostAcross,
+                        double mostDown) {
+  const double scale = std::min({1.0, mostAcross / static_cast<double>(width), mostDown / static_cast<double>(height)});
+  const auto shrunk = [scale](std::size_t length) {
+    // a whole number may have become a little less
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(scale * static_cast<double>(length) + 1e-9)));
+  };
+  SmallPicture small{shrunk(width), shrunk(height), {}};
+  small.pixels = shrink(pixels, width, height, small.across, small.down);
+  return small;
 }
 
 }  // namespace pongsim::cli

@@ -15,12 +15,12 @@ class Sight {
  public:
   virtual ~Sight() = default;
 
-  /// @return The models that may be looked at: "outer::inner".
-  virtual std::vector<std::string> models() = 0;
+  /// @return What may be looked at: models, "outer::inner", then actors.
+  virtual std::vector<std::string> names() = 0;
 
   /// As `CameraScene::bounds`.
-  /// @param model One of `models`; empty: all of them.
-  virtual Eigen::AlignedBox3d bounds(const std::string& model) = 0;
+  /// @param name One of `names`; empty: all of them.
+  virtual Eigen::AlignedBox3d bounds(const std::string& name) = 0;
 
   /// As `CameraScene::drawColors`.
   virtual void draw(const PictureView& view, std::span<std::uint8_t> pixels) = 0;

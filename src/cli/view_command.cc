@@ -73,11 +73,11 @@ std::optional<int> placeEye(Sight& sight, const std::string& camera, PictureView
     return std::nullopt;
   }
   if (!camera.empty()) {
-    const std::vector<std::string> names = sight.models();
+    const std::vector<std::string> names = sight.names();
     if (std::ranges::find(names, camera) == names.end()) {
       std::string hint = base::didYouMean(camera, std::vector<std::string_view>(names.begin(), names.end()));
-      if (hint.empty()) hint = "--camera takes the name of a model, or 'x y z roll pitch yaw'";
-      return fail("there is no model '" + camera + "' to look at", hint);
+      if (hint.empty()) hint = "--camera takes the name of a model or an actor, or 'x y z roll pitch yaw'";
+      return fail("there is no model or actor '" + camera + "' to look at", hint);
     }
   }
   Eigen::AlignedBox3d box = sight.bounds(camera);
@@ -91,12 +91,8 @@ std::string sixelPlot(const ViewOptions& options, const std::vector<std::uint8_t
   const double columns = std::min(size.columns * size.letterWidth, kMostSixels);
   // below stands the cursor
   const double rows = std::min(std::max(1, size.rows - 1) * size.letterHeight, kMostSixels);
-  const double scale = std::min({1.0, columns / options.width, rows / options.height});
-  const auto shrunk = [scale](std::uint32_t length) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(scale * length));
-  };
-  const std::size_t across = shrunk(options.width), down = shrunk(options.height);
-  return sixels(shrink(pixels, options.width, options.height, across, down), across, down) + "\n";
+  const SmallPicture small = shrinkInto(pixels, options.width, options.height, columns, rows);
+  return sixels(small.pixels, small.across, small.down) + "\n";
 }
 
 std::string terminalPlot(const ViewOptions& options, const std::vector<std::uint8_t>& pixels) {
@@ -182,7 +178,7 @@ void addViewCommand(CLI::App& program, Work& work) {
             source->timeout);
   add("--camera", "POSE|MODEL",
       "Where the eye is, 'x y z roll pitch yaw' or 'x y z', which looks at\n"
-      "the origin; or the model that fills the picture (all of them)",
+      "the origin; or the model or actor that fills the picture (all of them)",
       [options](const std::string& text) { options->camera = text; });
   add("-o,--output", "FILE", "PNG file to write (view.png, unless --terminal or --sixel)",
       [options](const std::string& text) { options->output = text; });
@@ -190,7 +186,7 @@ void addViewCommand(CLI::App& program, Work& work) {
       [options](const std::string& text) { readSize(text, *options); });
   addFlag("--grid", options->grid, "Draw a grid on the ground, a metre from line to line");
   addFlag("--axes", options->axes, "Draw the world's axes, a metre each: x red, y green, z blue");
-  addFlag("--names", options->names, "Write the models' names over them");
+  addFlag("--names", options->names, "Write the names of models and actors over them");
   addFlag("--terminal", options->terminal,
           "Draw it in the terminal: by sixels if it says that it can, else with blocks of\n24-bit colour");
   addFlag("--sixel", options->sixel, "Draw it in the terminal by sixels, whatever it says");

@@ -29,7 +29,20 @@ description::LightType typeOf(im::Light::LightType type) {
   return type == im::Light::DIRECTIONAL ? description::LightType::kDirectional : description::LightType::kPoint;
 }
 
+constexpr const char* kIsOnKey = "isLightOn";
+
 }  // namespace
+
+void setWhetherOn(bool isOn, im::Light& message) {
+  if (!isOn) setHeaderValue(kIsOnKey, "0", *message.mutable_header());
+}
+
+bool isOn(const im::Light& message) {
+  for (const auto& entry : message.header().data()) {
+    if (entry.key() == kIsOnKey && entry.value_size() > 0) return entry.value(0) != "0";
+  }
+  return true;
+}
 
 void setLight(const description::Light& light, im::Light& message) {
   message.Clear();

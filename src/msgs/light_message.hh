@@ -18,6 +18,11 @@ void setLight(const description::Light& light, ignition::msgs::Light& message);
 /// @return The light that a message tells of.
 description::Light lightFrom(const ignition::msgs::Light& message);
 
+/// Tells in the header that a light is off, as Fortress does where its messages have no field for something.
+void setWhetherOn(bool isOn, ignition::msgs::Light& message);
+/// @return What `setWhetherOn` has told; lights of which nothing is told are on.
+bool isOn(const ignition::msgs::Light& message);
+
 /// Which light an `ignition.msgs.Light` means.
 struct LightName {
   /// 0: it is named by its name.

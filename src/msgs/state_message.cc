@@ -206,8 +206,7 @@ class StateWriter {
     EntityWriter entity(light.id.value, message_);
     im::Light settings;
     setLight(*light.description, settings);
-    // as Fortress does where its messages have no field for it
-    if (!light.description->isOn) setHeaderValue("isLightOn", "0", *settings.mutable_header());
+    setWhetherOn(light.description->isOn, settings);
     entity.add("Light", settings);
     entity.add("Name", light.description->name);
     entity.add("ParentEntity", std::to_string(parent));

@@ -161,9 +161,7 @@ class VisibleWorldReader {
     description::Light& light = lights.emplace_back(lightFrom(*message));
     light.name = componentsOf(id).text("Name");
     light.X_ParentLight = poseOf(componentsOf(id));
-    for (const auto& entry : message->header().data()) {
-      if (entry.key() == "isLightOn" && entry.value_size() > 0) light.isOn = entry.value(0) != "0";
-    }
+    light.isOn = isOn(*message);
   }
 
   void complete(description::Geometry& geometry) {
@@ -186,11 +184,16 @@ class VisibleWorldReader {
   }
 
   void complete(description::Material& material) {
+    // those that are drawn
+    const auto find = [this](description::Texture& texture) { texture.file = files_.find("texture", texture.uri); };
     for (description::PbrMaps* maps :
          {material.metal ? &material.metal->maps : nullptr, material.gloss ? &material.gloss->maps : nullptr}) {
-      // the only map that is drawn
-      if (maps != nullptr) maps->albedo.file = files_.find("texture", maps->albedo.uri);
+      if (maps == nullptr) continue;
+      for (description::Texture* texture : {&maps->albedo, &maps->normal, &maps->emissive}) find(*texture);
     }
+    if (!material.metal) return;
+    find(material.metal->roughnessMap);
+    find(material.metal->metalnessMap);
   }
 
   const im::SerializedStateMap& state_;

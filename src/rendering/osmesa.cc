@@ -12,8 +12,6 @@ namespace pongsim::rendering {
 
 namespace {
 
-constexpr const char* kLibrary = "libOSMesa.so.8";
-
 /// What is used of the library.
 struct OsmesaFunctions {
   decltype(&OSMesaCreateContextAttribs) createContext = nullptr;
@@ -70,7 +68,7 @@ class OsmesaContext final : public Context {
 }  // namespace
 
 std::unique_ptr<Context> openOsmesa() {
-  const auto library = base::SharedLibrary::require(kLibrary, "libosmesa6");
+  const auto library = base::SharedLibrary::require(PONGSIM_OSMESA, "libosmesa6");
   OsmesaFunctions functions;
   library.bind(functions.createContext, "OSMesaCreateContextAttribs");
   library.bind(functions.destroyContext, "OSMesaDestroyContext");

@@ -13,6 +13,13 @@ Eigen::Vector3f vectorOf(const Color& color) { return {color.red, color.green, c
 
 float share(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
 
+void takeMaps(const description::PbrMaps& maps, Paint& paint) {
+  paint.maps[kColorMap] = maps.albedo.file;
+  // those of the object's space, too, are taken for the tangent space, as in Fortress
+  paint.maps[kNormalMap] = maps.normal.file;
+  paint.maps[kGlowMap] = maps.emissive.file;
+}
+
 Paint paintOf(const Material& material) {
   Paint paint;
   paint.diffuse = vectorOf(material.diffuse);
@@ -24,11 +31,13 @@ Paint paintOf(const Material& material) {
   paint.isLit = material.isLit;
   paint.isDoubleSided = material.isDoubleSided;
   if (material.metal) {
-    paint.texture = material.metal->maps.albedo.file;
+    takeMaps(material.metal->maps, paint);
+    paint.maps[kRoughnessMap] = material.metal->roughnessMap.file;
+    paint.maps[kMetalnessMap] = material.metal->metalnessMap.file;
     paint.metalness = share(material.metal->metalness);
     paint.roughness = share(material.metal->roughness);
   } else if (material.gloss) {
-    paint.texture = material.gloss->maps.albedo.file;
+    takeMaps(material.gloss->maps, paint);
     paint.roughness = share(1 - material.gloss->glossiness);
   }
   return paint;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -7,6 +9,11 @@
 #include "pongsim/types.hh"
 
 namespace pongsim::rendering {
+
+/// What the pictures that go over a surface tell: its colour (sRGB), its normals (of the tangent space: red to the
+/// right in the picture, green up, blue outwards), shares of its roughness and metalness (in red), what it emits
+/// (sRGB).
+enum Map : std::size_t { kColorMap, kNormalMap, kRoughnessMap, kMetalnessMap, kGlowMap, kMapCount };
 
 /// How a surface meets light, of all that a `<material>` may say. Colours are shares of light, linear.
 struct Paint {
@@ -20,8 +27,8 @@ struct Paint {
   float opacity = 1;
   bool isLit = true;
   bool isDoubleSided = false;
-  /// Picture that goes over it; empty: none.
-  std::filesystem::path texture;
+  /// Files of the pictures that go over it; empty: none.
+  std::array<std::filesystem::path, kMapCount> maps;
 };
 
 /// @return As the visual's material says, else that of its file, else grey.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -65,7 +66,7 @@ class Renderer::Content {
       : gl_(context),
         store_(gl_),
         shadows_(gl_),
-        colors_(gl_, shaders::kSurfaceVertex, shaders::kSurfaceFragment),
+        plain_(gl_, shaders::kSurfaceVertex, (std::string(shaders::kPlain) + shaders::kSurfaceFragment).c_str()),
         depths_(gl_, shaders::kSurfaceVertex, shaders::kDepthFragment),
         sky_(gl_, shaders::kSkyVertex, shaders::kSkyFragment),
         lines_(gl_) {
@@ -93,9 +94,16 @@ class Renderer::Content {
     gl_.enable(GL_FRAMEBUFFER_SRGB);
     drawBackground(scene, view, lighting.block);
     const Matrix4d clip = clipFromPlace(view);
-    colors_.use();
-    tell(shaders::kClipFromPlace, clip);
-    for (const Item* item : seenItems(scene, view, clip)) drawInColors(*item, view.X_WorldEye.position);
+    const Program* inUse = nullptr;
+    for (const Item* item : seenItems(scene, view, clip)) {
+      const Program& program = programFor(*item);
+      if (&program != inUse) {
+        program.use();
+        tell(shaders::kClipFromPlace, clip);
+        inUse = &program;
+      }
+      drawInColors(*item, view.X_WorldEye.position);
+    }
     gl_.disable(GL_BLEND);
     gl_.depthMask(GL_TRUE);
     lines_.draw(view, clip);
@@ -175,6 +183,32 @@ class Renderer::Content {
     gl_.enable(GL_DEPTH_TEST);
   }
 
+  /// @return Whether other pictures go over it than that of its colour.
+  static bool isMapped(const Item& item) {
+    return std::any_of(item.pictures.begin() + kNormalMap, item.pictures.end(),
+                       [](const auto& picture) { return picture != nullptr; });
+  }
+
+  const Program& programFor(const Item& item) {
+    if (!isMapped(item)) return plain_;
+    if (mapped_ == nullptr) {
+      const std::string fragment = std::string(shaders::kMapped) + shaders::kSurfaceFragment;
+      mapped_ = std::make_unique<Program>(gl_, shaders::kSurfaceVertex, fragment.c_str());
+    }
+    return *mapped_;
+  }
+
+  void useMaps(const Item& item) {
+    const auto& pictures = item.pictures;
+    if (pictures[kColorMap] != nullptr) store_.use(0, pictures[kColorMap], true);
+    if (!isMapped(item)) return;
+    // unit 1 has the shadows
+    for (const Map map : {kNormalMap, kRoughnessMap, kMetalnessMap, kGlowMap}) {
+      store_.use(static_cast<GLuint>(map) + 1, pictures[map], map == kGlowMap);
+    }
+    gl_.uniform1i(shaders::kHasNormals, pictures[kNormalMap] != nullptr ? 1 : 0);
+  }
+
   void drawInColors(const Item& item, const Vector3& eye) {
     const Paint& paint = item.paint;
     gl_.uniform4fv(shaders::kDiffuse, 1,
@@ -184,9 +218,9 @@ class Renderer::Content {
     gl_.uniform3fv(shaders::kEmissive, 1, paint.emissive.data());
     gl_.uniform4fv(shaders::kFinish, 1,
                    Eigen::Vector4f(paint.metalness, paint.roughness, paint.isLit ? 1.0F : 0.0F,
-                                   item.picture != nullptr ? 1.0F : 0.0F)
+                                   item.pictures[kColorMap] != nullptr ? 1.0F : 0.0F)
                        .data());
-    if (item.picture != nullptr) store_.use(item.picture);
+    useMaps(item);
     if (paint.opacity < 1) {
       gl_.enable(GL_BLEND);
       gl_.blendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -223,7 +257,9 @@ class Renderer::Content {
   Gl gl_;
   Store store_;
   ShadowMaps shadows_;
-  Program colors_;
+  Program plain_;
+  /// From the first surface on that has maps.
+  std::unique_ptr<Program> mapped_;
   Program depths_;
   Program sky_;
   Lines lines_;

@@ -1,6 +1,7 @@
 #include "rendering/scene.hh"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <variant>
 
@@ -172,7 +173,9 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
     item.surface = body.surface;
     item.paint = paintOf(visual, body.material);
     if (item.paint.opacity <= 0) continue;
-    item.picture = pictureOf(item.paint.texture, warn);
+    for (std::size_t map = 0; map < kMapCount; ++map) item.pictures[map] = pictureOf(item.paint.maps[map], warn);
+    // a map alone says all, as in Fortress
+    if (item.pictures[kGlowMap] != nullptr && item.paint.emissive.isZero()) item.paint.emissive.setOnes();
     item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
     item.scale = body.scale;
     item.bounds = body.surface->bounds();
@@ -217,6 +220,14 @@ Eigen::AlignedBox3d Scene::bounds(const world::Entities& entities, Slot model) c
     (item.isGround ? ground : bodies).extend(item.boundsInWorld());
   }
   return bodies.isEmpty() ? ground : bodies;
+}
+
+Eigen::AlignedBox3d Scene::actorBounds(const std::string& name) const {
+  Eigen::AlignedBox3d box;
+  for (const Item& item : items_) {
+    if (item.actor != nullptr && item.actor->name == name) box.extend(item.boundsInWorld());
+  }
+  return box;
 }
 
 }  // namespace pongsim::rendering

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -29,8 +30,8 @@ namespace pongsim::rendering {
 struct Item {
   std::shared_ptr<const Surface> surface;
   Paint paint;
-  /// Goes over it; null: none.
-  std::shared_ptr<const assets::Picture> picture;
+  /// Go over it; null: none.
+  std::array<std::shared_ptr<const assets::Picture>, kMapCount> pictures;
   world::Slot link = world::kNoSlot;
   /// That holds the link.
   ModelId model;
@@ -92,6 +93,8 @@ class Scene {
 
   /// As `CameraScene::bounds`; `kNoSlot` stands for all models.
   Eigen::AlignedBox3d bounds(const world::Entities& entities, world::Slot model) const;
+  /// As `CameraScene::actorBounds`.
+  Eigen::AlignedBox3d actorBounds(const std::string& name) const;
 
  private:
   void addActor(const description::Actor& actor, Diagnostics& diagnostics);

@@ -18,6 +18,8 @@ inline constexpr int kAhead = 8;
 inline constexpr int kDirectionFromClip = 9;
 inline constexpr int kZenith = 10;
 inline constexpr int kHorizon = 11;
+/// Whether there is a map of normals.
+inline constexpr int kHasNormals = 12;
 
 inline constexpr int kMostLamps = 16;
 inline constexpr int kMostShadows = 4;
@@ -46,7 +48,12 @@ void main() {
 /// Light: Lambert's law for what is diffuse; for highlights the distribution of Trowbridge and Reitz (GGX), its
 /// visibility after Smith and Schlick's approximation of Fresnel's term (Walter et al. 2007, Karis 2013). What smooth
 /// surfaces mirror of their surroundings is taken for the ambient light and the background.
-inline constexpr const char* kSurfaceFragment = R"(#version 450 core
+///
+/// It begins with `kPlain` or `kMapped`: surfaces with no other picture than that of their colour, which are most, have
+/// a program of their own, for the processor runs through both sides of a branch.
+inline constexpr const char* kPlain = "#version 450 core\n";
+inline constexpr const char* kMapped = "#version 450 core\n#define MAPPED\n";
+inline constexpr const char* kSurfaceFragment = R"(
 const float kPi = 3.14159265;
 struct Lamp {
   vec4 place;        // seen from the eye; w: 0 for a lamp without a place, whose light comes from all over the sky
@@ -73,6 +80,29 @@ in vec3 place;
 in vec3 facing;
 in vec2 texel;
 out vec4 color;
+#ifdef MAPPED
+layout(location = 12) uniform int hasNormals;
+layout(binding = 2) uniform sampler2D normals;
+layout(binding = 3) uniform sampler2D roughnesses;
+layout(binding = 4) uniform sampler2D metalnesses;
+layout(binding = 5) uniform sampler2D glow;
+
+// The normal that a map tells. How the map lies on the surface is told by how place and texel change from pixel to
+// pixel (Schueler, Normal mapping without precomputed tangents, ShaderX5, 2006).
+vec3 toldNormal(vec3 normal) {
+  vec3 placeX = dFdx(place), placeY = dFdy(place);
+  vec2 texelX = dFdx(texel), texelY = dFdy(texel);
+  vec3 alongX = cross(placeY, normal), alongY = cross(normal, placeX);
+  // the picture may be mirrored
+  float side = sign(dot(cross(placeX, placeY), normal));
+  vec3 right = side * (alongX * texelX.x + alongY * texelY.x);
+  vec3 down = side * (alongX * texelX.y + alongY * texelY.y);
+  float longest = max(dot(right, right), dot(down, down));
+  if (!(longest > 0.0)) return normal;
+  vec3 told = texture(normals, texel).xyz * 2.0 - 1.0;
+  return normalize(normal * told.z + (right * told.x - down * told.y) * inversesqrt(longest));
+}
+#endif
 
 // share of a lamp's light that comes through to a place
 float litShare(int shadow, vec3 point, vec3 normal, float pixel) {
@@ -100,15 +130,24 @@ void main() {
     inShade *= painted.rgb;
     opacity *= painted.a;
   }
+  vec3 shine = emissive;
+  float metalness = finish.x, rough = finish.y;
+  vec3 normal = normalize(facing) * (gl_FrontFacing ? 1.0 : -1.0), toEye = normalize(-place);
+#ifdef MAPPED
+  shine *= texture(glow, texel).rgb;
+  metalness *= texture(metalnesses, texel).r;
+  rough *= texture(roughnesses, texel).r;
+  if (hasNormals != 0) normal = toldNormal(normal);
+#endif
   if (finish.z == 0.0) {
-    color = vec4(base + emissive, opacity);
+    color = vec4(base + shine, opacity);
     return;
   }
-  float metalness = finish.x, rough = max(finish.y, 0.06), alpha = rough * rough, alpha2 = alpha * alpha;
-  vec3 normal = normalize(facing) * (gl_FrontFacing ? 1.0 : -1.0), toEye = normalize(-place);
+  rough = max(rough, 0.06);
+  float alpha = rough * rough, alpha2 = alpha * alpha;
   float cosEye = max(dot(normal, toEye), 1e-3);
   vec3 mirror = mix(0.04 * specular, base, metalness), dull = base * (1.0 - metalness);
-  vec3 sum = emissive + surroundings.rgb * inShade * (1.0 - metalness);
+  vec3 sum = shine + surroundings.rgb * inShade * (1.0 - metalness);
   float up = reflect(-toEye, normal).z * 0.5 + 0.5;
   vec3 mirrored = mix(surroundings.rgb * 0.5, background.rgb, smoothstep(0.35, 0.65, up));
   vec3 edge = mirror + (max(vec3(1.0 - rough), mirror) - mirror) * pow(1.0 - cosEye, 5.0);

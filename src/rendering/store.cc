@@ -14,6 +14,7 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 Store::~Store() {
   for (const auto& [surface, buffers] : surfaces_) drop(buffers);
   for (const auto& [picture, texture] : pictures_) gl_.deleteTextures(1, &texture);
+  gl_.deleteTextures(1, &white_);
 }
 
 void Store::draw(const std::shared_ptr<const Surface>& surface) {
@@ -23,10 +24,15 @@ void Store::draw(const std::shared_ptr<const Surface>& surface) {
   gl_.drawElements(GL_TRIANGLES, entry->second.count, GL_UNSIGNED_INT, nullptr);
 }
 
-void Store::use(const std::shared_ptr<const assets::Picture>& picture) {
-  gl_.activeTexture(GL_TEXTURE0);
-  const auto [entry, isNew] = pictures_.try_emplace(picture, 0);
-  if (isNew) entry->second = takeIn(*picture);
+void Store::use(GLuint unit, const std::shared_ptr<const assets::Picture>& picture, bool isColor) {
+  gl_.activeTexture(GL_TEXTURE0 + unit);
+  if (picture == nullptr) {
+    if (white_ == 0) white_ = takeIn({1, 1, {255, 255, 255, 255}}, false);
+    gl_.bindTexture(GL_TEXTURE_2D, white_);
+    return;
+  }
+  const auto [entry, isNew] = pictures_.try_emplace({picture, isColor}, 0);
+  if (isNew) entry->second = takeIn(*picture, isColor);
   gl_.bindTexture(GL_TEXTURE_2D, entry->second);
 }
 
@@ -37,7 +43,10 @@ void Store::tidy() {
     return true;
   });
   std::erase_if(pictures_, [this](const auto& entry) {
-    if (entry.first.use_count() > 1) return false;
+    // as colours and as shares it may be here twice
+    const auto& picture = entry.first.first;
+    const long own = static_cast<long>(pictures_.count({picture, true}) + pictures_.count({picture, false}));
+    if (picture.use_count() > own) return false;
     gl_.deleteTextures(1, &entry.second);
     return true;
   });
@@ -64,11 +73,11 @@ Store::Buffers Store::takeIn(const Surface& surface) {
   return buffers;
 }
 
-GLuint Store::takeIn(const assets::Picture& picture) {
+GLuint Store::takeIn(const assets::Picture& picture, bool isColor) {
   GLuint texture = 0;
   gl_.genTextures(1, &texture);
   gl_.bindTexture(GL_TEXTURE_2D, texture);
-  gl_.texImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, static_cast<GLsizei>(picture.width),
+  gl_.texImage2D(GL_TEXTURE_2D, 0, isColor ? GL_SRGB8_ALPHA8 : GL_RGBA8, static_cast<GLsizei>(picture.width),
                  static_cast<GLsizei>(picture.height), 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.pixels.data());
   gl_.generateMipmap(GL_TEXTURE_2D);
   gl_.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);

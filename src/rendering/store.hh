@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "assets/picture_file.hh"
 #include "rendering/gl.hh"
@@ -20,8 +21,10 @@ class Store {
   /// Draws a surface, which it takes in at the first time.
   void draw(const std::shared_ptr<const Surface>& surface);
 
-  /// Lets a picture be the one that goes over surfaces, which it takes in at the first time.
-  void use(const std::shared_ptr<const assets::Picture>& picture);
+  /// Lets a picture be the one that shaders find in a texture unit. It is taken in at the first time.
+  /// @param picture Null: white.
+  /// @param isColor Its values are colours (sRGB), not shares that are meant as they are.
+  void use(GLuint unit, const std::shared_ptr<const assets::Picture>& picture, bool isColor);
 
   /// Forgets all that nobody else holds any more.
   void tidy();
@@ -34,12 +37,14 @@ class Store {
     GLsizei count = 0;
   };
   Buffers takeIn(const Surface& surface);
-  GLuint takeIn(const assets::Picture& picture);
+  GLuint takeIn(const assets::Picture& picture, bool isColor);
   void drop(const Buffers& buffers);
 
   const Gl& gl_;
   std::map<std::shared_ptr<const Surface>, Buffers> surfaces_;
-  std::map<std::shared_ptr<const assets::Picture>, GLuint> pictures_;
+  /// And whether they are colours.
+  std::map<std::pair<std::shared_ptr<const assets::Picture>, bool>, GLuint> pictures_;
+  GLuint white_ = 0;
 };
 
 }  // namespace pongsim::rendering

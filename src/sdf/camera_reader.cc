@@ -150,6 +150,12 @@ CameraSettings readCamera(const Element* element, const std::string& label, Cont
   }
   if (const Element* lens = element->child("lens")) camera.lens = readLens(*lens, context);
   camera.noise = readNoiseIn(element, NoiseSettings::Type::kGaussian, context);
+  if (camera.noise.type == NoiseSettings::Type::kGaussianQuantized) {
+    context.diagnostics.warning(element->child("noise")->position,
+                                "the noise of " + label + " is of the type gaussian_quantized and does nothing",
+                                "as in Fortress, cameras have noise of the type gaussian only");
+    camera.noise = {};
+  }
   camera.visibilityMask = readUnsigned(*element, "visibility_mask", camera.visibilityMask, context);
   camera.isTriggered = readFlag(*element, "triggered", camera.isTriggered, context);
   camera.triggerTopic = readText(*element, "trigger_topic", "");

@@ -53,4 +53,14 @@ Eigen::AlignedBox3d CameraScene::bounds(const std::optional<Model>& model) const
   return content_->scene.bounds(content_->access.entities, slot);
 }
 
+std::vector<std::string> CameraScene::actors() const {
+  std::vector<std::string> names;
+  for (const world::ActorRecord& actor : content_->access.entities.actors()) names.push_back(actor.description->name);
+  return names;
+}
+
+Eigen::AlignedBox3d CameraScene::actorBounds(const std::string& name) const {
+  return content_->scene.actorBounds(name);
+}
+
 }  // namespace pongsim

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,21 @@ TEST(MeshLook, HasTheMaterialsOfItsParts) {
   // made, for the file has none; textures count from the top
   EXPECT_TRUE((*looks)[0].corners[0].normal.isApprox(Eigen::Vector3f::UnitZ()));
   EXPECT_TRUE((*looks)[0].corners[0].coordinates.isApprox(Eigen::Vector2f(0.25F, 0.25F)));
+}
+
+TEST(MeshLook, HasTheTexturesOfItsModel) {
+  const TempFolder folder;
+  folder.write("materials/textures/wood.png", pongsim::test::grayPng(1, {9}));
+  folder.write("meshes/m.mtl", "newmtl wooden\nmap_Kd wood.png\n");
+  const auto file = folder.write("meshes/m.obj",
+                                 "mtllib m.mtl\nv 0 0 0\nv 2 0 0\nv 0 2 0\nvt 0.25 0.75\n"
+                                 "o a\nusemtl wooden\nf 1/1 2/1 3/1\n");
+  const auto read = readMeshLook(file, "", false);
+  const auto* looks = std::get_if<std::vector<MeshLook>>(&read);
+  ASSERT_NE(looks, nullptr);
+  ASSERT_TRUE((*looks)[0].material && (*looks)[0].material->metal);
+  EXPECT_TRUE(std::filesystem::equivalent((*looks)[0].material->metal->maps.albedo.file,
+                                          folder.path() / "materials/textures/wood.png"));
 }
 
 TEST(MeshLook, IsOfThePartThatIsAskedFor) {

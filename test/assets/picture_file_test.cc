@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,9 +27,14 @@ TEST(PictureFile, GivesBackWhatWasWritten) {
 
 TEST(PictureFile, TellsWhatIsWrong) {
   const pongsim::test::TempFolder folder;
-  const auto text = readPicture(folder.write("t.png", "no picture"));
-  ASSERT_TRUE(std::holds_alternative<Problem>(text));
-  EXPECT_NE(std::get<Problem>(text).text.find("can't be read as a PNG image"), std::string::npos);
+  for (const auto& [content, problem] : {std::pair("no picture", "is neither a PNG nor a JPEG image"),
+                                         std::pair("", "is neither a PNG nor a JPEG image"),
+                                         std::pair("\x89PNG and no more", "can't be read as a PNG image: "),
+                                         std::pair("\xFF\xD8\xFF and no more", "can't be read as a JPEG image: ")}) {
+    const auto text = readPicture(folder.write("t.png", content));
+    ASSERT_TRUE(std::holds_alternative<Problem>(text));
+    EXPECT_EQ(std::get<Problem>(text).text.find(problem), 0U) << std::get<Problem>(text).text;
+  }
   // a header that says 10,000 x 10,000, as nobody reads further
   std::string large = pongsim::test::grayPng(1, {0});
   for (const std::size_t at : {16U, 20U}) large.replace(at, 4, std::string("\0\0\x27\x10", 4));

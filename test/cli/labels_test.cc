@@ -78,12 +78,12 @@ TEST(Labels, HaveOneSignForEachLetterBeyondAscii) {
 class NamedBoxes final : public Sight {
  public:
   explicit NamedBoxes(std::map<std::string, Eigen::AlignedBox3d> boxes) : boxes_(std::move(boxes)) {}
-  std::vector<std::string> models() override {
+  std::vector<std::string> names() override {
     std::vector<std::string> names;
     for (const auto& [name, box] : boxes_) names.push_back(name);
     return names;
   }
-  Eigen::AlignedBox3d bounds(const std::string& model) override { return boxes_.at(model); }
+  Eigen::AlignedBox3d bounds(const std::string& name) override { return boxes_.at(name); }
   void draw(const PictureView&, std::span<std::uint8_t>) override {}
 
  private:

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -13,6 +17,7 @@
 #include "pongsim/camera_scene.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -61,9 +66,10 @@ int largestDifference(const std::vector<std::uint8_t>& drawn, const assets::Pict
   return largest;
 }
 
-TEST(Picture, LooksAsItDid) {
+/// Draws a world and compares with the picture of that name in test/golden/pictures. Skips where nothing can be drawn.
+void expectToLookAsItDid(const std::string& world, const std::string& name) {
   Diagnostics diagnostics;
-  const auto simulation = Simulation::fromText(kWorld, "world.sdf", {.loadSystems = false}, diagnostics);
+  const auto simulation = Simulation::fromText(world, "world.sdf", {.loadSystems = false}, diagnostics);
   ASSERT_NE(simulation, nullptr);
   std::unique_ptr<CameraScene> scene;
   try {
@@ -83,7 +89,7 @@ TEST(Picture, LooksAsItDid) {
   std::vector<std::uint8_t> pixels(std::size_t{3} * view.width * view.height);
   scene->drawColors(view, pixels);
 
-  const std::filesystem::path file = projectFolder() / "test/golden/pictures/shapes.png";
+  const std::filesystem::path file = projectFolder() / "test/golden/pictures" / name;
   if (std::getenv("PONGSIM_WRITE_GOLDEN") != nullptr) {
     CameraScene::writePicture(file, view.width, view.height, pixels);
     return;
@@ -94,6 +100,67 @@ TEST(Picture, LooksAsItDid) {
   ASSERT_EQ(golden->width, view.width);
   ASSERT_EQ(golden->height, view.height);
   EXPECT_LE(largestDifference(pixels, *golden), 6);
+}
+
+TEST(Picture, LooksAsItDid) { expectToLookAsItDid(kWorld, "shapes.png"); }
+
+/// Writes a square picture whose pixels are made of where they are, 0 to 1 from the left and from the top.
+void writeSquare(const std::filesystem::path& file, const std::function<Vector3(double, double)>& shares) {
+  constexpr std::uint32_t kEdge = 64;
+  std::vector<std::uint8_t> pixels;
+  for (std::uint32_t row = 0; row < kEdge; ++row) {
+    for (std::uint32_t column = 0; column < kEdge; ++column) {
+      const Vector3 color = shares((column + 0.5) / kEdge, (row + 0.5) / kEdge);
+      for (const double share : color) pixels.push_back(static_cast<std::uint8_t>(std::lround(255 * share)));
+    }
+  }
+  CameraScene::writePicture(file, kEdge, kEdge, pixels);
+}
+
+/// Studs, on a ball, a box and a column: rows of them have normals, stripes are smooth, squares are of metal, some
+/// glow.
+TEST(Picture, OfMapsLooksAsItDid) {
+  const TempFolder folder;
+  const auto at = [&folder](const std::string& name) { return folder.path() / name; };
+  const double turn = 2 * std::numbers::pi;
+  writeSquare(at("normals.png"), [turn](double x, double y) {
+    // of waves that are a sixth of the picture long
+    const Vector3 normal(-std::cos(6 * turn * x), std::cos(6 * turn * y), 1.2);
+    return Vector3((normal.normalized() + Vector3::Ones()) / 2);
+  });
+  writeSquare(at("roughness.png"),
+              [](double x, double) { return Vector3::Constant(std::fmod(4 * x, 1) < 0.5 ? 0.2 : 1); });
+  writeSquare(at("metal.png"), [](double x, double y) {
+    return Vector3::Constant((std::fmod(4 * x, 1) < 0.5) == (std::fmod(4 * y, 1) < 0.5) ? 1 : 0);
+  });
+  writeSquare(at("glow.png"), [](double x, double y) {
+    return std::hypot(x - 0.5, y - 0.5) < 0.2 ? Vector3(1, 0.5, 0) : Vector3(0, 0, 0);
+  });
+  const auto painted = [&](const std::string& name, const std::string& pose, const std::string& geometry,
+                           const std::string& maps) {
+    return "<visual name='" + name + "'><pose>" + pose + "</pose><geometry>" + geometry +
+           "</geometry><material><diffuse>0.8 0.8 0.8 1</diffuse><specular>1 1 1 1</specular><pbr><metal>" + maps +
+           "</metal></pbr></material></visual>";
+  };
+  const auto map = [&](const std::string& kind, const std::string& name) {
+    return "<" + kind + "_map>" + at(name).string() + "</" + kind + "_map>";
+  };
+  const std::string numbers = "<roughness>1</roughness><metalness>1</metalness>";
+  const std::string world =
+      "<sdf version='1.9'><world name='w'><scene><ambient>0.5 0.5 0.5 1</ambient>"
+      "<background>0.4 0.6 0.9 1</background></scene><light name='sun' type='directional'>"
+      "<cast_shadows>true</cast_shadows><diffuse>0.7 0.7 0.7 1</diffuse><specular>0.5 0.5 0.5 1</specular>"
+      "<direction>0.5 0.6 -0.8</direction></light><model name='m'><static>true</static><link name='l'>" +
+      painted("ground", "0 0 0 0 0 0", "<plane><size>12 12</size></plane>",
+              "<metalness>0</metalness>" + map("roughness", "roughness.png")) +
+      painted("box", "0 0 0.6 0 0 0.5", "<box><size>1.2 1.2 1.2</size></box>",
+              "<metalness>0</metalness>" + map("normal", "normals.png")) +
+      painted("ball", "0 2 0.8 0 0 0", "<sphere><radius>0.8</radius></sphere>",
+              numbers + map("metalness", "metal.png") + map("roughness", "roughness.png")) +
+      painted("column", "1 -1.6 0.8 0 0 0", "<cylinder><radius>0.5</radius><length>1.6</length></cylinder>",
+              "<metalness>0</metalness>" + map("normal", "normals.png") + map("emissive", "glow.png")) +
+      "</link></model></world></sdf>";
+  expectToLookAsItDid(world, "maps.png");
 }
 
 }  // namespace

@@ -146,7 +146,37 @@ TEST_F(ViewOfARunningWorld, LooksAtOneOfItsModels) {
   EXPECT_TRUE(std::filesystem::exists(picture));
   const Outcome wrong = runToEnd({"view", "--camera", "bax", "--timeout", "60000"});
   EXPECT_EQ(wrong.exitCode, 1);
-  EXPECT_EQ(wrong.error, "pongsim: error: there is no model 'bax' to look at\n  hint: did you mean 'box'?\n");
+  EXPECT_EQ(wrong.error, "pongsim: error: there is no model or actor 'bax' to look at\n  hint: did you mean 'box'?\n");
+}
+
+TEST_F(ViewOfARunningWorld, KnowsActorsByName) {
+  const auto file = folder_.write(
+      "w.sdf",
+      "<sdf version='1.9'><world name='w'><scene><background>0 0 0 1</background></scene><actor name='walker'>" +
+          flatVisual(kBox, kGreen) +
+          "<script><trajectory id='0' type='walk'><waypoint><time>0</time><pose>90 40 0 0 0 "
+          "0</pose></waypoint><waypoint>"
+          "<time>9</time><pose>99 40 0 0 0 0</pose></waypoint></trajectory></script></actor></world></sdf>");
+  testDomain();
+  Process world({PONGSIM_PROGRAM, "run", file.string(), "--paused"});
+  ASSERT_TRUE(world.waitForError("pongsim: world '")) << world.error();
+  std::string pictures[2];
+  for (const bool isNamed : {false, true}) {
+    const auto picture = [isNamed](std::vector<std::string> arguments) {
+      arguments.insert(arguments.begin(), "view");
+      arguments.insert(arguments.end(), {"--camera", "walker", "--size", "60x40", "--terminal"});
+      if (isNamed) arguments.emplace_back("--names");
+      const Outcome seen = runToEnd(arguments);
+      EXPECT_EQ(seen.exitCode, 0) << seen.error;
+      return seen.output;
+    };
+    pictures[isNamed ? 1 : 0] = picture({file.string()});
+    EXPECT_EQ(picture({"--timeout", "60000"}), pictures[isNamed ? 1 : 0]);
+  }
+  // it fills the picture, and its name stands over it
+  EXPECT_NE(pictures[0].find("\033[38;2;0;255;0m"), std::string::npos);
+  EXPECT_EQ(pictures[0].find("\033[38;2;255;255;255m"), std::string::npos);
+  EXPECT_NE(pictures[1].find("\033[38;2;255;255;255m"), std::string::npos);
 }
 
 TEST_F(ViewOfARunningWorld, WantsToKnowWhichOne) {

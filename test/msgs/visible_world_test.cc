@@ -75,13 +75,21 @@ TEST(VisibleWorld, FindsTheFilesOfMeshesAndTextures) {
   cup.uri = "model://cup.dae";
   cup.file = folder.write("cup.dae", "");
   look.geometry = cup;
-  look.material.emplace().metal.emplace().maps.albedo = {"wood.png", folder.write("wood.png", "")};
+  description::PbrMetal& metal = look.material.emplace().metal.emplace();
+  metal.maps.albedo = {"wood.png", folder.write("wood.png", "")};
+  const description::Texture bumps{"bumps.png", folder.write("bumps.png", "")};
+  metal.maps.normal = metal.maps.emissive = metal.roughnessMap = metal.metalnessMap = bumps;
   Diagnostics diagnostics;
   const description::World seen = throughAState(world, diagnostics);
   EXPECT_TRUE(diagnostics.all().empty());
   const description::Visual& found = seen.models[1].links[0].visuals[0];
   EXPECT_EQ(std::get<description::Mesh>(found.geometry).file, folder.path() / "cup.dae");
-  EXPECT_EQ(found.material->metal->maps.albedo.file, folder.path() / "wood.png");
+  const description::PbrMetal& foundMetal = *found.material->metal;
+  EXPECT_EQ(foundMetal.maps.albedo.file, folder.path() / "wood.png");
+  for (const description::Texture* texture :
+       {&foundMetal.maps.normal, &foundMetal.maps.emissive, &foundMetal.roughnessMap, &foundMetal.metalnessMap}) {
+    EXPECT_EQ(texture->file, bumps.file);
+  }
 
   // once each, however often it is shown
   world.models[0].links[0].visuals = {look};

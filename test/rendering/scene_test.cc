@@ -6,91 +6,17 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <variant>
 #include <vector>
 
-#include "rendering/osmesa.hh"
-#include "rendering/renderer.hh"
+#include "rendering/drawn_world.hh"
 
 namespace pongsim::rendering {
 namespace {
 
-using description::Color;
-
-/// One model a visual, whose only link is at the model's place, and what draws them.
-class DrawnWorld {
- public:
-  DrawnWorld() { world_.scene.background = {0, 0, 0, 1}; }
-
-  description::Visual& add(const description::Geometry& geometry, const Vector3& position, const Color& emitted) {
-    description::Model& model = world_.models.emplace_back();
-    model.name = "m" + std::to_string(world_.models.size());
-    model.X_ParentModel.position = position;
-    model.isStatic = true;
-    model.canonicalLink = "l";
-    model.links.resize(1);
-    model.links[0].name = "l";
-    description::Visual& visual = model.links[0].visuals.emplace_back();
-    visual.name = "v";
-    visual.geometry = geometry;
-    visual.material.emplace();
-    visual.material->emissive = emitted;
-    visual.material->isLit = false;
-    return visual;
-  }
-
-  description::World& description() { return world_; }
-
-  /// To be called once all is in it.
-  void start() {
-    entities_.emplace(world_);
-    state_.emplace(*entities_);
-    scene_.build(*entities_, *state_, diagnostics_);
-    renderer_ = std::make_unique<Renderer>(openOsmesa());
-  }
-
-  std::vector<std::uint8_t> colors(const PictureView& view) {
-    std::vector<std::uint8_t> pixels(std::size_t{3} * view.width * view.height);
-    renderer_->drawColors(scene_, view, pixels);
-    return pixels;
-  }
-  std::vector<float> depths(const PictureView& view) {
-    std::vector<float> depths(std::size_t{view.width} * view.height);
-    renderer_->drawDepths(scene_, view, depths);
-    return depths;
-  }
-
-  void letPass(Time time) {
-    state_->time += time;
-    scene_.update(*entities_, *state_);
-  }
-
-  void move(std::size_t model, const Vector3& position) {
-    state_->links[model].X_WorldLink.position = position;
-    scene_.update(*entities_, *state_);
-  }
-
- private:
-  description::World world_;
-  std::optional<world::Entities> entities_;
-  std::optional<world::State> state_;
-  Diagnostics diagnostics_;
-  Scene scene_;
-  std::unique_ptr<Renderer> renderer_;
-};
-
-PictureView view(std::uint32_t width, std::uint32_t height, double focal) {
-  PictureView result;
-  result.width = width;
-  result.height = height;
-  result.fx = result.fy = focal;
-  result.cx = width / 2.0;
-  result.cy = height / 2.0;
-  return result;
-}
+using test::DrawnWorld;
+using test::Pictures;
+using test::view;
 
 /// @return The middle of all that is bright, in pixels.
 Eigen::Vector2d brightPlace(const std::vector<std::uint8_t>& pixels, const PictureView& view) {
@@ -105,18 +31,6 @@ Eigen::Vector2d brightPlace(const std::vector<std::uint8_t>& pixels, const Pictu
   return sum / weight;
 }
 
-/// Skips where there is nothing to draw with: worlds run without cameras there.
-class Pictures : public ::testing::Test {
- protected:
-  void SetUp() override {
-    try {
-      openOsmesa();
-    } catch (const std::runtime_error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-};
-
 TEST_F(Pictures, ShowPointsWhereThePinholeProjectsThem) {
   // a shifted pinhole whose pixels are neither square nor upright
   PictureView eye = view(160, 120, 100);
@@ -127,7 +41,7 @@ TEST_F(Pictures, ShowPointsWhereThePinholeProjectsThem) {
   eye.X_WorldEye = {{1, 2, 3}, fromRollPitchYaw(0.1, 0.2, 0.7)};
   for (const Vector3& place : {Vector3(4, 0, 0), Vector3(5, 1, 0.5), Vector3(3, -0.8, -0.9), Vector3(7, 1.9, -2)}) {
     DrawnWorld world;
-    world.add(description::Sphere{0.12}, eye.X_WorldEye * place, {1, 1, 1, 1});
+    world.addShining(description::Sphere{0.12}, eye.X_WorldEye * place, {1, 1, 1, 1});
     world.start();
     const Eigen::Vector2d found = brightPlace(world.colors(eye), eye);
     EXPECT_NEAR(found.x(), eye.cx - (eye.fx * place.y() + eye.skew * place.z()) / place.x(), 0.3);
@@ -147,14 +61,16 @@ TEST_F(Pictures, ShowActorsWhereTheyGo) {
   EXPECT_NEAR(world.depths(eye)[40], 2.5, 1e-5);
   world.letPass(std::chrono::seconds(2));
   EXPECT_NEAR(world.depths(eye)[40], 4.5, 1e-5);
+  EXPECT_TRUE(world.scene().actorBounds("a").center().isApprox(Vector3(5, 0, 0), 1e-5));
+  EXPECT_TRUE(world.scene().actorBounds("b").isEmpty());
 }
 
 TEST_F(Pictures, MeasureDepthAlongTheLineOfSight) {
   // far from the world's origin, too
   for (const Vector3& away : {Vector3(0, 0, 0), Vector3(20'000, -10'000, 50)}) {
     DrawnWorld world;
-    world.add(description::Box{{2, 40, 40}}, away + Vector3(6, 0, 0), {});
-    world.add(description::Sphere{1}, away + Vector3(3, 0, 0), {});
+    world.addShining(description::Box{{2, 40, 40}}, away + Vector3(6, 0, 0), {});
+    world.addShining(description::Sphere{1}, away + Vector3(3, 0, 0), {});
     world.start();
     PictureView eye = view(64, 48, 20);
     eye.X_WorldEye.position = away;
@@ -177,8 +93,8 @@ TEST_F(Pictures, MeasureDepthAlongTheLineOfSight) {
 
 TEST_F(Pictures, SeeNothingNearerOrFartherThanTheyMay) {
   DrawnWorld world;
-  world.add(description::Box{{1, 1, 1}}, {1, 0, 0}, {});
-  world.add(description::Box{{1, 40, 40}}, {10, 0, 0}, {});
+  world.addShining(description::Box{{1, 1, 1}}, {1, 0, 0}, {});
+  world.addShining(description::Box{{1, 40, 40}}, {10, 0, 0}, {});
   world.start();
   PictureView eye = view(9, 9, 9);
   eye.near = 2;
@@ -190,7 +106,7 @@ TEST_F(Pictures, SeeNothingNearerOrFartherThanTheyMay) {
 TEST_F(Pictures, SeeOutsidesOnlyUnlessTheMaterialHasTwo) {
   for (const bool isDoubleSided : {false, true}) {
     DrawnWorld world;
-    world.add(description::Sphere{2}, {0, 0, 0}, {}).material->isDoubleSided = isDoubleSided;
+    world.addShining(description::Sphere{2}, {0, 0, 0}, {}).material->isDoubleSided = isDoubleSided;
     world.start();
     EXPECT_EQ(std::isfinite(world.depths(view(9, 9, 9))[40]), isDoubleSided);
   }
@@ -198,7 +114,7 @@ TEST_F(Pictures, SeeOutsidesOnlyUnlessTheMaterialHasTwo) {
 
 TEST_F(Pictures, SeeWhatTheirMaskSharesABitWith) {
   DrawnWorld world;
-  world.add(description::Box{{1, 40, 40}}, {10, 0, 0}, {}).visibilityFlags = 4;
+  world.addShining(description::Box{{1, 40, 40}}, {10, 0, 0}, {}).visibilityFlags = 4;
   world.start();
   PictureView eye = view(9, 9, 9);
   eye.visibilityMask = 6;
@@ -210,10 +126,10 @@ TEST_F(Pictures, SeeWhatTheirMaskSharesABitWith) {
 /// A white ground that is lit from above, with a plate 1 m above it.
 std::unique_ptr<DrawnWorld> litWorld(description::LightType type, bool castsShadows) {
   auto world = std::make_unique<DrawnWorld>();
-  auto& ground = *world->add(description::Plane{Vector3::UnitZ(), {20, 20}}, {0, 0, 0}, {}).material;
+  auto& ground = *world->addShining(description::Plane{Vector3::UnitZ(), {20, 20}}, {0, 0, 0}, {}).material;
   ground.isLit = true;
   ground.diffuse = {1, 1, 1, 1};
-  auto& plate = *world->add(description::Box{{1, 1, 0.1}}, {0, 0, 1}, {}).material;
+  auto& plate = *world->addShining(description::Box{{1, 1, 0.1}}, {0, 0, 1}, {}).material;
   plate.isLit = true;
   plate.diffuse = {1, 1, 1, 1};
   world->description().scene.ambient = {0, 0, 0, 1};
@@ -277,7 +193,7 @@ TEST_F(Pictures, AreTheSameBitsEachTime) {
 
 TEST_F(Pictures, ShowWhereThingsHaveMovedTo) {
   DrawnWorld world;
-  world.add(description::Box{{1, 1, 1}}, {5, 0, 0}, {});
+  world.addShining(description::Box{{1, 1, 1}}, {5, 0, 0}, {});
   world.start();
   EXPECT_NEAR(world.depths(view(9, 9, 9))[40], 4.5, 1e-5);
   world.move(0, {7, 0, 0});

@@ -43,6 +43,15 @@ TEST(Camera, ReadsItsPicture) {
   EXPECT_EQ(camera.opticalFrame, "o");
 }
 
+TEST(Camera, HasNoQuantizedNoise) {
+  const Loaded loaded = loadCamera("\n<noise><type>gaussian_quantized</type><stddev>0.2</stddev></noise>");
+  EXPECT_EQ(cameraOf(loaded).noise, NoiseSettings());
+  ASSERT_EQ(loaded.messages.size(), 1U);
+  EXPECT_NE(loaded.messages[0].find("warning: the noise of sensor 's' is of the type gaussian_quantized and does"),
+            std::string::npos)
+      << loaded.messages[0];
+}
+
 TEST(Camera, ReadsItsLens) {
   const CameraSettings camera = cameraOf(loadCamera(
       "<distortion><k1>1</k1><k2>2</k2><k3>3</k3><p1>4</p1><p2>5</p2><center>0.4 0.6</center></distortion><lens>"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,32 +13,18 @@
 #include "sensing/shape.hh"
 #include "support/png_file.hh"
 #include "support/temp_folder.hh"
+#include "support/visual_world.hh"
 
 namespace pongsim::sensing {
 namespace {
 
-/// One model a visual, whose only link is at the model's place.
-class BeamWorld {
+/// Visuals and what casts beams at them.
+class BeamWorld : public pongsim::test::VisualWorld {
  public:
-  description::Visual& add(const description::Geometry& geometry, const Pose& X_WorldModel = {}, bool isStatic = true) {
-    description::Model& model = world_.models.emplace_back();
-    model.name = "m" + std::to_string(world_.models.size());
-    model.X_ParentModel = X_WorldModel;
-    model.isStatic = isStatic;
-    model.canonicalLink = "l";
-    model.links.resize(1);
-    model.links[0].name = "l";
-    description::Visual& visual = model.links[0].visuals.emplace_back();
-    visual.name = "v";
-    visual.geometry = geometry;
-    return visual;
-  }
-
   /// To be called once all is in it.
   void start() {
-    entities_.emplace(world_);
-    state_.emplace(*entities_);
-    scene_.build(*entities_, *state_, diagnostics_);
+    populate();
+    scene_.build(entities(), state(), diagnostics());
   }
 
   Echo cast(const Beams& beams, const Vector3& direction = Vector3::UnitX()) {
@@ -49,24 +34,16 @@ class BeamWorld {
   }
 
   void move(std::size_t model, const Vector3& position) {
-    state_->links[model].X_WorldLink.position = position;
-    scene_.update(*state_);
+    state().links[model].X_WorldLink.position = position;
+    scene_.update(state());
   }
 
   void letPass(Time time) {
-    state_->time += time;
-    scene_.update(*state_);
+    state().time += time;
+    scene_.update(state());
   }
 
-  description::World& description() { return world_; }
-  ModelId id(std::size_t model) const { return entities_->models()[model].id; }
-  const std::vector<Diagnostic>& warnings() const { return diagnostics_.all(); }
-
  private:
-  description::World world_;
-  std::optional<world::Entities> entities_;
-  std::optional<world::State> state_;
-  Diagnostics diagnostics_;
   Scene scene_;
 };
 

@@ -1,0 +1,131 @@
+#include "assets/jpeg_image.hh"
+
+#include <array>
+#include <csetjmp>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <jpeglib.h>
+
+// behind the library's own header, which it needs
+#include <jerror.h>
+
+namespace pongsim::assets {
+
+namespace {
+
+// of a progressive file; real ones have a dozen. Each costs a pass over the picture
+constexpr int kMostScans = 100;
+
+/// One file that libjpeg reads. The library leaves by `longjmp` where something is wrong, to where one of the functions
+/// called it; these hold nothing that would have to be destroyed.
+class JpegReader {
+ public:
+  explicit JpegReader(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "rb")) {
+    info_.err = jpeg_std_error(&errors_.manager);
+    errors_.manager.error_exit = leave;
+    errors_.manager.emit_message = judge;
+    progress_.progress_monitor = countScans;
+  }
+  ~JpegReader() {
+    jpeg_destroy_decompress(&info_);
+    if (file_ != nullptr) std::fclose(file_);
+  }
+  JpegReader(const JpegReader&) = delete;
+  JpegReader& operator=(const JpegReader&) = delete;
+
+  /// @return Whether it has one; else `said` tells why not, here and below.
+  bool readHeader() {
+    if (file_ == nullptr) return false;
+    if (setjmp(errors_.back) != 0) return false;
+    jpeg_create_decompress(&info_);
+    info_.progress = &progress_;
+    jpeg_stdio_src(&info_, file_);
+    jpeg_read_header(&info_, TRUE);
+    return true;
+  }
+
+  /// @param pixels Four bytes each: as `Picture` has them, or inks.
+  bool readPixels(std::span<std::uint8_t> pixels) {
+    if (setjmp(errors_.back) != 0) return false;
+    info_.out_color_space = isOfInks() ? JCS_CMYK : JCS_EXT_RGBA;
+    jpeg_start_decompress(&info_);
+    while (info_.output_scanline < info_.output_height) {
+      JSAMPROW row = pixels.data() + std::size_t{4} * info_.output_scanline * info_.output_width;
+      jpeg_read_scanlines(&info_, &row, 1);
+    }
+    jpeg_finish_decompress(&info_);
+    return true;
+  }
+
+  bool isOfInks() const { return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK; }
+  /// Adobe's programs write how much ink is missing rather than how much there is.
+  bool areInksInverted() const { return info_.saw_Adobe_marker != 0; }
+  std::size_t width() const { return info_.image_width; }
+  std::size_t height() const { return info_.image_height; }
+  std::string said() const { return file_ == nullptr ? "it can't be opened" : errors_.text.data(); }
+
+ private:
+  struct Errors {
+    jpeg_error_mgr manager{};
+    std::jmp_buf back{};
+    std::array<char, JMSG_LENGTH_MAX> text{};
+  };
+
+  [[noreturn]] static void leave(j_common_ptr info) {
+    // the manager is the first member, which is how the library means it to be extended
+    auto& errors = *reinterpret_cast<Errors*>(info->err);
+    errors.manager.format_message(info, errors.text.data());
+    std::longjmp(errors.back, 1);
+  }
+
+  /// Of damage the library warns only, and fills in grey. Two of its warnings are not about damage.
+  static void judge(j_common_ptr info, int level) {
+    const int code = info->err->msg_code;
+    if (level < 0 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM) leave(info);
+  }
+
+  static void countScans(j_common_ptr info) {
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= kMostScans) return;
+    auto& errors = *reinterpret_cast<Errors*>(info->err);
+    std::snprintf(errors.text.data(), errors.text.size(), "it has more than %d scans, which is the limit", kMostScans);
+    std::longjmp(errors.back, 1);
+  }
+
+  std::FILE* file_;
+  Errors errors_;
+  jpeg_progress_mgr progress_{};
+  jpeg_decompress_struct info_{};
+};
+
+/// Makes colours of inks: each takes its share of the light away, black all of them.
+void makeColors(std::span<std::uint8_t> pixels, bool areInverted) {
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    if (!areInverted) {
+      for (std::size_t ink = 0; ink < 4; ++ink) pixels[i + ink] = static_cast<std::uint8_t>(255 - pixels[i + ink]);
+    }
+    const unsigned light = pixels[i + 3];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      pixels[i + channel] = static_cast<std::uint8_t>((pixels[i + channel] * light + 127) / 255);
+    }
+    pixels[i + 3] = 255;
+  }
+}
+
+}  // namespace
+
+std::variant<Picture, Problem> readJpeg(const std::filesystem::path& file, std::size_t mostPixels) {
+  JpegReader reader(file);
+  if (!reader.readHeader()) return Problem{"can't be read as a JPEG image: " + reader.said(), {}};
+  if (reader.width() * reader.height() > mostPixels) return tooManyPixels(mostPixels);
+  Picture picture{reader.width(), reader.height(), {}};
+  picture.pixels.resize(4 * picture.width * picture.height);
+  if (!reader.readPixels(picture.pixels)) return Problem{"can't be read as a JPEG image: " + reader.said(), {}};
+  if (reader.isOfInks()) makeColors(picture.pixels, reader.areInksInverted());
+  return picture;
+}
+
+}  // namespace pongsim::assets

@@ -1,0 +1,131 @@
+#include "assets/jpeg_image.hh"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "support/temp_folder.hh"
+
+#include <jpeglib.h>
+
+namespace pongsim::assets {
+namespace {
+
+/// How a file is written.
+struct JpegKind {
+  J_COLOR_SPACE given = JCS_RGB;
+  J_COLOR_SPACE written = JCS_YCbCr;
+  bool isProgressive = false;
+  bool hasAdobeMarker = false;
+  /// One scan for each frequency of each colour, 190 in all.
+  bool hasManyScans = false;
+};
+
+/// @param color Of all pixels, as many bytes as `kind.given` has.
+std::string jpegFile(unsigned edge, const std::vector<std::uint8_t>& color, const JpegKind& kind) {
+  jpeg_compress_struct info;
+  jpeg_error_mgr errors;
+  info.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&info);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&info, &bytes, &size);
+  info.image_width = info.image_height = edge;
+  info.input_components = static_cast<int>(color.size());
+  info.in_color_space = kind.given;
+  jpeg_set_defaults(&info);
+  jpeg_set_colorspace(&info, kind.written);
+  info.write_Adobe_marker = kind.hasAdobeMarker ? TRUE : FALSE;
+  if (kind.isProgressive) jpeg_simple_progression(&info);
+  std::vector<jpeg_scan_info> scans;
+  if (kind.hasManyScans) {
+    scans.push_back({3, {0, 1, 2, 0}, 0, 0, 0, 0});
+    for (int component = 0; component < 3; ++component) {
+      for (int frequency = 1; frequency < 64; ++frequency) {
+        scans.push_back({1, {component, 0, 0, 0}, frequency, frequency, 0, 0});
+      }
+    }
+    info.scan_info = scans.data();
+    info.num_scans = static_cast<int>(scans.size());
+  }
+  jpeg_start_compress(&info, TRUE);
+  std::vector<std::uint8_t> row;
+  for (unsigned i = 0; i < edge; ++i) row.insert(row.end(), color.begin(), color.end());
+  JSAMPROW rows = row.data();
+  while (info.next_scanline < edge) jpeg_write_scanlines(&info, &rows, 1);
+  jpeg_finish_compress(&info);
+  std::string file(reinterpret_cast<const char*>(bytes), size);
+  jpeg_destroy_compress(&info);
+  std::free(bytes);
+  return file;
+}
+
+TEST(JpegImage, GivesItsColorsOfWhateverKindItIs) {
+  struct Case {
+    const char* name;
+    std::vector<std::uint8_t> given;
+    JpegKind kind;
+    std::vector<int> expected;
+  };
+  const pongsim::test::TempFolder folder;
+  for (const auto& [name, given, kind, expected] : {
+           Case{"plain", {200, 50, 10}, {}, {200, 50, 10}},
+           Case{"progressive", {200, 50, 10}, {.isProgressive = true}, {200, 50, 10}},
+           Case{"red, green, blue", {200, 50, 10}, {.written = JCS_RGB, .hasAdobeMarker = true}, {200, 50, 10}},
+           Case{"grey", {90}, {.given = JCS_GRAYSCALE, .written = JCS_GRAYSCALE}, {90, 90, 90}},
+           Case{"inks", {0, 51, 255, 51}, {.given = JCS_CMYK, .written = JCS_CMYK}, {204, 163, 0}},
+           Case{"Adobe's inks",
+                {255, 204, 0, 204},
+                {.given = JCS_CMYK, .written = JCS_CMYK, .hasAdobeMarker = true},
+                {204, 163, 0}},
+           Case{"Adobe's inks as brightness and differences",
+                {255, 204, 0, 204},
+                {.given = JCS_CMYK, .written = JCS_YCCK, .hasAdobeMarker = true},
+                {204, 163, 0}},
+       }) {
+    const auto read = readJpeg(folder.write("a.jpg", jpegFile(20, given, kind)), 400);
+    const auto* picture = std::get_if<Picture>(&read);
+    ASSERT_NE(picture, nullptr) << name << ": " << std::get<Problem>(read).text;
+    EXPECT_EQ(picture->width, 20U);
+    EXPECT_EQ(picture->height, 20U);
+    ASSERT_EQ(picture->pixels.size(), 1600U);
+    for (const std::size_t pixel : {0U, 399U}) {
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(picture->pixels[4 * pixel + channel], expected[channel], 3) << name;
+      }
+      EXPECT_EQ(picture->pixels[4 * pixel + 3], 255);
+    }
+  }
+}
+
+TEST(JpegImage, IsRefusedWhereItIsSpoiledOrTooLarge) {
+  const pongsim::test::TempFolder folder;
+  const auto problemOf = [&folder](const std::string& content) {
+    const auto read = readJpeg(folder.write("a.jpg", content), 400);
+    return std::holds_alternative<Problem>(read) ? std::get<Problem>(read).text : "none";
+  };
+  const std::string good = jpegFile(20, {200, 50, 10}, {});
+  EXPECT_EQ(problemOf(good), "none");
+  EXPECT_EQ(problemOf(good.substr(0, good.size() - 10)), "can't be read as a JPEG image: Premature end of JPEG file");
+  EXPECT_EQ(problemOf(good.substr(0, 100)), "can't be read as a JPEG image: Premature end of JPEG file");
+  EXPECT_EQ(problemOf("").find("can't be read as a JPEG image: "), 0U);
+  EXPECT_EQ(problemOf(jpegFile(21, {200, 50, 10}, {})), "has more than 400 pixels, which is the limit");
+  // which is seen before anything is decoded: 60,000 by 60,000 that are not there
+  std::string large = good;
+  const std::size_t frame = large.find("\xFF\xC0");
+  ASSERT_NE(frame, std::string::npos);
+  large.replace(frame + 5, 4, "\xEA\x60\xEA\x60");
+  EXPECT_EQ(problemOf(large), "has more than 400 pixels, which is the limit");
+  EXPECT_EQ(problemOf(jpegFile(20, {200, 50, 10}, {.isProgressive = true, .hasManyScans = true})),
+            "can't be read as a JPEG image: it has more than 100 scans, which is the limit");
+  EXPECT_EQ(std::get<Problem>(readJpeg(folder.path() / "gone.jpg", 400)).text,
+            "can't be read as a JPEG image: it can't be opened");
+}
+
+}  // namespace
+}  // namespace pongsim::assets

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "rendering/osmesa.hh"
+#include "rendering/renderer.hh"
+#include "rendering/scene.hh"
+#include "support/visual_world.hh"
+
+namespace pongsim::rendering::test {
+
+/// Visuals and what draws them.
+class DrawnWorld : public pongsim::test::VisualWorld {
+ public:
+  DrawnWorld() { description().scene.background = {0, 0, 0, 1}; }
+
+  /// Adds a visual that shows a colour, whatever light there is.
+  description::Visual& addShining(const description::Geometry& geometry, const Vector3& position,
+                                  const description::Color& emitted) {
+    description::Visual& visual = add(geometry, {position, Quaternion::Identity()});
+    visual.material.emplace();
+    visual.material->emissive = emitted;
+    visual.material->isLit = false;
+    return visual;
+  }
+
+  /// To be called once all is in it.
+  void start() {
+    populate();
+    scene_.build(entities(), state(), diagnostics());
+    renderer_ = std::make_unique<Renderer>(openOsmesa());
+  }
+
+  std::vector<std::uint8_t> colors(const PictureView& view) {
+    std::vector<std::uint8_t> pixels(std::size_t{3} * view.width * view.height);
+    renderer_->drawColors(scene_, view, pixels);
+    return pixels;
+  }
+  std::vector<float> depths(const PictureView& view) {
+    std::vector<float> depths(std::size_t{view.width} * view.height);
+    renderer_->drawDepths(scene_, view, depths);
+    return depths;
+  }
+
+  void letPass(Time time) {
+    state().time += time;
+    scene_.update(entities(), state());
+  }
+
+  void move(std::size_t model, const Vector3& position) {
+    state().links[model].X_WorldLink.position = position;
+    scene_.update(entities(), state());
+  }
+
+  const Scene& scene() const { return scene_; }
+
+ private:
+  Scene scene_;
+  std::unique_ptr<Renderer> renderer_;
+};
+
+/// A pinhole at the origin that looks along x.
+inline PictureView view(std::uint32_t width, std::uint32_t height, double focal) {
+  PictureView result;
+  result.width = width;
+  result.height = height;
+  result.fx = result.fy = focal;
+  result.cx = width / 2.0;
+  result.cy = height / 2.0;
+  return result;
+}
+
+/// Skips where there is nothing to draw with: worlds run without cameras there.
+class Pictures : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      openOsmesa();
+    } catch (const std::runtime_error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+};
+
+}  // namespace pongsim::rendering::test
