@@ -64,6 +64,13 @@ std::optional<Vector3> colorIn(const Element& plugin, const char* name) {
                "<" + element->name + "> is '" + element->text + "', which is not a colour", "as in 0.7 0.7 0.7 1"});
 }
 
+/// @return What the file says, without noise of which it has been warned that cameras have none.
+CameraSettings usedSettings(const Sensor& sensor) {
+  CameraSettings settings = *sensor.settings<CameraSettings>();
+  if (settings.noise.type == NoiseSettings::Type::kGaussianQuantized) settings.noise = {};
+  return settings;
+}
+
 /// @return The topic of the infos by default: beside the images.
 std::string infoTopic(const std::string& topic, bool isBelow) {
   if (isBelow) return topic + "/camera_info";
@@ -111,7 +118,7 @@ const char* CameraSensor::behindTopic(const Sensor& sensor) { return kindOf(sens
 CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message,
                            CameraSurroundings& shared)
     : sensor_(sensor),
-      settings_(*sensor.settings<CameraSettings>()),
+      settings_(usedSettings(sensor)),
       kind_(kindOf(sensor)),
       surroundings_(shared),
       noise_(noises.add(settings_.noise, "image")),

@@ -216,6 +216,18 @@ TEST_F(Cameras, AreNoisyByTheirOwnStream) {
   EXPECT_EQ(images[0].data(), heardOn<Image>("/cam/it", noisy + kWall)[0].data());
 }
 
+TEST_F(Cameras, HaveNoQuantizedNoise) {
+  const std::string noise = "<noise><type>gaussian_quantized</type><mean>0.2</mean><precision>0.1</precision></noise>";
+  // of which there is a warning
+  const test::TempFolder folder;
+  RunningWorld world(folder.write("noisy.sdf", RunningWorld::textOf(kSystem + camera("camera", noise) + kWall)));
+  std::vector<Image> images;
+  world.listen("/cam/it", images);
+  world.step(1);
+  ASSERT_EQ(images.size(), 1U);
+  EXPECT_EQ(images[0].data(), heardOn<Image>("/cam/it", camera("camera", "") + kWall).at(0).data());
+}
+
 std::vector<float> depthsIn(const Image& image) {
   std::vector<float> depths(image.data().size() / sizeof(float));
   std::memcpy(depths.data(), image.data().data(), image.data().size());

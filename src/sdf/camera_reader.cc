@@ -154,7 +154,6 @@ CameraSettings readCamera(const Element* element, const std::string& label, Cont
     context.diagnostics.warning(element->child("noise")->position,
                                 "the noise of " + label + " is of the type gaussian_quantized and does nothing",
                                 "as in Fortress, cameras have noise of the type gaussian only");
-    camera.noise = {};
   }
   camera.visibilityMask = readUnsigned(*element, "visibility_mask", camera.visibilityMask, context);
   camera.isTriggered = readFlag(*element, "triggered", camera.isTriggered, context);

@@ -43,9 +43,9 @@ TEST(Camera, ReadsItsPicture) {
   EXPECT_EQ(camera.opticalFrame, "o");
 }
 
-TEST(Camera, HasNoQuantizedNoise) {
+TEST(Camera, WarnsOfQuantizedNoise) {
   const Loaded loaded = loadCamera("\n<noise><type>gaussian_quantized</type><stddev>0.2</stddev></noise>");
-  EXPECT_EQ(cameraOf(loaded).noise, NoiseSettings());
+  EXPECT_EQ(cameraOf(loaded).noise.type, NoiseSettings::Type::kGaussianQuantized);
   ASSERT_EQ(loaded.messages.size(), 1U);
   EXPECT_NE(loaded.messages[0].find("warning: the noise of sensor 's' is of the type gaussian_quantized and does"),
             std::string::npos)
