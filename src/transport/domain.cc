@@ -50,14 +50,15 @@ DiscoveryPorts discoveryPorts(int domain) {
 
 std::optional<std::vector<OpenPort>> openDiscoveryPorts(int domain) {
   const DiscoveryPorts ports = discoveryPorts(domain);
-  const auto sockets = boundUdpSockets(
-      {static_cast<std::uint16_t>(ports.first), static_cast<std::uint16_t>(ports.first + 2 * (ports.count - 1))});
+  const auto sockets =
+      boundUdpSockets({static_cast<std::uint16_t>(ports.first), static_cast<std::uint16_t>(ports.last())});
   if (!sockets) return std::nullopt;
   std::vector<OpenPort> open;
   for (const BoundUdp& each : *sockets) {
-    const bool ours = (each.port - ports.first) % 2 == 0;
     const bool isLoopback = each.address == INADDR_LOOPBACK;
-    if (ours && (isLoopback || each.address == INADDR_ANY)) open.push_back({each.port, isLoopback});
+    if (ports.contains(each.port) && (isLoopback || each.address == INADDR_ANY)) {
+      open.push_back({each.port, isLoopback});
+    }
   }
   return open;
 }

@@ -19,6 +19,9 @@ std::string chosenPartition();
 struct DiscoveryPorts {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
+
+  std::uint32_t last() const { return first + 2 * (count - 1); }
+  bool contains(std::uint32_t port) const { return port >= first && port <= last() && (port - first) % 2 == 0; }
 };
 DiscoveryPorts discoveryPorts(int domain);
 

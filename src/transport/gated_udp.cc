@@ -33,7 +33,7 @@ class Listeners {
   Listeners(int domain, UdpGate& gate) : domain_(domain), gate_(gate) {}
 
   bool mayHear(std::uint32_t port) {
-    if (!isDiscoveryPort(port)) return true;
+    if (!discoveryPorts(domain_).contains(port)) return true;
     constexpr int kFew = 2;
     if (++asked_ <= kFew) return true;
     if (asked_ == kFew + 1) look();
@@ -47,11 +47,6 @@ class Listeners {
     const std::lock_guard lock(gate_.mutex);
     gate_.isTold |= std::ranges::any_of(gate_.ports, [this](std::uint32_t port) { return isOpen(port); });
     if (!gate_.isTold) open_.reset();
-  }
-
-  bool isDiscoveryPort(std::uint32_t port) const {
-    const DiscoveryPorts ports = discoveryPorts(domain_);
-    return port >= ports.first && port < ports.first + 2 * ports.count && (port - ports.first) % 2 == 0;
   }
 
   bool isOpen(std::uint32_t port) const {
