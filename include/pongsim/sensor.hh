@@ -73,8 +73,7 @@ class PONGSIM_API Sensor {
 
 /// Where a sensor speaks and when: its topic, its rate in simulated time, the service that changes the rate
 /// (`TOPIC/set_rate`, ignition.msgs.Double). Of a sensor with `<enable_metrics>` it also tells how often it really
-/// speaks
-/// (`TOPIC/performance_metrics`, ignition.msgs.PerformanceSensorMetrics, with each reading from the second on).
+/// speaks (`TOPIC/performance_metrics`, ignition.msgs.PerformanceSensorMetrics, with each reading from the second on).
 class PONGSIM_API SensorTopic {
  public:
   /// @param suffix See `Sensor::topic`.
@@ -83,8 +82,8 @@ class PONGSIM_API SensorTopic {
   /// @throws Error naming the sensor's place where its topic can't be one.
   SensorTopic(const Sensor& sensor, std::string_view suffix, std::string_view type, Node& node,
               std::string_view behind = {});
-  // services hold on to it
   ~SensorTopic();
+  // services hold on to it
   SensorTopic(const SensorTopic&) = delete;
   SensorTopic& operator=(const SensorTopic&) = delete;
 
