@@ -88,7 +88,7 @@ void stepWorld(::benchmark::State& run, const std::string& text) {
 
 /// The example of DiffDrive with further robots, 2 m apart.
 std::string manyRobots() {
-  const std::string text = textOf(test::projectFolder() / "plugins/diff-drive/diff_drive.sdf");
+  const std::string text = textOf(test::projectFolder() / "plugins/drives/diff-drive/diff_drive.sdf");
   const std::size_t begin = text.find("<model name=\"rover\">");
   const std::string closing = "</model>";
   const std::size_t end = text.find(closing, begin) + closing.size();

@@ -13,7 +13,7 @@ namespace pongsim::test {
 namespace {
 
 TEST(Touch, IsToldToOtherProcesses) {
-  const auto world = start({"run", (projectFolder() / "plugins/touchplugin/touch_plugin.sdf").string()});
+  const auto world = start({"run", (projectFolder() / "plugins/sensors/touchplugin/touch_plugin.sdf").string()});
   const auto echo = start({"topic", "-e", "-t", "/plate/touched", "-n", "1"});
   // until the echo is there in time to hear it
   std::optional<int> ended;

@@ -59,7 +59,7 @@ class PackageTest : public testing::Test {
 };
 
 TEST_F(PackageTest, RunsWorldsWithItsOwnSystems) {
-  const std::string world = (projectFolder() / "plugins/diff-drive/diff_drive.sdf").string();
+  const std::string world = (projectFolder() / "plugins/drives/diff-drive/diff_drive.sdf").string();
   run("pongsim run '" + world + "' -z 0 --iterations 10 --strict -v 1");
   EXPECT_NE(run("pongsim plugin -l")
                 .find("diff-drive\tignition::gazebo::systems::DiffDrive\t" + (folder_.path() / "moved").string()),

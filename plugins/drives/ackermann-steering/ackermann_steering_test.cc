@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+#include <ignition/msgs/odometry.pb.h>
+#include <ignition/msgs/pose_v.pb.h>
+#include <ignition/msgs/twist.pb.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/fortress_worlds.hh"
+#include "support/running_world.hh"
+
+namespace pongsim::ackermann_steering_test {
+namespace {
+
+using test::RunningWorld;
+
+ignition::msgs::Twist twist(double linear, double angular) {
+  ignition::msgs::Twist message;
+  message.mutable_linear()->set_x(linear);
+  message.mutable_angular()->set_z(angular);
+  return message;
+}
+
+RunningWorld exampleWorld() {
+  return RunningWorld(test::projectFolder() / "plugins/drives/ackermann-steering/ackermann_steering.sdf");
+}
+
+double speed(RunningWorld& world, const char* joint) { return world.model("car").joint(joint)->velocity(); }
+double angle(RunningWorld& world, const char* joint) { return world.model("car").joint(joint)->position(); }
+
+TEST(AckermannSteering, DrivesStraight) {
+  RunningWorld world = exampleWorld();
+  world.tell("/model/car/cmd_vel", twist(0.6, 0));
+  world.step(2000);
+  EXPECT_NEAR(speed(world, "rear_left_joint"), 2, 0.05);
+  EXPECT_NEAR(world.model("car").pose().position.y(), 0, 0.05);
+  EXPECT_GT(world.model("car").pose().position.x(), 0.7);
+}
+
+TEST(AckermannSteering, SteersTheInnerWheelMore) {
+  RunningWorld world = exampleWorld();
+  world.tell("/model/car/cmd_vel", twist(0.6, 0.3));
+  world.step(6000);
+  // a circle of 2 m
+  EXPECT_NEAR(angle(world, "front_left_steering"), std::atan(1 / (2 - 0.4)), 0.04);
+  EXPECT_NEAR(angle(world, "front_right_steering"), std::atan(1 / (2 + 0.4)), 0.04);
+  EXPECT_GT(speed(world, "rear_right_joint"), speed(world, "rear_left_joint"));
+  EXPECT_GT(yawOf(world.model("car").pose().rotation), 0.5);
+}
+
+TEST(AckermannSteering, KeepsWithinItsLimits) {
+  RunningWorld world = exampleWorld();
+  world.tell("/model/car/cmd_vel", twist(50, 0));
+  world.step(1000);
+  // 1 m/s^2 for a second, wheels of 0.3 m
+  EXPECT_NEAR(speed(world, "rear_left_joint"), 1 / 0.3, 0.1);
+  world.step(4000);
+  EXPECT_NEAR(speed(world, "rear_left_joint"), 2 / 0.3, 0.1);
+}
+
+TEST(AckermannSteering, PublishesOdometryThatAgreesWithTheTruth) {
+  RunningWorld world = exampleWorld();
+  std::vector<ignition::msgs::Odometry> odometry;
+  std::vector<ignition::msgs::Pose_V> tf;
+  world.listen("/model/car/odometry", odometry);
+  world.listen("/model/car/tf", tf);
+  const Pose start = world.model("car").pose();
+  world.tell("/model/car/cmd_vel", twist(0.5, 0.1));
+  world.step(3000);
+  ASSERT_EQ(odometry.size(), 150U);
+  ASSERT_EQ(tf.size(), 150U);
+  const Pose moved = start.inverse() * world.model("car").pose();
+  // it counts with the yaw at the end of each step and slips a little
+  EXPECT_NEAR(odometry.back().pose().position().x(), moved.position.x(), 0.1);
+  EXPECT_NEAR(odometry.back().pose().position().y(), moved.position.y(), 0.1);
+  EXPECT_EQ(odometry.back().header().data(0).value(0), "car/odom");
+  EXPECT_EQ(odometry.back().header().data(1).value(0), "car/body");
+  EXPECT_NEAR(odometry.back().twist().linear().x(), 0.5, 0.02);
+}
+
+TEST(AckermannSteering, NamesEachParameterThatIsMissing) {
+  EXPECT_EQ(
+      RunningWorld::complaintsAbout(R"(<model name="m"><link name="l"/><plugin
+      filename="ignition-gazebo-ackermann-steering-system" name="ignition::gazebo::systems::AckermannSteering">
+      <left_joint>a</left_joint><wheel_base>-1</wheel_base></plugin></model>)"),
+      (std::vector<std::string>{"ackermann-steering of m is left out: no <right_joint> is given",
+                                "ackermann-steering of m is left out: no <left_steering_joint> is given",
+                                "ackermann-steering of m is left out: no <right_steering_joint> is given",
+                                "ackermann-steering of m is left out: <wheel_base> must be a length above zero"}));
+}
+
+TEST(AckermannSteering, OfFortressExampleDrivesACurve) {
+  const auto worlds = test::fortressWorlds();
+  if (!worlds) GTEST_SKIP() << "no worlds of Fortress here";
+  RunningWorld world(*worlds / "examples/ackermann_steering.sdf");
+  const Pose start = world.model("vehicle_blue").pose();
+  world.tell("/model/vehicle_blue/cmd_vel", twist(0.5, 0.05));
+  world.step(5000);
+  const Pose moved = start.inverse() * world.model("vehicle_blue").pose();
+  EXPECT_GT(moved.position.x(), 1);
+  EXPECT_GT(yawOf(moved.rotation), 0.02);
+}
+
+}  // namespace
+}  // namespace pongsim::ackermann_steering_test
