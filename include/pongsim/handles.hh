@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "pongsim/contact.hh"
+#include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
 #include "pongsim/geodesy.hh"
 #include "pongsim/outcome.hh"
+#include "pongsim/shape.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -113,6 +115,10 @@ class PONGSIM_API Collision {
   Link link() const;
   /// @return Pose of the collision frame in the link frame; never changes.
   Pose poseInLink() const;
+  /// @return Its shape in the collision frame; never changes. `Solid` makes volume, centre and bounds of it.
+  Shape shape() const;
+  /// @return Where the file says it.
+  SourcePosition sourcePosition() const;
 
  private:
   friend class Link;
