@@ -94,7 +94,7 @@ void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
   for (btTypedConstraint* joint : groupJoints) {
     if (!isGearReference(*joint)) static_cast<Joint*>(joint)->prepare(seconds);
   }
-  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds);
+  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds, !groupJoints.empty());
 }
 
 void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,

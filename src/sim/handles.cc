@@ -228,11 +228,16 @@ void Model::setVelocity(const Vector3& linear, const Vector3& angular) {
 }
 
 void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular) {
-  for (Link& link : links()) {
+  // by slots, for lists of handles would be allocated in each step
+  const world::ModelRecord& model = record(*access_, id_);
+  for (const world::Slot slot : model.links) {
+    Link link(*access_, access_->entities.links()[slot].id);
     const Vector3 arm = link.pose().position - origin;
     link.setVelocity(link.linearVelocity() + linear + angular.cross(arm), link.angularVelocity() + angular);
   }
-  for (Model& inner : models()) inner.changeVelocity(origin, linear, angular);
+  for (const world::Slot slot : model.models) {
+    Model(*access_, access_->entities.models()[slot].id).changeVelocity(origin, linear, angular);
+  }
 }
 
 std::optional<std::string> Model::setPose(const Pose& X_WorldModel, AfterMove after) {
