@@ -1,5 +1,7 @@
 #include "world/state.hh"
 
+#include <algorithm>
+
 #include "base/hash.hh"
 
 namespace pongsim::world {
@@ -38,6 +40,9 @@ void State::grow(const Entities& entities) {
 void State::remove(const Removal& removal) {
   eraseSlots(links, removal.links);
   eraseSlots(joints, removal.joints);
+  std::erase_if(batteries, [&](const BatteryState& battery) {
+    return std::ranges::find(removal.models, battery.model) != removal.models.end();
+  });
 }
 
 void transfer(StateArchive& archive, State& state) {
@@ -59,6 +64,16 @@ void transfer(StateArchive& archive, State& state) {
   for (JointState& joint : state.joints) {
     for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
   }
+}
+
+bool isOutOfPower(const State& state, ModelId model) {
+  bool has = false;
+  for (const BatteryState& battery : state.batteries) {
+    if (battery.model != model) continue;
+    if (battery.charge > 0) return false;
+    has = true;
+  }
+  return has;
 }
 
 Pose modelPose(const Entities& entities, const State& state, Slot model) {
