@@ -23,6 +23,8 @@ class Access;
 class SystemSet;
 }  // namespace sim
 
+class Actor;
+class Batteries;
 class BeamScene;
 class CameraScene;
 class Collision;
@@ -214,6 +216,9 @@ class PONGSIM_API Joint {
   /// forces that hold the two together and those of motor, friction, limits and commands. Measured from the first call
   /// on, which therefore returns zero; a reset of the world ends it.
   Wrench reaction() const;
+  /// @return Whether the next step is to drive an axis: one was given a force or has a velocity target, either not
+  /// zero.
+  bool isDriven() const;
 
  private:
   friend class Model;
@@ -330,6 +335,8 @@ class PONGSIM_API World {
   std::optional<std::string> setWind(const Vector3& wind);
 
  private:
+  friend class Actor;
+  friend class Batteries;
   friend class BeamScene;
   friend class CameraScene;
   friend class Scene;

@@ -280,4 +280,8 @@ void Engine::step(Time dt, world::State& state) {
 
 world::Slot Engine::slowedDown() const { return parts_->slowedDown; }
 
+bool Engine::isJointDriven(world::Slot joint) const { return parts_->joints[joint]->isDriven(); }
+
+void Engine::releaseJoint(world::Slot joint) { parts_->joints[joint]->release(); }
+
 }  // namespace pongsim::physics

@@ -87,6 +87,12 @@ class Engine {
   /// `world::kNoSlot` where there is none.
   world::Slot slowedDown() const;
 
+  /// @return Whether a force or a velocity other than zero is asked of one of the joint's axes.
+  bool isJointDriven(world::Slot joint) const;
+
+  /// Takes back all that is asked of the joint: its axes go on freely.
+  void releaseJoint(world::Slot joint);
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

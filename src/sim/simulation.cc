@@ -155,6 +155,7 @@ void Simulation::stepPaused() {
 }
 
 void Simulation::Parts::stepEngine(Time dt) {
+  sim::Editor(access).cutPower();
   engine.step(dt, state);
   const world::Slot link = engine.slowedDown();
   if (link == world::kNoSlot || !slowedDown.insert(entities.links()[link].id).second) return;

@@ -67,8 +67,12 @@ class SystemSet {
   void loadWorldPlugins(const description::World& world, Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
-  void add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
-           Diagnostics& diagnostics);
+  /// What a `<plugin>` stands in: a model, an actor, or where it is neither the world.
+  struct Holder {
+    world::Slot model = world::kNoSlot;
+    const world::ActorRecord* actor = nullptr;
+  };
+  void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
   void putInOrder();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
