@@ -25,14 +25,14 @@ constexpr double kBeltGravity = 9.8;
 constexpr world::Slot kBelt = 0, kBox = 1;
 
 // a belt that goes up towards +x by `slope`, and a crate on it
-Rig crateOnBelt(double mu, double slope = 0, const Settings& settings = Settings()) {
+Rig crateOnBelt(double mu, double slope = 0, const Settings& settings = Settings(),
+                const Vector3& size = {0.2, 0.2, 0.1}) {
   description::Link belt = makeLink("link", {0, 0, -0.05}, 1, {1, 1, 1});
   addCollision(belt, description::Box{{40, 40, 0.1}}, 5);
   belt.collisions[0].surface.mu2 = 5;
   description::Model fixed = makeModel("belt", {belt});
   fixed.isStatic = true;
   fixed.X_ParentModel.rotation = fromRollPitchYaw(0, -slope, 0);
-  const Vector3 size(0.2, 0.2, 0.1);
   description::Link crate = makeLink("link", {0, 0, 0.05}, 2, test::boxMoments(2, size));
   addCollision(crate, description::Box{size}, mu);
   crate.collisions[0].surface.mu2 = mu;
@@ -55,8 +55,8 @@ TEST(SurfaceMotion, CarriesACrateAtTheSpeedOfTheBelt) {
       EXPECT_NEAR(crateOf(rig).v_WorldLink.x(), speed, 1e-3 * std::abs(speed));
       EXPECT_NEAR(crateOf(rig).v_WorldLink.y(), 0, 1e-6);
       EXPECT_NEAR(crateOf(rig).X_WorldLink.position.z(), 0.05, 1e-3);
-      // iterations let it rock a little
-      EXPECT_LT(crateOf(rig).w_WorldLink.norm(), solver == Solver::kDirect ? 1e-3 : 0.1);
+      // boxes that move over each other rock by some micrometres
+      EXPECT_LT(crateOf(rig).w_WorldLink.norm(), 0.1);
     }
   }
 }
@@ -91,7 +91,8 @@ TEST(SurfaceMotion, CarriesUphillBelowTheFrictionAngleAndSlipsAboveIt) {
 
 TEST(SurfaceMotion, GoesRoundACentreAtTheRadiusWhereTheCrateLies) {
   constexpr double kRadius = 2, kSpeed = 0.5;
-  Rig rig = crateOnBelt(0.8);
+  // long enough to turn with the belt, whose points push it at one speed wherever they are
+  Rig rig = crateOnBelt(0.8, 0, Settings(), {0.4, 0.1, 0.1});
   // the crate lies at the origin; the way round nearer to +x is anticlockwise
   const Vector3 center(0, kRadius, 0);
   rig.engine.setSurfaceMotion(kBelt, 0, SurfaceMotion{.speed = kSpeed, .center = center});
@@ -112,8 +113,8 @@ TEST(SurfaceMotion, GoesRoundACentreAtTheRadiusWhereTheCrateLies) {
   EXPECT_NEAR(nearest, kRadius, 0.01 * kRadius);
   // the crate turns with its way round
   EXPECT_NEAR(turned, way / kRadius, 0.005 * way / kRadius);
-  // its points lie at several radii, and the belt's speed is the same at all: that of one of them is met
-  const double inner = kRadius - 0.1, outer = std::hypot(kRadius + 0.1, 0.1);
+  // its points lie at several radii, and the belt's speed is the same at all: that of some of them is met
+  const double inner = std::hypot(kRadius - 0.05, 0.2), outer = std::hypot(kRadius + 0.05, 0.2);
   EXPECT_GT(last.v_WorldLink.norm(), 0.999 * kSpeed * kRadius / outer);
   EXPECT_LT(last.v_WorldLink.norm(), 1.001 * kSpeed * kRadius / inner);
 }
