@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "physics/settings.hh"
 #include "pongsim/contact.hh"
 #include "pongsim/state_archive.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -92,6 +95,16 @@ class Engine {
 
   /// Takes back all that is asked of the joint: its axes go on freely.
   void releaseJoint(world::Slot joint);
+
+  /// Lets the surface of a link's collision run along, or ends that. The values must be finite, the axis not zero.
+  /// @param collision Its number in the link.
+  void setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion);
+  /// @return How it runs along, its axis a unit vector.
+  std::optional<SurfaceMotion> surfaceMotion(world::Slot link, std::size_t collision) const;
+
+  /// Sets how fast a collision slips along its friction directions by each newton [m/s/N], finite and not below zero.
+  void setSlip(world::Slot link, std::size_t collision, double slip1, double slip2);
+  std::pair<double, double> slip(world::Slot link, std::size_t collision) const;
 
  private:
   struct Parts;
