@@ -42,6 +42,9 @@ class SystemSet {
   /// Ends the systems of models that have gone.
   void unload(const std::vector<ModelId>& models);
 
+  /// Lets the systems of models that are set aside rest, and those of models that are back be called again.
+  void updateWhoRests();
+
   /// Tells the systems that the world has changed, if it has since they were told.
   void announceChanges();
 
@@ -68,6 +71,7 @@ class SystemSet {
   void add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
            Diagnostics& diagnostics);
   void putInOrder();
+  void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
   /// Ends the step where a system must not have failed.
@@ -87,6 +91,8 @@ class SystemSet {
   std::optional<std::string> failure_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
+  /// Those that are called in a step, in their order.
+  std::vector<SystemSlot*> awake_;
 };
 
 }  // namespace pongsim::sim
