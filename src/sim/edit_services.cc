@@ -32,6 +32,7 @@ EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates", &EditServices::setPlace);
   serve("light_config", "ignition.msgs.Light", &EditServices::setLight);
   serve("set_physics", "ignition.msgs.Physics", &EditServices::setPhysics);
+  serve("level/set_performer", "ignition.msgs.StringMsg", &EditServices::setPerformer);
   lights_ = simulation.transport().node().subscribe(nameOf("light_config"), "ignition.msgs.Light",
                                                     [this](const Message& light) {
                                                       if (const auto refusal = simulation_.changeLight(light))
@@ -140,6 +141,8 @@ std::optional<Model> EditServices::find(const msgs::EntityName& asked, std::stri
     error = "neither a name nor an id is given";
   } else if (simulation_.world().model(asked.name)) {
     error = "'" + asked.name + "' is nested in another model";
+  } else if (simulation_.isSetAside(asked.name)) {
+    error = "model '" + asked.name + "' is set aside: its level is not loaded";
   } else {
     const std::string nearest = base::didYouMean(asked.name, names);
     error = "there is no model '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest);
@@ -199,6 +202,10 @@ ServiceAnswer EditServices::setPlace(const Message& request) {
 }
 
 ServiceAnswer EditServices::setLight(const Message& request) { return answerFor(simulation_.changeLight(request)); }
+
+ServiceAnswer EditServices::setPerformer(const Message& request) {
+  return answerFor(simulation_.addPerformer(msgs::string(request)));
+}
 
 ServiceAnswer EditServices::setPhysics(const Message& request) {
   const msgs::PhysicsSettings asked = msgs::physicsSettings(request);

@@ -234,6 +234,8 @@ std::optional<std::string> Model::setPose(const Pose& X_WorldModel, AfterMove af
   return sim::Editor(*access_).setPose(slotOf(*access_, id_), X_WorldModel, after);
 }
 
+bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
+
 std::string_view World::name() const { return access_->entities.description().name; }
 
 WorldId World::id() const { return access_->entities.worldId(); }
@@ -312,6 +314,14 @@ std::optional<std::string> World::setPlace(const GeodeticPosition& origin, doubl
   if (!(std::abs(origin.latitude) <= std::numbers::pi / 2)) return "the latitude is not between -90 and 90 degrees";
   access_->state.place = {true, origin, heading};
   return std::nullopt;
+}
+
+void World::performers(std::vector<Performer>& performers) const {
+  access_->levels.listPerformers(*access_, performers);
+}
+
+std::optional<std::string> World::addPerformer(const Model& model, const Vector3& size, std::string_view name) {
+  return access_->levels.add(*access_, model.id(), std::string(name), size);
 }
 
 }  // namespace pongsim
