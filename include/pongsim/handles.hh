@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -49,7 +50,8 @@ struct MassInfo {
 };
 
 /// Thrown by a handle to something that is not there any more: its model or its joint was removed. A handle can be
-/// asked first (`exists`). Handles of what was there at the start lead to it again after a reset.
+/// asked first (`exists`). Handles of what was there at the start lead to it again after a reset, and those of what is
+/// set aside with a level when it is back.
 class PONGSIM_API Gone : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -246,7 +248,7 @@ class PONGSIM_API Joint {
 class PONGSIM_API Model {
  public:
   ModelId id() const { return id_; }
-  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  /// @return Whether it is still there. If not, all other functions but `id` and `isSetAside` throw `Gone`.
   bool exists() const;
   /// @return Its own name, without the models it is nested in.
   std::string_view name() const;
@@ -282,6 +284,9 @@ class PONGSIM_API Model {
   /// Tells the model's actuators, in place of what they were told before; the systems that come later in this step read
   /// it already. Values that are not finite are refused with a warning.
   void setActuators(std::span<const double> values);
+  /// @return Whether it is not there because its levels are not loaded: it does not exist for anybody, and comes back
+  /// as it is.
+  bool isSetAside() const;
 
  private:
   friend class Link;
@@ -292,6 +297,20 @@ class PONGSIM_API Model {
   void changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular);
   sim::Access* access_;
   ModelId id_;
+};
+
+/// A model or actor that makes levels come and go (`<performer>`), as it is now.
+struct Performer {
+  /// Among those of all entities.
+  std::uint64_t id = 0;
+  /// There until performers come or go.
+  std::string_view name;
+  /// Nothing where it is an actor.
+  std::optional<ModelId> model;
+  /// Of the model or actor in the world frame. Around its position lies the performer's box, along the world's axes.
+  Pose pose;
+  /// Full lengths of the box [m].
+  Vector3 size = Vector3::Ones();
 };
 
 /// A way to a running world. It must not outlive its `Simulation`.
@@ -346,6 +365,13 @@ class PONGSIM_API World {
   /// Sets the velocity of the air, world frame [m/s].
   /// @return Why not (it is faster than `kFastestWind`), or nothing.
   std::optional<std::string> setWind(const Vector3& wind);
+  /// Replaces `performers` by those that are there, whether levels are used or not.
+  void performers(std::vector<Performer>& performers) const;
+  /// Lets a model of the top level perform, until it is removed or the world is reset.
+  /// @param size Full lengths of its box [m].
+  /// @param name Of the performer; empty: "perf_" and the model's.
+  /// @return Why not, or nothing.
+  std::optional<std::string> addPerformer(const Model& model, const Vector3& size, std::string_view name = {});
 
  private:
   friend class Actor;

@@ -26,8 +26,10 @@ class SensorMetrics;
 class PONGSIM_API Sensor {
  public:
   SensorId id() const { return id_; }
-  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  /// @return Whether it is still there. If not, all other functions but `id` and `isSetAside` throw `Gone`.
   bool exists() const;
+  /// @return Whether it is not there because its model is set aside (`Model::isSetAside`): it comes back.
+  bool isSetAside() const;
   std::string_view name() const;
   /// @return Its type as the file has it: "imu".
   std::string_view type() const;

@@ -68,7 +68,9 @@ class SensorSystem : public System {
   }
 
   void worldChanged() override {
-    std::erase_if(sensors_, [](const Entry& entry) { return !entry.handle.exists(); });
+    // those that are set aside come back as they are
+    std::erase_if(sensors_, [](const Entry& entry) { return !entry.handle.exists() && !entry.handle.isSetAside(); });
+    for (Entry& entry : sensors_) entry.isThere = entry.handle.exists();
     Diagnostics diagnostics;
     if constexpr (kIsSharing) {
       if (shared_) shared_->rebuild(diagnostics);
@@ -82,7 +84,9 @@ class SensorSystem : public System {
     if constexpr (kIsSharing) {
       if (shared_) shared_->observe(info);
     }
-    for (Entry& entry : sensors_) entry.update(info);
+    for (Entry& entry : sensors_) {
+      if (entry.isThere) entry.update(info);
+    }
   }
 
   void reset() override {
@@ -183,6 +187,7 @@ class SensorSystem : public System {
     }
 
     Sensor handle;
+    bool isThere = true;
     SensorTopic topic;
     NoiseSet noises;
     typename OneSensor::Message message;

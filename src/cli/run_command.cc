@@ -32,6 +32,7 @@ struct RunCommandOptions {
   LogLevel verbosity = LogLevel::kWarning;
   bool hash = false;
   bool strict = false;
+  bool levels = false;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -44,8 +45,10 @@ std::string shortNumber(double value) {
 std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   World world = simulation.world();
   const std::size_t models = world.models().size();
+  const std::size_t away = simulation.countSetAside();
+  const std::string setAside = away == 0 ? "" : " and " + std::to_string(away) + " in levels not loaded";
   std::string text = "world '" + std::string(world.name()) + "': " + std::to_string(models) +
-                     (models == 1 ? " model" : " models") + ", step " +
+                     (models == 1 ? " model" : " models") + setAside + ", step " +
                      shortNumber(toSeconds(simulation.stepSize()) * 1e3) + " ms, ";
   if (options.updateRate) {
     text += *options.updateRate > 0 ? shortNumber(*options.updateRate) + " steps a second" : "as fast as possible";
@@ -63,10 +66,13 @@ int runWorld(const RunCommandOptions& options) {
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(
-      findWorldFile(options.world),
-      {.seed = options.seed, .strict = options.strict, .threads = options.threads, .transport = &transport},
-      diagnostics);
+  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(findWorldFile(options.world),
+                                                                      {.seed = options.seed,
+                                                                       .strict = options.strict,
+                                                                       .threads = options.threads,
+                                                                       .levels = options.levels,
+                                                                       .transport = &transport},
+                                                                      diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) {
@@ -139,6 +145,8 @@ void addRunCommand(CLI::App& program, Work& work) {
       });
   addFlag("--strict", options->strict,
           "Take warnings about the file for errors, and end with exit code 1 where a system fails");
+  addFlag("--levels", options->levels,
+          "Load what is in a <level> only while a <performer> is near; without it all is loaded");
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
   addNetworkOption(*command);
   command->footer(

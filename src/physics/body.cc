@@ -40,6 +40,7 @@ Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gra
 
 Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity)
     : link_(link),
+      id_(record.id),
       moves_(isMoving(record)),
       hasGravity_(record.description->gravity),
       moments_(toBullet(mass.moments)),

@@ -26,6 +26,8 @@ class Body {
   btRigidBody& rigid() { return rigid_; }
   const btRigidBody& rigid() const { return rigid_; }
   world::Slot link() const { return link_; }
+  /// Of the link.
+  LinkId id() const { return id_; }
   /// The link has another slot now.
   void setLink(world::Slot link);
   bool moves() const { return moves_; }
@@ -67,6 +69,7 @@ class Body {
   Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity);
 
   world::Slot link_;
+  LinkId id_;
   bool moves_;
   bool hasGravity_;
   /// Principal moments of inertia [kg m^2], and whether all are the same.

@@ -260,6 +260,8 @@ void Model::setActuators(std::span<const double> values) {
   access_->state.actuators[id_].assign(values.begin(), values.end());
 }
 
+bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
+
 std::string_view World::name() const { return access_->entities.description().name; }
 
 WorldId World::id() const { return access_->entities.worldId(); }
@@ -349,6 +351,14 @@ std::optional<std::string> World::setWind(const Vector3& wind) {
   }
   access_->state.wind = wind;
   return std::nullopt;
+}
+
+void World::performers(std::vector<Performer>& performers) const {
+  access_->levels.listPerformers(*access_, performers);
+}
+
+std::optional<std::string> World::addPerformer(const Model& model, const Vector3& size, std::string_view name) {
+  return access_->levels.add(*access_, model.id(), std::string(name), size);
 }
 
 }  // namespace pongsim

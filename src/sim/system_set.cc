@@ -44,16 +44,19 @@ void SystemSet::load(const description::World& world, Diagnostics& diagnostics) 
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
     for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, diagnostics);
   }
+  collectAwake();
 }
 
 void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& diagnostics) {
-  if (world.plugins.empty()) {
+  const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
+  if (std::ranges::none_of(world.plugins, isSystem)) {
     add(defaultSceneBroadcaster_, 0, {}, diagnostics);
     return;
   }
   wantsPhysics_ = false;
   for (std::size_t i = 0; i < world.plugins.size(); ++i) {
     const description::Plugin& plugin = world.plugins[i];
+    if (!isSystem(plugin)) continue;
     const std::string name = plugin::systemName(plugin.filename);
     if (name == kPhysics) {
       wantsPhysics_ = true;
@@ -140,11 +143,27 @@ void SystemSet::check() const {
   if (failure_) throw std::runtime_error(*failure_);
 }
 
-void SystemSet::load(world::Slot model, Diagnostics& diagnostics) { loadModelPlugins(model, diagnostics); }
+void SystemSet::load(world::Slot model, Diagnostics& diagnostics) {
+  loadModelPlugins(model, diagnostics);
+  collectAwake();
+}
 
 void SystemSet::unload(const std::vector<ModelId>& models) {
   slots_.remove_if([&](const SystemSlot& slot) { return std::ranges::find(models, slot.model()) != models.end(); });
   unloaded_.insert(unloaded_.end(), models.begin(), models.end());
+  collectAwake();
+}
+
+void SystemSet::updateWhoRests() {
+  for (SystemSlot& slot : slots_) slot.setResting(access_.shelvedIds.contains(slot.model().value));
+  collectAwake();
+}
+
+void SystemSet::collectAwake() {
+  awake_.clear();
+  for (SystemSlot& slot : slots_) {
+    if (!slot.isResting()) awake_.push_back(&slot);
+  }
 }
 
 void SystemSet::announceChanges() {
@@ -163,6 +182,7 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
     if (slot != world::kNoSlot) loadOwnPlugins(slot, diagnostics);
   }
   putInOrder();
+  updateWhoRests();
   for (SystemSlot& slot : slots_) slot.switchOn(Random(seed_, slot.stream()));
   announceChanges();
   for (SystemSlot& slot : slots_) {
@@ -193,17 +213,17 @@ void SystemSet::preUpdate(const StepInfo& info) {
   check();
   queue_.carryOut();
   announceChanges();
-  for (SystemSlot& slot : slots_) slot.preUpdate(info);
+  for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->preUpdate(info);
   check();
 }
 
 void SystemSet::update(const StepInfo& info) {
-  for (SystemSlot& slot : slots_) slot.update(info);
+  for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->update(info);
   check();
 }
 
 void SystemSet::postUpdate(const StepInfo& info) {
-  for (SystemSlot& slot : slots_) slot.postUpdate(info);
+  for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->postUpdate(info);
   queue_.carryOut();
   check();
 }

@@ -44,6 +44,9 @@ class SystemSet {
   /// Ends the systems of models that have gone.
   void unload(const std::vector<ModelId>& models);
 
+  /// Lets the systems of models that are set aside rest, and those of models that are back be called again.
+  void updateWhoRests();
+
   /// Tells the systems that the world has changed, if it has since they were told.
   void announceChanges();
 
@@ -74,6 +77,7 @@ class SystemSet {
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
   void putInOrder();
+  void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
   /// Ends the step where a system must not have failed.
@@ -94,6 +98,8 @@ class SystemSet {
   EditQueue queue_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
+  /// Those that are called in a step, in their order.
+  std::vector<SystemSlot*> awake_;
 };
 
 }  // namespace pongsim::sim

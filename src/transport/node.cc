@@ -137,7 +137,7 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
                     ServiceHandler handler) {
   if (guard_ != nullptr) {
     handler = [guard = guard_, inner = std::move(handler)](const Message& request, Message& reply) {
-      if (!guard->enter()) return ServiceAnswer::refused("the system is switched off");
+      if (!guard->enter()) return ServiceAnswer::refused("the system is switched off or set aside");
       ServiceAnswer answer = false;
       try {
         answer = inner(request, reply);

@@ -15,6 +15,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pongsim/message.hh"
@@ -31,12 +32,18 @@ constexpr double kSeconds = 5;
 /// What the list says of a world.
 struct ListedWorld {
   std::string file;
+  /// It is run with `--levels`, maybe once more.
+  bool usesLevels = false;
   /// Why it is left out; empty where it runs.
   std::string reason;
   std::vector<std::string> lines;
 };
 
-void PrintTo(const ListedWorld& world, std::ostream* stream) { *stream << world.file; }
+constexpr std::string_view kLevels = " --levels";
+
+void PrintTo(const ListedWorld& world, std::ostream* stream) {
+  *stream << world.file << (world.usesLevels ? kLevels : "");
+}
 
 std::vector<ListedWorld> listedWorlds() {
   std::ifstream stream(projectFolder() / "test/integration/fortress_systems.txt");
@@ -48,7 +55,11 @@ std::vector<ListedWorld> listedWorlds() {
       continue;
     }
     const std::size_t colon = line.find(": ");
-    worlds.push_back({line.substr(0, colon), colon == std::string::npos ? "" : line.substr(colon + 2), {}});
+    ListedWorld& world = worlds.emplace_back();
+    world.file = line.substr(0, colon);
+    world.reason = colon == std::string::npos ? "" : line.substr(colon + 2);
+    world.usesLevels = world.file.ends_with(kLevels);
+    if (world.usesLevels) world.file.resize(world.file.size() - kLevels.size());
   }
   return worlds;
 }
@@ -95,12 +106,19 @@ class Performance {
       const auto model = simulation_.world().model(name);
       ASSERT_TRUE(model) << line;
       starts_.emplace(name, model->pose().position);
-    } else if (verb != "says" && verb != "turns") {
+    } else if (verb == "perform") {
+      double x = 0, y = 0;
+      words >> x >> y;
+      const auto model = simulation_.world().model(name);
+      ASSERT_TRUE(model) << line;
+      EXPECT_EQ(Model(*model).setPose({{x, y, model->pose().position.z()}, model->pose().rotation}), std::nullopt);
+      EXPECT_EQ(simulation_.addPerformer(name), std::nullopt);
+    } else if (verb != "says" && verb != "turns" && verb != "there" && verb != "gone") {
       FAIL() << "the list says '" << line << "'";
     }
   }
 
-  /// After the run: `hear`, `moves`, `rests` and `turns`.
+  /// After the run: `hear`, `moves`, `rests`, `turns`, `there` and `gone`.
   void check(const std::string& line) {
     std::istringstream words(line);
     std::string verb, name, type, part;
@@ -120,6 +138,10 @@ class Performance {
       const double moved = (simulation_.world().model(name)->pose().position - starts_.at(name)).norm();
       EXPECT_TRUE(verb == "moves" ? moved >= distance : moved <= distance)
           << line << ": it has moved " << moved << " m";
+    } else if (verb == "there" || verb == "gone") {
+      for (; !name.empty(); name.clear(), words >> name) {
+        EXPECT_EQ(simulation_.world().model(name).has_value(), verb == "there") << name;
+      }
     } else if (verb == "turns") {
       std::string joint;
       double position = 0;
@@ -143,7 +165,8 @@ TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
   const auto folder = fortressWorlds();
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
   Diagnostics diagnostics;
-  const auto simulation = Simulation::fromFile(*folder / GetParam().file, {.strict = true}, diagnostics);
+  const auto simulation =
+      Simulation::fromFile(*folder / GetParam().file, {.strict = true, .levels = GetParam().usesLevels}, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     EXPECT_TRUE(Performance::isExpected(GetParam(), diagnostic.message)) << format(diagnostic);
   }
@@ -157,7 +180,7 @@ TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
 }
 
 std::string nameOf(const testing::TestParamInfo<ListedWorld>& info) {
-  std::string name = info.param.file;
+  std::string name = info.param.file + (info.param.usesLevels ? "_with_levels" : "");
   std::ranges::replace_if(
       name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
   return name;
@@ -170,7 +193,7 @@ TEST(FortressSystemsList, HasEveryWorld) {
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
   std::set<std::string> listed, there;
   for (const ListedWorld& world : listedWorlds()) {
-    EXPECT_TRUE(listed.insert(world.file).second) << world.file << " is listed twice";
+    EXPECT_TRUE(listed.insert(world.file).second || world.usesLevels) << world.file << " is listed twice";
   }
   for (const char* part : {"examples", "test"}) {
     for (const auto& entry : fs::directory_iterator(*folder / part)) {

@@ -176,6 +176,7 @@ void CameraSensor::listenToTrigger(Node& node) {
 }
 
 bool CameraSensor::isReady() {
+  if (!surroundings_.hasPower(sensor_)) return false;
   if (!settings_.isTriggered) return true;
   const bool was = isTriggered_;
   isTriggered_ = false;

@@ -43,7 +43,7 @@ class CameraSensor {
   CameraSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message,
                CameraSurroundings& shared);
 
-  /// @return Whether it takes a picture now: always, unless it waits for a message first.
+  /// @return Whether it takes a picture now: always, unless it waits for a message first or has no power.
   bool isReady();
   /// @param isHeard Somebody listens to the images.
   void measure(Message& message, bool isHeard);

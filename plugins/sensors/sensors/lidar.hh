@@ -29,6 +29,7 @@ class LidarSensor {
   /// @throws Error where it has too many beams.
   LidarSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message, LidarSurroundings& shared);
 
+  bool isReady() const { return surroundings_.hasPower(sensor_); }
   void measure(Message& message);
   bool isHeardElsewhere() const { return points_.hasSubscribers(); }
   /// Publishes the points that a scan tells of.
