@@ -39,6 +39,10 @@ struct SubscriptionOptions {
   /// So many messages a second of wall time are taken, above 0; those between pass unheard and uncounted. Unset: all.
   /// It is for watching: what a system hears in this way is not the same in each run.
   std::optional<double> messagesPerSecond = std::nullopt;
+  /// How large a number with a point (float, double) may be, either way. A message with a larger one, with one that is
+  /// not finite, or with a time beyond 4e9 s is refused: a warning says which number and what is allowed, and the
+  /// subscription does not hear of it. Unset: all are taken. Not for `subscribeBytes`. See `commands.hh`.
+  std::optional<double> largestNumber = std::nullopt;
 };
 
 /// Publishes messages of one type on one topic, for as long as it lives. It must not outlive its `Transport`.
