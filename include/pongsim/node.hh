@@ -201,6 +201,15 @@ class PONGSIM_API Node {
   /// @throws std::invalid_argument for a bad name; std::logic_error if called from a function that `dispatch` called.
   CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
 
+  /// Sends a request to a service of this same transport and does not wait: systems can ask each other in this way, and
+  /// a run repeats. The service gets it at the next `Transport::dispatch`, which calls `answered` right after.
+  /// @param replyType Which type the service must answer with.
+  /// @param answered May be empty.
+  /// @return Nothing where this transport has no such service with such types; `answered` is not called then.
+  /// @throws std::invalid_argument for a bad name or an unknown type.
+  PendingRequest request(std::string_view service, const Message& request, std::string_view replyType,
+                         Answered answered);
+
   template <class M>
   Publisher advertise(std::string_view topic, const PublisherOptions& options = {}) {
     return advertise(topic, M::descriptor()->full_name(), options);
