@@ -17,6 +17,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::benchmark {
 namespace {
@@ -60,12 +61,10 @@ struct SystemCase {
 
 std::vector<SystemCase> systemCases() {
   std::vector<SystemCase> cases;
-  for (const auto& folder : fs::directory_iterator(test::projectFolder() / "plugins")) {
-    if (!folder.is_directory()) continue;
-    for (const auto& file : fs::directory_iterator(folder)) {
-      if (file.path().extension() != ".sdf") continue;
-      cases.push_back({folder.path().filename().string(), replaced(textOf(file.path()), kPhysics, kNothing)});
-    }
+  for (const auto& file : fs::recursive_directory_iterator(test::projectFolder() / "plugins")) {
+    if (file.path().extension() != ".sdf") continue;
+    const std::string name = file.path().parent_path().filename().string();
+    cases.push_back({name, replaced(textOf(file.path()), kPhysics, kNothing)});
   }
   std::ranges::sort(cases, {}, &SystemCase::name);
   return cases;
@@ -166,6 +165,8 @@ void printTable(const Medians& medians, const std::vector<SystemCase>& cases) {
 
 int run(int argc, char** argv) {
   const std::vector<SystemCase> cases = systemCases();
+  // some write into the current folder
+  const test::WorkingFolder folder;
   const auto add = [](const std::string& name, auto function, const std::string& text) {
     ::benchmark::RegisterBenchmark(name.c_str(), function, text)->Unit(::benchmark::kMicrosecond);
   };
