@@ -20,6 +20,7 @@ class Access;
 class SystemSet;
 }  // namespace sim
 
+class Appearance;
 class BeamScene;
 class CameraScene;
 class Collision;
@@ -302,6 +303,7 @@ class PONGSIM_API World {
   std::optional<std::string> setPlace(const GeodeticPosition& origin, double heading);
 
  private:
+  friend class Appearance;
   friend class BeamScene;
   friend class CameraScene;
   friend class Scene;
