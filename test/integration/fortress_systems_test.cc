@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -20,6 +21,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -95,12 +97,12 @@ class Performance {
       const auto model = simulation_.world().model(name);
       ASSERT_TRUE(model) << line;
       starts_.emplace(name, model->pose().position);
-    } else if (verb != "says" && verb != "turns") {
+    } else if (verb != "says" && verb != "turns" && verb != "writes") {
       FAIL() << "the list says '" << line << "'";
     }
   }
 
-  /// After the run: `hear`, `moves`, `rests` and `turns`.
+  /// After the run: `hear`, `moves`, `rests`, `turns` and `writes`.
   void check(const std::string& line) {
     std::istringstream words(line);
     std::string verb, name, type, part;
@@ -120,6 +122,8 @@ class Performance {
       const double moved = (simulation_.world().model(name)->pose().position - starts_.at(name)).norm();
       EXPECT_TRUE(verb == "moves" ? moved >= distance : moved <= distance)
           << line << ": it has moved " << moved << " m";
+    } else if (verb == "writes") {
+      EXPECT_TRUE(fs::is_regular_file(name)) << line;
     } else if (verb == "turns") {
       std::string joint;
       double position = 0;
@@ -137,11 +141,22 @@ class Performance {
   std::map<std::string, Vector3> starts_;
 };
 
-class FortressSystems : public testing::TestWithParam<ListedWorld> {};
+/// Fortress's own tests name the folder of their models in this way.
+class FortressSystems : public testing::TestWithParam<ListedWorld> {
+ protected:
+  FortressSystems() {
+    if (const auto folder = fortressWorlds()) setenv(kVariable, (*folder / "test/models").c_str(), 1);
+  }
+  ~FortressSystems() override { unsetenv(kVariable); }
+
+ private:
+  static constexpr const char* kVariable = "IGN_GAZEBO_RESOURCE_PATH";
+};
 
 TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
   const auto folder = fortressWorlds();
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
+  const WorkingFolder workingFolder;
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromFile(*folder / GetParam().file, {.strict = true}, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) {
