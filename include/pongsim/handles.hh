@@ -26,6 +26,7 @@ class SystemSet;
 }  // namespace sim
 
 class Actor;
+class Appearance;
 class Batteries;
 class BeamScene;
 class CameraScene;
@@ -375,6 +376,7 @@ class PONGSIM_API World {
 
  private:
   friend class Actor;
+  friend class Appearance;
   friend class Batteries;
   friend class BeamScene;
   friend class CameraScene;

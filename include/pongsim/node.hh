@@ -39,6 +39,10 @@ struct SubscriptionOptions {
   /// So many messages a second of wall time are taken, above 0; those between pass unheard and uncounted. Unset: all.
   /// It is for watching: what a system hears in this way is not the same in each run.
   std::optional<double> messagesPerSecond = std::nullopt;
+  /// How large a number with a point (float, double) may be, either way. A message with a larger one, with one that is
+  /// not finite, or with a time beyond 4e9 s is refused: a warning says which number and what is allowed, and the
+  /// subscription does not hear of it. Unset: all are taken. Not for `subscribeBytes`. See `commands.hh`.
+  std::optional<double> largestNumber = std::nullopt;
 };
 
 /// Publishes messages of one type on one topic, for as long as it lives. It must not outlive its `Transport`.
@@ -196,6 +200,15 @@ class PONGSIM_API Node {
   /// @param timeout For all of it, from finding the service to the answer.
   /// @throws std::invalid_argument for a bad name; std::logic_error if called from a function that `dispatch` called.
   CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
+
+  /// Sends a request to a service of this same transport and does not wait: systems can ask each other in this way, and
+  /// a run repeats. The service gets it at the next `Transport::dispatch`, which calls `answered` right after.
+  /// @param replyType Which type the service must answer with.
+  /// @param answered May be empty.
+  /// @return Nothing where this transport has no such service with such types; `answered` is not called then.
+  /// @throws std::invalid_argument for a bad name or an unknown type.
+  PendingRequest request(std::string_view service, const Message& request, std::string_view replyType,
+                         Answered answered);
 
   template <class M>
   Publisher advertise(std::string_view topic, const PublisherOptions& options = {}) {

@@ -312,10 +312,10 @@ std::size_t Bus::dispatch() {
   for (const Arrival& arrival : arrivals_) {
     Inbox& inbox = *arrival.inbox;
     if (inbox.ended) continue;
-    if (inbox.handOver(*arrival.buffer)) {
-      ++handedOver;
+    if (const std::optional<std::string> fault = inbox.handOver(*arrival.buffer)) {
+      complain(inbox.channel(), arrival.buffer->sender, *fault);
     } else {
-      complain(inbox.channel(), arrival.buffer->sender, "is no " + inbox.channel().type);
+      ++handedOver;
     }
   }
   return handedOver + server_.dispatch();

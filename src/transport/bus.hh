@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -107,6 +108,15 @@ class Bus {
                     ServiceHandler handler);
   void endService(Offer& offer);
   CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
+
+  /// Sends a request to a service of this transport.
+  /// @return Its number, or nothing where there is no such service.
+  std::optional<std::uint64_t> request(std::string_view service, const Message& request, const std::string& replyType,
+                                       Answered answered) {
+    return client_.post(service, request, replyType, std::move(answered));
+  }
+  /// Does not have the request's function called any more.
+  void forgetRequest(std::uint64_t number) { client_.forget(number); }
   std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
@@ -183,6 +193,18 @@ class ServiceState {
 
   Bus& bus;
   Offer& offer;
+};
+
+/// The right of a request to have its function called.
+class RequestState {
+ public:
+  RequestState(Bus& owner, std::uint64_t request) : bus(owner), number(request) {}
+  ~RequestState() { bus.forgetRequest(number); }
+  RequestState(const RequestState&) = delete;
+  RequestState& operator=(const RequestState&) = delete;
+
+  Bus& bus;
+  const std::uint64_t number;
 };
 
 /// A subscription's place to wait for messages.

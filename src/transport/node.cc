@@ -158,6 +158,31 @@ CallResult Node::call(std::string_view service, const Message& request, Message&
   return bus_->call(fullName(service), request, reply, timeout);
 }
 
+PendingRequest::PendingRequest() = default;
+PendingRequest::PendingRequest(std::unique_ptr<transport::RequestState> state) : state_(std::move(state)) {}
+PendingRequest::PendingRequest(PendingRequest&&) noexcept = default;
+PendingRequest& PendingRequest::operator=(PendingRequest&&) noexcept = default;
+PendingRequest::~PendingRequest() = default;
+
+PendingRequest Node::request(std::string_view service, const Message& request, std::string_view replyType,
+                             Answered answered) {
+  if (guard_ != nullptr && answered) {
+    answered = [guard = guard_, inner = std::move(answered)](const CallResult& result, const Message& reply) {
+      if (!guard->enter()) return;
+      try {
+        inner(result, reply);
+      } catch (const std::exception& error) {
+        guard->failed(error);
+      }
+      guard->leave();
+    };
+  }
+  const std::optional<std::uint64_t> number =
+      bus_->request(fullName(service), request, transport::knownType(replyType), std::move(answered));
+  if (!number) return {};
+  return PendingRequest(std::make_unique<transport::RequestState>(*bus_, *number));
+}
+
 Transport::Transport(const TransportOptions& options)
     : bus_(std::make_unique<transport::Bus>(
           options.network ? std::make_unique<transport::Network>(options.domain, options.interface) : nullptr)) {}

@@ -18,6 +18,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::benchmark {
 namespace {
@@ -241,6 +242,8 @@ void printTable(const Medians& medians, const std::vector<SystemCase>& cases) {
 
 int run(int argc, char** argv) {
   const std::vector<SystemCase> cases = systemCases();
+  // some write into the current folder
+  const test::WorkingFolder folder;
   const auto add = [](const std::string& name, auto function, const std::string& text) {
     ::benchmark::RegisterBenchmark(name.c_str(), function, text)->Unit(::benchmark::kMicrosecond);
   };
