@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -8,9 +9,11 @@
 #include <vector>
 
 #include "pongsim/contact.hh"
+#include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
 #include "pongsim/geodesy.hh"
 #include "pongsim/outcome.hh"
+#include "pongsim/shape.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -38,6 +41,8 @@ struct MassInfo {
   Vector3 center = Vector3::Zero();
   /// Inertia tensor about the centre of mass, in the axes of the link [kg m^2].
   Matrix3 inertia = Matrix3::Zero();
+  /// Of the axes in which the file gives the inertia, from those of the link: the rotation of its `<pose>`.
+  Quaternion axes = Quaternion::Identity();
 };
 
 /// Thrown by a handle to something that is not there any more: its model or its joint was removed. A handle can be
@@ -46,6 +51,9 @@ class PONGSIM_API Gone : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// No wind is faster [m/s].
+inline constexpr double kFastestWind = 1e4;
 
 /// What becomes of the velocities of what is put somewhere else.
 enum class AfterMove {
@@ -88,6 +96,9 @@ class PONGSIM_API Link {
   std::vector<Collision> collisions() const;
   std::vector<Visual> visuals() const;
   std::vector<Sensor> sensors() const;
+  /// @return Whether the wind moves it: `<enable_wind>` says so of the link or of its model. As in Fortress, a link
+  /// can't be kept out of it where its model is in it.
+  bool isInWind() const;
 
  private:
   friend class Collision;
@@ -113,6 +124,10 @@ class PONGSIM_API Collision {
   Link link() const;
   /// @return Pose of the collision frame in the link frame; never changes.
   Pose poseInLink() const;
+  /// @return Its shape in the collision frame; never changes. `Solid` makes volume, centre and bounds of it.
+  Shape shape() const;
+  /// @return Where the file says it.
+  SourcePosition sourcePosition() const;
 
  private:
   friend class Link;
@@ -242,6 +257,13 @@ class PONGSIM_API Model {
   /// their places in it. Static models can be moved, too. One that a joint holds to something outside of it is refused.
   /// @return Why not, or nothing.
   std::optional<std::string> setPose(const Pose& X_WorldModel, AfterMove after = AfterMove::kKeepVelocity);
+  /// @return What a system of the model tells its actuators, by their numbers, as rotor speeds [rad/s]; null where none
+  /// has told them anything. It stands there until it is set again, the model goes, or the world is reset; do not keep
+  /// the pointer.
+  const std::vector<double>* actuators() const;
+  /// Tells the model's actuators, in place of what they were told before; the systems that come later in this step read
+  /// it already. Values that are not finite are refused with a warning.
+  void setActuators(std::span<const double> values);
 
  private:
   friend class Link;
@@ -300,6 +322,12 @@ class PONGSIM_API World {
   /// @param heading Of its x axis, anticlockwise from east [rad].
   /// @return Why not, or nothing.
   std::optional<std::string> setPlace(const GeodeticPosition& origin, double heading);
+  /// @return Velocity of the air, world frame [m/s]: `<wind>` of the world unless it was changed. By itself it moves
+  /// nothing.
+  Vector3 wind() const;
+  /// Sets the velocity of the air, world frame [m/s].
+  /// @return Why not (it is faster than `kFastestWind`), or nothing.
+  std::optional<std::string> setWind(const Vector3& wind);
 
  private:
   friend class BeamScene;

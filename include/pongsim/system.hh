@@ -15,6 +15,7 @@
 #include "pongsim/random.hh"
 #include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
+#include "pongsim/world_edits.hh"
 
 namespace pongsim {
 
@@ -45,6 +46,8 @@ struct SystemContext {
   Diagnostics& diagnostics;
   /// The systems that the file names before this one. There during `configure` only.
   std::span<System* const> before;
+  /// How it inserts and removes models.
+  WorldEdits& edits;
 };
 
 /// A part of the simulation that a world's `<plugin>` element asks for. All functions are called on the

@@ -1,5 +1,6 @@
 #include "pongsim/handles.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -74,7 +75,8 @@ void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
 MassInfo Link::mass() const {
   const description::Inertial& inertial = record(*access_, id_).description->inertial;
   const Matrix3 axes = inertial.X_LinkCom.rotation.toRotationMatrix();
-  return {inertial.mass, inertial.X_LinkCom.position, axes * inertial.moments * axes.transpose()};
+  return {inertial.mass, inertial.X_LinkCom.position, axes * inertial.moments * axes.transpose(),
+          inertial.X_LinkCom.rotation};
 }
 
 std::optional<std::string> Link::setPose(const Pose& X_WorldLink, AfterMove after) {
@@ -84,6 +86,11 @@ std::optional<std::string> Link::setPose(const Pose& X_WorldLink, AfterMove afte
 Model Link::model() const { return Model(*access_, access_->entities.models()[record(*access_, id_).model].id); }
 
 std::string Link::scopedName() const { return model().scopedName() + "::" + std::string(name()); }
+
+bool Link::isInWind() const {
+  const world::LinkRecord& link = record(*access_, id_);
+  return link.description->isInWind.value_or(false) || access_->entities.models()[link.model].description->isInWind;
+}
 
 bool Joint::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
 
@@ -232,6 +239,20 @@ std::optional<std::string> Model::setPose(const Pose& X_WorldModel, AfterMove af
   return sim::Editor(*access_).setPose(slotOf(*access_, id_), X_WorldModel, after);
 }
 
+const std::vector<double>* Model::actuators() const {
+  const auto found = access_->state.actuators.find(id_);
+  return found == access_->state.actuators.end() ? nullptr : &found->second;
+}
+
+void Model::setActuators(std::span<const double> values) {
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
+    access_->refuse("the actuators of model '" + scopedName() + "' were told a value that is not finite");
+    return;
+  }
+  slotOf(*access_, id_);
+  access_->state.actuators[id_].assign(values.begin(), values.end());
+}
+
 std::string_view World::name() const { return access_->entities.description().name; }
 
 WorldId World::id() const { return access_->entities.worldId(); }
@@ -309,6 +330,17 @@ std::optional<std::string> World::setPlace(const GeodeticPosition& origin, doubl
   }
   if (!(std::abs(origin.latitude) <= std::numbers::pi / 2)) return "the latitude is not between -90 and 90 degrees";
   access_->state.place = {true, origin, heading};
+  return std::nullopt;
+}
+
+Vector3 World::wind() const { return access_->state.wind; }
+
+std::optional<std::string> World::setWind(const Vector3& wind) {
+  // squares of what is finite need not be
+  if (!wind.allFinite() || !(wind.stableNorm() <= kFastestWind)) {
+    return "no wind is faster than " + std::to_string(static_cast<int>(kFastestWind)) + " m/s";
+  }
+  access_->state.wind = wind;
   return std::nullopt;
 }
 

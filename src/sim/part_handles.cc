@@ -15,6 +15,25 @@ const world::SensorRecord& record(const sim::Access& access, SensorId id) {
   return access.entities.sensors()[slotOf(access, id)];
 }
 
+Shape trianglesOf(const std::shared_ptr<const description::TriangleMesh>& mesh, const Vector3& scale) {
+  if (mesh == nullptr) return NoShape();
+  return TriangleShape{mesh->vertices, mesh->triangles, scale, mesh};
+}
+
+struct ShapeOf {
+  Shape operator()(const description::Box& box) const { return BoxShape{box.size}; }
+  Shape operator()(const description::Sphere& sphere) const { return SphereShape{sphere.radius}; }
+  Shape operator()(const description::Cylinder& shape) const { return CylinderShape{shape.radius, shape.length}; }
+  Shape operator()(const description::Capsule& shape) const { return CapsuleShape{shape.radius, shape.length}; }
+  Shape operator()(const description::Ellipsoid& ellipsoid) const { return EllipsoidShape{ellipsoid.radii}; }
+  Shape operator()(const description::Plane& plane) const { return PlaneShape{plane.normal.normalized()}; }
+  Shape operator()(const description::Mesh& mesh) const { return trianglesOf(mesh.triangles, mesh.scale); }
+  Shape operator()(const description::Heightmap& map) const { return trianglesOf(map.triangles, {1, 1, 1}); }
+  Shape operator()(const description::Polyline& line) const { return trianglesOf(line.triangles, {1, 1, 1}); }
+  Shape operator()(const description::Empty&) const { return NoShape(); }
+  Shape operator()(const description::Image&) const { return NoShape(); }
+};
+
 /// @return "/model/outer/model/inner"
 std::string modelTopic(const world::Entities& entities, world::Slot model) {
   if (model == world::kNoSlot) return "";
@@ -33,6 +52,10 @@ std::string Collision::scopedName() const { return link().scopedName() + "::" + 
 Link Collision::link() const { return Link(*access_, access_->entities.links()[record(*access_, id_).link].id); }
 
 Pose Collision::poseInLink() const { return record(*access_, id_).description->X_LinkCollision; }
+
+Shape Collision::shape() const { return std::visit(ShapeOf(), record(*access_, id_).description->geometry); }
+
+SourcePosition Collision::sourcePosition() const { return record(*access_, id_).description->position; }
 
 bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
 

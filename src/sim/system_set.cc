@@ -25,13 +25,14 @@ description::Plugin defaultSceneBroadcaster() {
 
 }  // namespace
 
-SystemSet::SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict)
+SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict)
     : access_(access),
       transport_(transport),
       seed_(seed),
       strict_(strict),
       world_(access),
-      defaultSceneBroadcaster_(defaultSceneBroadcaster()) {}
+      defaultSceneBroadcaster_(defaultSceneBroadcaster()),
+      queue_(edits) {}
 
 SystemSet::~SystemSet() = default;
 
@@ -95,7 +96,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, std::
   SystemSlot& slot = slots_.emplace_back(
       SystemSlot::Parts{handle ? handle->id() : ModelId(), number, name, plugin.sdf.position, transport_.node(),
                         Random(seed_, SystemSlot::streamOf(name, number)), std::move(system)},
-      access_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
+      access_, queue_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
   if (slot.start(plugin.sdf, world_, handle, before, diagnostics)) {
     warnOfSharedTopics(slot, diagnostics);
   } else {
@@ -144,6 +145,7 @@ void SystemSet::announceChanges() {
 
 void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   seed_ = seed.value_or(seed_);
+  queue_.clear();
   slots_.remove_if(
       [&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
   for (const ModelId model : std::exchange(unloaded_, {})) {
@@ -179,6 +181,7 @@ void SystemSet::putInOrder() {
 void SystemSet::preUpdate(const StepInfo& info) {
   // of a message that was handed over before
   check();
+  queue_.carryOut();
   announceChanges();
   for (SystemSlot& slot : slots_) slot.preUpdate(info);
   check();
@@ -191,6 +194,7 @@ void SystemSet::update(const StepInfo& info) {
 
 void SystemSet::postUpdate(const StepInfo& info) {
   for (SystemSlot& slot : slots_) slot.postUpdate(info);
+  queue_.carryOut();
   check();
 }
 

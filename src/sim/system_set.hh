@@ -14,6 +14,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
 #include "sim/access.hh"
+#include "sim/edit_queue.hh"
 #include "sim/system_slot.hh"
 
 namespace pongsim::sim {
@@ -22,8 +23,9 @@ namespace pongsim::sim {
 class SystemSet {
  public:
   /// All references must outlive it.
+  /// @param edits Carries out what systems ask for.
   /// @param strict A system that fails ends the step with an exception, in place of being switched off.
-  SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict);
+  SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict);
   ~SystemSet();
   SystemSet(const SystemSet&) = delete;
   SystemSet& operator=(const SystemSet&) = delete;
@@ -85,6 +87,7 @@ class SystemSet {
   /// Models whose systems have ended: they come back with them.
   std::vector<ModelId> unloaded_;
   std::optional<std::string> failure_;
+  EditQueue queue_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
 };

@@ -16,17 +16,20 @@ const char* missingPlace(Declaration::Place place, bool isInModel) {
 
 }  // namespace
 
-SystemSlot::SystemSlot(Parts parts, Access& access, Failed failed)
+SystemSlot::SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed)
     : parts_(std::move(parts)),
       crashName_("the system " + parts_.name),
       log_(parts_.name),
       node_(parts_.node.guardedBy(*this)),
       access_(access),
+      queue_(edits),
+      edits_(edits, *this),
       failed_(std::move(failed)) {}
 
 SystemSlot::~SystemSlot() {
   const base::RunningPart running(crashName_.c_str(), "in its destructor");
   parts_.system.reset();
+  queue_.forget(*this);
 }
 
 bool SystemSlot::start(const Element& plugin, World& world, const std::optional<Model>& model,
@@ -40,7 +43,7 @@ bool SystemSlot::start(const Element& plugin, World& world, const std::optional<
       return false;
     }
     if (!declaration_.read(plugin, parts_.name, diagnostics)) return false;
-    parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before});
+    parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before, edits_});
     return true;
   } catch (const Error& error) {
     const Diagnostic& found = error.diagnostic();
@@ -97,6 +100,10 @@ void SystemSlot::run(const char* phase, Call call) {
     switchOff("it threw what is no std::exception");
   }
   leave();
+}
+
+void SystemSlot::answer(const std::function<void()>& call) {
+  run("in the answer to an edit", [&](System&) { call(); });
 }
 
 void SystemSlot::preUpdate(const StepInfo& info) {

@@ -14,6 +14,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
 #include "sim/access.hh"
+#include "sim/edit_queue.hh"
 
 namespace pongsim::sim {
 
@@ -37,7 +38,8 @@ class SystemSlot final : public CallGuard {
   /// Told why the system has been switched off, each time.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
 
-  SystemSlot(Parts parts, Access& access, Failed failed);
+  /// @param edits Carries out what the system asks for; must outlive it, as `access`.
+  SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed);
   ~SystemSlot() override;
 
   ModelId model() const { return parts_.model; }
@@ -66,6 +68,10 @@ class SystemSlot final : public CallGuard {
   /// Its random numbers begin there, where it draws the next one.
   void setRandom(Random random) { parts_.random = random; }
 
+  /// Calls a function of the system's as its phases are called.
+  void answer(const std::function<void()>& call);
+  const Logger& log() const { return log_; }
+
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);
   void postUpdate(const StepInfo& info);
@@ -91,6 +97,8 @@ class SystemSlot final : public CallGuard {
   Logger log_;
   Node node_;
   Access& access_;
+  EditQueue& queue_;
+  WorldEdits edits_;
   Failed failed_;
   Declaration declaration_;
   std::vector<std::string> topics_;

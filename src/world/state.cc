@@ -24,7 +24,8 @@ State::State(const Entities& entities)
     : gravity(entities.description().gravity),
       stepSize(entities.description().physics.maxStepSize),
       realTimeFactor(entities.description().physics.realTimeFactor),
-      place(placeOf(entities.description().environment.sphericalCoordinates)) {
+      place(placeOf(entities.description().environment.sphericalCoordinates)),
+      wind(entities.description().environment.wind) {
   grow(entities);
 }
 
@@ -38,7 +39,31 @@ void State::grow(const Entities& entities) {
 void State::remove(const Removal& removal) {
   eraseSlots(links, removal.links);
   eraseSlots(joints, removal.joints);
+  for (const ModelId model : removal.models) actuators.erase(model);
 }
+
+namespace {
+
+void transferActuators(StateArchive& archive, std::map<ModelId, std::vector<double>>& actuators) {
+  std::size_t count = actuators.size();
+  archive(count);
+  if (!archive.isGiving()) {
+    for (auto& [model, values] : actuators) {
+      ModelId id = model;
+      archive(id.value);
+      archive(values);
+    }
+    return;
+  }
+  actuators.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    ModelId model;
+    archive(model.value);
+    archive(actuators[model]);
+  }
+}
+
+}  // namespace
 
 void transfer(StateArchive& archive, State& state) {
   archive(state.time);
@@ -51,6 +76,7 @@ void transfer(StateArchive& archive, State& state) {
                         &state.place.heading}) {
     archive(*value);
   }
+  archive(state.wind);
   for (LinkState& link : state.links) {
     archive(link.X_WorldLink);
     archive(link.v_WorldLink);
@@ -59,6 +85,7 @@ void transfer(StateArchive& archive, State& state) {
   for (JointState& joint : state.joints) {
     for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
   }
+  transferActuators(archive, state.actuators);
 }
 
 Pose modelPose(const Entities& entities, const State& state, Slot model) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "pongsim/geodesy.hh"
@@ -49,14 +50,18 @@ struct State {
 
   Time time{0};
   std::uint64_t iterations = 0;
-  /// World frame [m/s^2]. This and the next three are what the description says until they are changed.
+  /// World frame [m/s^2]. This and the next four are what the description says until they are changed.
   Vector3 gravity;
   Time stepSize;
   /// Simulated seconds a second; 0 means as many as possible.
   double realTimeFactor;
   Place place;
+  /// Velocity of the air, world frame [m/s].
+  Vector3 wind;
   std::vector<LinkState> links;
   std::vector<JointState> joints;
+  /// What a system of a model tells the actuators of the model, by their numbers.
+  std::map<ModelId, std::vector<double>> actuators = {};
 };
 
 /// All of a state whose arrays have the right size already.

@@ -50,6 +50,8 @@ TEST_F(PartHandlesTest, LeadFromALinkToItsPartsAndBack) {
   EXPECT_EQ(skin.poseInLink().position, Vector3(0, 0, 5));
   EXPECT_EQ(simulation_->world().collision(skin.id())->name(), "skin");
   EXPECT_FALSE(simulation_->world().collision(CollisionId{base().id().value}).has_value());
+  EXPECT_EQ(std::get<SphereShape>(skin.shape()).radius, 0.1);
+  EXPECT_EQ(skin.sourcePosition().line, 5);
   ASSERT_EQ(base().visuals().size(), 1U);
   EXPECT_EQ(base().visuals()[0].name(), "look");
   EXPECT_EQ(base().visuals()[0].poseInLink().position, Vector3(0, 0, 4));
