@@ -6,12 +6,15 @@
 #include <fastdds/rtps/participant/RTPSParticipant.h>
 #include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
+#include <fastrtps/utils/IPLocator.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fastdds/dds/log/Log.hpp>
 
+#include <atomic>
 #include <stdexcept>
 
 #include "ros2/wire/fast_dds.hh"
+#include "ros2/wire/local_udp.hh"
 
 namespace pongsim::ros2 {
 
@@ -23,6 +26,8 @@ constexpr int kLastDomain = 232;
 // How soon a process that died without a word is forgotten.
 const Duration_t kLease{10, 0};
 const Duration_t kAnnouncementPeriod{2, 0};
+// So many may find a port on this machine.
+constexpr std::uint32_t kParticipants = 115;
 // From it peers see that it is ROS; the zero at its end belongs to it.
 constexpr std::string_view kUserData("enclave=/;", 11);
 
@@ -38,8 +43,24 @@ void setUpLibrary() {
   static_cast<void>(once);
 }
 
-rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions&) {
+rtps::Locator_t locatorOf(const char* address) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  locator.port = 0;
+  rtps::IPLocator::setIPv4(locator, address);
+  return locator;
+}
+
+rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
+                                             const std::shared_ptr<std::atomic<bool>>& isOpen) {
   rtps::RTPSParticipantAttributes attributes;
+  attributes.useBuiltinTransports = false;
+  attributes.userTransports.push_back(
+      std::make_shared<LocalUdp>(reachOf(options.isLoopbackOnly, options.interface), isOpen));
+  // those who hear no group are looked for on 127.0.0.1
+  attributes.builtin.initialPeersList.push_back(locatorOf("239.255.0.1"));
+  attributes.builtin.initialPeersList.push_back(locatorOf("127.0.0.1"));
+  attributes.builtin.mutation_tries = kParticipants;
   // as rmw names them: by the enclave
   attributes.setName("/");
   attributes.userData.assign(kUserData.begin(), kUserData.end());
@@ -58,13 +79,16 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
     throw std::invalid_argument("ROS_DOMAIN_ID is " + std::to_string(options.domain) + ", not between 0 and 232");
   }
   setUpLibrary();
+  const auto isOpen = std::make_shared<std::atomic<bool>>(false);
   participant_ = rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(options.domain), false,
-                                                     attributesOf(options), this);
+                                                     attributesOf(options, isOpen), this);
   if (participant_ == nullptr) {
     throw std::runtime_error("cannot open the ROS domain " + std::to_string(options.domain));
   }
   id_ = guidOf(participant_->getGuid());
   participant_->enable();
+  *isOpen = true;
+  participant_->announceRTPSParticipantState();
 }
 
 Participant::~Participant() {

@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/crash_report.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/extension.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/readiness.hh"
@@ -32,6 +35,8 @@ struct RunCommandOptions {
   LogLevel verbosity = LogLevel::kWarning;
   bool hash = false;
   bool strict = false;
+  /// Of extensions.
+  std::vector<Element> systems;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -63,10 +68,13 @@ int runWorld(const RunCommandOptions& options) {
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(
-      findWorldFile(options.world),
-      {.seed = options.seed, .strict = options.strict, .threads = options.threads, .transport = &transport},
-      diagnostics);
+  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(findWorldFile(options.world),
+                                                                      {.seed = options.seed,
+                                                                       .strict = options.strict,
+                                                                       .threads = options.threads,
+                                                                       .transport = &transport,
+                                                                       .systems = options.systems},
+                                                                      diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) {
@@ -98,9 +106,7 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   work = [&options] { return runWorld(options); };
 }
 
-}  // namespace
-
-void addRunCommand(CLI::App& program, Work& work) {
+void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> extensions) {
   const auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = program.add_subcommand("run", "Simulate a world until SIGINT or SIGTERM");
   command->set_help_flag("-h,--help", "Print this and end");
@@ -146,7 +152,14 @@ void addRunCommand(CLI::App& program, Work& work) {
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
+  for (const Extension& extension : extensions) addRunOptions(*command, extension, options->systems);
   command->callback([options, &work] { checkAndSchedule(*options, work); });
 }
+
+}  // namespace
+
+void addRunCommand(CLI::App& program, Work& work) { addRunCommand(program, work, installedExtensions()); }
+
+void addPlainRunCommand(CLI::App& program, Work& work) { addRunCommand(program, work, {}); }
 
 }  // namespace pongsim::cli

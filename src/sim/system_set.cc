@@ -23,6 +23,31 @@ description::Plugin defaultSceneBroadcaster() {
   return plugin;
 }
 
+std::string attributeOf(const Element& element, const char* name) {
+  const Element::Attribute* attribute = element.attribute(name);
+  return attribute == nullptr ? std::string() : attribute->value;
+}
+
+std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements) {
+  std::vector<description::Plugin> plugins;
+  for (const Element& each : elements)
+    plugins.push_back({attributeOf(each, "filename"), attributeOf(each, "name"), each});
+  return plugins;
+}
+
+/// @return A plugin of the file with what is said of the same system elsewhere, which is taken from `more`.
+description::Plugin joined(description::Plugin plugin, std::vector<description::Plugin>& more) {
+  const auto same = std::ranges::find(more, plugin::systemName(plugin.filename), [](const description::Plugin& each) {
+    return plugin::systemName(each.filename);
+  });
+  if (same == more.end()) return plugin;
+  // of elements of one name the first counts
+  std::vector<Element>& children = plugin.sdf.children;
+  children.insert(children.begin(), same->sdf.children.begin(), same->sdf.children.end());
+  more.erase(same);
+  return plugin;
+}
+
 }  // namespace
 
 SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict)
@@ -36,19 +61,22 @@ SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, st
 
 SystemSet::~SystemSet() = default;
 
-void SystemSet::load(const description::World& world, Diagnostics& diagnostics) {
-  loadWorldPlugins(world, diagnostics);
+void SystemSet::load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics) {
+  loadWorldPlugins(world, added, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
 }
 
-void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& diagnostics) {
+void SystemSet::loadWorldPlugins(const description::World& world, const std::vector<Element>& added,
+                                 Diagnostics& diagnostics) {
+  std::vector<description::Plugin> more = pluginsOf(added);
   if (world.plugins.empty()) {
     add(defaultSceneBroadcaster_, 0, std::nullopt, diagnostics);
+    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, std::nullopt, diagnostics);
     return;
   }
   wantsPhysics_ = false;
   for (std::size_t i = 0; i < world.plugins.size(); ++i) {
-    const description::Plugin& plugin = world.plugins[i];
+    const description::Plugin plugin = joined(world.plugins[i], more);
     const std::string name = plugin::systemName(plugin.filename);
     if (name == kPhysics) {
       wantsPhysics_ = true;
@@ -63,6 +91,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& d
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }
+  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, std::nullopt, diagnostics);
 }
 
 void SystemSet::loadModelPlugins(world::Slot model, Diagnostics& diagnostics) {
