@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ros2/bridge/topic_rule.hh"
+#include "ros2/config/topic_rule.hh"
 #include "ros2/wire/participant.hh"
 
 namespace pongsim::ros2 {

@@ -50,7 +50,7 @@ Extension::Command readCommand(const Descriptor& json) {
   return command;
 }
 
-Extension read(const Descriptor& json) {
+Extension extensionOf(const Descriptor& json) {
   Extension extension;
   if (const auto run = json.find("run"); run != json.end()) {
     extension.systemFile = run->at("system").at("filename").get<std::string>();
@@ -94,7 +94,7 @@ Extension readExtension(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error("it can't be read");
   try {
-    return read(Descriptor::parse(stream));
+    return extensionOf(Descriptor::parse(stream));
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(error.what());
   }
