@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pongsim/diagnostic.hh"
+#include "pongsim/element.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/insert_options.hh"
@@ -39,6 +40,9 @@ struct SimulationOptions {
   bool levels = false;
   /// Where the systems' topics go; null keeps them within this simulation. Must outlive it.
   Transport* transport = nullptr;
+  /// Systems beside those that the world asks for, each a `<plugin>` element with its parameters. Where the world asks
+  /// for one of them too, it is there once, and of what both say counts what stands here.
+  std::vector<Element> systems = {};
 };
 
 /// One world, from its file, with its bodies and systems. Belongs to one thread at a time.

@@ -135,7 +135,7 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
   if (options.loadSystems) {
     parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict);
     parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, diagnostics);
+    parts->systems->load(parts->description, options.systems, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();

@@ -48,11 +48,18 @@ class Channel {
   std::unique_ptr<Writer> writer;
   std::unique_ptr<Reader> reader;
 
-  /// Guarded by the bus's mutex, in the order of subscribing.
+  /// Guarded by the bus's mutex, in the order of subscribing; with those that hear at once.
   std::vector<Inbox*> inboxes;
   std::atomic<int> inboxCount = 0;
   std::atomic<std::uint64_t> inboxesSoFar = 0;
   std::atomic<std::uint64_t> sent = 0;
+
+  /// Those that hear at once, who are not in `inboxCount`. Held while they are called, which may publish in turn.
+  std::recursive_mutex hearing;
+  std::vector<Inbox*> atOnce;
+  std::atomic<int> atOnceCount = 0;
+  /// What bytes are read into for them, or null.
+  MessagePointer read;
 
   /// For who comes later, or null; guarded by the bus's mutex.
   Buffer* latched = nullptr;
@@ -85,11 +92,18 @@ class Bus {
                          const SubscriptionOptions& options);
   Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::ReceivedBytes received,
                          const SubscriptionOptions& options);
+  /// Of one that hears at once what is published here.
+  Inbox& addSubscription(std::string_view topic, const std::string& type, HeardAtOnce heard,
+                         const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
+
+  std::vector<OwnTopic> ownTopics();
+  std::uint64_t ownTopicsVersion() const { return ownTopicsVersion_.load(std::memory_order_relaxed); }
 
   bool hasSubscribers(const Channel& channel) const;
   std::uint64_t newSubscribers(PublisherState& publisher) const;
   void publish(PublisherState& publisher, const Message& message);
+  void publish(PublisherState& publisher, const Message& message, const Bulk& bulk);
   void publishBytes(PublisherState& publisher, std::span<const std::byte> bytes);
   bool waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout);
   bool waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout);
@@ -125,8 +139,11 @@ class Bus {
   Inbox& addInbox(Channel& channel, std::unique_ptr<Inbox> inbox);
   void openReader(Channel& channel);
   bool isAwaited(const PublisherState& publisher) const;
+  bool isWantedInBytes(PublisherState& publisher);
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
-  void deliver(Channel& channel, Buffer* buffer, bool latched);
+  void hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk);
+  /// @param from Null for another process's.
+  void deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from);
   void putInto(Inbox& inbox, Buffer* buffer);
   void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
@@ -149,6 +166,7 @@ class Bus {
   /// Ended by a function that `dispatch` called, for which they must stay until it returns.
   std::vector<Inbox*> endedInDispatch_;
 
+  std::atomic<std::uint64_t> ownTopicsVersion_ = 0;
   std::mutex setUp_;
   std::map<std::pair<std::string, std::string>, std::unique_ptr<Channel>> channels_;
 

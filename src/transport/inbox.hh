@@ -58,6 +58,13 @@ class Inbox {
   /// Whether its subscription has gone.
   bool ended = false;
 
+  /// Hears what is published here at once, rather than from here; empty for others. Guarded by the channel's mutex for
+  /// that.
+  HeardAtOnce heardAtOnce;
+
+  /// The publisher that it does not hear, or null.
+  const void* except = nullptr;
+
   /// What its channel's reader had lost before there was this subscription.
   std::uint64_t lostBefore = 0;
 

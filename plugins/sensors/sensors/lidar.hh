@@ -3,6 +3,8 @@
 #include <ignition/msgs/laserscan.pb.h>
 #include <ignition/msgs/pointcloud_packed.pb.h>
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "pongsim/beam_scene.hh"
@@ -36,7 +38,7 @@ class LidarSensor {
   void publishElsewhere(const Message& message);
 
  private:
-  void fillIn(const Message& scan, ignition::msgs::PointCloudPacked& cloud) const;
+  void writePoints(const Message& scan, std::span<std::byte> to) const;
 
   Sensor sensor_;
   LidarSettings settings_;
