@@ -16,19 +16,6 @@ namespace {
 
 using base::VolumeMoments;
 
-constexpr std::array<std::array<std::uint32_t, 3>, 12> kBoxTriangles{{{0, 2, 1},
-                                                                      {1, 2, 3},
-                                                                      {4, 5, 6},
-                                                                      {5, 7, 6},
-                                                                      {0, 1, 4},
-                                                                      {1, 5, 4},
-                                                                      {2, 6, 3},
-                                                                      {3, 6, 7},
-                                                                      {0, 4, 2},
-                                                                      {2, 4, 6},
-                                                                      {1, 3, 5},
-                                                                      {3, 7, 5}}};
-
 /// Of a body that `scale` has made of another one.
 VolumeMoments scaled(const VolumeMoments& part, const Vector3& scale) {
   const double size = std::abs(scale.prod());
@@ -49,14 +36,7 @@ struct BelowOf {
 
   VolumeMoments operator()(const NoShape&) const { return {}; }
   VolumeMoments operator()(const PlaneShape&) const { return {}; }
-  VolumeMoments operator()(const BoxShape& box) const {
-    std::array<Vector3, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      corners[i] = Vector3((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5, (i & 4U) != 0 ? 0.5 : -0.5)
-                       .cwiseProduct(box.size);
-    }
-    return base::trianglesBelow(corners, kBoxTriangles, up, height);
-  }
+  VolumeMoments operator()(const BoxShape& box) const { return base::boxBelow(box.size, up, height); }
   VolumeMoments operator()(const SphereShape& sphere) const { return base::ballBelow(sphere.radius, up, height); }
   VolumeMoments operator()(const CylinderShape& cylinder) const {
     return base::cylinderBelow(cylinder.radius, cylinder.length, up, height);

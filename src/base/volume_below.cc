@@ -68,6 +68,19 @@ constexpr std::array<std::array<double, 2>, 6> kGauss{{{0.1252334085114689, 0.24
                                                        {0.9041172563704749, 0.1069393259953184},
                                                        {0.9815606342467193, 0.0471753363865118}}};
 
+constexpr std::array<std::array<std::uint32_t, 3>, 12> kBoxTriangles{{{0, 2, 1},
+                                                                      {1, 2, 3},
+                                                                      {4, 5, 6},
+                                                                      {5, 7, 6},
+                                                                      {0, 1, 4},
+                                                                      {1, 5, 4},
+                                                                      {2, 6, 3},
+                                                                      {3, 6, 7},
+                                                                      {0, 4, 2},
+                                                                      {2, 4, 6},
+                                                                      {1, 3, 5},
+                                                                      {3, 7, 5}}};
+
 void addTetrahedron(const Vector3& apex, const Vector3& a, const Vector3& b, const Vector3& c, VolumeMoments& sum) {
   const double volume = (a - apex).dot((b - apex).cross(c - apex)) / 6;
   sum.volume += volume;
@@ -89,6 +102,32 @@ void addCut(const Vector3& apex, const std::array<Vector3, 3>& corner, const std
 
 }  // namespace
 
+// A plane that cuts the four edges along one axis alone leaves a box with a slanting end, as one does that floats;
+// others are taken apart.
+VolumeMoments boxBelow(const Vector3& size, const Vector3& up, double height) {
+  Eigen::Index axis = 0;
+  const double cosine = up.cwiseAbs().maxCoeff(&axis);
+  const double length = size[axis];
+  const double middle = height / cosine + length / 2;
+  // by how much the strips along the axis change from the middle to the rim
+  Vector3 rise = up.cwiseProduct(size) / (2 * cosine);
+  rise[axis] = 0;
+  const double reach = rise.cwiseAbs().sum();
+  if (reach <= middle && middle <= length - reach) {
+    const double area = size.prod() / length;
+    Vector3 first = -area / 6 * rise.cwiseProduct(size);
+    const double alongAxis = area * (middle * (middle - length) + rise.squaredNorm() / 3) / 2;
+    first[axis] = up[axis] < 0 ? -alongAxis : alongAxis;
+    return {area * middle, first};
+  }
+  std::array<Vector3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector3 sign((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5, (i & 4U) != 0 ? 0.5 : -0.5);
+    corners[i] = sign.cwiseProduct(size);
+  }
+  return trianglesBelow(corners, kBoxTriangles, up, height);
+}
+
 VolumeMoments ballBelow(double radius, const Vector3& up, double height) {
   const double u = std::clamp(height, -radius, radius);
   const double rim = radius * radius - u * u;
@@ -100,6 +139,11 @@ VolumeMoments ballBelow(double radius, const Vector3& up, double height) {
 VolumeMoments halfBallBelow(double radius, const Vector3& up, double height) {
   const double sine = up.head<2>().norm();
   const double cosine = up.z();
+  // all of it, or nothing
+  if (height >= radius * (cosine >= 0 ? 1 : sine)) {
+    return {2 * kPi / 3 * radius * radius * radius, Vector3(0, 0, kPi / 4 * std::pow(radius, 4))};
+  }
+  if (height <= -radius * (cosine >= 0 ? sine : 1)) return {};
   const double u = std::clamp(height, -radius, radius);
   const double rim = std::sqrt(std::max(0.0, radius * radius - u * u));
   const bool isLevel = sine <= 1e-9;
@@ -130,6 +174,16 @@ VolumeMoments cylinderBelow(double radius, double length, const Vector3& up, dou
   const double full = isLevel ? -radius : endOf(height - cosine * length / 2);
   const double none = isLevel ? radius : endOf(height + cosine * length / 2);
   const double square = radius * radius;
+  // where the plane cuts the side alone, the strips are those of a slanting end
+  if (full <= -radius && none >= radius && cosine > 1e-12) {
+    const double middle = std::clamp(height / cosine + length / 2, 0.0, length);
+    const double tilt = slope / cosine;
+    const double spread = kPi / 4 * square * square;
+    const double alongAxis = (middle * (middle - length) * kPi * square + tilt * tilt * spread) / 2;
+    // the slope of the strips is that of the plane
+    const Vector3 first(-up.x() / cosine * spread, -up.y() / cosine * spread, up.z() < 0 ? -alongAxis : alongAxis);
+    return {kPi * square * middle, first};
+  }
   double volume = length * segmentOf(radius, full).area;
   double alongSlope = -length * 2 / 3 * std::pow(std::max(0.0, square - full * full), 1.5);
   double alongAxis = 0;

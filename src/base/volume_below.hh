@@ -23,6 +23,9 @@ struct VolumeMoments {
 // The parts of bodies below a plane: all points p with `up . p <= height`, where `up` is a unit vector in the frame of
 // the body [m].
 
+/// Of a box centred on the origin, with its full lengths.
+VolumeMoments boxBelow(const Vector3& size, const Vector3& up, double height);
+
 /// Of a ball about the origin.
 VolumeMoments ballBelow(double radius, const Vector3& up, double height);
 

@@ -59,7 +59,7 @@ Slot Entities::addModel(const description::Model& description, Slot parent, cons
     record.scopedName = join(models_[parent].scopedName, description.name);
     record.isStatic = record.isStatic || models_[parent].isStatic;
   }
-  slotOfId_.emplace(record.id.value, slot);
+  slotOfId_.add(record.id.value, slot);
   modelOfName_.emplace(record.scopedName, slot);
   models_.push_back(std::move(record));
 
@@ -88,12 +88,12 @@ void Entities::addLinks(Slot model, const Pose& X_WorldModel) {
     const Slot slot = links_.size();
     links_.push_back(
         {LinkId{nextId()}, &link, model, models_[model].isStatic, X_WorldModel * link.X_ModelLink, collisions_.size()});
-    slotOfId_.emplace(links_.back().id.value, slot);
+    slotOfId_.add(links_.back().id.value, slot);
     models_[model].links.push_back(slot);
     lastId_ += link.visuals.size();
     for (const description::Collision& collision : link.collisions) {
       collisions_.push_back({CollisionId{nextId()}, &collision, slot});
-      slotOfId_.emplace(collisions_.back().id.value, collisions_.size() - 1);
+      slotOfId_.add(collisions_.back().id.value, collisions_.size() - 1);
     }
     addLights(link.lights, slot);
     addSensors(link.sensors, slot, kNoSlot);
@@ -116,7 +116,7 @@ void Entities::addJoint(const description::Joint& description, Slot model, std::
   const Slot child = linkNamed(description.child);
   if (id) lastId_ = std::max(lastId_, id->value);
   joints_.push_back({id ? *id : JointId{nextId()}, nullptr, &description, model, parent, child, reference});
-  slotOfId_.emplace(joints_.back().id.value, slot);
+  slotOfId_.add(joints_.back().id.value, slot);
   if (model != kNoSlot) models_[model].joints.push_back(slot);
   addSensors(description.sensors, kNoSlot, slot);
 }
@@ -124,14 +124,14 @@ void Entities::addJoint(const description::Joint& description, Slot model, std::
 void Entities::addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint) {
   for (const description::Sensor& sensor : sensors) {
     sensors_.push_back({SensorId{nextId()}, &sensor, link, joint});
-    slotOfId_.emplace(sensors_.back().id.value, sensors_.size() - 1);
+    slotOfId_.add(sensors_.back().id.value, sensors_.size() - 1);
   }
 }
 
 void Entities::addLights(const std::vector<description::Light>& lights, Slot link) {
   for (const description::Light& light : lights) {
     lights_.push_back({LightId{nextId()}, nullptr, &light, link});
-    slotOfId_.emplace(lights_.back().id.value, lights_.size() - 1);
+    slotOfId_.add(lights_.back().id.value, lights_.size() - 1);
   }
 }
 
@@ -157,7 +157,7 @@ Slot Entities::insertJoint(std::shared_ptr<const description::Joint> joint, std:
 Slot Entities::insertLight(std::shared_ptr<const description::Light> light) {
   const description::Light* description = light.get();
   lights_.push_back({LightId{nextId()}, std::move(light), description, kNoSlot});
-  slotOfId_.emplace(lights_.back().id.value, lights_.size() - 1);
+  slotOfId_.add(lights_.back().id.value, lights_.size() - 1);
   return lights_.size() - 1;
 }
 
@@ -291,7 +291,7 @@ void Entities::index() {
   slotOfId_.clear();
   modelOfName_.clear();
   const auto add = [this](const auto& records) {
-    for (Slot slot = 0; slot < records.size(); ++slot) slotOfId_.emplace(records[slot].id.value, slot);
+    for (Slot slot = 0; slot < records.size(); ++slot) slotOfId_.add(records[slot].id.value, slot);
   };
   add(models_);
   add(links_);
@@ -306,10 +306,9 @@ namespace {
 
 /// @return The slot of `id` in `records`, if it is one of theirs.
 template <class Records, class Id>
-Slot slotIn(const Records& records, const std::unordered_map<std::uint64_t, Slot>& slotOfId, Id id) {
-  const auto found = slotOfId.find(id.value);
-  if (found == slotOfId.end() || found->second >= records.size() || records[found->second].id != id) return kNoSlot;
-  return found->second;
+Slot slotIn(const Records& records, const IdIndex& slotOfId, Id id) {
+  const Slot slot = slotOfId.find(id.value);
+  return slot < records.size() && records[slot].id == id ? slot : kNoSlot;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include "description/world.hh"
 #include "pongsim/types.hh"
+#include "world/id_index.hh"
 
 namespace pongsim::world {
 
@@ -303,7 +304,7 @@ class Entities {
   std::vector<LightRecord> lights_;
   std::vector<ActorRecord> actors_;
   std::vector<Slot> topLevelModels_;
-  std::unordered_map<std::uint64_t, Slot> slotOfId_;
+  IdIndex slotOfId_;
   std::unordered_map<std::string, Slot> modelOfName_;
 };
 

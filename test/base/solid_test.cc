@@ -116,10 +116,16 @@ TEST(Solid, OfABoxBelowATiltedPlaneIsThatOfItsMesh) {
   const Solid box(BoxShape{{1, 2, 3}});
   const Solid mesh = MeshBox().solid();
   const Vector3 middle(1.5, 1, 1.5);
-  for (const double height : {-1.0, -0.3, 0.0, 0.8}) {
-    const Volume expected = mesh.below(kUp, height + kUp.dot(middle));
-    EXPECT_NEAR(box.below(kUp, height).size, expected.size, 1e-12);
-    EXPECT_NEAR((box.below(kUp, height).center + middle - expected.center).norm(), 0, 1e-12);
+  // across its corners, and across the four edges along each axis
+  for (const Vector3& direction : {Vector3(1, -2, 2), Vector3(0.05, -0.1, 1), Vector3(0.1, 1, -0.1),
+                                   Vector3(-1, 0.03, 0.02), Vector3(0.1, 0.1, -1)}) {
+    const Vector3 up = direction.normalized();
+    for (const double height : {-1.0, -0.3, 0.0, 0.3, 0.8}) {
+      const Volume expected = mesh.below(up, height + up.dot(middle));
+      EXPECT_NEAR(box.below(up, height).size, expected.size, 1e-12);
+      if (!(expected.size > 0)) continue;
+      EXPECT_NEAR((box.below(up, height).center + middle - expected.center).norm(), 0, 1e-12);
+    }
   }
 }
 

@@ -96,6 +96,20 @@ TEST(VolumeBelow, AndVolumeAboveMakeTheWhole) {
   }
 }
 
+// a plane that cuts the side alone leaves a cylinder with a slanting end, of the same volume as a level one
+TEST(VolumeBelow, IsThatOfACylinderWithASlantingEnd) {
+  for (const double side : {1.0, -1.0}) {
+    const Vector3 up = Vector3(0.3, -0.4, side).normalized();
+    const VolumeMoments part = cylinderBelow(0.5, 3, up, 0.4 * std::abs(up.z()));
+    EXPECT_NEAR(part.volume, kPi * 0.25 * 1.9, 1e-12);
+    // the middle of the end lies in its plane; its slope shifts the centroid by r^2/(4 t) of it
+    const Vector3 expected(-0.3 * 0.25 / 4 / 1.9, 0.4 * 0.25 / 4 / 1.9,
+                           side * (-1.5 + (1.9 + 0.0625 * 0.25 / 1.9) / 2));
+    EXPECT_NEAR((part.first / part.volume - expected).norm(), 0, 1e-12);
+  }
+  EXPECT_NEAR(cylinderBelow(0.5, 3, Vector3::UnitZ(), 5).volume, kPi * 0.75, 1e-12);
+}
+
 // W. Beyer, CRC Standard Mathematical Tables: an ungula through the diameter of the base holds 2/3 r^2 h
 TEST(VolumeBelow, IsThatOfTheHoofOfACylinder) {
   const Vector3 up = Vector3(-1, 0, 1).normalized();

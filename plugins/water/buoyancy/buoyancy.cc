@@ -20,6 +20,8 @@ struct FloatingLink {
   struct Part {
     Solid solid;
     Pose X_LinkPart;
+    /// Its frame is that of the link.
+    bool isInPlace;
   };
 
   Link link;
@@ -74,6 +76,7 @@ class Buoyancy : public System {
   void addLinksOf(const Model& model, bool isEnabledAbove, Diagnostics* diagnostics);
   void addLink(const Link& link, Diagnostics* diagnostics);
   void warnOfSurface(const Collision& collision, const Solid& solid, Diagnostics* diagnostics) const;
+  Displaced displacedBy(const FloatingLink& each, const Vector3& up, double height) const;
   void lift(FloatingLink& each, const Vector3& gravity) const;
 
   std::optional<double> density_;
@@ -165,7 +168,7 @@ void Buoyancy::addLink(const Link& link, Diagnostics* diagnostics) {
     const Pose X_LinkPart = collision.poseInLink();
     floating.volume.size += solid.volume().size;
     first += solid.volume().size * (X_LinkPart * solid.volume().center);
-    floating.parts.push_back({std::move(solid), X_LinkPart});
+    floating.parts.push_back({std::move(solid), X_LinkPart, X_LinkPart == Pose()});
   }
   if (floating.parts.empty()) return;
   floating.volume.center = first / floating.volume.size;
@@ -194,24 +197,48 @@ void Buoyancy::warnOfUnknown(const Element& sdf, Diagnostics& diagnostics) const
   }
 }
 
+/// @return Where the world's z points in a frame that is turned so.
+Vector3 upIn(const Quaternion& R_WorldFrame) {
+  const Quaternion& q = R_WorldFrame;
+  return {2 * (q.x() * q.z() - q.w() * q.y()), 2 * (q.y() * q.z() + q.w() * q.x()),
+          1 - 2 * (q.x() * q.x() + q.y() * q.y())};
+}
+
+/// What a link displaces where the fluid is not the same all around it, in the link frame.
+Displaced Buoyancy::displacedBy(const FloatingLink& each, const Vector3& up, double height) const {
+  Displaced sum;
+  for (const FloatingLink::Part& part : each.parts) {
+    if (part.isInPlace) {
+      const Displaced displaced = fluid_.displacedBy(part.solid, up, height);
+      sum.mass += displaced.mass;
+      sum.first += displaced.first;
+      continue;
+    }
+    const Quaternion& R_LinkPart = part.X_LinkPart.rotation;
+    const Vector3& p_LinkPart = part.X_LinkPart.position;
+    const Displaced displaced =
+        fluid_.displacedBy(part.solid, R_LinkPart.conjugate() * up, height + up.dot(p_LinkPart));
+    sum.mass += displaced.mass;
+    sum.first += R_LinkPart * displaced.first + displaced.mass * p_LinkPart;
+  }
+  return sum;
+}
+
 /// Archimedes: against gravity, the weight of the fluid, at the centre of where it was.
 void Buoyancy::lift(FloatingLink& each, const Vector3& gravity) const {
   const Pose X_WorldLink = each.link.pose();
-  const Vector3 arm = X_WorldLink.rotation * each.volume.center;
-  const double height = X_WorldLink.position.z() + arm.z();
-  if (const auto density = fluid_.densityBetween(height - each.radius, height + each.radius)) {
-    const Vector3 force = -*density * each.volume.size * gravity;
-    each.link.addWrench(force, arm.cross(force));
+  const bool isCentred = each.volume.center.isZero(0);
+  const Vector3 up = upIn(X_WorldLink.rotation);
+  const double height = X_WorldLink.position.z() + (isCentred ? 0 : up.dot(each.volume.center));
+  const std::optional<double> density = fluid_.densityBetween(height - each.radius, height + each.radius);
+  if (density && isCentred) {
+    each.link.addWrench(-*density * each.volume.size * gravity, Vector3::Zero());
     return;
   }
-  double mass = 0;
-  Vector3 first = Vector3::Zero();
-  for (const FloatingLink::Part& part : each.parts) {
-    const Displaced displaced = fluid_.displacedBy(part.solid, X_WorldLink * part.X_LinkPart);
-    mass += displaced.mass;
-    first += displaced.first;
-  }
-  each.link.addWrench(-mass * gravity, -(first - mass * X_WorldLink.position).cross(gravity));
+  Displaced displaced{density.value_or(0) * each.volume.size,
+                      density.value_or(0) * each.volume.size * each.volume.center};
+  if (!density) displaced = displacedBy(each, up, X_WorldLink.position.z());
+  each.link.addWrench(-displaced.mass * gravity, gravity.cross(X_WorldLink.rotation * displaced.first));
 }
 
 }  // namespace

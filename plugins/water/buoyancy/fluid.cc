@@ -3,27 +3,29 @@
 namespace pongsim {
 
 std::optional<double> Fluid::densityBetween(double lower, double upper) const {
-  const auto above = layers_.upper_bound(lower);
-  if (above != layers_.end() && above->first < upper) return std::nullopt;
-  return above == layers_.begin() ? bottom_ : std::prev(above)->second;
+  double density = bottom_;
+  for (const auto& [height, next] : layers_) {
+    if (height > lower) return height < upper ? std::nullopt : std::optional(density);
+    density = next;
+  }
+  return density;
 }
 
 // Layer by layer from below: what lies below its upper edge, less what lies below its lower one. Summed up, each edge
 // counts with the difference of the densities at it.
-Displaced Fluid::displacedBy(const Solid& solid, const Pose& X_WorldSolid) const {
-  const Vector3 up = X_WorldSolid.rotation.conjugate() * Vector3::UnitZ();
-  double mass = 0;
-  Vector3 first = Vector3::Zero();
+Displaced Fluid::displacedBy(const Solid& solid, const Vector3& up, double height) const {
+  Displaced displaced;
+  const auto add = [&displaced](double density, const Volume& part) {
+    displaced.mass += density * part.size;
+    displaced.first += density * part.size * part.center;
+  };
   double density = bottom_;
-  for (const auto& [height, next] : layers_) {
-    const Volume part = solid.below(up, height - X_WorldSolid.position.z());
-    mass += (density - next) * part.size;
-    first += (density - next) * part.size * part.center;
+  for (const auto& [edge, next] : layers_) {
+    add(density - next, solid.below(up, edge - height));
     density = next;
   }
-  mass += density * solid.volume().size;
-  first += density * solid.volume().size * solid.volume().center;
-  return {mass, mass * X_WorldSolid.position + X_WorldSolid.rotation * first};
+  add(density, solid.volume());
+  return displaced;
 }
 
 }  // namespace pongsim

@@ -12,7 +12,7 @@ namespace pongsim {
 struct Displaced {
   /// [kg]
   double mass = 0;
-  /// Mass times where its centre is in the world frame [kg m].
+  /// Mass times where its centre is in the frame of the body [kg m].
   Vector3 first = Vector3::Zero();
 };
 
@@ -29,8 +29,10 @@ class Fluid {
   /// @return The density of all between two heights [m], where it is the same.
   std::optional<double> densityBetween(double lower, double upper) const;
 
+  /// @param up Where the world's z points, in the frame of the body.
+  /// @param height Of the origin of that frame in the world [m].
   /// @return What of the fluid a body displaces, wherever the edges of the layers cut it.
-  Displaced displacedBy(const Solid& solid, const Pose& X_WorldSolid) const;
+  Displaced displacedBy(const Solid& solid, const Vector3& up, double height) const;
 
  private:
   double bottom_;

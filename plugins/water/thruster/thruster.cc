@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "pongsim/battery.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/pid.hh"
 #include "pongsim/system.hh"
@@ -39,6 +41,7 @@ class Thruster : public System {
 
  private:
   void checkSettings(const SystemContext& context);
+  void connectBattery();
   void listen(Node& node, const std::string& modelName);
   void receive(double thrust);
 
@@ -50,7 +53,13 @@ class Thruster : public System {
   bool isDrivenDirectly_ = false;
   double leastThrust_ = -kMostThrust;
   double mostThrust_ = kMostThrust;
+  std::optional<double> powerLoad_;
+  std::string batteryName_;
 
+  std::optional<Model> model_;
+  std::optional<Batteries> batteries_;
+  /// Batteries come with systems that may be configured later.
+  bool isConnected_ = false;
   std::optional<Joint> joint_;
   std::optional<Link> link_;
   /// Of the joint in the link frame, along which it pushes.
@@ -88,6 +97,8 @@ void Thruster::declare(Declaration& declaration) {
   declaration.parameter("p_gain", &gains_.p, "N m s/rad", "gain of that controller for the speed");
   declaration.parameter("i_gain", &gains_.i, "N m/rad", "for its integral");
   declaration.parameter("d_gain", &gains_.d, "N m s^2/rad", "for its derivative");
+  declaration.parameter("power_load", &powerLoad_, "W", "what it takes from a battery, whatever its thrust");
+  declaration.parameter("battery_name", &batteryName_, "", "that battery; of any model").otherwise("none");
   declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next one");
   declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double",
                          "the same; its name in older worlds");
@@ -95,6 +106,8 @@ void Thruster::declare(Declaration& declaration) {
 
 void Thruster::configure(const SystemContext& context) {
   log_ = &context.log;
+  model_ = context.model;
+  batteries_ = Batteries(context.world);
   joint_ = requiredJoint(context.sdf, "joint_name", *context.model);
   link_ = joint_->child();
   axis_ = joint_->poseInChild().rotation * joint_->axisInfo().xyz;
@@ -116,6 +129,10 @@ void Thruster::checkSettings(const SystemContext& context) {
                                 "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are taken");
     mostThrust_ = kMostThrust;
     leastThrust_ = -kMostThrust;
+  }
+  if (powerLoad_ && batteryName_.empty()) {
+    context.diagnostics.warning(sdf.child("power_load")->position,
+                                "<power_load> is not used: no <battery_name> is given");
   }
   for (const char* name : {"alpha_1", "alpha_2", "wake_fraction"}) {
     const Element* element = sdf.child(name);
@@ -145,8 +162,23 @@ void Thruster::receive(double thrust) {
   propeller_.turnFor(thrust_);
 }
 
+/// Says once what it takes from its battery.
+void Thruster::connectBattery() {
+  isConnected_ = true;
+  if (batteryName_.empty() || !powerLoad_) return;
+  std::vector<Battery> named = batteries_->named(batteryName_);
+  if (named.size() == 1) {
+    named.front().setLoad("thruster of " + model_->scopedName() + "::" + std::string(joint_->name()), *powerLoad_);
+  } else {
+    log_->warning("takes nothing from the battery '" + batteryName_ + "': there " +
+                  (named.empty() ? "is none of that name" : "are several of that name"));
+  }
+}
+
 void Thruster::preUpdate(const StepInfo& info) {
   if (info.paused) return;
+  if (!isConnected_) connectBattery();
+  if (batteries_->areEmpty(*model_)) return;
   const Vector3 axis = link_->pose().rotation * axis_;
   const double target = propeller_.turnFor(thrust_);
   double torque = 0;

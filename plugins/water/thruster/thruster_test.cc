@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "pongsim/battery.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::thruster_test {
@@ -123,6 +124,29 @@ TEST(Thruster, CutsAHugeThrust) {
   EXPECT_NEAR(speedOf(world), 1000 / 100.1 * 0.1, 1e-3);
 }
 
+TEST(Thruster, TakesItsPowerFromABatteryAndRestsWhenThatIsEmpty) {
+  RunningWorld world(worldWith(std::string(kDirect) + "<power_load>50</power_load><battery_name>cell</battery_name>"));
+  Batteries batteries(world.simulation().world());
+  Outcome<Battery> cell = batteries.add(world.model("sub"), "cell", 1);
+  ASSERT_TRUE(cell);
+  world.tellNumber(kTopic, 100);
+  world.step(10);
+  EXPECT_EQ(cell->load(), 50);
+  EXPECT_GT(speedOf(world), 0);
+  cell->setCharge(0);
+  const double speed = speedOf(world);
+  world.step(10);
+  EXPECT_NEAR(speedOf(world), speed, 1e-9);
+}
+
+TEST(Thruster, SaysThatItsBatteryIsNotThere) {
+  RunningWorld world(worldWith(std::string(kDirect) + "<power_load>50</power_load><battery_name>cell</battery_name>"));
+  testing::internal::CaptureStderr();
+  world.step(10);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("takes nothing from the battery 'cell': there is none of that name"), std::string::npos) << said;
+}
+
 TEST(Thruster, GoesOnWithTheSameBitsFromASavedStateAndAfterAReset) {
   const std::string text =
       worldWith("<joint_name>shaft</joint_name><p_gain>0.01</p_gain><i_gain>0.1</i_gain><alpha_2>-0.1</alpha_2>");
@@ -154,6 +178,7 @@ TEST(ThrusterParameters, AreWarnedOfWhereTheyMakeNoSense) {
             left + "<propeller_diameter> must be a length above zero"},
            {joint + "<fluid_density>0</fluid_density>", left + "<fluid_density> must be a number above zero"},
            {joint + "<thrust_coefficient>0</thrust_coefficient>", left + "<thrust_coefficient> must not be zero"},
+           {joint + "<power_load>5</power_load>", "<power_load> is not used: no <battery_name> is given"},
            {joint + "<max_thrust_cmd>-2000</max_thrust_cmd>",
             "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are taken"},
            {joint + "<thrust_coefficient>1</thrust_coefficient><alpha_1>1</alpha_1>",
