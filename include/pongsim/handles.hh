@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "pongsim/contact.hh"
+#include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
 #include "pongsim/geodesy.hh"
 #include "pongsim/outcome.hh"
+#include "pongsim/shape.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -21,6 +24,8 @@ class Access;
 class SystemSet;
 }  // namespace sim
 
+class Actor;
+class Batteries;
 class BeamScene;
 class CameraScene;
 class Collision;
@@ -122,6 +127,22 @@ class PONGSIM_API Collision {
   Link link() const;
   /// @return Pose of the collision frame in the link frame; never changes.
   Pose poseInLink() const;
+  /// Lets the surface run along, as a belt does, from the next step on and until told otherwise; nothing ends that.
+  /// A motion that is not finite, faster than `SurfaceMotion::kLargestSpeed` or without an axis is refused with a
+  /// warning.
+  void setSurfaceMotion(const std::optional<SurfaceMotion>& motion);
+  /// @return How the surface runs along; nothing where it does not.
+  std::optional<SurfaceMotion> surfaceMotion() const;
+  /// Sets how fast this collision slips along its first and second friction direction by each newton of friction at a
+  /// point [m/s/N], in place of the file's `<slip1>` and `<slip2>`, from the next step on. Values below zero, and those
+  /// that are not finite, are refused with a warning.
+  void setSlip(double slip1, double slip2);
+  /// @return These two [m/s/N].
+  std::pair<double, double> slip() const;
+  /// @return Its shape in the collision frame; never changes. `Solid` makes volume, centre and bounds of it.
+  Shape shape() const;
+  /// @return Where the file says it.
+  SourcePosition sourcePosition() const;
 
  private:
   friend class Link;
@@ -208,6 +229,9 @@ class PONGSIM_API Joint {
   /// forces that hold the two together and those of motor, friction, limits and commands. Measured from the first call
   /// on, which therefore returns zero; a reset of the world ends it.
   Wrench reaction() const;
+  /// @return Whether the next step is to drive an axis: one was given a force or has a velocity target, either not
+  /// zero.
+  bool isDriven() const;
 
  private:
   friend class Model;
@@ -324,6 +348,8 @@ class PONGSIM_API World {
   std::optional<std::string> setWind(const Vector3& wind);
 
  private:
+  friend class Actor;
+  friend class Batteries;
   friend class BeamScene;
   friend class CameraScene;
   friend class Scene;

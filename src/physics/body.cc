@@ -118,6 +118,7 @@ void Body::transfer(StateArchive& archive) {
   btVector3 force = rigid_.getTotalForce();
   btVector3 torque = rigid_.getTotalTorque();
   for (btVector3* vector : {&linear, &angular, &force, &torque}) transferVector(archive, *vector);
+  shape_.transfer(archive);
   if (!archive.isGiving()) return;
   rigid_.setWorldTransform(transform);
   rigid_.setInterpolationWorldTransform(transform);

@@ -30,6 +30,8 @@ class Body {
   void setLink(world::Slot link);
   bool moves() const { return moves_; }
   bool collides() const { return !shape_.empty(); }
+  LinkShape& shape() { return shape_; }
+  const LinkShape& shape() const { return shape_; }
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
 

@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "physics/settings.hh"
 #include "pongsim/contact.hh"
 #include "pongsim/state_archive.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -86,6 +89,22 @@ class Engine {
   /// @return The first link that was about to turn more than once in the last step, and has been slowed down to that;
   /// `world::kNoSlot` where there is none.
   world::Slot slowedDown() const;
+
+  /// @return Whether a force or a velocity other than zero is asked of one of the joint's axes.
+  bool isJointDriven(world::Slot joint) const;
+
+  /// Takes back all that is asked of the joint: its axes go on freely.
+  void releaseJoint(world::Slot joint);
+
+  /// Lets the surface of a link's collision run along, or ends that. The values must be finite, the axis not zero.
+  /// @param collision Its number in the link.
+  void setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion);
+  /// @return How it runs along, its axis a unit vector.
+  std::optional<SurfaceMotion> surfaceMotion(world::Slot link, std::size_t collision) const;
+
+  /// Sets how fast a collision slips along its friction directions by each newton [m/s/N], finite and not below zero.
+  void setSlip(world::Slot link, std::size_t collision, double slip1, double slip2);
+  std::pair<double, double> slip(world::Slot link, std::size_t collision) const;
 
  private:
   struct Parts;

@@ -202,7 +202,7 @@ std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::p
 void Scene::update(const world::Entities& entities, const world::State& state) {
   for (Item& item : items_) {
     item.X_WorldLink =
-        item.actor != nullptr ? world::actorPose(*item.actor, state.time) : state.links[item.link].X_WorldLink;
+        item.actor != nullptr ? world::actorPose(*item.actor, state) : state.links[item.link].X_WorldLink;
   }
   lamps_.clear();
   for (const world::LightRecord& record : entities.lights()) {

@@ -147,6 +147,8 @@ Wrench Joint::reaction() const {
   return {reaction.force, reaction.torque};
 }
 
+bool Joint::isDriven() const { return access_->engine.isJointDriven(slotOf(*access_, id_)); }
+
 JointAxisInfo Joint::axisInfo(int axis) const {
   const description::JointAxis& found = record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis));
   return {found.xyz, found.lower, found.upper, found.effort, found.velocity, found.damping};

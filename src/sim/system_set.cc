@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "plugin/system_name.hh"
@@ -25,24 +26,29 @@ description::Plugin defaultSceneBroadcaster() {
 
 }  // namespace
 
-SystemSet::SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict)
+SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict)
     : access_(access),
       transport_(transport),
       seed_(seed),
       strict_(strict),
       world_(access),
-      defaultSceneBroadcaster_(defaultSceneBroadcaster()) {}
+      defaultSceneBroadcaster_(defaultSceneBroadcaster()),
+      queue_(edits) {}
 
 SystemSet::~SystemSet() = default;
 
 void SystemSet::load(const description::World& world, Diagnostics& diagnostics) {
   loadWorldPlugins(world, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
+  for (const world::ActorRecord& actor : access_.entities.actors()) {
+    const std::vector<description::Plugin>& plugins = actor.description->plugins;
+    for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, diagnostics);
+  }
 }
 
 void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& diagnostics) {
   if (world.plugins.empty()) {
-    add(defaultSceneBroadcaster_, 0, std::nullopt, diagnostics);
+    add(defaultSceneBroadcaster_, 0, {}, diagnostics);
     return;
   }
   wantsPhysics_ = false;
@@ -54,7 +60,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& d
     } else if (name == kUserCommands) {
       Logger("plugins").info("user-commands is part of pongsim: each world has its services");
     } else {
-      add(plugin, i, std::nullopt, diagnostics);
+      add(plugin, i, {}, diagnostics);
     }
   }
   if (!wantsPhysics_) {
@@ -71,10 +77,10 @@ void SystemSet::loadModelPlugins(world::Slot model, Diagnostics& diagnostics) {
 
 void SystemSet::loadOwnPlugins(world::Slot model, Diagnostics& diagnostics) {
   const std::vector<description::Plugin>& plugins = access_.entities.models()[model].description->plugins;
-  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, model, diagnostics);
+  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, diagnostics);
 }
 
-void SystemSet::add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
+void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder,
                     Diagnostics& diagnostics) {
   std::unique_ptr<System> system;
   {
@@ -84,19 +90,24 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, std::
   if (system == nullptr) return;
 
   std::string name = plugin::systemName(plugin.filename);
-  std::optional<Model> handle;
-  if (model) {
-    const world::ModelRecord& record = access_.entities.models()[*model];
-    handle = Model(access_, record.id);
+  std::optional<Model> model;
+  std::optional<Actor> actor;
+  if (holder.model != world::kNoSlot) {
+    const world::ModelRecord& record = access_.entities.models()[holder.model];
+    model = Model(access_, record.id);
     name += " of " + record.scopedName;
+  } else if (holder.actor != nullptr) {
+    actor = Actor(access_, holder.actor->id);
+    name += " of " + holder.actor->description->name;
   }
   std::vector<System*> before;
   for (SystemSlot& slot : slots_) before.push_back(&slot.system());
   SystemSlot& slot = slots_.emplace_back(
-      SystemSlot::Parts{handle ? handle->id() : ModelId(), number, name, plugin.sdf.position, transport_.node(),
-                        Random(seed_, SystemSlot::streamOf(name, number)), std::move(system)},
-      access_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
-  if (slot.start(plugin.sdf, world_, handle, before, diagnostics)) {
+      SystemSlot::Parts{model ? model->id() : ModelId(), number, name, plugin.sdf.position, transport_.node(),
+                        Random(seed_, SystemSlot::streamOf(name, number)), std::move(system),
+                        actor ? actor->id() : ActorId()},
+      access_, queue_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
+  if (slot.start(plugin.sdf, world_, model, actor, before, diagnostics)) {
     warnOfSharedTopics(slot, diagnostics);
   } else {
     slots_.pop_back();
@@ -144,6 +155,7 @@ void SystemSet::announceChanges() {
 
 void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   seed_ = seed.value_or(seed_);
+  queue_.clear();
   slots_.remove_if(
       [&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
   for (const ModelId model : std::exchange(unloaded_, {})) {
@@ -168,10 +180,10 @@ void SystemSet::addTo(base::Hash& hash) const {
   for (const SystemSlot& slot : slots_) hash.add(slot.stream());
 }
 
-/// As they were loaded at the start: the world's, then each model's.
+/// As they were loaded at the start: the world's, then each model's, then each actor's.
 void SystemSet::putInOrder() {
   const auto place = [this](const SystemSlot& slot) {
-    return std::pair(slot.model() ? access_.entities.slot(slot.model()) + 1 : 0, slot.number());
+    return std::tuple(slot.actor(), slot.model() ? access_.entities.slot(slot.model()) + 1 : 0, slot.number());
   };
   slots_.sort([&](const SystemSlot& a, const SystemSlot& b) { return place(a) < place(b); });
 }
@@ -179,6 +191,7 @@ void SystemSet::putInOrder() {
 void SystemSet::preUpdate(const StepInfo& info) {
   // of a message that was handed over before
   check();
+  queue_.carryOut();
   announceChanges();
   for (SystemSlot& slot : slots_) slot.preUpdate(info);
   check();
@@ -191,6 +204,7 @@ void SystemSet::update(const StepInfo& info) {
 
 void SystemSet::postUpdate(const StepInfo& info) {
   for (SystemSlot& slot : slots_) slot.postUpdate(info);
+  queue_.carryOut();
   check();
 }
 

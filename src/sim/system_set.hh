@@ -14,6 +14,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
 #include "sim/access.hh"
+#include "sim/edit_queue.hh"
 #include "sim/system_slot.hh"
 
 namespace pongsim::sim {
@@ -22,8 +23,9 @@ namespace pongsim::sim {
 class SystemSet {
  public:
   /// All references must outlive it.
+  /// @param edits Carries out what systems ask for.
   /// @param strict A system that fails ends the step with an exception, in place of being switched off.
-  SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict);
+  SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict);
   ~SystemSet();
   SystemSet(const SystemSet&) = delete;
   SystemSet& operator=(const SystemSet&) = delete;
@@ -65,8 +67,12 @@ class SystemSet {
   void loadWorldPlugins(const description::World& world, Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
-  void add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
-           Diagnostics& diagnostics);
+  /// What a `<plugin>` stands in: a model, an actor, or where it is neither the world.
+  struct Holder {
+    world::Slot model = world::kNoSlot;
+    const world::ActorRecord* actor = nullptr;
+  };
+  void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
   void putInOrder();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
@@ -85,6 +91,7 @@ class SystemSet {
   /// Models whose systems have ended: they come back with them.
   std::vector<ModelId> unloaded_;
   std::optional<std::string> failure_;
+  EditQueue queue_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
 };

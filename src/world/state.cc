@@ -1,5 +1,7 @@
 #include "world/state.hh"
 
+#include <algorithm>
+
 #include "base/hash.hh"
 
 namespace pongsim::world {
@@ -40,6 +42,9 @@ void State::remove(const Removal& removal) {
   eraseSlots(links, removal.links);
   eraseSlots(joints, removal.joints);
   for (const ModelId model : removal.models) actuators.erase(model);
+  std::erase_if(batteries, [&](const BatteryState& battery) {
+    return std::ranges::find(removal.models, battery.model) != removal.models.end();
+  });
 }
 
 namespace {
@@ -86,6 +91,16 @@ void transfer(StateArchive& archive, State& state) {
     for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
   }
   transferActuators(archive, state.actuators);
+}
+
+bool isOutOfPower(const State& state, ModelId model) {
+  bool has = false;
+  for (const BatteryState& battery : state.batteries) {
+    if (battery.model != model) continue;
+    if (battery.charge > 0) return false;
+    has = true;
+  }
+  return has;
 }
 
 Pose modelPose(const Entities& entities, const State& state, Slot model) {

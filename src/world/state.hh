@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "pongsim/geodesy.hh"
@@ -39,6 +40,30 @@ struct Place {
   double heading = 0;
 };
 
+/// A battery of a model, and what drains it.
+struct BatteryState {
+  struct Load {
+    std::string consumer;
+    /// [W]
+    double power = 0;
+  };
+  BatteryId id;
+  ModelId model;
+  std::string name;
+  /// State of charge, 1: full.
+  double charge = 1;
+  std::vector<Load> loads;
+};
+
+/// An actor that goes as a system says, in place of its script.
+struct ActorState {
+  const description::Actor* description = nullptr;
+  Pose X_WorldActor;
+  /// Of its limbs: name and how far on it is.
+  std::string animation;
+  Time animationTime{0};
+};
+
 /// How everything stands now. The arrays go with those of `Entities`.
 struct State {
   /// The state at the start.
@@ -62,10 +87,16 @@ struct State {
   std::vector<JointState> joints;
   /// What a system of a model tells the actuators of the model, by their numbers.
   std::map<ModelId, std::vector<double>> actuators = {};
+  /// These two are no part of saved states: the systems that say them remember them.
+  std::vector<BatteryState> batteries;
+  std::vector<ActorState> actors;
 };
 
 /// All of a state whose arrays have the right size already.
 void transfer(StateArchive& archive, State& state);
+
+/// @return Whether the model has batteries and all of them are empty.
+bool isOutOfPower(const State& state, ModelId model);
 
 /// @return Pose of the model frame in the world frame: the model moves with its canonical link.
 Pose modelPose(const Entities& entities, const State& state, Slot model);

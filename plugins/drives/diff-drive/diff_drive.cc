@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "odometry.hh"
+#include "pongsim/differential_odometry.hh"
 #include "pongsim/odometry_topics.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/speed_limiter.hh"
@@ -123,7 +123,7 @@ class DiffDrive : public System {
   bool enabled_ = true;
   SpeedLimiter linearLimiter_;
   SpeedLimiter angularLimiter_;
-  std::optional<Odometry> odometry_;
+  std::optional<DifferentialOdometry> odometry_;
 
   const Logger* log_ = nullptr;
   OdometryTopics odometryTopics_;
