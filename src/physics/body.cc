@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "physics/convert.hh"
 #include "physics/gyroscope.hh"
@@ -83,17 +84,16 @@ void Body::setPose(const Pose& X_WorldLink) {
 }
 
 void Body::addForces(double dt, bool isHeld) {
-  if (!isRound_) {
-    btMatrix3x3& basis = rigid_.getWorldTransform().getBasis();
-    const btMatrix3x3 now = basis;
-    const Gyration asked = gyration(now, rigid_.getAngularVelocity(), moments_, dt, isHeld);
-    rigid_.applyTorque(asked.torque);
-    // Bullet makes the inertia of where the body is; the step's end sets it back
-    basis = asked.R_WorldAhead;
-    rigid_.updateInertiaTensor();
-    basis = now;
-  }
   rigid_.applyGravity();
+  if (isRound_) return;
+  btMatrix3x3& basis = rigid_.getWorldTransform().getBasis();
+  const auto asked = gyration(basis, rigid_.getAngularVelocity(), moments_, dt, isHeld);
+  if (!asked) return;
+  rigid_.applyTorque(asked->torque);
+  // Bullet makes the inertia of where the body is; the step's end sets it back
+  const btMatrix3x3 now = std::exchange(basis, asked->R_WorldAhead);
+  rigid_.updateInertiaTensor();
+  basis = now;
 }
 
 void Body::addWrench(const Vector3& force, const Vector3& torque) {

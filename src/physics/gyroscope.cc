@@ -41,10 +41,10 @@ struct Turn {
 
 }  // namespace
 
-Gyration gyration(const btMatrix3x3& R_WorldBody, const btVector3& w_World, const btVector3& moments, double dt, bool isHeld) {
-  Gyration result{{0, 0, 0}, R_WorldBody};
-  if (w_World.length2() * dt * dt < kSmallestTurn * kSmallestTurn) return result;
-  if (moments.x() == moments.y() && moments.y() == moments.z()) return result;
+std::optional<Gyration> gyration(const btMatrix3x3& R_WorldBody, const btVector3& w_World, const btVector3& moments,
+                                 double dt, bool isHeld) {
+  if (w_World.length2() * dt * dt < kSmallestTurn * kSmallestTurn) return std::nullopt;
+  if (moments.x() == moments.y() && moments.y() == moments.z()) return std::nullopt;
   // all of it in the body's frame
   const btVector3 before = w_World * R_WorldBody;
   const btVector3 momentum = Turn(dt / 2 * before).back(moments * before);
@@ -58,9 +58,8 @@ Gyration gyration(const btMatrix3x3& R_WorldBody, const btVector3& w_World, cons
     if ((next - last).length2() <= kEnough * kEnough * next.length2()) break;
   }
   const Turn half(dt / 2 * next);
-  result.torque = R_WorldBody * (momentum - half(moments * half.back(before))) / dt;
-  result.R_WorldAhead = R_WorldBody * half.matrix();
-  return result;
+  const btVector3 torque = R_WorldBody * (momentum - half(moments * half.back(before))) / dt;
+  return Gyration{torque, R_WorldBody * half.matrix()};
 }
 
 }  // namespace pongsim::physics
