@@ -87,7 +87,7 @@ class PONGSIM_API Parameter {
 /// `pongsim plugin -i` prints it, and so do the pages of the documentation.
 class PONGSIM_API Declaration {
  public:
-  enum class Place { kAnywhere, kWorld, kModel };
+  enum class Place { kAnywhere, kWorld, kModel, kActor };
 
   /// A topic or a service. In its name stand W, M, L, J and S for the names of the world, model, link, joint and
   /// sensor, and `<topic>` for what that parameter says.

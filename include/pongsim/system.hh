@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "pongsim/actor.hh"
 #include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
@@ -37,7 +38,7 @@ struct SystemContext {
   /// The `<plugin>` element, with its parameters below it.
   const Element& sdf;
   World& world;
-  /// The model that the plugin stands in; nothing where it stands in the world.
+  /// The model that the plugin stands in; nothing where it stands in the world or in an actor.
   std::optional<Model> model;
   Node& node;
   const Logger& log;
@@ -48,6 +49,8 @@ struct SystemContext {
   std::span<System* const> before;
   /// How it inserts and removes models.
   WorldEdits& edits;
+  /// The actor that the plugin stands in, if it does in one.
+  std::optional<Actor> actor;
 };
 
 /// A part of the simulation that a world's `<plugin>` element asks for. All functions are called on the
@@ -75,7 +78,8 @@ class PONGSIM_API System {
   virtual void reset() {}
   /// Models or joints have come or gone. The place to look for what is new, and to let go of handles whose `exists`
   /// says no: a system that asks them for more (`Gone`) rests until the next reset. The systems of a model that is
-  /// removed go with it and are not called.
+  /// removed go with it and are not called; those of one that is set aside with its level are called again, with this
+  /// first, when it is back.
   virtual void worldChanged() {}
   /// Takes what the system remembers from step to step into `archive`, or gives it back from there. One that remembers
   /// something and does not tell it goes on as it is where a state is restored. The random stream of its context needs

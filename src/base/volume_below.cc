@@ -30,7 +30,8 @@ Segment segmentOf(double radius, double limit) {
 /// Integral over u of the part of a ball's slice at u that lies in its upper half, where the edge of that half cuts the
 /// slices: |u| at most `radius * sine`. `sine` and `cosine` are those of the angle between `up` and z.
 double sliceIntegral(double radius, double sine, double cosine, double u) {
-  const double k = cosine / sine;
+  // minus zero would be the other way round
+  const double k = (cosine + 0.0) / sine;
   const double stretch = 1 / (sine * sine);
   const double square = radius * radius;
   const double p = std::sqrt(std::max(0.0, square - stretch * u * u));
@@ -103,7 +104,9 @@ VolumeMoments halfBallBelow(double radius, const Vector3& up, double height) {
   const double rim = std::sqrt(std::max(0.0, radius * radius - u * u));
   const bool isLevel = sine <= 1e-9;
   const double inBase = isLevel ? (u >= 0 ? radius : -radius) : u / sine;
-  const double inCut = isLevel ? (u * cosine >= 0 ? rim : -rim) : u * cosine / sine;
+  // where both are one face, it counts once
+  const bool isCutInside = u * cosine > 0 || (u == 0 && cosine > 0);
+  const double inCut = isLevel ? (isCutInside ? rim : -rim) : u * cosine / sine;
   const Segment base = segmentOf(radius, inBase);
   const Segment cut = segmentOf(rim, inCut);
   VolumeMoments part;

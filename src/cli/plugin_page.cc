@@ -19,6 +19,8 @@ const char* placeText(Declaration::Place place) {
       return "the <world>";
     case Declaration::Place::kModel:
       return "a <model>";
+    case Declaration::Place::kActor:
+      return "an <actor>";
     default:
       return "the <world> or a <model>";
   }

@@ -33,6 +33,8 @@ CoreSystem userCommands() {
   serves("light_config", "ignition.msgs.Light", "how a light shines");
   serves("set_physics", "ignition.msgs.Physics", "step size, gravity and real-time factor");
   serves("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", "how the wheels of WheelSlip slip");
+  serves("level/set_performer", "ignition.msgs.StringMsg",
+         "lets a model of the top level perform: levels are loaded where it is");
   declaration.subscribes("/world/W/light_config", "ignition.msgs.Light", "the same as a topic");
   return system;
 }

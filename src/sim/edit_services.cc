@@ -38,6 +38,7 @@ EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("set_physics", "ignition.msgs.Physics", &EditServices::setPhysics);
   serve("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", &EditServices::setWheelSlip);
   wheelSlips_ = simulation.transport().node().advertise(nameOf("wheel_slip"), "ignition.msgs.WheelSlipParametersCmd");
+  serve("level/set_performer", "ignition.msgs.StringMsg", &EditServices::setPerformer);
   lights_ = simulation.transport().node().subscribe(nameOf("light_config"), "ignition.msgs.Light",
                                                     [this](const Message& light) {
                                                       if (const auto refusal = simulation_.changeLight(light))
@@ -146,6 +147,8 @@ std::optional<Model> EditServices::find(const msgs::EntityName& asked, std::stri
     error = "neither a name nor an id is given";
   } else if (simulation_.world().model(asked.name)) {
     error = "'" + asked.name + "' is nested in another model";
+  } else if (simulation_.isSetAside(asked.name)) {
+    error = "model '" + asked.name + "' is set aside: its level is not loaded";
   } else {
     const std::string nearest = base::didYouMean(asked.name, names);
     error = "there is no model '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest);
@@ -205,6 +208,10 @@ ServiceAnswer EditServices::setPlace(const Message& request) {
 }
 
 ServiceAnswer EditServices::setLight(const Message& request) { return answerFor(simulation_.changeLight(request)); }
+
+ServiceAnswer EditServices::setPerformer(const Message& request) {
+  return answerFor(simulation_.addPerformer(msgs::string(request)));
+}
 
 ServiceAnswer EditServices::setPhysics(const Message& request) {
   const msgs::PhysicsSettings asked = msgs::physicsSettings(request);

@@ -53,6 +53,7 @@ class EditServices {
   std::optional<Vector3> positionOf(const msgs::PlaceOnEarth& place, std::string& refusal);
   /// @return Where it is to stand, or nothing, which with `refusal` means that it can't.
   std::optional<Pose> poseFor(const msgs::EntityFactory& asked, std::string& refusal);
+  ServiceAnswer setPerformer(const Message& request);
   /// @return The model at the top level, or nothing and `error`.
   std::optional<Model> find(const msgs::EntityName& asked, std::string& error);
   /// @return The link or the model of any level, or nothing and `error`.

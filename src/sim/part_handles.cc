@@ -98,6 +98,8 @@ SourcePosition Collision::sourcePosition() const { return record(*access_, id_).
 
 bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
 
+bool Sensor::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
+
 std::string_view Sensor::name() const { return record(*access_, id_).description->name; }
 
 std::string_view Sensor::type() const { return record(*access_, id_).description->type; }

@@ -8,9 +8,10 @@ namespace pongsim::sim {
 namespace {
 
 /// @return What a `<plugin>` must stand in, where it does not.
-const char* missingPlace(Declaration::Place place, bool isInModel) {
-  if (place == Declaration::Place::kModel && !isInModel) return "<model>";
-  if (place == Declaration::Place::kWorld && isInModel) return "<world>";
+const char* missingPlace(Declaration::Place place, bool isInModel, bool isInActor) {
+  if (place == Declaration::Place::kModel && !isInModel) return "a <model>";
+  if (place == Declaration::Place::kWorld && (isInModel || isInActor)) return "a <world>";
+  if (place == Declaration::Place::kActor && !isInActor) return "an <actor>";
   return nullptr;
 }
 
@@ -33,17 +34,17 @@ SystemSlot::~SystemSlot() {
 }
 
 bool SystemSlot::start(const Element& plugin, World& world, const std::optional<Model>& model,
-                       std::span<System* const> before, Diagnostics& diagnostics) {
+                       const std::optional<Actor>& actor, std::span<System* const> before, Diagnostics& diagnostics) {
   const std::string left = parts_.name + " is left out: ";
   const base::RunningPart running(crashName_.c_str(), "in configure");
   try {
     parts_.system->declare(declaration_);
-    if (const char* place = missingPlace(declaration_.place(), model.has_value())) {
-      diagnostics.warning(plugin.position, left + "it must stand in a " + place);
+    if (const char* place = missingPlace(declaration_.place(), model.has_value(), actor.has_value())) {
+      diagnostics.warning(plugin.position, left + "it must stand in " + place);
       return false;
     }
     if (!declaration_.read(plugin, parts_.name, diagnostics)) return false;
-    parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before, edits_});
+    parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before, edits_, actor});
     return true;
   } catch (const Error& error) {
     const Diagnostic& found = error.diagnostic();
@@ -55,7 +56,7 @@ bool SystemSlot::start(const Element& plugin, World& world, const std::optional<
 }
 
 bool SystemSlot::begin(const char* phase) {
-  if (isOff_) return false;
+  if (isOff_ || isResting_) return false;
   phase_ = phase;
   running_.emplace(crashName_.c_str(), phase);
   access_.inSystem = true;

@@ -23,7 +23,7 @@ namespace pongsim::sim {
 class SystemSlot final : public CallGuard {
  public:
   struct Parts {
-    /// Where the `<plugin>` stands; 0 for the world.
+    /// Where the `<plugin>` stands; 0 for the world and for actors.
     ModelId model;
     /// Which plugin of the model or of the world.
     std::size_t number;
@@ -34,6 +34,8 @@ class SystemSlot final : public CallGuard {
     Node node;
     Random random;
     std::unique_ptr<System> system;
+    /// Where the `<plugin>` stands in an actor.
+    ActorId actor = {};
   };
   /// Told why the system has been switched off, each time.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
@@ -43,6 +45,7 @@ class SystemSlot final : public CallGuard {
   ~SystemSlot() override;
 
   ModelId model() const { return parts_.model; }
+  ActorId actor() const { return parts_.actor; }
   std::size_t number() const { return parts_.number; }
   const std::string& name() const { return parts_.name; }
   const SourcePosition& position() const { return parts_.position; }
@@ -54,14 +57,18 @@ class SystemSlot final : public CallGuard {
   const Declaration& declaration() const { return declaration_; }
 
   /// Declares and configures the system.
-  /// @param world, model Where the `<plugin>` stands; no model for the world itself.
+  /// @param world, model, actor Where the `<plugin>` stands; neither model nor actor for the world itself.
   /// @param before The systems before this one.
   /// @return Whether it can be used; else `diagnostics` says why not.
-  bool start(const Element& plugin, World& world, const std::optional<Model>& model, std::span<System* const> before,
-             Diagnostics& diagnostics);
+  bool start(const Element& plugin, World& world, const std::optional<Model>& model, const std::optional<Actor>& actor,
+             std::span<System* const> before, Diagnostics& diagnostics);
   System& system() { return *parts_.system; }
   /// @return What it has advertised.
   const std::vector<std::string>& topics() const { return topics_; }
+
+  /// Whether its model is set aside: it is not called, and gets neither messages nor requests.
+  void setResting(bool rests) { isResting_ = rests; }
+  bool isResting() const { return isResting_; }
 
   /// Calls it again from now on, with random numbers as at the start.
   void switchOn(Random random);
@@ -103,6 +110,7 @@ class SystemSlot final : public CallGuard {
   Declaration declaration_;
   std::vector<std::string> topics_;
   bool isOff_ = false;
+  bool isResting_ = false;
   const char* phase_ = "";
   std::optional<base::RunningPart> running_;
 };

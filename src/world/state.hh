@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "pongsim/geodesy.hh"
@@ -39,6 +40,36 @@ struct Place {
   double heading = 0;
 };
 
+/// How a group of entities stands that is set aside.
+struct StatePart {
+  std::vector<LinkState> links;
+  std::vector<JointState> joints;
+};
+
+/// A battery of a model, and what drains it.
+struct BatteryState {
+  struct Load {
+    std::string consumer;
+    /// [W]
+    double power = 0;
+  };
+  BatteryId id;
+  ModelId model;
+  std::string name;
+  /// State of charge, 1: full.
+  double charge = 1;
+  std::vector<Load> loads;
+};
+
+/// An actor that goes as a system says, in place of its script.
+struct ActorState {
+  const description::Actor* description = nullptr;
+  Pose X_WorldActor;
+  /// Of its limbs: name and how far on it is.
+  std::string animation;
+  Time animationTime{0};
+};
+
 /// How everything stands now. The arrays go with those of `Entities`.
 struct State {
   /// The state at the start.
@@ -47,6 +78,9 @@ struct State {
   /// Gives what has come into `entities` its place, where it is at the start.
   void grow(const Entities& entities);
   void remove(const Removal& removal);
+  /// Goes with `Entities::setAside` and `bringBack`.
+  std::vector<StatePart> setAside(const GroupSlots& groups);
+  void bringBack(const GroupSlots& groups, std::vector<StatePart> parts);
 
   Time time{0};
   std::uint64_t iterations = 0;
@@ -62,10 +96,17 @@ struct State {
   std::vector<JointState> joints;
   /// What a system of a model tells the actuators of the model, by their numbers.
   std::map<ModelId, std::vector<double>> actuators = {};
+  /// These two are no part of saved states: the systems that say them remember them.
+  std::vector<BatteryState> batteries;
+  std::vector<ActorState> actors;
 };
 
 /// All of a state whose arrays have the right size already.
 void transfer(StateArchive& archive, State& state);
+void transfer(StateArchive& archive, StatePart& part);
+
+/// @return Whether the model has batteries and all of them are empty.
+bool isOutOfPower(const State& state, ModelId model);
 
 /// @return Pose of the model frame in the world frame: the model moves with its canonical link.
 Pose modelPose(const Entities& entities, const State& state, Slot model);
@@ -79,7 +120,8 @@ Pose poseInModel(const Entities& entities, const State& state, Slot link);
 /// @return A number made of all bits of the state, by FNV-1a (64 bits) over 64-bit words, each taken from its lowest
 /// byte up: time [ns], iterations, number of links, then of each link position (x, y, z), rotation (w, x, y, z),
 /// linear and angular velocity, then the number of joints and of each position and velocity, of its first axis and of
-/// its second; floating-point values as the bits of their IEEE 754 doubles.
-std::uint64_t stateHash(const State& state);
+/// its second; floating-point values as the bits of their IEEE 754 doubles. Then the same of the links and joints of
+/// each part that is set aside.
+std::uint64_t stateHash(const State& state, const std::vector<const StatePart*>& parts = {});
 
 }  // namespace pongsim::world

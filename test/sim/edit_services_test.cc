@@ -61,6 +61,34 @@ class EditServicesTest : public testing::Test {
   std::unique_ptr<EditServices> services_;
 };
 
+TEST_F(EditServicesTest, LetModelsPerform) {
+  const auto perform = [this](const std::string& text) { return refusal("level/set_performer", "StringMsg", text); };
+  EXPECT_EQ(perform("data: 'ball'"), "");
+  EXPECT_EQ(perform("data: 'ball'"), "model 'ball' is a performer already");
+  EXPECT_EQ(perform(""), "no model is named");
+  EXPECT_EQ(perform("data: 'tower::top'"), "model 'tower::top' is a part of another one");
+  EXPECT_EQ(perform("data: 'later'"), "") << "as in Fortress: when it comes";
+  std::vector<Performer> performers;
+  simulation_->world().performers(performers);
+  ASSERT_EQ(performers.size(), 1U);
+  EXPECT_EQ(performers[0].name, "perf_ball");
+  EXPECT_EQ(performers[0].pose.position, Vector3(1, 2, 3));
+}
+
+TEST_F(EditServicesTest, SayThatAModelIsSetAside) {
+  Diagnostics diagnostics;
+  services_.reset();
+  simulation_ = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><model name='far'><link name='l'/></model><plugin filename='dummy' "
+      "name='gz::sim'><level name='x'><geometry><box/></geometry><ref>far</ref></level></plugin></world></sdf>",
+      "world.sdf", {.loadSystems = false, .levels = true}, diagnostics);
+  ASSERT_NE(simulation_, nullptr);
+  services_ = std::make_unique<EditServices>(*simulation_);
+  const std::string refused = "model 'far' is set aside: its level is not loaded";
+  EXPECT_EQ(setPose("name: 'far'"), refused);
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'far', type: MODEL"), refused);
+}
+
 TEST_F(EditServicesTest, CreateAModelWhereItIsWanted) {
   const std::string crate = kCrate;
   EXPECT_EQ(create(crate + ", pose {position {x: 4}}"), "");
