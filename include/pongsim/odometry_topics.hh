@@ -4,6 +4,7 @@
 #include <ignition/msgs/pose_v.pb.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "pongsim/fields.hh"
@@ -30,12 +31,12 @@ class OdometryTopics {
     declaration.publishes("<tf_topic>", "ignition.msgs.Pose_V", "the same pose");
   }
 
-  void open(const Model& model, Node& node) {
+  /// @param base The link that the odometry is of; unset: the model's canonical link.
+  void open(const Model& model, Node& node, std::optional<Link> base = std::nullopt) {
     const std::string name(model.name());
+    if (!base) base = model.canonicalLink();
     if (frame_.empty()) frame_ = name + "/odom";
-    if (childFrame_.empty() && model.canonicalLink()) {
-      childFrame_ = name + "/" + std::string(model.canonicalLink()->name());
-    }
+    if (childFrame_.empty() && base) childFrame_ = name + "/" + std::string(base->name());
     odometryPublisher_ =
         node.advertise<ignition::msgs::Odometry>(topicOr(odometryTopic_, "/model/" + name + "/odometry"));
     tfPublisher_ = node.advertise<ignition::msgs::Pose_V>(topicOr(tfTopic_, "/model/" + name + "/tf"));
@@ -49,6 +50,7 @@ class OdometryTopics {
       setHeader(now, *message_.mutable_header());
       setPlace(odometry, *message_.mutable_pose());
       message_.mutable_twist()->mutable_linear()->set_x(odometry.linearVelocity);
+      message_.mutable_twist()->mutable_linear()->set_y(odometry.lateralVelocity);
       message_.mutable_twist()->mutable_angular()->set_z(odometry.angularVelocity);
       odometryPublisher_.publish(message_);
     }

@@ -13,6 +13,8 @@ struct PlanarOdometry {
   double linearVelocity = 0;
   /// Anticlockwise [rad/s].
   double angularVelocity = 0;
+  /// To the left [m/s], of a vehicle that can.
+  double lateralVelocity = 0;
 };
 
 }  // namespace pongsim

@@ -1,0 +1,130 @@
+#include <ignition/msgs/twist.pb.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "kinematics.hh"
+#include "pongsim/odometry_topics.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/speed_limiter.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// A command beyond that is a mistake [m/s, rad/s].
+constexpr double kFastestCommand = 1e6;
+
+/// Drives four mecanum wheels as a Twist commands, sideways too, and publishes where it believes to be.
+class MecanumDrive : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is(
+        "Drives four mecanum wheels as a Twist commands, sideways too, and publishes where it believes to be.",
+        Declaration::Place::kModel);
+    for (Wheel& wheel : wheels_) {
+      declaration
+          .parameter(wheel.parameter, &wheel.names, "",
+                     std::string("joints of the ") + wheel.place + " wheels; odometry uses the first")
+          .required();
+    }
+    const auto length = [&](const char* name, double& value, const char* text) {
+      declaration.parameter(name, &value, "m", text).above(0);
+    };
+    length("wheel_separation", geometry_.wheelSeparation, "distance of the left wheels from the right ones");
+    length("wheelbase", geometry_.wheelbase, "distance of the front wheels from the back ones");
+    length("wheel_radius", geometry_.wheelRadius, "radius of the wheels");
+    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/cmd_vel");
+    odometryTopics_.declare(declaration);
+    declareSpeedLimits(declaration, limits_, "", "m/s or rad/s");
+    declaration.subscribes("<topic>", "ignition.msgs.Twist",
+                           "`linear.x`, `linear.y` [m/s] and `angular.z` [rad/s], which hold until the next command");
+  }
+
+  void configure(const SystemContext& context) override {
+    log_ = &context.log;
+    const Model& model = *context.model;
+    for (Wheel& wheel : wheels_) wheel.joints = requiredJoints(context.sdf, wheel.parameter, model);
+    const SpeedLimits linear = speedLimits({}, limits_, "linear", context.sdf);
+    forward_ = lateral_ = SpeedLimiter(linear);
+    angular_ = SpeedLimiter(speedLimits({}, limits_, "angular", context.sdf));
+    command_ = context.node.subscribe<ignition::msgs::Twist>(
+        topicOr(topic_, "/model/" + std::string(model.name()) + "/cmd_vel"),
+        [this](const ignition::msgs::Twist& twist) { receive(twist); });
+    odometryTopics_.open(model, context.node);
+  }
+
+  void preUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    const double dt = toSeconds(info.dt);
+    const MecanumWheels speeds = wheelsFor(
+        geometry_, {forward_.limit(target_.x, dt), lateral_.limit(target_.y, dt), angular_.limit(target_.yaw, dt)});
+    const std::array<double, 4> inOrder{speeds.frontLeft, speeds.frontRight, speeds.backLeft, speeds.backRight};
+    for (std::size_t i = 0; i < wheels_.size(); ++i) {
+      for (Joint& joint : wheels_[i].joints) joint.setVelocityTarget(inOrder[i]);
+    }
+  }
+
+  void postUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    const auto angle = [this](std::size_t wheel) { return wheels_[wheel].joints.front().position(); };
+    odometry_.update(geometry_, {angle(0), angle(1), angle(2), angle(3)}, toSeconds(info.dt));
+    odometryTopics_.update(odometry_.value(), info.time);
+  }
+
+  void reset() override {
+    odometry_ = {};
+    odometryTopics_.reset();
+    for (SpeedLimiter* limiter : {&forward_, &lateral_, &angular_}) limiter->reset();
+    target_ = {};
+  }
+
+  void transfer(StateArchive& archive) override {
+    odometry_.transfer(archive);
+    odometryTopics_.transfer(archive);
+    for (SpeedLimiter* limiter : {&forward_, &lateral_, &angular_}) limiter->transfer(archive);
+    for (double* value : {&target_.x, &target_.y, &target_.yaw}) archive(*value);
+  }
+
+ private:
+  struct Wheel {
+    const char* parameter;
+    const char* place;
+    std::vector<std::string> names = {};
+    std::vector<Joint> joints = {};
+  };
+
+  void receive(const ignition::msgs::Twist& twist) {
+    const PlanarTwist wanted{twist.linear().x(), twist.linear().y(), twist.angular().z()};
+    for (const double value : {wanted.x, wanted.y, wanted.yaw}) {
+      if (std::abs(value) <= kFastestCommand) continue;
+      log_->warning("a command that is not finite, or faster than 1e6 m/s or rad/s, was ignored");
+      return;
+    }
+    target_ = wanted;
+  }
+
+  std::array<Wheel, 4> wheels_{Wheel{"front_left_joint", "front left"}, Wheel{"front_right_joint", "front right"},
+                               Wheel{"back_left_joint", "back left"}, Wheel{"back_right_joint", "back right"}};
+  MecanumGeometry geometry_;
+  std::string topic_;
+  SpeedLimitParameters limits_;
+
+  PlanarTwist target_;
+  SpeedLimiter forward_, lateral_, angular_;
+  MecanumOdometry odometry_;
+
+  const Logger* log_ = nullptr;
+  OdometryTopics odometryTopics_;
+  Subscription command_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::MecanumDrive, "ignition::gazebo::systems::MecanumDrive",
+                      "gz::sim::systems::MecanumDrive");

@@ -1,0 +1,174 @@
+#include <ignition/msgs/double.pb.h>
+#include <ignition/msgs/vector3d.pb.h>
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pongsim/parameters.hh"
+#include "pongsim/speed_limiter.hh"
+#include "pongsim/surface_motion.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// A track that runs round a point beyond that runs straight on [m].
+constexpr double kFarthestCenter = 1e9;
+
+/// Lets the surface of a link run along, as a vehicle's track or a conveyor belt, at a commanded speed.
+class TrackController : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is(
+        "Lets the surface of a link run along, as a vehicle's track or a conveyor belt, at a commanded speed.",
+        Declaration::Place::kModel);
+    declaration.parameter("link", &linkName_, "", "the track, or the belt").required();
+    declaration.parameter("track_orientation", &orientation_, "rad",
+                          "roll, pitch and yaw of the track in the link: with a speed above zero its top runs "
+                          "along its x axis");
+    declaration.parameter("velocity_topic", &velocityTopic_, "", "where speeds come from")
+        .otherwise("/model/M/link/L/track_cmd_vel");
+    declaration.parameter("center_of_rotation_topic", &centerTopic_, "", "where centres of rotation come from")
+        .otherwise("/model/M/link/L/track_cmd_center_of_rotation");
+    declaration.parameter("max_command_age", &maxAge_, "s", "the track stops where no command has come for so long")
+        .atLeast(0)
+        .mayBeInfinite()
+        .otherwise("none");
+    declareTrackLimits(declaration);
+    declaration.parameter("debug", &debug_, "", "says in the log (`-v 4`) what the track is told and does");
+    declaration.subscribes("<velocity_topic>", "ignition.msgs.Double", "speed [m/s], which holds until the next one");
+    declaration.subscribes("<center_of_rotation_topic>", "ignition.msgs.Vector3d",
+                           "point of the world [m] that the vehicle turns about; not finite: it goes straight on");
+  }
+
+  void configure(const SystemContext& context) override {
+    log_ = &context.log;
+    const Model& model = *context.model;
+    const Link link = requiredLink(context.sdf, "link", model);
+    collisions_ = link.collisions();
+    if (collisions_.empty()) {
+      context.diagnostics.warning(
+          context.sdf.child("link")->position,
+          "<link> '" + linkName_ + "' has no <collision>: it touches nothing, and moves nothing");
+    }
+    axis_ = fromRollPitchYaw(orientation_.x(), orientation_.y(), orientation_.z()) * Vector3::UnitY();
+    limiter_ = SpeedLimiter(speedLimits(limits_, {}, "track", context.sdf));
+    const std::string prefix = "/model/" + std::string(model.name()) + "/link/" + linkName_;
+    velocity_ = context.node.subscribe<ignition::msgs::Double>(
+        topicOr(velocityTopic_, prefix + "/track_cmd_vel"),
+        [this](const ignition::msgs::Double& message) { receiveSpeed(message.data()); });
+    centers_ = context.node.subscribe<ignition::msgs::Vector3d>(
+        topicOr(centerTopic_, prefix + "/track_cmd_center_of_rotation"),
+        [this](const ignition::msgs::Vector3d& message) {
+          receiveCenter({message.x(), message.y(), message.z()});
+        });
+  }
+
+  void preUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    if (isNew_) lastCommand_ = info.time;
+    isNew_ = false;
+    const bool isOld = maxAge_ && toSeconds(info.time - lastCommand_) > *maxAge_;
+    const double speed = limiter_.limit(isOld ? 0 : wanted_, toSeconds(info.dt));
+    const SurfaceMotion motion{.speed = speed, .axis = axis_, .center = center_};
+    if (motion_ == motion) return;
+    motion_ = motion;
+    for (Collision& collision : collisions_) collision.setSurfaceMotion(motion);
+    if (debug_) tell();
+  }
+
+  void reset() override {
+    limiter_.reset();
+    wanted_ = 0;
+    center_.reset();
+    lastCommand_ = Time::zero();
+    isNew_ = false;
+    motion_.reset();
+  }
+
+  void transfer(StateArchive& archive) override {
+    limiter_.transfer(archive);
+    archive(wanted_);
+    archive(center_);
+    archive(lastCommand_);
+    archive(isNew_);
+    // the collisions' own state has it
+    if (archive.isGiving()) motion_.reset();
+  }
+
+ private:
+  void declareTrackLimits(Declaration& declaration) {
+    const auto add = [&](const char* quantity, const char* unit, std::optional<double>& min,
+                         std::optional<double>& max) {
+      const std::string name(quantity);
+      declaration.parameter("min_" + name, &min, unit, "least " + name + " of the track")
+          .mayBeInfinite()
+          .otherwise("no limit");
+      declaration.parameter("max_" + name, &max, unit, "largest " + name + " of the track")
+          .mayBeInfinite()
+          .otherwise("no limit");
+    };
+    add("velocity", "m/s", limits_.minVelocity, limits_.maxVelocity);
+    add("acceleration", "m/s^2", limits_.minAcceleration, limits_.maxAcceleration);
+    add("jerk", "m/s^3", limits_.minJerk, limits_.maxJerk);
+  }
+
+  void receiveSpeed(double speed) {
+    if (!(std::abs(speed) <= SurfaceMotion::kLargestSpeed)) {
+      log_->warning("a speed that is not finite, or above 1e6 m/s, was ignored");
+      return;
+    }
+    wanted_ = speed;
+    isNew_ = true;
+  }
+
+  void receiveCenter(const Vector3& center) {
+    // as Fortress says that a vehicle goes straight on; not a number is refused by this comparison, too
+    const bool isNear = center.cwiseAbs().maxCoeff() <= kFarthestCenter && center.allFinite();
+    center_ = isNear ? std::optional(center) : std::nullopt;
+    isNew_ = true;
+  }
+
+  void tell() const {
+    std::ostringstream text;
+    text << "'" << linkName_ << "' is told " << wanted_ << " m/s and runs at " << motion_->speed << " m/s, ";
+    if (center_) {
+      text << "about " << center_->x() << " " << center_->y() << " " << center_->z();
+    } else {
+      text << "straight on";
+    }
+    log_->debug(text.str());
+  }
+
+  std::string linkName_;
+  Vector3 orientation_ = Vector3::Zero();
+  std::string velocityTopic_, centerTopic_;
+  std::optional<double> maxAge_;
+  SpeedLimitParameters limits_;
+  bool debug_ = false;
+
+  std::vector<Collision> collisions_;
+  /// Of the track's drums, in the link frame.
+  Vector3 axis_ = Vector3::UnitY();
+  double wanted_ = 0;
+  std::optional<Vector3> center_;
+  Time lastCommand_{0};
+  bool isNew_ = false;
+  SpeedLimiter limiter_;
+  /// What the collisions were told last.
+  std::optional<SurfaceMotion> motion_;
+
+  const Logger* log_ = nullptr;
+  Subscription velocity_, centers_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::TrackController, "ignition::gazebo::systems::TrackController",
+                      "gz::sim::systems::TrackController");
