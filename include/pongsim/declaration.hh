@@ -43,6 +43,9 @@ class PONGSIM_API Parameter {
   Parameter& oneOf(std::vector<std::string> words);
   /// What pages say of the default, where the value at first does not tell: "/model/M/cmd_vel".
   Parameter& otherwise(std::string fallback);
+  /// Pages show one row for all parameters of that family that follow each other, in place of their names:
+  /// "{xyz}{UVW}" for xU, xV and so on.
+  Parameter& inFamily(std::string pattern);
 
   const std::string& name() const { return name_; }
   const std::string& unit() const { return unit_; }
@@ -54,6 +57,8 @@ class PONGSIM_API Parameter {
   std::string type() const;
   /// @return The default as text; empty where there is none.
   const std::string& fallback() const { return fallback_; }
+  /// @return The family's pattern; empty where it stands for itself.
+  const std::string& family() const { return family_; }
 
   /// Puts what stands below `plugin` into the target. An element without text is as one that is not there.
   /// @throws Error naming the position of a value that can't be used.
@@ -69,6 +74,7 @@ class PONGSIM_API Parameter {
   std::string unit_;
   std::string text_;
   std::string fallback_;
+  std::string family_;
   bool isRequired_ = false;
   bool isFinite_ = true;
   std::optional<double> above_;
@@ -81,7 +87,7 @@ class PONGSIM_API Parameter {
 /// `pongsim plugin -i` prints it, and so do the pages of the documentation.
 class PONGSIM_API Declaration {
  public:
-  enum class Place { kAnywhere, kWorld, kModel };
+  enum class Place { kAnywhere, kWorld, kModel, kActor };
 
   /// A topic or a service. In its name stand W, M, L, J and S for the names of the world, model, link, joint and
   /// sensor, and `<topic>` for what that parameter says.

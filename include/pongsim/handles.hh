@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -9,9 +10,12 @@
 #include <vector>
 
 #include "pongsim/contact.hh"
+#include "pongsim/diagnostic.hh"
 #include "pongsim/export.hh"
 #include "pongsim/geodesy.hh"
 #include "pongsim/outcome.hh"
+#include "pongsim/shape.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -21,6 +25,9 @@ class Access;
 class SystemSet;
 }  // namespace sim
 
+class Actor;
+class Appearance;
+class Batteries;
 class BeamScene;
 class CameraScene;
 class Collision;
@@ -39,6 +46,8 @@ struct MassInfo {
   Vector3 center = Vector3::Zero();
   /// Inertia tensor about the centre of mass, in the axes of the link [kg m^2].
   Matrix3 inertia = Matrix3::Zero();
+  /// Of the axes in which the file gives the inertia, from those of the link: the rotation of its `<pose>`.
+  Quaternion axes = Quaternion::Identity();
 };
 
 /// Thrown by a handle to something that is not there any more: its model or its joint was removed. A handle can be
@@ -48,6 +57,9 @@ class PONGSIM_API Gone : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// No wind is faster [m/s].
+inline constexpr double kFastestWind = 1e4;
 
 /// What becomes of the velocities of what is put somewhere else.
 enum class AfterMove {
@@ -90,6 +102,9 @@ class PONGSIM_API Link {
   std::vector<Collision> collisions() const;
   std::vector<Visual> visuals() const;
   std::vector<Sensor> sensors() const;
+  /// @return Whether the wind moves it: `<enable_wind>` says so of the link or of its model. As in Fortress, a link
+  /// can't be kept out of it where its model is in it.
+  bool isInWind() const;
 
  private:
   friend class Collision;
@@ -115,6 +130,22 @@ class PONGSIM_API Collision {
   Link link() const;
   /// @return Pose of the collision frame in the link frame; never changes.
   Pose poseInLink() const;
+  /// Lets the surface run along, as a belt does, from the next step on and until told otherwise; nothing ends that.
+  /// A motion that is not finite, faster than `SurfaceMotion::kLargestSpeed` or without an axis is refused with a
+  /// warning.
+  void setSurfaceMotion(const std::optional<SurfaceMotion>& motion);
+  /// @return How the surface runs along; nothing where it does not.
+  std::optional<SurfaceMotion> surfaceMotion() const;
+  /// Sets how fast this collision slips along its first and second friction direction by each newton of friction at a
+  /// point [m/s/N], in place of the file's `<slip1>` and `<slip2>`, from the next step on. Values below zero, and those
+  /// that are not finite, are refused with a warning.
+  void setSlip(double slip1, double slip2);
+  /// @return These two [m/s/N].
+  std::pair<double, double> slip() const;
+  /// @return Its shape in the collision frame; never changes. `Solid` makes volume, centre and bounds of it.
+  Shape shape() const;
+  /// @return Where the file says it.
+  SourcePosition sourcePosition() const;
 
  private:
   friend class Link;
@@ -201,6 +232,9 @@ class PONGSIM_API Joint {
   /// forces that hold the two together and those of motor, friction, limits and commands. Measured from the first call
   /// on, which therefore returns zero; a reset of the world ends it.
   Wrench reaction() const;
+  /// @return Whether the next step is to drive an axis: one was given a force or has a velocity target, either not
+  /// zero.
+  bool isDriven() const;
 
  private:
   friend class Model;
@@ -244,6 +278,13 @@ class PONGSIM_API Model {
   /// their places in it. Static models can be moved, too. One that a joint holds to something outside of it is refused.
   /// @return Why not, or nothing.
   std::optional<std::string> setPose(const Pose& X_WorldModel, AfterMove after = AfterMove::kKeepVelocity);
+  /// @return What a system of the model tells its actuators, by their numbers, as rotor speeds [rad/s]; null where none
+  /// has told them anything. It stands there until it is set again, the model goes, or the world is reset; do not keep
+  /// the pointer.
+  const std::vector<double>* actuators() const;
+  /// Tells the model's actuators, in place of what they were told before; the systems that come later in this step read
+  /// it already. Values that are not finite are refused with a warning.
+  void setActuators(std::span<const double> values);
   /// @return Whether it is not there because its levels are not loaded: it does not exist for anybody, and comes back
   /// as it is.
   bool isSetAside() const;
@@ -319,6 +360,12 @@ class PONGSIM_API World {
   /// @param heading Of its x axis, anticlockwise from east [rad].
   /// @return Why not, or nothing.
   std::optional<std::string> setPlace(const GeodeticPosition& origin, double heading);
+  /// @return Velocity of the air, world frame [m/s]: `<wind>` of the world unless it was changed. By itself it moves
+  /// nothing.
+  Vector3 wind() const;
+  /// Sets the velocity of the air, world frame [m/s].
+  /// @return Why not (it is faster than `kFastestWind`), or nothing.
+  std::optional<std::string> setWind(const Vector3& wind);
   /// Replaces `performers` by those that are there, whether levels are used or not.
   void performers(std::vector<Performer>& performers) const;
   /// Lets a model of the top level perform, until it is removed or the world is reset.
@@ -328,6 +375,9 @@ class PONGSIM_API World {
   std::optional<std::string> addPerformer(const Model& model, const Vector3& size, std::string_view name = {});
 
  private:
+  friend class Actor;
+  friend class Appearance;
+  friend class Batteries;
   friend class BeamScene;
   friend class CameraScene;
   friend class Scene;

@@ -7,6 +7,7 @@
 #include "pongsim/element.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
+#include "pongsim/noise_settings.hh"
 #include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
 
@@ -25,6 +26,12 @@ PONGSIM_API Joint requiredJoint(const Element& sdf, std::string_view name, const
 
 /// @return The joints that all parameters of that name name, at least one.
 PONGSIM_API std::vector<Joint> requiredJoints(const Element& sdf, std::string_view name, const Model& model);
+
+/// @return How the `<noise>` of an element falsifies a value; none where it has none.
+PONGSIM_API NoiseSettings noiseIn(const Element& holder);
+
+/// @return The link that a parameter names.
+PONGSIM_API Link requiredLink(const Element& sdf, std::string_view name, const Model& model);
 
 /// @param rate How often something is to happen [1/s].
 /// @return The time between two of them; zero, which means each step, for a rate that is not above zero.

@@ -100,6 +100,8 @@ class PONGSIM_API SensorTopic {
   bool hasSubscribers() const;
   /// Publishes the reading that was due last.
   void publish(const Message& message);
+  /// Likewise one whose bulk is elsewhere (`Publisher::publish`).
+  void publish(const Message& message, const Bulk& bulk);
 
   /// @return Time between the last two readings that were due [s], zero for the first one: what `Noise` asks for.
   double sinceLast() const { return sinceLast_; }

@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "pongsim/diagnostic.hh"
+#include "pongsim/element.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
+#include "pongsim/insert_options.hh"
 #include "pongsim/node.hh"
 #include "pongsim/outcome.hh"
 #include "pongsim/types.hh"
@@ -38,17 +40,9 @@ struct SimulationOptions {
   bool levels = false;
   /// Where the systems' topics go; null keeps them within this simulation. Must outlive it.
   Transport* transport = nullptr;
-};
-
-/// How a model comes into a world that runs.
-struct InsertOptions {
-  /// In place of the name that the file gives it; empty: that one.
-  std::string name = {};
-  /// Pose of the model frame in the world, in place of the one in the file.
-  std::optional<Pose> pose = std::nullopt;
-  /// Where a model or a light has the name already, take the first of NAME_0, NAME_1 and so on that is free, as in
-  /// Fortress, in place of refusing.
-  bool allowRenaming = false;
+  /// Systems beside those that the world asks for, each a `<plugin>` element with its parameters. Where the world asks
+  /// for one of them too, it is there once, and of what both say counts what stands here.
+  std::vector<Element> systems = {};
 };
 
 /// One world, from its file, with its bodies and systems. Belongs to one thread at a time.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "pongsim/actor.hh"
 #include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
@@ -15,6 +16,7 @@
 #include "pongsim/random.hh"
 #include "pongsim/state_archive.hh"
 #include "pongsim/types.hh"
+#include "pongsim/world_edits.hh"
 
 namespace pongsim {
 
@@ -36,7 +38,7 @@ struct SystemContext {
   /// The `<plugin>` element, with its parameters below it.
   const Element& sdf;
   World& world;
-  /// The model that the plugin stands in; nothing where it stands in the world.
+  /// The model that the plugin stands in; nothing where it stands in the world or in an actor.
   std::optional<Model> model;
   Node& node;
   const Logger& log;
@@ -45,6 +47,10 @@ struct SystemContext {
   Diagnostics& diagnostics;
   /// The systems that the file names before this one. There during `configure` only.
   std::span<System* const> before;
+  /// How it inserts and removes models.
+  WorldEdits& edits;
+  /// The actor that the plugin stands in, if it does in one.
+  std::optional<Actor> actor;
 };
 
 /// A part of the simulation that a world's `<plugin>` element asks for. All functions are called on the

@@ -80,5 +80,6 @@ using SensorId = Id<struct SensorKind>;
 using VisualId = Id<struct VisualKind>;
 using LightId = Id<struct LightKind>;
 using ActorId = Id<struct ActorKind>;
+using BatteryId = Id<struct BatteryKind>;
 
 }  // namespace pongsim

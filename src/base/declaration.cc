@@ -84,6 +84,11 @@ Parameter& Parameter::otherwise(std::string fallback) {
   return *this;
 }
 
+Parameter& Parameter::inFamily(std::string pattern) {
+  family_ = std::move(pattern);
+  return *this;
+}
+
 bool Parameter::isRepeated() const {
   return std::holds_alternative<std::vector<double>*>(target_) ||
          std::holds_alternative<std::vector<std::string>*>(target_);

@@ -19,6 +19,8 @@ const char* placeText(Declaration::Place place) {
       return "the <world>";
     case Declaration::Place::kModel:
       return "a <model>";
+    case Declaration::Place::kActor:
+      return "an <actor>";
     default:
       return "the <world> or a <model>";
   }
@@ -78,6 +80,17 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+/// @return What pages show, one of each family, by the names that stand there.
+std::vector<std::pair<std::string, const Parameter*>> shownParameters(const Declaration& declaration) {
+  std::vector<std::pair<std::string, const Parameter*>> shown;
+  for (const Parameter& parameter : declaration.parameters()) {
+    const bool isAlone = parameter.family().empty();
+    const std::string name = "<" + (isAlone ? parameter.name() : parameter.family()) + ">";
+    if (isAlone || shown.empty() || shown.back().first != name) shown.emplace_back(name, &parameter);
+  }
+  return shown;
+}
+
 void addClassText(const std::vector<std::string>& names, const Declaration& declaration, std::string& text) {
   text += "\nclass " + names.front();
   for (std::size_t i = 1; i < names.size(); ++i) text += (i == 1 ? ", also " : ", ") + names[i];
@@ -85,8 +98,8 @@ void addClassText(const std::vector<std::string>& names, const Declaration& decl
   if (declaration.text().empty()) return;
   text += declaration.text() + "\nStands in " + placeText(declaration.place()) + ".\n";
   std::vector<std::vector<std::string>> rows;
-  for (const Parameter& parameter : declaration.parameters()) {
-    rows.push_back({"<" + parameter.name() + ">", typeText(parameter), defaultText(parameter), parameter.text()});
+  for (const auto& [shownName, parameter] : shownParameters(declaration)) {
+    rows.push_back({shownName, typeText(*parameter), defaultText(*parameter), parameter->text()});
   }
   if (!rows.empty()) text += "parameters, with type, default and meaning:\n";
   addTable(rows, text);
@@ -103,9 +116,9 @@ void addClassMarkdown(const std::string& name, const Declaration& declaration, c
           escaped(placeText(declaration.place())) + "\n";
   if (!declaration.parameters().empty()) {
     text += "\n| parameter | type | default | meaning |\n|---|---|---|---|\n";
-    for (const Parameter& parameter : declaration.parameters()) {
-      text += "| `<" + parameter.name() + ">` | " + typeText(parameter) + " | " + escaped(defaultText(parameter)) +
-              " | " + escaped(parameter.text()) + " |\n";
+    for (const auto& [shownName, parameter] : shownParameters(declaration)) {
+      text += "| `" + shownName + "` | " + typeText(*parameter) + " | " + escaped(defaultText(*parameter)) + " | " +
+              escaped(parameter->text()) + " |\n";
     }
   }
   if (!declaration.ways().empty()) {

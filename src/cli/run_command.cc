@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/crash_report.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/extension.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/readiness.hh"
@@ -33,6 +36,8 @@ struct RunCommandOptions {
   bool hash = false;
   bool strict = false;
   bool levels = false;
+  /// Of extensions.
+  std::vector<Element> systems;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -71,7 +76,8 @@ int runWorld(const RunCommandOptions& options) {
                                                                        .strict = options.strict,
                                                                        .threads = options.threads,
                                                                        .levels = options.levels,
-                                                                       .transport = &transport},
+                                                                       .transport = &transport,
+                                                                       .systems = options.systems},
                                                                       diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
@@ -104,9 +110,7 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   work = [&options] { return runWorld(options); };
 }
 
-}  // namespace
-
-void addRunCommand(CLI::App& program, Work& work) {
+void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> extensions) {
   const auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = program.add_subcommand("run", "Simulate a world until SIGINT or SIGTERM");
   command->set_help_flag("-h,--help", "Print this and end");
@@ -154,7 +158,14 @@ void addRunCommand(CLI::App& program, Work& work) {
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
+  for (const Extension& extension : extensions) addRunOptions(*command, extension, options->systems);
   command->callback([options, &work] { checkAndSchedule(*options, work); });
 }
+
+}  // namespace
+
+void addRunCommand(CLI::App& program, Work& work) { addRunCommand(program, work, installedExtensions()); }
+
+void addPlainRunCommand(CLI::App& program, Work& work) { addRunCommand(program, work, {}); }
 
 }  // namespace pongsim::cli

@@ -11,6 +11,7 @@
 #include <ignition/msgs/sensor.pb.h>
 #include <ignition/msgs/serialized_map.pb.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -108,6 +109,12 @@ class StateWriter {
     for (const world::LightRecord& light : entities_.lights()) writeLight(light);
     for (const world::SensorRecord& sensor : entities_.sensors()) writeSensor(sensor);
     for (const world::ActorRecord& actor : entities_.actors()) writeActor(actor);
+    for (const world::BatteryState& battery : state_.batteries) {
+      if (entities_.slot(battery.model) == kNoSlot) continue;
+      EntityWriter entity(battery.id.value, message_);
+      entity.add("Name", battery.name);
+      entity.add("ParentEntity", std::to_string(battery.model.value));
+    }
   }
 
   /// @param isAll Of those that stand still, too.
@@ -135,6 +142,11 @@ class StateWriter {
       entity.add("JointPosition", positions);
       entity.add("JointVelocity", velocities);
     }
+    for (const world::BatteryState& battery : state_.batteries) {
+      if (entities_.slot(battery.model) == kNoSlot) continue;
+      EntityWriter(battery.id.value, message_).add("BatterySoC", componentText(battery.charge));
+    }
+    for (const world::ActorRecord& actor : entities_.actors()) writeMotion(actor);
   }
 
  private:
@@ -170,6 +182,20 @@ class StateWriter {
     for (std::size_t i = 0; i < actor.description->visuals.size(); ++i) {
       writeVisual(actor.description->visuals[i], visualId(actor, i), actor.id.value);
     }
+  }
+
+  /// Of an actor that a system moves: its height stands in its pose, all else in that of its trajectory, as Fortress's
+  /// FollowActor has it.
+  void writeMotion(const world::ActorRecord& actor) {
+    const auto moved = std::ranges::find(state_.actors, actor.description, &world::ActorState::description);
+    if (moved == state_.actors.end()) return;
+    EntityWriter entity(actor.id.value, message_);
+    Pose height;
+    height.position.z() = moved->X_WorldActor.position.z();
+    entity.add("Pose", componentText(height));
+    entity.add("TrajectoryPose", componentText(height.inverse() * moved->X_WorldActor));
+    entity.add("AnimationName", moved->animation);
+    entity.add("AnimationTime", std::to_string(moved->animationTime.count()));
   }
 
   void writeVisual(const description::Visual& visual, VisualId id, std::uint64_t parent) {

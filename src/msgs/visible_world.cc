@@ -150,6 +150,10 @@ class VisibleWorldReader {
     if (!message) return;
     description::Actor& actor = actors.emplace_back(actorFrom(*message));
     actor.skin.file = files_.find("skin", actor.skin.uri);
+    if (const auto moved = poseOfComponent(componentsOf(id).text("TrajectoryPose"))) {
+      actor.X_WorldActor = poseOf(componentsOf(id)) * *moved;
+      actor.trajectories.clear();
+    }
     for (const std::uint64_t child : childrenOf(id)) {
       if (componentsOf(child).has("Visual")) actor.visuals.push_back(readVisual(componentsOf(child)));
     }

@@ -32,6 +32,8 @@ class Body {
   void setLink(world::Slot link);
   bool moves() const { return moves_; }
   bool collides() const { return !shape_.empty(); }
+  LinkShape& shape() { return shape_; }
+  const LinkShape& shape() const { return shape_; }
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
 
@@ -42,7 +44,8 @@ class Body {
   void setPose(const Pose& X_WorldLink);
 
   /// For the next step of `dt` [s]: the torque that its own turning asks for, and gravity.
-  void addForces(double dt);
+  /// @param isHeld Joints have a say in how it moves.
+  void addForces(double dt, bool isHeld);
 
   /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
   void addWrench(const Vector3& force, const Vector3& torque);

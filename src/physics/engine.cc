@@ -47,6 +47,9 @@ struct Engine::Parts final : GroupWork {
 
   void grow();
   void addJoints();
+  void findFrictionFrames();
+  /// Friction directions that are those of other links go with these.
+  void turnFrictionDirections();
   void remove(const world::Removal& removal);
   void renumber();
   void take(Body& body);
@@ -67,6 +70,12 @@ struct Engine::Parts final : GroupWork {
   std::vector<Body*> moving;
   /// One a joint, in the order of their slots.
   std::vector<std::unique_ptr<Joint>> joints;
+  /// Collisions whose first friction direction is in the frame of another link.
+  struct FrictionFrame {
+    LinkShape::Part* part;
+    const Body* frame;
+  };
+  std::vector<FrictionFrame> frictionFrames;
   /// Length of the last step [s].
   double dt = 1;
 
@@ -118,7 +127,7 @@ void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
   for (btTypedConstraint* joint : groupJoints) {
     if (!isGearReference(*joint)) static_cast<Joint*>(joint)->prepare(seconds);
   }
-  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds);
+  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds, !groupJoints.empty());
 }
 
 void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
@@ -149,6 +158,33 @@ void Engine::Parts::grow() {
   }
   addJoints();
   renumber();
+}
+
+void Engine::Parts::findFrictionFrames() {
+  frictionFrames.clear();
+  for (const auto& body : bodies) {
+    LinkShape& shape = body->shape();
+    for (std::size_t i = 0; i < shape.partCount(); ++i) {
+      const std::string& name = shape.part(i).surface->fdir1Link;
+      if (name.empty()) continue;
+      const world::Slot model = entities.links()[body->link()].model;
+      const auto frame = std::ranges::find_if(bodies, [&](const auto& other) {
+        const world::LinkRecord& link = entities.links()[other->link()];
+        return link.model == model && link.description->name == name;
+      });
+      if (frame != bodies.end()) frictionFrames.push_back({&shape.part(i), frame->get()});
+    }
+  }
+}
+
+// before bodies move, on one thread: the other link may be of another group
+void Engine::Parts::turnFrictionDirections() {
+  for (const FrictionFrame& each : frictionFrames) {
+    const Pose X_BodyLink = each.frame->X_LinkBody().inverse();
+    const btVector3 direction = each.frame->rigid().getWorldTransform().getBasis() *
+                                toBullet(Vector3(X_BodyLink.rotation * each.part->surface->fdir1));
+    each.part->fdir1_World = fromBullet(direction);
+  }
 }
 
 void Engine::Parts::take(Body& body) {
@@ -195,6 +231,7 @@ void Engine::Parts::renumber() {
     moving.push_back(bodies[link].get());
     movingRigid.push_back(&bodies[link]->rigid());
   }
+  findFrictionFrames();
   std::vector<btTypedConstraint*> holding;
   for (world::Slot slot = 0; slot < joints.size(); ++slot) {
     joints[slot]->setSlot(slot);
@@ -302,12 +339,42 @@ void Engine::step(Time dt, world::State& state) {
   parts_->dt = toSeconds(dt);
   parts_->state = &state;
   parts_->slowedDown = world::kNoSlot;
+  parts_->turnFrictionDirections();
   parts_->world.step(parts_->dt);
   const world::Slot exploded = parts_->exploded.exchange(world::kNoSlot);
   if (exploded != world::kNoSlot) parts_->reportExplosion(exploded);
 }
 
+void Engine::setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion) {
+  Body& body = *parts_->bodies[link];
+  std::optional<SurfaceMotion>& own = body.shape().part(collision).motion;
+  own = motion;
+  if (own) own->axis = body.X_LinkBody().rotation.conjugate() * own->axis.normalized();
+}
+
+std::optional<SurfaceMotion> Engine::surfaceMotion(world::Slot link, std::size_t collision) const {
+  const Body& body = *parts_->bodies[link];
+  std::optional<SurfaceMotion> motion = body.shape().part(collision).motion;
+  if (motion) motion->axis = body.X_LinkBody().rotation * motion->axis;
+  return motion;
+}
+
+void Engine::setSlip(world::Slot link, std::size_t collision, double slip1, double slip2) {
+  LinkShape::Part& part = parts_->bodies[link]->shape().part(collision);
+  part.slip1 = slip1;
+  part.slip2 = slip2;
+}
+
+std::pair<double, double> Engine::slip(world::Slot link, std::size_t collision) const {
+  const LinkShape::Part& part = parts_->bodies[link]->shape().part(collision);
+  return {part.slip1, part.slip2};
+}
+
 world::Slot Engine::slowedDown() const { return parts_->slowedDown; }
+
+bool Engine::isJointDriven(world::Slot joint) const { return parts_->joints[joint]->isDriven(); }
+
+void Engine::releaseJoint(world::Slot joint) { parts_->joints[joint]->release(); }
 
 std::vector<SetAside> Engine::setAside(const world::GroupSlots& groups) {
   Parts& parts = *parts_;

@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <span>
 #include <vector>
 
 #include "physics/settings.hh"
 #include "pongsim/contact.hh"
 #include "pongsim/state_archive.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -107,6 +110,21 @@ class Engine {
   /// `world::kNoSlot` where there is none.
   world::Slot slowedDown() const;
 
+  /// @return Whether a force or a velocity other than zero is asked of one of the joint's axes.
+  bool isJointDriven(world::Slot joint) const;
+
+  /// Takes back all that is asked of the joint: its axes go on freely.
+  void releaseJoint(world::Slot joint);
+
+  /// Lets the surface of a link's collision run along, or ends that. The values must be finite, the axis not zero.
+  /// @param collision Its number in the link.
+  void setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion);
+  /// @return How it runs along, its axis a unit vector.
+  std::optional<SurfaceMotion> surfaceMotion(world::Slot link, std::size_t collision) const;
+
+  /// Sets how fast a collision slips along its friction directions by each newton [m/s/N], finite and not below zero.
+  void setSlip(world::Slot link, std::size_t collision, double slip1, double slip2);
+  std::pair<double, double> slip(world::Slot link, std::size_t collision) const;
   /// Takes groups of bodies and joints out of the world; they keep what they remember. To be called when `entities` has
   /// set them aside.
   std::vector<SetAside> setAside(const world::GroupSlots& groups);

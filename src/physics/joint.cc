@@ -155,6 +155,18 @@ void Joint::setVelocityTarget(double velocity, std::size_t axis) {
   axes_[axis].velocityTarget = std::clamp(velocity, -limit, limit);
 }
 
+bool Joint::isDriven() const {
+  return std::ranges::any_of(axes_,
+                             [](const Axis& axis) { return axis.force != 0 || axis.velocityTarget.value_or(0) != 0; });
+}
+
+void Joint::release() {
+  for (Axis& axis : axes_) {
+    axis.velocityTarget.reset();
+    axis.force = 0;
+  }
+}
+
 Joint::Frames Joint::frames() const {
   Frames frames{m_rbA.getWorldTransform() * X_ParentJoint_, m_rbB.getWorldTransform() * X_ChildJoint_, {}, {}};
   frames.axes[0] = frames.drives[0] = frames.X_WorldParent.getBasis().getColumn(0);

@@ -53,6 +53,10 @@ class Joint final : public btTypedConstraint {
   void setVelocityTarget(double velocity, std::size_t axis);
   void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
   void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
+  /// @return Whether a force or a velocity other than zero is asked of an axis.
+  bool isDriven() const;
+  /// Takes back what is asked of the axes.
+  void release();
 
   /// Puts forces on the bodies and decides which rows the coming step of `dt` [s] needs.
   void prepare(double dt);

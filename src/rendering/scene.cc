@@ -171,6 +171,7 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
   for (const Body& body : std::visit(MakeBodies{shapes_, meshes_, warn}, visual.geometry)) {
     Item item = prototype;
     item.surface = body.surface;
+    item.visual = visual.name;
     item.paint = paintOf(visual, body.material);
     if (item.paint.opacity <= 0) continue;
     for (std::size_t map = 0; map < kMapCount; ++map) item.pictures[map] = pictureOf(item.paint.maps[map], warn);
@@ -202,7 +203,7 @@ std::shared_ptr<const assets::Picture> Scene::pictureOf(const std::filesystem::p
 void Scene::update(const world::Entities& entities, const world::State& state) {
   for (Item& item : items_) {
     item.X_WorldLink =
-        item.actor != nullptr ? world::actorPose(*item.actor, state.time) : state.links[item.link].X_WorldLink;
+        item.actor != nullptr ? world::actorPose(*item.actor, state) : state.links[item.link].X_WorldLink;
   }
   lamps_.clear();
   for (const world::LightRecord& record : entities.lights()) {

@@ -1,7 +1,9 @@
 #include "sdf/environment_reader.hh"
 
 #include <numbers>
+#include <string>
 
+#include "pongsim/handles.hh"
 #include "sdf/values.hh"
 
 namespace pongsim::sdf {
@@ -32,12 +34,24 @@ description::SphericalCoordinates readSphericalCoordinates(const Element& elemen
   return place;
 }
 
+Vector3 readWind(const Element& element, Context& context) {
+  const Vector3 wind = readVector(element, "linear_velocity", Vector3::Zero(), context);
+  // squares of what is finite need not be
+  if (wind.stableNorm() <= kFastestWind) return wind;
+  context.diagnostics.warning(element.child("linear_velocity")->position,
+                              "a wind of '" + element.child("linear_velocity")->text +
+                                  "' m/s is left out: none is faster than " +
+                                  std::to_string(static_cast<int>(kFastestWind)) + " m/s",
+                              "a hurricane has 50 m/s");
+  return Vector3::Zero();
+}
+
 }  // namespace
 
 description::Environment readEnvironment(const Element& world, Context& context) {
   description::Environment environment;
   if (const Element* wind = world.child("wind")) {
-    environment.wind = readVector(*wind, "linear_velocity", environment.wind, context);
+    environment.wind = readWind(*wind, context);
   }
   environment.magneticField = readVector(world, "magnetic_field", environment.magneticField, context);
   if (const Element* air = world.child("atmosphere")) environment.atmosphere = readAtmosphere(*air, context);

@@ -91,10 +91,12 @@ class Load {
 
   Reading read(std::string_view text) {
     element_ = parseModelDocument(text, name_, found_);
-    if (!element_) return {};
-    Reading reading = readRoot(*element_, includes_, name_, found_, unsimulated_);
-    addSorted(unsimulated_, includes_, reading.root.unsimulated);
-    return reading;
+    return element_ ? readElement() : Reading();
+  }
+
+  Reading read(const Element& sdf) {
+    element_ = sdf;
+    return readElement();
   }
 
   Reading readFile() {
@@ -115,6 +117,12 @@ class Load {
   void report(Diagnostics& diagnostics) const { addSorted(found_, includes_, diagnostics); }
 
  private:
+  Reading readElement() {
+    Reading reading = readRoot(*element_, includes_, name_, found_, unsimulated_);
+    addSorted(unsimulated_, includes_, reading.root.unsimulated);
+    return reading;
+  }
+
   FileName name_;
   Diagnostics found_;
   Diagnostics unsimulated_;
@@ -156,6 +164,14 @@ std::optional<std::string> frameGraphs(const std::filesystem::path& file, FrameG
 Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics, const assets::Finder& finder) {
   Load load(std::make_shared<const std::string>(name), finder);
   Reading reading = load.read(text);
+  load.report(diagnostics);
+  return std::move(reading.root);
+}
+
+Root loadElement(const Element& sdf, Diagnostics& diagnostics, const assets::Finder& finder) {
+  const FileName& file = sdf.position.file;
+  Load load(file ? file : nameOf({}), finder);
+  Reading reading = load.read(sdf);
   load.report(diagnostics);
   return std::move(reading.root);
 }

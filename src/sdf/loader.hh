@@ -37,6 +37,10 @@ Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics,
 Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnostics,
               const assets::Finder& finder = assets::finderFromEnvironment());
 
+/// As `loadFile`, from an `<sdf>` element of another file, as one that stands in a `<plugin>`.
+Root loadElement(const Element& sdf, Diagnostics& diagnostics,
+                 const assets::Finder& finder = assets::finderFromEnvironment());
+
 /// Reads a file and all that it includes as `loadFile` does.
 /// @return Its `<sdf>` element, of SDF 1.9, with what it includes in place of each `<include>`; nothing where there was
 /// an error.

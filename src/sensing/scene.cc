@@ -116,7 +116,7 @@ class Scene::Content {
 
  private:
   static Pose poseOf(const Object& object, const world::State& state) {
-    if (object.actor != nullptr) return world::actorPose(*object.actor, state.time);
+    if (object.actor != nullptr) return world::actorPose(*object.actor, state);
     return state.links[object.link].X_WorldLink;
   }
 

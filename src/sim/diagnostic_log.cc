@@ -14,9 +14,7 @@ std::string withoutSeverity(const Diagnostic& diagnostic) {
   return text;
 }
 
-}  // namespace
-
-std::string logDiagnostics(const Diagnostics& diagnostics, const Logger& log) {
+std::string tell(const Diagnostics& diagnostics, const Logger& log, bool tellsErrors) {
   std::string first;
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     const std::string text = withoutSeverity(diagnostic);
@@ -24,10 +22,16 @@ std::string logDiagnostics(const Diagnostics& diagnostics, const Logger& log) {
       log.warning(text);
       continue;
     }
-    log.error(text);
+    if (tellsErrors) log.error(text);
     if (first.empty()) first = text.substr(0, text.find('\n'));
   }
   return first;
 }
+
+}  // namespace
+
+std::string logDiagnostics(const Diagnostics& diagnostics, const Logger& log) { return tell(diagnostics, log, true); }
+
+std::string logWarnings(const Diagnostics& diagnostics, const Logger& log) { return tell(diagnostics, log, false); }
 
 }  // namespace pongsim::sim

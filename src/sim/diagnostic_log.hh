@@ -11,4 +11,7 @@ namespace pongsim::sim {
 /// @return The first error in one line, "sdf:1:1: model 'r' has no link"; empty where there is none.
 std::string logDiagnostics(const Diagnostics& diagnostics, const Logger& log);
 
+/// As `logDiagnostics`, for who tells of the errors himself: they are returned only.
+std::string logWarnings(const Diagnostics& diagnostics, const Logger& log);
+
 }  // namespace pongsim::sim

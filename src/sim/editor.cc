@@ -194,9 +194,24 @@ void Editor::reset() {
   access_.shelf.clear();
   access_.shelvedIds.clear();
   access_.entities.reset();
+  // the systems stay, and with them the batteries of the models that are there
+  std::vector<world::BatteryState> batteries = std::move(access_.state.batteries);
+  std::erase_if(batteries, [this](const world::BatteryState& battery) {
+    return access_.entities.slot(battery.model) == world::kNoSlot;
+  });
   access_.state = world::State(access_.entities);
+  access_.state.batteries = std::move(batteries);
   access_.engine.reset();
   access_.noteChange();
+}
+
+void Editor::cutPower() {
+  for (const world::BatteryState& battery : access_.state.batteries) {
+    if (battery.charge > 0 || !world::isOutOfPower(access_.state, battery.model)) continue;
+    const world::Slot model = access_.entities.slot(battery.model);
+    if (model == world::kNoSlot) continue;
+    for (const world::Slot joint : access_.entities.models()[model].joints) access_.engine.releaseJoint(joint);
+  }
 }
 
 }  // namespace pongsim::sim

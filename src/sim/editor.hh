@@ -59,6 +59,9 @@ class Editor {
   /// Back to the start.
   void reset();
 
+  /// Takes back what is asked of the joints of models whose batteries are empty.
+  void cutPower();
+
  private:
   /// @return The joint that holds some of these links, in ascending order, to something else; null if there is none.
   const world::JointRecord* holder(const std::vector<world::Slot>& links) const;

@@ -1,5 +1,6 @@
 #include "pongsim/handles.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -74,7 +75,8 @@ void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
 MassInfo Link::mass() const {
   const description::Inertial& inertial = record(*access_, id_).description->inertial;
   const Matrix3 axes = inertial.X_LinkCom.rotation.toRotationMatrix();
-  return {inertial.mass, inertial.X_LinkCom.position, axes * inertial.moments * axes.transpose()};
+  return {inertial.mass, inertial.X_LinkCom.position, axes * inertial.moments * axes.transpose(),
+          inertial.X_LinkCom.rotation};
 }
 
 std::optional<std::string> Link::setPose(const Pose& X_WorldLink, AfterMove after) {
@@ -84,6 +86,11 @@ std::optional<std::string> Link::setPose(const Pose& X_WorldLink, AfterMove afte
 Model Link::model() const { return Model(*access_, access_->entities.models()[record(*access_, id_).model].id); }
 
 std::string Link::scopedName() const { return model().scopedName() + "::" + std::string(name()); }
+
+bool Link::isInWind() const {
+  const world::LinkRecord& link = record(*access_, id_);
+  return link.description->isInWind.value_or(false) || access_->entities.models()[link.model].description->isInWind;
+}
 
 bool Joint::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
 
@@ -139,6 +146,8 @@ Wrench Joint::reaction() const {
   const physics::Engine::Reaction reaction = access_->engine.jointReaction(slotOf(*access_, id_));
   return {reaction.force, reaction.torque};
 }
+
+bool Joint::isDriven() const { return access_->engine.isJointDriven(slotOf(*access_, id_)); }
 
 JointAxisInfo Joint::axisInfo(int axis) const {
   const description::JointAxis& found = record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis));
@@ -221,15 +230,34 @@ void Model::setVelocity(const Vector3& linear, const Vector3& angular) {
 }
 
 void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular) {
-  for (Link& link : links()) {
+  // by slots, for lists of handles would be allocated in each step
+  const world::ModelRecord& model = record(*access_, id_);
+  for (const world::Slot slot : model.links) {
+    Link link(*access_, access_->entities.links()[slot].id);
     const Vector3 arm = link.pose().position - origin;
     link.setVelocity(link.linearVelocity() + linear + angular.cross(arm), link.angularVelocity() + angular);
   }
-  for (Model& inner : models()) inner.changeVelocity(origin, linear, angular);
+  for (const world::Slot slot : model.models) {
+    Model(*access_, access_->entities.models()[slot].id).changeVelocity(origin, linear, angular);
+  }
 }
 
 std::optional<std::string> Model::setPose(const Pose& X_WorldModel, AfterMove after) {
   return sim::Editor(*access_).setPose(slotOf(*access_, id_), X_WorldModel, after);
+}
+
+const std::vector<double>* Model::actuators() const {
+  const auto found = access_->state.actuators.find(id_);
+  return found == access_->state.actuators.end() ? nullptr : &found->second;
+}
+
+void Model::setActuators(std::span<const double> values) {
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
+    access_->refuse("the actuators of model '" + scopedName() + "' were told a value that is not finite");
+    return;
+  }
+  slotOf(*access_, id_);
+  access_->state.actuators[id_].assign(values.begin(), values.end());
 }
 
 bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
@@ -311,6 +339,17 @@ std::optional<std::string> World::setPlace(const GeodeticPosition& origin, doubl
   }
   if (!(std::abs(origin.latitude) <= std::numbers::pi / 2)) return "the latitude is not between -90 and 90 degrees";
   access_->state.place = {true, origin, heading};
+  return std::nullopt;
+}
+
+Vector3 World::wind() const { return access_->state.wind; }
+
+std::optional<std::string> World::setWind(const Vector3& wind) {
+  // squares of what is finite need not be
+  if (!wind.allFinite() || !(wind.stableNorm() <= kFastestWind)) {
+    return "no wind is faster than " + std::to_string(static_cast<int>(kFastestWind)) + " m/s";
+  }
+  access_->state.wind = wind;
   return std::nullopt;
 }
 

@@ -21,6 +21,7 @@
 #include "sim/editor.hh"
 #include "sim/levels.hh"
 #include "sim/light_edits.hh"
+#include "sim/model_edits.hh"
 #include "sim/saved_state.hh"
 #include "sim/system_set.hh"
 #include "world/entities.hh"
@@ -47,7 +48,8 @@ struct Simulation::Parts {
         entities(description),
         state(entities),
         engine(entities, settingsFor(description.physics, options)),
-        access{entities, state, engine} {
+        access{entities, state, engine},
+        edits(access, places) {
     if (options.transport == nullptr) ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
     transport = options.transport != nullptr ? options.transport : &*ownTransport;
   }
@@ -55,13 +57,6 @@ struct Simulation::Parts {
   /// @return The simulation of the file's first world; null, with the reason in `diagnostics`, if it can't run.
   static std::unique_ptr<Simulation> make(sdf::Root root, const SimulationOptions& options, Diagnostics& diagnostics);
 
-  std::optional<Model> insert(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
-  /// @param model What is to be inserted but for what the options say.
-  std::optional<Model> insert(std::shared_ptr<description::Model> model, const InsertOptions& options,
-                              Diagnostics& diagnostics);
-  /// Calls `read` with the finder for what inserted models name, and inserts what it read.
-  template <class Read>
-  std::optional<Model> insertRead(Read read, const InsertOptions& options, Diagnostics& diagnostics);
   sim::SystemSet* systemSet() { return systems ? &*systems : nullptr; }
   void announceChanges() {
     if (systems) systems->announceChanges();
@@ -87,6 +82,7 @@ struct Simulation::Parts {
   world::State state;
   physics::Engine engine;
   sim::Access access;
+  sim::ModelEdits edits;
   std::optional<Transport> ownTransport;
   Transport* transport = nullptr;
   std::optional<sim::SystemSet> systems;
@@ -137,72 +133,14 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
-    parts->systems.emplace(parts->access, *parts->transport, options.seed, options.strict);
-    parts->systems->load(parts->description, diagnostics);
+    parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict);
+    parts->edits.setSystems(*parts->systems);
+    parts->systems->load(parts->description, options.systems, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();
   parts->announceChanges();
   return std::unique_ptr<Simulation>(new Simulation(std::move(parts)));
-}
-
-std::optional<Model> Simulation::Parts::insert(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : root.unsimulated.all()) diagnostics.add(diagnostic);
-  if (diagnostics.hasErrors()) return std::nullopt;
-  if (root.models.empty()) {
-    diagnostics.error({}, "there is no model to insert", "it must stand directly in <sdf>");
-    return std::nullopt;
-  }
-  auto model = std::make_shared<description::Model>(std::move(root.models.front()));
-  for (std::size_t i = 1; i < root.models.size(); ++i) {
-    diagnostics.warning(root.models[i].position, "model '" + root.models[i].name + "' is left out: the first model, '" +
-                                                     model->name + "', is inserted");
-  }
-  return insert(std::move(model), options, diagnostics);
-}
-
-std::optional<Model> Simulation::Parts::insert(std::shared_ptr<description::Model> model, const InsertOptions& options,
-                                               Diagnostics& diagnostics) {
-  if (!options.name.empty()) model->name = options.name;
-  if (options.pose) model->X_ParentModel = *options.pose;
-  sim::Editor editor(access);
-  if (options.allowRenaming) model->name = editor.freeName(model->name);
-  const SourcePosition position = model->position;
-  if (!editor.isFree(model->name)) {
-    diagnostics.error(position, "there is a '" + model->name + "' in the world already");
-  } else if (model->name.find("::") != std::string::npos) {
-    diagnostics.error(position, "the name '" + model->name + "' has '::' in it, which stands between names");
-  } else if (!sim::isSound(model->X_ParentModel)) {
-    diagnostics.error(position, "the pose of '" + model->name + "' is not finite");
-  }
-  if (diagnostics.hasErrors()) return std::nullopt;
-  model->X_ParentModel.rotation.normalize();
-
-  world::Slot slot = world::kNoSlot;
-  try {
-    slot = editor.insert(std::move(model));
-  } catch (const std::invalid_argument& error) {
-    diagnostics.error(position, error.what());
-    return std::nullopt;
-  }
-  const Model inserted(access, entities.models()[slot].id);
-  if (systems) systems->load(slot, diagnostics);
-  if (diagnostics.hasErrors()) {
-    systems->unload(editor.remove(slot));
-    access.hasChanged = false;
-    return std::nullopt;
-  }
-  announceChanges();
-  return inserted;
-}
-
-template <class Read>
-std::optional<Model> Simulation::Parts::insertRead(Read read, const InsertOptions& options, Diagnostics& diagnostics) {
-  // of their own: what was wrong before is no reason not to insert
-  Diagnostics found;
-  std::optional<Model> model = insert(read(found, assets::finderIn(places)), options, found);
-  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
-  return model;
 }
 
 std::unique_ptr<Simulation> Simulation::fromFile(const std::filesystem::path& file, const SimulationOptions& options,
@@ -232,6 +170,7 @@ void Simulation::stepPaused() {
 }
 
 void Simulation::Parts::stepEngine(Time dt) {
+  sim::Editor(access).cutPower();
   engine.step(dt, state);
   const world::Slot link = engine.slowedDown();
   if (link == world::kNoSlot || !slowedDown.insert(entities.links()[link].id).second) return;
@@ -267,32 +206,17 @@ double Simulation::realTimeFactor() const { return parts_->state.realTimeFactor;
 
 std::optional<Model> Simulation::insertFile(const std::filesystem::path& file, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
-  return parts_->insertRead(
-      [&](Diagnostics& found, const assets::Finder& finder) { return sdf::loadFile(file, found, finder); }, options,
-      diagnostics);
+  return parts_->edits.insertFile(file, options, diagnostics);
 }
 
 std::optional<Model> Simulation::insertText(std::string_view text, std::string_view name, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
-  return parts_->insertRead(
-      [&](Diagnostics& found, const assets::Finder& finder) { return sdf::loadText(text, name, found, finder); },
-      options, diagnostics);
+  return parts_->edits.insertText(text, name, options, diagnostics);
 }
 
 std::optional<Model> Simulation::insertCopy(const Model& model, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
-  const world::Slot slot = parts_->entities.slot(model.id());
-  if (slot == world::kNoSlot || parts_->entities.models()[slot].parent != world::kNoSlot) {
-    diagnostics.error({}, slot == world::kNoSlot ? "the model is not there any more"
-                                                 : "model '" + model.scopedName() + "' is a part of another one");
-    return std::nullopt;
-  }
-  auto copy = std::make_shared<description::Model>(*parts_->entities.models()[slot].description);
-  copy->X_ParentModel = model.pose();
-  Diagnostics found;
-  std::optional<Model> inserted = parts_->insert(std::move(copy), options, found);
-  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
-  return inserted;
+  return parts_->edits.insertCopy(model.id(), options, diagnostics);
 }
 
 Outcome<std::string> Simulation::insertLight(const Message& light, const InsertOptions& options) {
@@ -332,19 +256,7 @@ std::optional<std::filesystem::path> Simulation::resolve(const std::string& addr
   return assets::finderIn(parts_->places)(address, std::filesystem::path(), {}, none);
 }
 
-std::optional<std::string> Simulation::remove(const Model& model) {
-  const world::Slot slot = parts_->entities.slot(model.id());
-  if (slot == world::kNoSlot) return "the model is not there any more";
-  const world::ModelRecord& record = parts_->entities.models()[slot];
-  if (record.parent != world::kNoSlot) {
-    return "model '" + record.scopedName + "' is a part of '" + parts_->entities.models()[record.parent].scopedName +
-           "' and can't be removed alone";
-  }
-  const std::vector<ModelId> gone = sim::Editor(parts_->access).remove(slot);
-  if (parts_->systems) parts_->systems->unload(gone);
-  parts_->announceChanges();
-  return std::nullopt;
-}
+std::optional<std::string> Simulation::remove(const Model& model) { return parts_->edits.remove(model.id()); }
 
 std::optional<std::string> Simulation::addPerformer(const std::string& model) {
   if (model.empty()) return "no model is named";

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "plugin/system_name.hh"
@@ -24,41 +25,74 @@ description::Plugin defaultSceneBroadcaster() {
   return plugin;
 }
 
+std::string attributeOf(const Element& element, const char* name) {
+  const Element::Attribute* attribute = element.attribute(name);
+  return attribute == nullptr ? std::string() : attribute->value;
+}
+
+std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements) {
+  std::vector<description::Plugin> plugins;
+  for (const Element& each : elements)
+    plugins.push_back({attributeOf(each, "filename"), attributeOf(each, "name"), each});
+  return plugins;
+}
+
+/// @return A plugin of the file with what is said of the same system elsewhere, which is taken from `more`.
+description::Plugin joined(description::Plugin plugin, std::vector<description::Plugin>& more) {
+  const auto same = std::ranges::find(more, plugin::systemName(plugin.filename), [](const description::Plugin& each) {
+    return plugin::systemName(each.filename);
+  });
+  if (same == more.end()) return plugin;
+  // of elements of one name the first counts
+  std::vector<Element>& children = plugin.sdf.children;
+  children.insert(children.begin(), same->sdf.children.begin(), same->sdf.children.end());
+  more.erase(same);
+  return plugin;
+}
+
 }  // namespace
 
-SystemSet::SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict)
+SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict)
     : access_(access),
       transport_(transport),
       seed_(seed),
       strict_(strict),
       world_(access),
-      defaultSceneBroadcaster_(defaultSceneBroadcaster()) {}
+      defaultSceneBroadcaster_(defaultSceneBroadcaster()),
+      queue_(edits) {}
 
 SystemSet::~SystemSet() = default;
 
-void SystemSet::load(const description::World& world, Diagnostics& diagnostics) {
-  loadWorldPlugins(world, diagnostics);
+void SystemSet::load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics) {
+  loadWorldPlugins(world, added, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
+  for (const world::ActorRecord& actor : access_.entities.actors()) {
+    const std::vector<description::Plugin>& plugins = actor.description->plugins;
+    for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, diagnostics);
+  }
   collectAwake();
 }
 
-void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& diagnostics) {
+void SystemSet::loadWorldPlugins(const description::World& world, const std::vector<Element>& added,
+                                 Diagnostics& diagnostics) {
+  std::vector<description::Plugin> more = pluginsOf(added);
   const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
   if (std::ranges::none_of(world.plugins, isSystem)) {
-    add(defaultSceneBroadcaster_, 0, std::nullopt, diagnostics);
+    add(defaultSceneBroadcaster_, 0, {}, diagnostics);
+    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, diagnostics);
     return;
   }
   wantsPhysics_ = false;
   for (std::size_t i = 0; i < world.plugins.size(); ++i) {
-    const description::Plugin& plugin = world.plugins[i];
-    if (!isSystem(plugin)) continue;
+    if (!isSystem(world.plugins[i])) continue;
+    const description::Plugin plugin = joined(world.plugins[i], more);
     const std::string name = plugin::systemName(plugin.filename);
     if (name == kPhysics) {
       wantsPhysics_ = true;
     } else if (name == kUserCommands) {
       Logger("plugins").info("user-commands is part of pongsim: each world has its services");
     } else {
-      add(plugin, i, std::nullopt, diagnostics);
+      add(plugin, i, {}, diagnostics);
     }
   }
   if (!wantsPhysics_) {
@@ -66,6 +100,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& d
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }
+  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, {}, diagnostics);
 }
 
 void SystemSet::loadModelPlugins(world::Slot model, Diagnostics& diagnostics) {
@@ -75,10 +110,10 @@ void SystemSet::loadModelPlugins(world::Slot model, Diagnostics& diagnostics) {
 
 void SystemSet::loadOwnPlugins(world::Slot model, Diagnostics& diagnostics) {
   const std::vector<description::Plugin>& plugins = access_.entities.models()[model].description->plugins;
-  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, model, diagnostics);
+  for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, diagnostics);
 }
 
-void SystemSet::add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
+void SystemSet::add(const description::Plugin& plugin, std::size_t number, const Holder& holder,
                     Diagnostics& diagnostics) {
   std::unique_ptr<System> system;
   {
@@ -88,19 +123,24 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, std::
   if (system == nullptr) return;
 
   std::string name = plugin::systemName(plugin.filename);
-  std::optional<Model> handle;
-  if (model) {
-    const world::ModelRecord& record = access_.entities.models()[*model];
-    handle = Model(access_, record.id);
+  std::optional<Model> model;
+  std::optional<Actor> actor;
+  if (holder.model != world::kNoSlot) {
+    const world::ModelRecord& record = access_.entities.models()[holder.model];
+    model = Model(access_, record.id);
     name += " of " + record.scopedName;
+  } else if (holder.actor != nullptr) {
+    actor = Actor(access_, holder.actor->id);
+    name += " of " + holder.actor->description->name;
   }
   std::vector<System*> before;
   for (SystemSlot& slot : slots_) before.push_back(&slot.system());
   SystemSlot& slot = slots_.emplace_back(
-      SystemSlot::Parts{handle ? handle->id() : ModelId(), number, name, plugin.sdf.position, transport_.node(),
-                        Random(seed_, SystemSlot::streamOf(name, number)), std::move(system)},
-      access_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
-  if (slot.start(plugin.sdf, world_, handle, before, diagnostics)) {
+      SystemSlot::Parts{model ? model->id() : ModelId(), number, name, plugin.sdf.position, transport_.node(),
+                        Random(seed_, SystemSlot::streamOf(name, number)), std::move(system),
+                        actor ? actor->id() : ActorId()},
+      access_, queue_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
+  if (slot.start(plugin.sdf, world_, model, actor, before, diagnostics)) {
     warnOfSharedTopics(slot, diagnostics);
   } else {
     slots_.pop_back();
@@ -164,6 +204,7 @@ void SystemSet::announceChanges() {
 
 void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   seed_ = seed.value_or(seed_);
+  queue_.clear();
   slots_.remove_if(
       [&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
   for (const ModelId model : std::exchange(unloaded_, {})) {
@@ -205,10 +246,10 @@ void SystemSet::addTo(base::Hash& hash) const {
   for (const SystemSlot& slot : slots_) hash.add(slot.stream());
 }
 
-/// As they were loaded at the start: the world's, then each model's.
+/// As they were loaded at the start: the world's, then each model's, then each actor's.
 void SystemSet::putInOrder() {
   const auto place = [this](const SystemSlot& slot) {
-    return std::pair(slot.model() ? access_.entities.slot(slot.model()) + 1 : 0, slot.number());
+    return std::tuple(slot.actor(), slot.model() ? access_.entities.slot(slot.model()) + 1 : 0, slot.number());
   };
   slots_.sort([&](const SystemSlot& a, const SystemSlot& b) { return place(a) < place(b); });
 }
@@ -216,6 +257,7 @@ void SystemSet::putInOrder() {
 void SystemSet::preUpdate(const StepInfo& info) {
   // of a message that was handed over before
   check();
+  queue_.carryOut();
   announceChanges();
   for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->preUpdate(info);
   check();
@@ -228,6 +270,7 @@ void SystemSet::update(const StepInfo& info) {
 
 void SystemSet::postUpdate(const StepInfo& info) {
   for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->postUpdate(info);
+  queue_.carryOut();
   check();
 }
 

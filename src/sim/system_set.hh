@@ -14,6 +14,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
 #include "sim/access.hh"
+#include "sim/edit_queue.hh"
 #include "sim/system_slot.hh"
 
 namespace pongsim::sim {
@@ -22,8 +23,9 @@ namespace pongsim::sim {
 class SystemSet {
  public:
   /// All references must outlive it.
+  /// @param edits Carries out what systems ask for.
   /// @param strict A system that fails ends the step with an exception, in place of being switched off.
-  SystemSet(Access& access, Transport& transport, std::uint64_t seed, bool strict);
+  SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict);
   ~SystemSet();
   SystemSet(const SystemSet&) = delete;
   SystemSet& operator=(const SystemSet&) = delete;
@@ -31,7 +33,8 @@ class SystemSet {
   /// Makes and configures the systems that the world asks for: its own plugins in the order of the file, then each
   /// model's. A world that lists none gets those that Fortress's servers have by default. A system that can't use its
   /// parameters is left out with a warning, as in Fortress, and the rest of the world runs.
-  void load(const description::World& world, Diagnostics& diagnostics);
+  /// @param added `<plugin>` elements of systems beside them.
+  void load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
 
   /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.
   bool wantsPhysics() const { return wantsPhysics_; }
@@ -68,11 +71,15 @@ class SystemSet {
   void postUpdate(const StepInfo& info);
 
  private:
-  void loadWorldPlugins(const description::World& world, Diagnostics& diagnostics);
+  void loadWorldPlugins(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
-  void add(const description::Plugin& plugin, std::size_t number, std::optional<world::Slot> model,
-           Diagnostics& diagnostics);
+  /// What a `<plugin>` stands in: a model, an actor, or where it is neither the world.
+  struct Holder {
+    world::Slot model = world::kNoSlot;
+    const world::ActorRecord* actor = nullptr;
+  };
+  void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
   void putInOrder();
   void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
@@ -92,6 +99,7 @@ class SystemSet {
   /// Models whose systems have ended: they come back with them.
   std::vector<ModelId> unloaded_;
   std::optional<std::string> failure_;
+  EditQueue queue_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
   /// Those that are called in a step, in their order.

@@ -8,39 +8,43 @@ namespace pongsim::sim {
 namespace {
 
 /// @return What a `<plugin>` must stand in, where it does not.
-const char* missingPlace(Declaration::Place place, bool isInModel) {
-  if (place == Declaration::Place::kModel && !isInModel) return "<model>";
-  if (place == Declaration::Place::kWorld && isInModel) return "<world>";
+const char* missingPlace(Declaration::Place place, bool isInModel, bool isInActor) {
+  if (place == Declaration::Place::kModel && !isInModel) return "a <model>";
+  if (place == Declaration::Place::kWorld && (isInModel || isInActor)) return "a <world>";
+  if (place == Declaration::Place::kActor && !isInActor) return "an <actor>";
   return nullptr;
 }
 
 }  // namespace
 
-SystemSlot::SystemSlot(Parts parts, Access& access, Failed failed)
+SystemSlot::SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed)
     : parts_(std::move(parts)),
       crashName_("the system " + parts_.name),
       log_(parts_.name),
       node_(parts_.node.guardedBy(*this)),
       access_(access),
+      queue_(edits),
+      edits_(edits, *this),
       failed_(std::move(failed)) {}
 
 SystemSlot::~SystemSlot() {
   const base::RunningPart running(crashName_.c_str(), "in its destructor");
   parts_.system.reset();
+  queue_.forget(*this);
 }
 
 bool SystemSlot::start(const Element& plugin, World& world, const std::optional<Model>& model,
-                       std::span<System* const> before, Diagnostics& diagnostics) {
+                       const std::optional<Actor>& actor, std::span<System* const> before, Diagnostics& diagnostics) {
   const std::string left = parts_.name + " is left out: ";
   const base::RunningPart running(crashName_.c_str(), "in configure");
   try {
     parts_.system->declare(declaration_);
-    if (const char* place = missingPlace(declaration_.place(), model.has_value())) {
-      diagnostics.warning(plugin.position, left + "it must stand in a " + place);
+    if (const char* place = missingPlace(declaration_.place(), model.has_value(), actor.has_value())) {
+      diagnostics.warning(plugin.position, left + "it must stand in " + place);
       return false;
     }
     if (!declaration_.read(plugin, parts_.name, diagnostics)) return false;
-    parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before});
+    parts_.system->configure({plugin, world, model, node_, log_, parts_.random, diagnostics, before, edits_, actor});
     return true;
   } catch (const Error& error) {
     const Diagnostic& found = error.diagnostic();
@@ -97,6 +101,10 @@ void SystemSlot::run(const char* phase, Call call) {
     switchOff("it threw what is no std::exception");
   }
   leave();
+}
+
+void SystemSlot::answer(const std::function<void()>& call) {
+  run("in the answer to an edit", [&](System&) { call(); });
 }
 
 void SystemSlot::preUpdate(const StepInfo& info) {

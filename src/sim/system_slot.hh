@@ -14,6 +14,7 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
 #include "sim/access.hh"
+#include "sim/edit_queue.hh"
 
 namespace pongsim::sim {
 
@@ -22,7 +23,7 @@ namespace pongsim::sim {
 class SystemSlot final : public CallGuard {
  public:
   struct Parts {
-    /// Where the `<plugin>` stands; 0 for the world.
+    /// Where the `<plugin>` stands; 0 for the world and for actors.
     ModelId model;
     /// Which plugin of the model or of the world.
     std::size_t number;
@@ -33,14 +34,18 @@ class SystemSlot final : public CallGuard {
     Node node;
     Random random;
     std::unique_ptr<System> system;
+    /// Where the `<plugin>` stands in an actor.
+    ActorId actor = {};
   };
   /// Told why the system has been switched off, each time.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
 
-  SystemSlot(Parts parts, Access& access, Failed failed);
+  /// @param edits Carries out what the system asks for; must outlive it, as `access`.
+  SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed);
   ~SystemSlot() override;
 
   ModelId model() const { return parts_.model; }
+  ActorId actor() const { return parts_.actor; }
   std::size_t number() const { return parts_.number; }
   const std::string& name() const { return parts_.name; }
   const SourcePosition& position() const { return parts_.position; }
@@ -52,11 +57,11 @@ class SystemSlot final : public CallGuard {
   const Declaration& declaration() const { return declaration_; }
 
   /// Declares and configures the system.
-  /// @param world, model Where the `<plugin>` stands; no model for the world itself.
+  /// @param world, model, actor Where the `<plugin>` stands; neither model nor actor for the world itself.
   /// @param before The systems before this one.
   /// @return Whether it can be used; else `diagnostics` says why not.
-  bool start(const Element& plugin, World& world, const std::optional<Model>& model, std::span<System* const> before,
-             Diagnostics& diagnostics);
+  bool start(const Element& plugin, World& world, const std::optional<Model>& model, const std::optional<Actor>& actor,
+             std::span<System* const> before, Diagnostics& diagnostics);
   System& system() { return *parts_.system; }
   /// @return What it has advertised.
   const std::vector<std::string>& topics() const { return topics_; }
@@ -69,6 +74,10 @@ class SystemSlot final : public CallGuard {
   void switchOn(Random random);
   /// Its random numbers begin there, where it draws the next one.
   void setRandom(Random random) { parts_.random = random; }
+
+  /// Calls a function of the system's as its phases are called.
+  void answer(const std::function<void()>& call);
+  const Logger& log() const { return log_; }
 
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);
@@ -95,6 +104,8 @@ class SystemSlot final : public CallGuard {
   Logger log_;
   Node node_;
   Access& access_;
+  EditQueue& queue_;
+  WorldEdits edits_;
   Failed failed_;
   Declaration declaration_;
   std::vector<std::string> topics_;

@@ -112,4 +112,9 @@ Pose actorPose(const description::Actor& actor, Time time) {
   return actor.X_WorldActor * Way(*current).at(rest - begin);
 }
 
+Pose actorPose(const description::Actor& actor, const State& state) {
+  const auto moved = std::ranges::find(state.actors, &actor, &ActorState::description);
+  return moved == state.actors.end() ? actorPose(actor, state.time) : moved->X_WorldActor;
+}
+
 }  // namespace pongsim::world

@@ -2,6 +2,7 @@
 
 #include "description/actor.hh"
 #include "pongsim/types.hh"
+#include "world/state.hh"
 
 namespace pongsim::world {
 
@@ -13,5 +14,8 @@ namespace pongsim::world {
 /// @param time Simulated, since the start.
 /// @return Pose of the actor in the world; that of the file for an actor without waypoints.
 Pose actorPose(const description::Actor& actor, Time time);
+
+/// @return Where it is now: there, unless a system has moved it.
+Pose actorPose(const description::Actor& actor, const State& state);
 
 }  // namespace pongsim::world

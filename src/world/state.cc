@@ -1,5 +1,6 @@
 #include "world/state.hh"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -27,7 +28,8 @@ State::State(const Entities& entities)
     : gravity(entities.description().gravity),
       stepSize(entities.description().physics.maxStepSize),
       realTimeFactor(entities.description().physics.realTimeFactor),
-      place(placeOf(entities.description().environment.sphericalCoordinates)) {
+      place(placeOf(entities.description().environment.sphericalCoordinates)),
+      wind(entities.description().environment.wind) {
   grow(entities);
 }
 
@@ -41,6 +43,10 @@ void State::grow(const Entities& entities) {
 void State::remove(const Removal& removal) {
   eraseSlots(links, removal.links);
   eraseSlots(joints, removal.joints);
+  for (const ModelId model : removal.models) actuators.erase(model);
+  std::erase_if(batteries, [&](const BatteryState& battery) {
+    return std::ranges::find(removal.models, battery.model) != removal.models.end();
+  });
 }
 
 std::vector<StatePart> State::setAside(const GroupSlots& groups) {
@@ -66,6 +72,25 @@ void State::bringBack(const GroupSlots& groups, std::vector<StatePart> parts) {
 
 namespace {
 
+void transferActuators(StateArchive& archive, std::map<ModelId, std::vector<double>>& actuators) {
+  std::size_t count = actuators.size();
+  archive(count);
+  if (!archive.isGiving()) {
+    for (auto& [model, values] : actuators) {
+      ModelId id = model;
+      archive(id.value);
+      archive(values);
+    }
+    return;
+  }
+  actuators.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    ModelId model;
+    archive(model.value);
+    archive(actuators[model]);
+  }
+}
+
 void transferArrays(StateArchive& archive, std::vector<LinkState>& links, std::vector<JointState>& joints) {
   for (LinkState& link : links) {
     archive(link.X_WorldLink);
@@ -90,10 +115,22 @@ void transfer(StateArchive& archive, State& state) {
                         &state.place.heading}) {
     archive(*value);
   }
+  archive(state.wind);
   transferArrays(archive, state.links, state.joints);
+  transferActuators(archive, state.actuators);
 }
 
 void transfer(StateArchive& archive, StatePart& part) { transferArrays(archive, part.links, part.joints); }
+
+bool isOutOfPower(const State& state, ModelId model) {
+  bool has = false;
+  for (const BatteryState& battery : state.batteries) {
+    if (battery.model != model) continue;
+    if (battery.charge > 0) return false;
+    has = true;
+  }
+  return has;
+}
 
 Pose modelPose(const Entities& entities, const State& state, Slot model) {
   const ModelRecord& record = entities.models()[model];

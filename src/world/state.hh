@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "pongsim/geodesy.hh"
@@ -44,6 +46,30 @@ struct StatePart {
   std::vector<JointState> joints;
 };
 
+/// A battery of a model, and what drains it.
+struct BatteryState {
+  struct Load {
+    std::string consumer;
+    /// [W]
+    double power = 0;
+  };
+  BatteryId id;
+  ModelId model;
+  std::string name;
+  /// State of charge, 1: full.
+  double charge = 1;
+  std::vector<Load> loads;
+};
+
+/// An actor that goes as a system says, in place of its script.
+struct ActorState {
+  const description::Actor* description = nullptr;
+  Pose X_WorldActor;
+  /// Of its limbs: name and how far on it is.
+  std::string animation;
+  Time animationTime{0};
+};
+
 /// How everything stands now. The arrays go with those of `Entities`.
 struct State {
   /// The state at the start.
@@ -58,19 +84,29 @@ struct State {
 
   Time time{0};
   std::uint64_t iterations = 0;
-  /// World frame [m/s^2]. This and the next three are what the description says until they are changed.
+  /// World frame [m/s^2]. This and the next four are what the description says until they are changed.
   Vector3 gravity;
   Time stepSize;
   /// Simulated seconds a second; 0 means as many as possible.
   double realTimeFactor;
   Place place;
+  /// Velocity of the air, world frame [m/s].
+  Vector3 wind;
   std::vector<LinkState> links;
   std::vector<JointState> joints;
+  /// What a system of a model tells the actuators of the model, by their numbers.
+  std::map<ModelId, std::vector<double>> actuators = {};
+  /// These two are no part of saved states: the systems that say them remember them.
+  std::vector<BatteryState> batteries;
+  std::vector<ActorState> actors;
 };
 
 /// All of a state whose arrays have the right size already.
 void transfer(StateArchive& archive, State& state);
 void transfer(StateArchive& archive, StatePart& part);
+
+/// @return Whether the model has batteries and all of them are empty.
+bool isOutOfPower(const State& state, ModelId model);
 
 /// @return Pose of the model frame in the world frame: the model moves with its canonical link.
 Pose modelPose(const Entities& entities, const State& state, Slot model);

@@ -142,6 +142,19 @@ TEST(Declaration, TellsOfItsParameters) {
   EXPECT_FALSE(parameters[5].isRepeated());
 }
 
+TEST(Declaration, ReadsTheMembersOfAFamilyByTheirOwnNames) {
+  double xU = 0, xV = 0;
+  Declaration declaration;
+  declaration.parameter("xU", &xU, "kg/s", "damping").inFamily("x{UV}");
+  declaration.parameter("xV", &xV, "kg/s", "damping").inFamily("x{UV}");
+  Diagnostics diagnostics;
+  EXPECT_TRUE(declaration.read(pluginWith({{"xV", "-2"}}), "test", diagnostics));
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_EQ(xU, 0);
+  EXPECT_EQ(xV, -2);
+  EXPECT_EQ(declaration.parameters()[1].family(), "x{UV}");
+}
+
 TEST(Declaration, OfNothingTakesAnything) {
   Diagnostics diagnostics;
   EXPECT_TRUE(Declaration().read(pluginWith({{"anything", "1"}}), "test", diagnostics));

@@ -18,6 +18,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::benchmark {
 namespace {
@@ -25,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kRobots = 50;
+constexpr int kBodies = 100;
 constexpr int kRobotsALevel = 10, kRobotsInLevels = 500;
 constexpr double kMostForLevels = 0.05;
 constexpr double kMostMicroseconds = 2;
@@ -65,8 +67,10 @@ std::vector<SystemCase> systemCases() {
   std::vector<SystemCase> cases;
   for (const auto& file : fs::recursive_directory_iterator(test::projectFolder() / "plugins")) {
     if (file.path().extension() != ".sdf") continue;
-    cases.push_back({file.path().parent_path().filename().string(), replaced(textOf(file.path()), kPhysics, kNothing)});
+    const std::string name = file.path().parent_path().filename().string();
+    cases.push_back({name, replaced(textOf(file.path()), kPhysics, kNothing)});
   }
+  if (cases.empty()) throw std::runtime_error("no example worlds of systems");
   std::ranges::sort(cases, {}, &SystemCase::name);
   return cases;
 }
@@ -159,6 +163,44 @@ std::unique_ptr<Simulation> drivenByHand() {
   return simulation;
 }
 
+/// A hundred bodies of all shapes, far from each other, that stay where they are: without gravity, in a fluid that
+/// lifts nothing then, or across the surface of two.
+/// @param fluid The parameters of Buoyancy, or empty: without it.
+std::string manyBodies(const std::string& fluid) {
+  std::string text =
+      "<sdf version='1.9'><world name='w'><gravity>0 0 0</gravity>"
+      "<plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>";
+  if (!fluid.empty()) {
+    text += "<plugin filename='ignition-gazebo-buoyancy-system' name='ignition::gazebo::systems::Buoyancy'>" + fluid +
+            "</plugin>";
+  }
+  const char* const shapes[] = {"<box><size>1 1 1</size></box>", "<sphere><radius>0.5</radius></sphere>",
+                                "<cylinder><radius>0.4</radius><length>1</length></cylinder>",
+                                "<capsule><radius>0.3</radius><length>0.6</length></capsule>"};
+  for (int i = 0; i < kBodies; ++i) {
+    text += "<model name='body" + std::to_string(i) + "'><pose>" + std::to_string(3 * (i % 10)) + " " +
+            std::to_string(3 * (i / 10)) +
+            " 0 0.3 0.2 0</pose><link name='link'><inertial><mass>500</mass></inertial>" +
+            "<collision name='collision'><geometry>" + shapes[i % 4] + "</geometry></collision></link></model>";
+  }
+  return text + "</world></sdf>";
+}
+
+constexpr const char* kWater = "<uniform_fluid_density>1000</uniform_fluid_density>";
+constexpr const char* kSurface =
+    "<graded_buoyancy><density_change><above_depth>0</above_depth><density>1</density></density_change>"
+    "</graded_buoyancy>";
+
+void printBuoyancy(const Medians& medians) {
+  const double without = medians.of("100_bodies/physics");
+  for (const char* each : {"100_bodies/under_water", "100_bodies/at_the_surface"}) {
+    const double with = medians.of(each);
+    if (!(without > 0) || !(with > 0)) continue;
+    std::printf("%s: physics %.1f us, with Buoyancy %.1f us: %.1f %% more%s\n", each, without, with,
+                100 * (with / without - 1), with / without - 1 > kMostShare ? "  TOO MUCH" : "");
+  }
+}
+
 /// Robots that stand there.
 std::unique_ptr<Simulation> standing(int count, bool isInLevels) {
   auto simulation = load(manyRobots(count, isInLevels), true, isInLevels);
@@ -200,6 +242,8 @@ void printTable(const Medians& medians, const std::vector<SystemCase>& cases) {
 
 int run(int argc, char** argv) {
   const std::vector<SystemCase> cases = systemCases();
+  // some write into the current folder
+  const test::WorkingFolder folder;
   const auto add = [](const std::string& name, auto function, const std::string& text) {
     ::benchmark::RegisterBenchmark(name.c_str(), function, text)->Unit(::benchmark::kMicrosecond);
   };
@@ -216,6 +260,9 @@ int run(int argc, char** argv) {
     };
     ::benchmark::RegisterBenchmark(name, step)->Unit(::benchmark::kMicrosecond);
   };
+  add("100_bodies/physics", stepWorld, manyBodies(""));
+  add("100_bodies/under_water", stepWorld, manyBodies(kWater));
+  add("100_bodies/at_the_surface", stepWorld, manyBodies(kSurface));
   addDriven("50_robots/physics", drivenByHand);
   addDriven("50_robots/diff_drive", drivenBySystem);
   addDriven("levels/10_robots", [] { return standing(kRobotsALevel, false); });
@@ -224,6 +271,7 @@ int run(int argc, char** argv) {
   Medians medians;
   if (!medians.run(argc, argv)) return 2;
   printTable(medians, cases);
+  printBuoyancy(medians);
   printLevels(medians);
   return 0;
 }

@@ -36,6 +36,16 @@ TEST(PluginPage, IsATableInMarkdown) {
   }
 }
 
+TEST(PluginPage, ShowsAFamilyOfParametersOnce) {
+  const auto looked =
+      plugin::Inspection::of(std::filesystem::path(PONGSIM_OWN_PLUGINS) / "libpongsim-hydrodynamics-system.so");
+  const std::string text = pluginMarkdown(std::get<plugin::Inspection>(looked));
+  const std::string row = "| `<{xyzkmn}{UVWPQR}>` | number | 0 |";
+  EXPECT_NE(text.find(row), std::string::npos) << text;
+  EXPECT_EQ(text.find(row), text.rfind(row));
+  EXPECT_EQ(text.find("`<xU>`"), std::string::npos);
+}
+
 TEST(PluginPage, TellsOfWhatIsPartOfPongsimItself) {
   const plugin::CoreSystem& system = *plugin::coreSystem("libignition-gazebo-user-commands-system.so");
   EXPECT_TRUE(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +22,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -113,12 +115,12 @@ class Performance {
       ASSERT_TRUE(model) << line;
       EXPECT_EQ(Model(*model).setPose({{x, y, model->pose().position.z()}, model->pose().rotation}), std::nullopt);
       EXPECT_EQ(simulation_.addPerformer(name), std::nullopt);
-    } else if (verb != "says" && verb != "turns" && verb != "there" && verb != "gone") {
+    } else if (verb != "says" && verb != "turns" && verb != "there" && verb != "gone" && verb != "writes") {
       FAIL() << "the list says '" << line << "'";
     }
   }
 
-  /// After the run: `hear`, `moves`, `rests`, `turns`, `there` and `gone`.
+  /// After the run: `hear`, `moves`, `rests`, `turns`, `there`, `gone` and `writes`.
   void check(const std::string& line) {
     std::istringstream words(line);
     std::string verb, name, type, part;
@@ -142,6 +144,8 @@ class Performance {
       for (; !name.empty(); name.clear(), words >> name) {
         EXPECT_EQ(simulation_.world().model(name).has_value(), verb == "there") << name;
       }
+    } else if (verb == "writes") {
+      EXPECT_TRUE(fs::is_regular_file(name)) << line;
     } else if (verb == "turns") {
       std::string joint;
       double position = 0;
@@ -159,11 +163,22 @@ class Performance {
   std::map<std::string, Vector3> starts_;
 };
 
-class FortressSystems : public testing::TestWithParam<ListedWorld> {};
+/// Fortress's own tests name the folder of their models in this way.
+class FortressSystems : public testing::TestWithParam<ListedWorld> {
+ protected:
+  FortressSystems() {
+    if (const auto folder = fortressWorlds()) setenv(kVariable, (*folder / "test/models").c_str(), 1);
+  }
+  ~FortressSystems() override { unsetenv(kVariable); }
+
+ private:
+  static constexpr const char* kVariable = "IGN_GAZEBO_RESOURCE_PATH";
+};
 
 TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
   const auto folder = fortressWorlds();
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
+  const WorkingFolder workingFolder;
   Diagnostics diagnostics;
   const auto simulation =
       Simulation::fromFile(*folder / GetParam().file, {.strict = true, .levels = GetParam().usesLevels}, diagnostics);

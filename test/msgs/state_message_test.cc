@@ -61,6 +61,19 @@ TEST_F(StateMessageTest, WritesComponentsAsFortressDoes) {
   EXPECT_EQ(step_.state().entities_size(), 13);
 }
 
+TEST_F(StateMessageTest, TellsOfBatteries) {
+  state_.batteries.push_back({BatteryId{50}, ModelId{4}, "cell", 0.25, {}});
+  state_.batteries.push_back({BatteryId{51}, ModelId{99}, "of a model that is set aside", 1, {}});
+  write(StateContent::kAll);
+  EXPECT_EQ(component(50, "Name"), "cell");
+  EXPECT_EQ(component(50, "ParentEntity"), "4");
+  EXPECT_EQ(component(50, "BatterySoC"), "0.25");
+  EXPECT_EQ(component(51, "Name"), "none");
+  write(StateContent::kMoving);
+  EXPECT_EQ(component(50, "BatterySoC"), "0.25");
+  EXPECT_EQ(component(50, "Name"), "none");
+}
+
 TEST_F(StateMessageTest, TellsOfWhatMovesOnly) {
   write(StateContent::kMoving);
   EXPECT_EQ(step_.state().entities_size(), 5) << "cart, base, arm, tip, hinge";

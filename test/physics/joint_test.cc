@@ -45,6 +45,28 @@ TEST(Joint, TurnsTheChildPositivelyAboutTheAxis) {
   EXPECT_NEAR(rig.link("model::arm").w_WorldLink.y() - rig.link("model::base").w_WorldLink.y(), 2, 1e-5);
 }
 
+TEST(Joint, IsDrivenUntilItIsReleased) {
+  Rig rig(twoLinks(JointType::kRevolute, Vector3::UnitZ()));
+  EXPECT_FALSE(rig.engine.isJointDriven(0));
+  rig.engine.setJointVelocityTarget(0, 0);
+  EXPECT_FALSE(rig.engine.isJointDriven(0));
+  rig.engine.setJointVelocityTarget(0, 2);
+  EXPECT_TRUE(rig.engine.isJointDriven(0));
+  rig.step(10);
+  EXPECT_TRUE(rig.engine.isJointDriven(0));
+  // it turns on, and nothing holds it against a force
+  rig.engine.addJointForce(0, 100);
+  rig.engine.releaseJoint(0);
+  EXPECT_FALSE(rig.engine.isJointDriven(0));
+  rig.step(10);
+  EXPECT_NEAR(rig.joint(0).velocity, 2, 1e-3);
+  rig.engine.addJointForce(0, 100);
+  EXPECT_TRUE(rig.engine.isJointDriven(0));
+  rig.step(1);
+  EXPECT_FALSE(rig.engine.isJointDriven(0));
+  EXPECT_GT(rig.joint(0).velocity, 2.01);
+}
+
 TEST(Joint, CountsTheAngleOverManyTurns) {
   for (double velocity : {20.0, -20.0}) {
     Rig rig(twoLinks(JointType::kContinuous, Vector3(1, 2, 2).normalized()));

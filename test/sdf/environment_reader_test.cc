@@ -43,6 +43,16 @@ TEST(Environment, IsRead) {
   EXPECT_DOUBLE_EQ(environment.sphericalCoordinates.heading, std::numbers::pi / 4);
 }
 
+TEST(Environment, HasNoWindFasterThanAnyIs) {
+  const Loaded loaded = loadWorld("<wind><linear_velocity>1e6 0 1</linear_velocity></wind>");
+  EXPECT_EQ(loaded.messages,
+            (Messages{"t.sdf:2:7: warning: a wind of '1e6 0 1' m/s is left out: none is faster than 10000 m/s | a "
+                      "hurricane has 50 m/s"}));
+  EXPECT_EQ(loaded.world().environment.wind, Vector3(0, 0, 0));
+  EXPECT_EQ(loadWorld("<wind><linear_velocity>1e308 1e308 0</linear_velocity></wind>").messages.size(), 1U);
+  EXPECT_EQ(loadWorld("<wind><linear_velocity>0 1e4 0</linear_velocity></wind>").messages, Messages());
+}
+
 TEST(Environment, ThatIsWrongIsAnError) {
   EXPECT_EQ(loadWorld("<wind><linear_velocity>1 2</linear_velocity></wind>\n<magnetic_field>x</magnetic_field>\n"
                       "<atmosphere><pressure>0</pressure></atmosphere>\n"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/scene.pb.h>
+#include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
 
 #include <chrono>
 #include <memory>
@@ -163,6 +164,38 @@ TEST_F(EditServicesTest, CreateChangeAndRemoveLights) {
   simulation_->reset(diagnostics);
   ASSERT_EQ(scene().light_size(), 1);
   EXPECT_EQ(scene().light(0).diffuse().r(), 1);
+}
+
+TEST_F(EditServicesTest, PassWheelSlipsOnToWhoeverListens) {
+  const auto slip = [&](const std::string& text) { return refusal("wheel_slip", "WheelSlipParametersCmd", text); };
+  EXPECT_EQ(slip("entity {name: 'ball::l'}"), "no system here lets wheels slip: wheel-slip does");
+  std::vector<ignition::msgs::WheelSlipParametersCmd> heard;
+  const Subscription subscription = simulation_->transport().node().subscribe<ignition::msgs::WheelSlipParametersCmd>(
+      "/world/w/wheel_slip", [&](const auto& message) { heard.push_back(message); });
+  const LinkId link = model("ball")->link("l")->id();
+  EXPECT_EQ(slip("entity {name: 'ball::l', type: LINK}, slip_compliance_lateral: 0.5"), "");
+  EXPECT_EQ(slip("entity {name: 'tower::top'}, slip_compliance_longitudinal: 2"), "");
+  EXPECT_EQ(slip("entity {id: " + std::to_string(link.value) + "}"), "");
+  simulation_->step();
+  ASSERT_EQ(heard.size(), 3U);
+  EXPECT_EQ(heard[0].entity().id(), link.value);
+  EXPECT_EQ(heard[0].entity().type(), ignition::msgs::Entity::LINK);
+  EXPECT_EQ(heard[0].slip_compliance_lateral(), 0.5);
+  EXPECT_EQ(heard[1].entity().id(), model("tower::top")->id().value);
+  EXPECT_EQ(heard[1].entity().type(), ignition::msgs::Entity::MODEL);
+  EXPECT_EQ(heard[1].slip_compliance_longitudinal(), 2);
+  EXPECT_EQ(heard[2].entity().name(), "ball::l");
+}
+
+TEST_F(EditServicesTest, SayWhichWheelIsNotThere) {
+  const auto slip = [&](const std::string& text) { return refusal("wheel_slip", "WheelSlipParametersCmd", text); };
+  EXPECT_NE(slip("").find("neither a name nor an id"), std::string::npos);
+  EXPECT_NE(slip("entity {name: 'ball::k'}").find("no model 'ball::k', and no link of that name"), std::string::npos);
+  EXPECT_NE(slip("entity {name: 'l'}").find("'MODEL::LINK'"), std::string::npos);
+  EXPECT_NE(slip("entity {id: 4711}").find("id 4711"), std::string::npos);
+  for (const char* bad : {"slip_compliance_lateral: -1", "slip_compliance_longitudinal: nan"}) {
+    EXPECT_NE(slip(std::string("entity {name: 'ball::l'}, ") + bad).find("from zero up"), std::string::npos) << bad;
+  }
 }
 
 TEST_F(EditServicesTest, ListenToLightsOnATopic) {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "pongsim/simulation.hh"
 
@@ -11,12 +13,17 @@ namespace pongsim {
 namespace {
 
 constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>
+  <wind><linear_velocity>1 2 3</linear_velocity></wind>
   <model name="base"><static>true</static><link name="ground"/></model>
   <model name="arm" canonical_link="upper"><pose>1 2 3 0 0 0</pose>
-    <link name="upper"><pose>0 0 1 0 0 0</pose><inertial><mass>2</mass></inertial></link>
+    <link name="upper"><enable_wind>true</enable_wind><pose>0 0 1 0 0 0</pose><inertial><mass>2</mass></inertial></link>
     <link name="lower"><pose>0 0 2 0 0 0</pose><inertial><mass>2</mass></inertial></link>
     <joint name="elbow" type="revolute"><parent>upper</parent><child>lower</child><axis><xyz>0 0 1</xyz></axis></joint>
     <joint name="knot" type="ball"><parent>upper</parent><child>lower</child></joint>
+  </model>
+  <model name="kite"><pose>0 9 0 0 0 0</pose><enable_wind>true</enable_wind>
+    <link name="sail"><inertial><pose>0 0 0 0 0 1</pose></inertial></link>
+    <link name="weight"><pose>0 0 -1 0 0 0</pose><enable_wind>false</enable_wind></link>
   </model></world></sdf>)";
 
 class HandlesTest : public testing::Test {
@@ -35,7 +42,7 @@ class HandlesTest : public testing::Test {
 TEST_F(HandlesTest, LeadFromTheWorldToItsParts) {
   EXPECT_EQ(world().name(), "w");
   EXPECT_EQ(world().gravity(), Vector3::Zero());
-  ASSERT_EQ(world().models().size(), 2U);
+  ASSERT_EQ(world().models().size(), 3U);
   EXPECT_EQ(world().models()[1].name(), "arm");
   EXPECT_EQ(arm().scopedName(), "arm");
   EXPECT_TRUE(world().model("base")->isStatic());
@@ -76,6 +83,57 @@ TEST_F(HandlesTest, CountOnlyAxesThatHaveAPosition) {
   EXPECT_EQ(arm().joint("elbow")->axisCount(), 1);
   EXPECT_EQ(arm().joint("knot")->axisCount(), 0);
   EXPECT_EQ(arm().joint("knot")->position(), 0);
+}
+
+TEST_F(HandlesTest, ChangeTheWind) {
+  EXPECT_EQ(world().wind(), Vector3(1, 2, 3));
+  EXPECT_FALSE(world().setWind({-4, 5, 6}));
+  EXPECT_EQ(world().wind(), Vector3(-4, 5, 6));
+  for (const double speed : {1e6, 1e308, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(world().setWind({speed, 0, speed}), "no wind is faster than 10000 m/s");
+  }
+  EXPECT_EQ(world().wind(), Vector3(-4, 5, 6));
+  const std::vector<std::byte> state = simulation_->saveState();
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(world().wind(), Vector3(1, 2, 3));
+  EXPECT_FALSE(simulation_->restoreState(state));
+  EXPECT_EQ(world().wind(), Vector3(-4, 5, 6));
+}
+
+TEST_F(HandlesTest, TellWhatTheWindMoves) {
+  EXPECT_TRUE(arm().link("upper")->isInWind());
+  EXPECT_FALSE(arm().link("lower")->isInWind());
+  EXPECT_TRUE(world().model("kite")->link("sail")->isInWind());
+  // as in Fortress
+  EXPECT_TRUE(world().model("kite")->link("weight")->isInWind());
+}
+
+TEST_F(HandlesTest, TellTheAxesOfAnInertia) {
+  EXPECT_TRUE(arm().link("upper")->mass().axes.isApprox(Quaternion::Identity()));
+  EXPECT_TRUE(world().model("kite")->link("sail")->mass().axes.isApprox(fromRollPitchYaw(0, 0, 1)));
+}
+
+TEST_F(HandlesTest, PassWhatActuatorsAreTold) {
+  EXPECT_EQ(arm().actuators(), nullptr);
+  const std::vector<double> speeds{1, -2, 3};
+  arm().setActuators(speeds);
+  ASSERT_NE(arm().actuators(), nullptr);
+  EXPECT_EQ(*arm().actuators(), speeds);
+  EXPECT_EQ(world().model("kite")->actuators(), nullptr);
+  arm().setActuators(std::vector<double>{std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_EQ(*arm().actuators(), speeds);
+
+  const std::vector<std::byte> state = simulation_->saveState();
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(arm().actuators(), nullptr);
+  EXPECT_FALSE(simulation_->restoreState(state));
+  EXPECT_EQ(*arm().actuators(), speeds);
+  const Model removed = arm();
+  EXPECT_FALSE(simulation_->remove(removed));
+  EXPECT_EQ(removed.actuators(), nullptr);
+  EXPECT_THROW(Model(removed).setActuators(speeds), Gone);
 }
 
 TEST_F(HandlesTest, RefuseCommandsThatMakeNoSense) {

@@ -52,6 +52,46 @@ TEST(Parameters, NameJointsThatCanBeCommanded) {
             "<j> 'knee' is no joint of model 'm' | its joints are hinge");
 }
 
+TEST(Parameters, NameLinks) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><model name='m'><link name='body'/><link name='tip'/></model></world></sdf>",
+      "world.sdf", {}, diagnostics);
+  const Model model = simulation->world().model("m").value();
+  EXPECT_EQ(requiredLink(elementWith("l", "tip"), "l", model).name(), "tip");
+  EXPECT_EQ(refusalOf([&] { requiredLink(elementWith("l", "top"), "l", model); }),
+            "<l> 'top' is no link of model 'm' | its links are body, tip");
+  EXPECT_EQ(refusalOf([&] { requiredLink(elementWith("k", "top"), "l", model); }), "no <l> is given");
+}
+
+TEST(Parameters, SayHowAValueIsFalsified) {
+  EXPECT_EQ(noiseIn(elementWith("a", "x")), NoiseSettings());
+  Element holder = elementWith("noise", "");
+  Element& noise = holder.children[0];
+  noise.attributes.push_back({"type", "gaussian_quantized", {}});
+  double value = 0;
+  for (const char* name : {"mean", "stddev", "bias_mean", "bias_stddev", "dynamic_bias_stddev",
+                           "dynamic_bias_correlation_time", "precision"}) {
+    noise.children.emplace_back().name = name;
+    noise.children.back().text = std::to_string(++value);
+  }
+  EXPECT_EQ(noiseIn(holder), (NoiseSettings{NoiseSettings::Type::kGaussianQuantized, 1, 2, 3, 4, 5, 6, 7}));
+  noise.children[1].text = "-2";
+  EXPECT_EQ(refusalOf([&] { noiseIn(holder); }), "<stddev> must be a number of at least zero");
+  noise.children[0].text = "inf";
+  EXPECT_EQ(refusalOf([&] { noiseIn(holder); }), "<mean> must be a finite number");
+  noise.attributes[0].value = "gauss";
+  EXPECT_EQ(refusalOf([&] { noiseIn(holder); }),
+            "<noise> has the unknown type 'gauss' | it can be none, gaussian or gaussian_quantized");
+}
+
+TEST(Parameters, ReadTheTypeOfANoiseAlsoFromAnElement) {
+  Element holder = elementWith("noise", "");
+  holder.children[0].children.emplace_back().name = "type";
+  holder.children[0].children.back().text = "gaussian";
+  EXPECT_EQ(noiseIn(holder).type, NoiseSettings::Type::kGaussian);
+}
+
 TEST(Parameters, NameSeveralJoints) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(

@@ -46,10 +46,10 @@ class SystemSlotTest : public testing::Test {
     system_ = system.get();
     slot_ = std::make_unique<SystemSlot>(
         SystemSlot::Parts{ModelId(), 0, "obedient", {}, transport_.node(), Random(0, "obedient"), std::move(system)},
-        access_,
+        access_, queue_,
         [this](const SystemSlot& slot, const std::string& what) { said_.push_back(slot.name() + " " + what); });
     Diagnostics diagnostics;
-    EXPECT_TRUE(slot_->start({}, world_, std::nullopt, {}, diagnostics));
+    EXPECT_TRUE(slot_->start({}, world_, std::nullopt, std::nullopt, {}, diagnostics));
     EXPECT_TRUE(diagnostics.all().empty());
   }
 
@@ -58,6 +58,9 @@ class SystemSlotTest : public testing::Test {
   world::State state_{entities_};
   physics::Engine engine_{entities_};
   Access access_{entities_, state_, engine_};
+  assets::Places places_;
+  ModelEdits edits_{access_, places_};
+  EditQueue queue_{edits_};
   World world_{access_};
   Transport transport_{{.network = false, .domain = {}}};
   std::vector<std::string> said_;

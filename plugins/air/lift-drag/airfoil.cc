@@ -1,0 +1,80 @@
+#include "airfoil.hh"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pongsim {
+
+namespace {
+
+constexpr double kSlowest = 0.01;
+
+/// How the flow meets the surface.
+struct Flow {
+  /// Unit vector across the plane of lift and drag.
+  Vector3 span;
+  /// Velocity in that plane [m/s].
+  Vector3 velocity;
+  /// Unit vector across the velocity, in that plane.
+  Vector3 lift;
+  /// Angle of attack [rad].
+  double angle = 0;
+};
+
+double withinQuarterTurn(double angle) {
+  // far away angles would take many turns
+  angle = std::remainder(angle, 2 * std::numbers::pi);
+  while (std::abs(angle) > std::numbers::pi / 2) angle += angle > 0 ? -std::numbers::pi : std::numbers::pi;
+  return angle;
+}
+
+Flow flowAround(const AirfoilSettings& airfoil, const Vector3& velocity) {
+  Vector3 upward = airfoil.upward;
+  if (airfoil.isRound) upward = airfoil.forward.cross(airfoil.forward.cross(velocity)).normalized();
+  Flow flow;
+  flow.span = airfoil.forward.cross(upward).normalized();
+  flow.velocity = velocity - velocity.dot(flow.span) * flow.span;
+  flow.lift = flow.span.cross(flow.velocity).normalized();
+  flow.angle = airfoil.zeroAngle;
+  // of a round body in a flow from ahead there is no lift, and nowhere for it to go
+  if (!flow.span.isZero(0)) {
+    const double turn = std::acos(std::clamp(flow.lift.dot(upward), -1.0, 1.0));
+    flow.angle += flow.lift.dot(airfoil.forward) >= 0 ? turn : -turn;
+  }
+  flow.angle = withinQuarterTurn(flow.angle);
+  return flow;
+}
+
+/// A coefficient that grows by one slope up to the stall, and by another from there on.
+double coefficient(double angle, double stall, double slope, double slopeStalled) {
+  if (angle > stall) return slope * stall + slopeStalled * (angle - stall);
+  if (angle < -stall) return -slope * stall + slopeStalled * (angle + stall);
+  return slope * angle;
+}
+
+}  // namespace
+
+double angleOfAttack(const AirfoilSettings& airfoil, const Vector3& velocity) {
+  return flowAround(airfoil, velocity).angle;
+}
+
+Vector3 airfoilForce(const AirfoilSettings& airfoil, const Vector3& velocity, double liftOffset) {
+  const double speed = velocity.norm();
+  if (!(speed > kSlowest)) return Vector3::Zero();
+  const Flow flow = flowAround(airfoil, velocity);
+  // Fortress takes the square of the sweep's cosine for it
+  const double sine = std::clamp(flow.span.dot(velocity) / speed, -1.0, 1.0);
+  const double sweep = 1 - sine * sine;
+  const double pressure = airfoil.density / 2 * flow.velocity.squaredNorm();
+
+  double lift = coefficient(flow.angle, airfoil.stallAngle, airfoil.liftSlope, airfoil.liftSlopeStalled) * sweep;
+  // a stall takes the lift away and does not turn it round
+  if (flow.angle > airfoil.stallAngle) lift = std::max(0.0, lift);
+  if (flow.angle < -airfoil.stallAngle) lift = std::min(0.0, lift);
+  lift += liftOffset;
+  const double drag =
+      std::abs(coefficient(flow.angle, airfoil.stallAngle, airfoil.dragSlope, airfoil.dragSlopeStalled) * sweep);
+  return pressure * airfoil.area * (lift * flow.lift - drag * flow.velocity.normalized());
+}
+
+}  // namespace pongsim

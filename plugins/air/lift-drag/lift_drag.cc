@@ -1,0 +1,129 @@
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "airfoil.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// Pushes a link as the flow around a wing, a fin or a propeller's blade would.
+class LiftDrag : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Pushes a link as the flow around a wing, a fin or a propeller's blade would.",
+                   Declaration::Place::kModel);
+    declaration.parameter("link_name", &linkName_, "", "link that is pushed; of a nested model as `inner::link`")
+        .required();
+    declaration.parameter("area", &airfoil_.area, "m^2", "area of the surface").atLeast(0);
+    declaration.parameter("air_density", &airfoil_.density, "kg/m^3", "density of the fluid").above(0);
+    declaration.parameter("a0", &airfoil_.zeroAngle, "rad", "angle of attack where the flow comes from ahead");
+    declaration.parameter("cla", &airfoil_.liftSlope, "1/rad", "slope of the lift over the angle of attack");
+    declaration.parameter("cda", &airfoil_.dragSlope, "1/rad", "slope of the drag");
+    declaration.parameter("alpha_stall", &airfoil_.stallAngle, "rad", "angle of attack where the stall begins")
+        .atLeast(0);
+    declaration.parameter("cla_stall", &airfoil_.liftSlopeStalled, "1/rad", "slope of the lift after the stall");
+    declaration.parameter("cda_stall", &airfoil_.dragSlopeStalled, "1/rad", "slope of the drag after the stall");
+    declaration.element("cma", "slope of the moment, of which there is none, as in Fortress");
+    declaration.element("cma_stall", "likewise after the stall");
+    declaration.parameter("cp", &center_, "m", "where the force is applied, in the link frame");
+    declaration.parameter("forward", &airfoil_.forward, "", "where the flow comes from, in the link frame");
+    declaration.parameter("upward", &airfoil_.upward, "", "where the lift goes, in the link frame");
+    declaration.parameter("radial_symmetry", &airfoil_.isRound, "",
+                          "a body, not a wing: the lift goes where the flow "
+                          "turns it");
+    declaration.parameter("control_joint_name", &jointName_, "",
+                          "joint of a flap; of a nested model as `inner::joint`");
+    declaration.parameter("control_joint_rad_to_cl", &liftOfJoint_, "1/rad or 1/m",
+                          "what the flap adds to the coefficient of lift");
+  }
+
+  void configure(const SystemContext& context) override;
+
+  void preUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    const Quaternion R_WorldLink = link_->pose().rotation;
+    const Vector3 arm = R_WorldLink * center_;
+    const Vector3 velocity = link_->linearVelocity() + link_->angularVelocity().cross(arm);
+    const double offset = joint_ ? liftOfJoint_ * joint_->position() : 0;
+    const Vector3 force = R_WorldLink * airfoilForce(airfoil_, R_WorldLink.conjugate() * velocity, offset);
+    // at speeds whose square is no number any more
+    if (force.allFinite()) link_->addWrench(force, arm.cross(force));
+  }
+
+ private:
+  std::string linkName_;
+  std::string jointName_;
+  AirfoilSettings airfoil_;
+  Vector3 center_ = Vector3::Zero();
+  double liftOfJoint_ = 4;
+
+  std::optional<Link> link_;
+  std::optional<Joint> joint_;
+};
+
+std::optional<Link> named(const Model& model, std::string_view name, Link*) { return model.link(name); }
+std::optional<Joint> named(const Model& model, std::string_view name, Joint*) { return model.joint(name); }
+
+/// Adds what has that name in the model or, as Fortress looks for it, in any model that is nested in it.
+template <class T>
+void findAll(const Model& model, std::string_view name, std::vector<T>& found) {
+  if (const auto part = named(model, name, static_cast<T*>(nullptr))) found.push_back(*part);
+  for (const Model& inner : model.models()) findAll(inner, name, found);
+}
+
+/// @return The first part of that name; of several the one that comes first in the file, with a warning.
+template <class T>
+T partOf(const SystemContext& context, std::string_view parameter, const char* kind) {
+  const Element& element = *context.sdf.child(parameter);
+  const Model& model = *context.model;
+  std::string_view name = element.text;
+  std::vector<T> found;
+  findAll(model, name, found);
+  // the model's own name may stand before it
+  const std::string own = std::string(model.name()) + "::";
+  if (found.empty() && name.starts_with(own)) findAll(model, name.substr(own.size()), found);
+  const std::string subject = "<" + element.name + "> '" + element.text + "'";
+  if (found.empty()) {
+    refuse(element, subject + " is no " + kind + " of model '" + std::string(model.name()) + "'",
+           "of a nested model it is 'inner::" + std::string(name.substr(name.rfind(':') + 1)) + "'");
+  }
+  if (found.size() > 1) {
+    context.diagnostics.warning(element.position, subject + " names " + std::to_string(found.size()) + " " + kind +
+                                                      "s: the first one is taken");
+  }
+  return found.front();
+}
+
+void LiftDrag::configure(const SystemContext& context) {
+  const Element& sdf = context.sdf;
+  link_ = partOf<Link>(context, "link_name", "link");
+  if (!jointName_.empty()) {
+    joint_ = partOf<Joint>(context, "control_joint_name", "joint");
+    if (joint_->axisCount() == 0) {
+      refuse(*sdf.child("control_joint_name"), "<control_joint_name> '" + jointName_ + "' has no axis that could turn");
+    }
+  }
+  const auto refuseVector = [&sdf](const char* name, const char* rule) {
+    const Element* element = sdf.child(name);
+    refuse(element != nullptr ? *element : sdf, std::string("<") + name + "> " + rule);
+  };
+  if (!(airfoil_.forward.norm() > 0)) refuseVector("forward", "must have a direction");
+  if (!(airfoil_.upward.norm() > 0)) refuseVector("upward", "must have a direction");
+  airfoil_.forward.normalize();
+  airfoil_.upward.normalize();
+  if (!airfoil_.isRound && airfoil_.forward.cross(airfoil_.upward).norm() < 1e-6) {
+    refuseVector("upward", "points along <forward>, across which the lift must go");
+  }
+}
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::LiftDrag, "ignition::gazebo::systems::LiftDrag", "gz::sim::systems::LiftDrag");

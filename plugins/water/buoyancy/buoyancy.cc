@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "fluid.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/solid.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// A link that displaces fluid.
+struct FloatingLink {
+  struct Part {
+    Solid solid;
+    Pose X_LinkPart;
+  };
+
+  Link link;
+  std::vector<Part> parts;
+  /// Of all parts together [m^3], and where its middle is in the link frame.
+  Volume volume;
+  /// Nothing of it is farther from that middle [m].
+  double radius = 0;
+};
+
+/// Lifts links by the weight of the fluid that their collisions displace.
+class Buoyancy : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Lifts links by the weight of the fluid that their collisions displace.",
+                   Declaration::Place::kWorld);
+    declaration.parameter("uniform_fluid_density", &density_, "kg/m^3", "density of the fluid, the same everywhere")
+        .above(0)
+        .otherwise("1000");
+    declaration.element("graded_buoyancy",
+                        "fluid in layers: `default_density` [kg/m^3] below all (1000), and `density_change`, "
+                        "repeated, with `density` [kg/m^3] from the height `above_depth` [m] up");
+    declaration.parameter("enable", &enabled_, "", "model or link (`M`, `M::L`) that floats; without any, all do");
+  }
+
+  void configure(const SystemContext& context) override {
+    log_ = &context.log;
+    world_ = &context.world;
+    readFluid(context.sdf, context.diagnostics);
+    addLinks(&context.diagnostics);
+    warnOfUnknown(context.sdf, context.diagnostics);
+  }
+
+  void preUpdate(const StepInfo& info) override {
+    if (info.paused) return;
+    const Vector3 gravity = world_->gravity();
+    for (FloatingLink& each : links_) lift(each, gravity);
+  }
+
+  void worldChanged() override {
+    std::erase_if(links_, [](const FloatingLink& each) { return !each.link.exists(); });
+    addLinks(nullptr);
+  }
+
+ private:
+  void readFluid(const Element& sdf, Diagnostics& diagnostics);
+  void readLayers(const Element& graded, Diagnostics& diagnostics);
+  void readLayer(const Element& change, Diagnostics& diagnostics);
+  void warnOfUnknown(const Element& sdf, Diagnostics& diagnostics) const;
+  bool isEnabled(const Model& model) const;
+  void addLinks(Diagnostics* diagnostics);
+  void addLinksOf(const Model& model, bool isEnabledAbove, Diagnostics* diagnostics);
+  void addLink(const Link& link, Diagnostics* diagnostics);
+  void warnOfSurface(const Collision& collision, const Solid& solid, Diagnostics* diagnostics) const;
+  void lift(FloatingLink& each, const Vector3& gravity) const;
+
+  std::optional<double> density_;
+  std::vector<std::string> enabled_;
+
+  Fluid fluid_;
+  std::vector<FloatingLink> links_;
+  World* world_ = nullptr;
+  const Logger* log_ = nullptr;
+};
+
+/// @return The number in a child of an element.
+double densityIn(const Element& element, bool mayBeZero) {
+  const double density = element.as<double>();
+  const bool isPossible = std::isfinite(density) && (mayBeZero ? density >= 0 : density > 0);
+  if (!isPossible) refuse(element, "<" + element.name + "> must be a finite number above zero");
+  return density;
+}
+
+void Buoyancy::readFluid(const Element& sdf, Diagnostics& diagnostics) {
+  const Element* graded = sdf.child("graded_buoyancy");
+  if (density_) {
+    fluid_ = Fluid(*density_);
+    if (graded != nullptr) {
+      diagnostics.warning(graded->position, "<graded_buoyancy> is not used: <uniform_fluid_density> is given, too");
+    }
+  } else if (graded != nullptr) {
+    readLayers(*graded, diagnostics);
+  }
+}
+
+void Buoyancy::readLayers(const Element& graded, Diagnostics& diagnostics) {
+  double bottom = 1000;
+  for (const Element& element : graded.children) {
+    if (element.name == "default_density") {
+      bottom = densityIn(element, false);
+    } else if (element.name != "density_change") {
+      diagnostics.warning(element.position, "<graded_buoyancy> does not know <" + element.name + ">",
+                          "it knows <default_density> and <density_change>");
+    }
+  }
+  fluid_ = Fluid(bottom);
+  const std::vector<const Element*> changes = graded.childrenNamed("density_change");
+  for (const Element* change : changes) readLayer(*change, diagnostics);
+  if (changes.empty()) {
+    diagnostics.warning(graded.position, "<graded_buoyancy> has no <density_change>: the fluid is the same everywhere");
+  }
+}
+
+void Buoyancy::readLayer(const Element& change, Diagnostics& diagnostics) {
+  const Element* density = change.child("density");
+  if (density == nullptr || density->text.empty()) refuse(change, "<density_change> has no <density>");
+  const std::optional<double> from = change.find<double>("above_depth");
+  if (!from) diagnostics.warning(change.position, "<density_change> has no <above_depth>: it begins at 0 m");
+  if (!std::isfinite(from.value_or(0))) refuse(*change.child("above_depth"), "<above_depth> must be a finite number");
+  const double value = densityIn(*density, true);
+  if (value == 0) diagnostics.warning(density->position, "a <density> of zero is no fluid: nothing floats in it");
+  if (!fluid_.addLayer(from.value_or(0), value)) {
+    diagnostics.warning(change.position, "<density_change> begins where another one does, which it replaces");
+  }
+}
+
+bool Buoyancy::isEnabled(const Model& model) const {
+  return enabled_.empty() || std::ranges::find(enabled_, model.scopedName()) != enabled_.end();
+}
+
+void Buoyancy::addLinks(Diagnostics* diagnostics) {
+  for (const Model& model : world_->models()) addLinksOf(model, false, diagnostics);
+}
+
+void Buoyancy::addLinksOf(const Model& model, bool isEnabledAbove, Diagnostics* diagnostics) {
+  if (model.isStatic()) return;
+  const bool isOn = isEnabledAbove || isEnabled(model);
+  for (const Link& link : model.links()) {
+    const bool isMeant = isOn || std::ranges::find(enabled_, link.scopedName()) != enabled_.end();
+    const auto isSame = [&link](const FloatingLink& each) { return each.link.id() == link.id(); };
+    if (isMeant && std::ranges::none_of(links_, isSame)) addLink(link, diagnostics);
+  }
+  for (const Model& inner : model.models()) addLinksOf(inner, isOn, diagnostics);
+}
+
+void Buoyancy::addLink(const Link& link, Diagnostics* diagnostics) {
+  FloatingLink floating{link, {}, {}, 0};
+  Vector3 first = Vector3::Zero();
+  for (const Collision& collision : link.collisions()) {
+    Solid solid(collision.shape());
+    warnOfSurface(collision, solid, diagnostics);
+    if (!(solid.volume().size > 0)) continue;
+    const Pose X_LinkPart = collision.poseInLink();
+    floating.volume.size += solid.volume().size;
+    first += solid.volume().size * (X_LinkPart * solid.volume().center);
+    floating.parts.push_back({std::move(solid), X_LinkPart});
+  }
+  if (floating.parts.empty()) return;
+  floating.volume.center = first / floating.volume.size;
+  for (const FloatingLink::Part& part : floating.parts) {
+    const Vector3 middle = part.X_LinkPart * Vector3(part.solid.bounds().center());
+    floating.radius = std::max(floating.radius, (middle - floating.volume.center).norm() + part.solid.radius());
+  }
+  links_.push_back(std::move(floating));
+}
+
+void Buoyancy::warnOfSurface(const Collision& collision, const Solid& solid, Diagnostics* diagnostics) const {
+  if (!std::holds_alternative<TriangleShape>(solid.shape()) || solid.isClosed()) return;
+  const std::string text = "collision '" + collision.scopedName() +
+                           "' is no closed surface whose triangles all turn the same way: what floats of it is a guess";
+  if (diagnostics == nullptr) return log_->warning(text);
+  diagnostics->warning(collision.sourcePosition(), text, "let a box, a cylinder or a closed mesh stand for it");
+}
+
+void Buoyancy::warnOfUnknown(const Element& sdf, Diagnostics& diagnostics) const {
+  for (const Element* element : sdf.childrenNamed("enable")) {
+    if (element->text.empty() || world_->model(element->text)) continue;
+    const auto isLink = [element](const FloatingLink& each) { return each.link.scopedName() == element->text; };
+    if (std::ranges::any_of(links_, isLink)) continue;
+    diagnostics.warning(element->position, "<enable> '" + element->text + "' is no model or link that could float yet",
+                        "names go from the top: 'model', 'model::link'");
+  }
+}
+
+/// Archimedes: against gravity, the weight of the fluid, at the centre of where it was.
+void Buoyancy::lift(FloatingLink& each, const Vector3& gravity) const {
+  const Pose X_WorldLink = each.link.pose();
+  const Vector3 arm = X_WorldLink.rotation * each.volume.center;
+  const double height = X_WorldLink.position.z() + arm.z();
+  if (const auto density = fluid_.densityBetween(height - each.radius, height + each.radius)) {
+    const Vector3 force = -*density * each.volume.size * gravity;
+    each.link.addWrench(force, arm.cross(force));
+    return;
+  }
+  double mass = 0;
+  Vector3 first = Vector3::Zero();
+  for (const FloatingLink::Part& part : each.parts) {
+    const Displaced displaced = fluid_.displacedBy(part.solid, X_WorldLink * part.X_LinkPart);
+    mass += displaced.mass;
+    first += displaced.first;
+  }
+  each.link.addWrench(-mass * gravity, -(first - mass * X_WorldLink.position).cross(gravity));
+}
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::Buoyancy, "ignition::gazebo::systems::Buoyancy", "gz::sim::systems::Buoyancy");

@@ -1,0 +1,25 @@
+#include "propeller.hh"
+
+#include <cmath>
+#include <limits>
+
+namespace pongsim {
+
+double Propeller::turnFor(double thrust) {
+  // one that stands has no advance; some speed is needed to begin with
+  if (!settings_.coefficient && std::abs(speed_) > std::numeric_limits<double>::epsilon()) {
+    const double waterSpeed = (1 - settings_.wakeFraction) * craftSpeed_;
+    const double coefficient = settings_.alpha1 + settings_.alpha2 * waterSpeed / (speed_ * settings_.diameter);
+    // no speed gives a thrust without one
+    if (std::abs(coefficient) > std::numeric_limits<double>::epsilon()) coefficient_ = coefficient;
+  }
+  speed_ = speedFor(thrust);
+  return speed_;
+}
+
+double Propeller::speedFor(double thrust) const {
+  const double force = settings_.density * coefficient_ * std::pow(settings_.diameter, 4);
+  return std::copysign(std::sqrt(std::abs(thrust / force)), thrust);
+}
+
+}  // namespace pongsim

@@ -1,0 +1,167 @@
+#include <ignition/msgs/double.pb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "pongsim/parameters.hh"
+#include "pongsim/pid.hh"
+#include "pongsim/system.hh"
+#include "propeller.hh"
+
+namespace pongsim {
+
+namespace {
+
+constexpr double kMostThrust = 1000;
+/// A controller rests where the speed is that near [rad/s].
+constexpr double kNearEnough = 0.1;
+
+/// Pushes a propeller with the thrust that it is told, and turns it as fast as that takes.
+class Thruster : public System {
+ public:
+  void declare(Declaration& declaration) override;
+  void configure(const SystemContext& context) override;
+  void preUpdate(const StepInfo& info) override;
+
+  void reset() override {
+    thrust_ = 0;
+    propeller_.reset();
+    pid_.reset();
+  }
+
+  void transfer(StateArchive& archive) override {
+    archive(thrust_);
+    archive(propeller_);
+    archive(pid_);
+  }
+
+ private:
+  void checkSettings(const SystemContext& context);
+  void listen(Node& node, const std::string& modelName);
+  void receive(double thrust);
+
+  std::string jointName_;
+  std::string namespace_;
+  std::string topic_;
+  PropellerSettings settings_;
+  PidSettings gains_{.p = 0.1, .iMin = -1, .iMax = 1};
+  bool isDrivenDirectly_ = false;
+  double leastThrust_ = -kMostThrust;
+  double mostThrust_ = kMostThrust;
+
+  std::optional<Joint> joint_;
+  std::optional<Link> link_;
+  /// Of the joint in the link frame, along which it pushes.
+  Vector3 axis_ = Vector3::UnitX();
+  double thrust_ = 0;
+  Propeller propeller_;
+  Pid pid_;
+
+  const Logger* log_ = nullptr;
+  Subscription thrusts_;
+  Subscription positions_;
+};
+
+void Thruster::declare(Declaration& declaration) {
+  declaration.is("Pushes a propeller with the thrust that it is told, and turns it as fast as that takes.",
+                 Declaration::Place::kModel);
+  declaration.parameter("joint_name", &jointName_, "", "joint that the propeller turns about").required();
+  declaration.parameter("namespace", &namespace_, "", "stands for the model's name in the topics").otherwise("M");
+  declaration.parameter("topic", &topic_, "", "where thrusts come from is `NAMESPACE/TOPIC`")
+      .otherwise("/model/NAMESPACE/joint/J/cmd_thrust");
+  declaration.parameter("fluid_density", &settings_.density, "kg/m^3", "density of the fluid").above(0);
+  declaration.parameter("propeller_diameter", &settings_.diameter, "m", "diameter of the propeller").above(0);
+  declaration
+      .parameter("thrust_coefficient", &settings_.coefficient, "",
+                 "thrust = fluid_density * thrust_coefficient * propeller_diameter^4 * (speed in rad/s)^2")
+      .otherwise("from alpha_1 and alpha_2");
+  declaration.parameter("alpha_1", &settings_.alpha1, "", "thrust coefficient of a craft at rest");
+  declaration.parameter("alpha_2", &settings_.alpha2, "",
+                        "what it gains by (1 - wake_fraction) * craft's speed / (speed * propeller_diameter)");
+  declaration.parameter("wake_fraction", &settings_.wakeFraction, "", "how much slower the water is at the propeller");
+  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "largest thrust; commands above it are cut");
+  declaration.parameter("min_thrust_cmd", &leastThrust_, "N", "least thrust");
+  declaration.parameter("velocity_control", &isDrivenDirectly_, "",
+                        "the joint is driven at the speed; else a controller turns the propeller by torques");
+  declaration.parameter("p_gain", &gains_.p, "N m s/rad", "gain of that controller for the speed");
+  declaration.parameter("i_gain", &gains_.i, "N m/rad", "for its integral");
+  declaration.parameter("d_gain", &gains_.d, "N m s^2/rad", "for its derivative");
+  declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next one");
+  declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double",
+                         "the same; its name in older worlds");
+}
+
+void Thruster::configure(const SystemContext& context) {
+  log_ = &context.log;
+  joint_ = requiredJoint(context.sdf, "joint_name", *context.model);
+  link_ = joint_->child();
+  axis_ = joint_->poseInChild().rotation * joint_->axisInfo().xyz;
+  checkSettings(context);
+  propeller_ = Propeller(settings_);
+  gains_.commandMax = propeller_.speedFor(mostThrust_);
+  gains_.commandMin = propeller_.speedFor(leastThrust_);
+  pid_ = Pid(gains_);
+  listen(context.node, std::string(context.model->name()));
+}
+
+void Thruster::checkSettings(const SystemContext& context) {
+  const Element& sdf = context.sdf;
+  if (settings_.coefficient == 0) refuse(*sdf.child("thrust_coefficient"), "<thrust_coefficient> must not be zero");
+  if (mostThrust_ < leastThrust_) {
+    const Element* element = sdf.child("max_thrust_cmd");
+    if (element == nullptr) element = sdf.child("min_thrust_cmd");
+    context.diagnostics.warning(element->position,
+                                "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are taken");
+    mostThrust_ = kMostThrust;
+    leastThrust_ = -kMostThrust;
+  }
+  for (const char* name : {"alpha_1", "alpha_2", "wake_fraction"}) {
+    const Element* element = sdf.child(name);
+    if (element == nullptr || !settings_.coefficient) continue;
+    context.diagnostics.warning(element->position,
+                                std::string("<") + name + "> is not used: <thrust_coefficient> is given, too");
+  }
+}
+
+void Thruster::listen(Node& node, const std::string& modelName) {
+  const std::string robot = namespace_.empty() ? modelName : namespace_;
+  const std::string prefix = "/model/" + robot + "/joint/" + std::string(joint_->name());
+  const auto subscribe = [&](const std::string& topic) {
+    return node.subscribe<ignition::msgs::Double>(
+        cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); });
+  };
+  thrusts_ = subscribe(topic_.empty() ? prefix + "/cmd_thrust" : robot + "/" + topic_);
+  positions_ = subscribe(prefix + "/cmd_pos");
+}
+
+void Thruster::receive(double thrust) {
+  if (!std::isfinite(thrust)) {
+    log_->warning("a thrust that is not finite was ignored");
+    return;
+  }
+  thrust_ = std::clamp(thrust, leastThrust_, mostThrust_);
+  propeller_.turnFor(thrust_);
+}
+
+void Thruster::preUpdate(const StepInfo& info) {
+  if (info.paused) return;
+  const Vector3 axis = link_->pose().rotation * axis_;
+  const double target = propeller_.turnFor(thrust_);
+  double torque = 0;
+  if (isDrivenDirectly_) {
+    joint_->setVelocityTarget(target);
+  } else {
+    const double error = link_->angularVelocity().dot(axis) - target;
+    if (std::abs(error) > kNearEnough) torque = pid_.update(error, toSeconds(info.dt));
+  }
+  link_->addWrench(thrust_ * axis, torque * axis);
+  propeller_.setCraftSpeed(link_->linearVelocity().norm());
+}
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::Thruster, "ignition::gazebo::systems::Thruster", "gz::sim::systems::Thruster");

@@ -1,0 +1,200 @@
+#include "pongsim/solid.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "base/volume_below.hh"
+
+namespace pongsim {
+
+namespace {
+
+using base::VolumeMoments;
+
+constexpr std::array<std::array<std::uint32_t, 3>, 12> kBoxTriangles{{{0, 2, 1},
+                                                                      {1, 2, 3},
+                                                                      {4, 5, 6},
+                                                                      {5, 7, 6},
+                                                                      {0, 1, 4},
+                                                                      {1, 5, 4},
+                                                                      {2, 6, 3},
+                                                                      {3, 6, 7},
+                                                                      {0, 4, 2},
+                                                                      {2, 4, 6},
+                                                                      {1, 3, 5},
+                                                                      {3, 7, 5}}};
+
+/// Of a body that `scale` has made of another one.
+VolumeMoments scaled(const VolumeMoments& part, const Vector3& scale) {
+  const double size = std::abs(scale.prod());
+  return {size * part.volume, size * scale.cwiseProduct(part.first)};
+}
+
+/// What of a body of size one, which `scale` makes the one that is meant, lies below a plane of the scaled frame.
+template <class Below>
+VolumeMoments scaledBelow(const Vector3& scale, const Vector3& up, double height, Below below) {
+  const Vector3 slope = scale.cwiseProduct(up);
+  const double length = slope.norm();
+  return scaled(below(slope / length, height / length), scale);
+}
+
+struct BelowOf {
+  const Vector3& up;
+  double height;
+
+  VolumeMoments operator()(const NoShape&) const { return {}; }
+  VolumeMoments operator()(const PlaneShape&) const { return {}; }
+  VolumeMoments operator()(const BoxShape& box) const {
+    std::array<Vector3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      corners[i] = Vector3((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5, (i & 4U) != 0 ? 0.5 : -0.5)
+                       .cwiseProduct(box.size);
+    }
+    return base::trianglesBelow(corners, kBoxTriangles, up, height);
+  }
+  VolumeMoments operator()(const SphereShape& sphere) const { return base::ballBelow(sphere.radius, up, height); }
+  VolumeMoments operator()(const CylinderShape& cylinder) const {
+    return base::cylinderBelow(cylinder.radius, cylinder.length, up, height);
+  }
+  VolumeMoments operator()(const CapsuleShape& capsule) const {
+    VolumeMoments sum = base::cylinderBelow(capsule.radius, capsule.length, up, height);
+    for (const double side : {1.0, -1.0}) {
+      const double middle = side * capsule.length / 2;
+      VolumeMoments end =
+          base::halfBallBelow(capsule.radius, {up.x(), up.y(), side * up.z()}, height - middle * up.z());
+      end.first.z() = side * end.first.z() + middle * end.volume;
+      sum += end;
+    }
+    return sum;
+  }
+  VolumeMoments operator()(const EllipsoidShape& ellipsoid) const {
+    return scaledBelow(ellipsoid.radii, up, height,
+                       [](const Vector3& slope, double rise) { return base::ballBelow(1, slope, rise); });
+  }
+  VolumeMoments operator()(const TriangleShape& mesh) const {
+    return scaledBelow(mesh.scale, up, height, [&mesh](const Vector3& slope, double rise) {
+      return base::trianglesBelow(mesh.vertices, mesh.triangles, slope, rise);
+    });
+  }
+};
+
+struct BoundsOf {
+  using Box = Eigen::AlignedBox3d;
+
+  Box operator()(const NoShape&) const { return {}; }
+  Box operator()(const PlaneShape&) const { return {}; }
+  Box operator()(const BoxShape& box) const { return {-box.size / 2, box.size / 2}; }
+  Box operator()(const SphereShape& sphere) const { return around(Vector3::Constant(sphere.radius)); }
+  Box operator()(const CylinderShape& shape) const { return around({shape.radius, shape.radius, shape.length / 2}); }
+  Box operator()(const CapsuleShape& shape) const {
+    return around({shape.radius, shape.radius, shape.length / 2 + shape.radius});
+  }
+  Box operator()(const EllipsoidShape& ellipsoid) const { return around(ellipsoid.radii); }
+  Box operator()(const TriangleShape& mesh) const {
+    Box box;
+    for (const auto& triangle : mesh.triangles) {
+      for (const std::uint32_t vertex : triangle) box.extend(mesh.scale.cwiseProduct(mesh.vertices[vertex]));
+    }
+    return box;
+  }
+  static Box around(const Vector3& half) { return {-half, half}; }
+};
+
+struct VolumeOf {
+  const Eigen::AlignedBox3d& bounds;
+
+  // all of it lies below a plane above it
+  template <class Any>
+  VolumeMoments operator()(const Any& shape) const {
+    if (bounds.isEmpty()) return {};
+    VolumeMoments all = BelowOf{Vector3::UnitZ(), bounds.max().z()}(shape);
+    // these have their middle in the origin, which rounding would miss
+    all.first.setZero();
+    return all;
+  }
+  VolumeMoments operator()(const TriangleShape& mesh) const {
+    // tetrahedra from the origin
+    VolumeMoments all;
+    for (const auto& triangle : mesh.triangles) {
+      const Vector3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
+      const double volume = a.dot(b.cross(c)) / 6;
+      all += {volume, volume / 4 * (a + b + c)};
+    }
+    return scaled(all, mesh.scale);
+  }
+};
+
+Volume volumeOf(const VolumeMoments& moments, double orientation) {
+  const double size = orientation * moments.volume;
+  if (!(size > 0)) return {};
+  return {size, orientation / size * moments.first};
+}
+
+/// @return For each vertex the first one of the same place.
+std::vector<std::uint32_t> weld(std::span<const Vector3> vertices) {
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t i) { return std::array{vertices[i].x(), vertices[i].y(), vertices[i].z()}; };
+  std::ranges::sort(order,
+                    [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  std::vector<std::uint32_t> first(vertices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool isNew = i == 0 || vertices[order[i]] != vertices[order[i - 1]];
+    first[order[i]] = isNew ? order[i] : first[order[i - 1]];
+  }
+  return first;
+}
+
+bool isClosedSurface(const TriangleShape& mesh) {
+  const std::vector<std::uint32_t> same = weld(mesh.vertices);
+  // both ends, the lower one first, and the way that the triangle goes
+  std::vector<std::pair<std::uint64_t, int>> edges;
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint64_t from = same[triangle[i]], to = same[triangle[(i + 1) % 3]];
+      if (from != to) edges.emplace_back(std::min(from, to) << 32U | std::max(from, to), from < to ? 1 : -1);
+    }
+  }
+  std::ranges::sort(edges);
+  for (std::size_t i = 0; i < edges.size();) {
+    int ways = 0;
+    const std::uint64_t edge = edges[i].first;
+    for (; i < edges.size() && edges[i].first == edge; ++i) ways += edges[i].second;
+    if (ways != 0) return false;
+  }
+  return !edges.empty();
+}
+
+}  // namespace
+
+Solid::Solid(Shape shape) : shape_(std::move(shape)) {
+  bounds_ = std::visit(BoundsOf(), shape_);
+  const VolumeMoments all = std::visit(VolumeOf{bounds_}, shape_);
+  orientation_ = all.volume < 0 ? -1 : 1;
+  volume_ = volumeOf(all, orientation_);
+  if (!bounds_.isEmpty()) radius_ = bounds_.sizes().norm() / 2;
+}
+
+bool Solid::isClosed() const {
+  if (const auto* mesh = std::get_if<TriangleShape>(&shape_)) return isClosedSurface(*mesh);
+  return volume_.size > 0;
+}
+
+Volume Solid::below(const Vector3& up, double height) const {
+  if (!(volume_.size > 0)) return {};
+  const double middle = up.dot(bounds_.center());
+  const double half = up.cwiseAbs().dot(bounds_.sizes()) / 2;
+  if (height >= middle + half) return volume_;
+  if (height <= middle - half) return {};
+  Volume part = volumeOf(std::visit(BelowOf{up, height}, shape_), orientation_);
+  // rounding, or a surface that is not closed
+  part.size = std::min(part.size, volume_.size);
+  return part;
+}
+
+}  // namespace pongsim

@@ -1,0 +1,176 @@
+#include "base/volume_below.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pongsim::base {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// The part of a disc about the origin with x up to `limit`.
+struct Segment {
+  double area = 0;
+  /// Integral of the squared distance from the disc's centre.
+  double polar = 0;
+};
+
+Segment segmentOf(double radius, double limit) {
+  const double x = std::clamp(limit, -radius, radius);
+  const double square = radius * radius;
+  const double y = std::sqrt(std::max(0.0, square - x * x));
+  // from -radius
+  const double angle = radius > 0 ? std::asin(x / radius) + kPi / 2 : 0;
+  const double area = square * angle + x * y;
+  return {area, (x * (2 * x * x - square) * y + square * square * angle) / 6 + square * area / 3};
+}
+
+/// Integral over u of the part of a ball's slice at u that lies in its upper half, where the edge of that half cuts the
+/// slices: |u| at most `radius * sine`. `sine` and `cosine` are those of the angle between `up` and z.
+double sliceIntegral(double radius, double sine, double cosine, double u) {
+  // minus zero would be the other way round
+  const double k = (cosine + 0.0) / sine;
+  const double stretch = 1 / (sine * sine);
+  const double square = radius * radius;
+  const double p = std::sqrt(std::max(0.0, square - stretch * u * u));
+  const double rim = std::sqrt(std::max(0.0, square - u * u));
+  // how far the edge is from the middle of the slice, in radii
+  double edge = (u < 0) == (k >= 0) ? 1 : -1;
+  if (p > 0 && rim > 0) edge = std::clamp(-k * u / rim, -1.0, 1.0);
+  return (square * u - u * u * u / 3) * std::acos(edge) + k * p * (square - p * p) / (3 * stretch) +
+         2 * square * radius / 3 * std::atan2(p, radius * k);
+}
+
+double sliceVolume(double radius, double from, double to) {
+  const double square = radius * radius;
+  return kPi * (square * (to - from) - (to * to * to - from * from * from) / 3);
+}
+
+double halfBallVolume(double radius, double sine, double cosine, double height) {
+  const double u = std::clamp(height, -radius, radius);
+  const double end = radius * sine;
+  double volume = 0;
+  if (cosine < 0) volume += sliceVolume(radius, -radius, std::min(u, -end));
+  if (u > -end && end > 1e-9 * radius) {
+    volume += sliceIntegral(radius, sine, cosine, std::min(u, end)) - sliceIntegral(radius, sine, cosine, -end);
+  }
+  if (cosine >= 0 && u > end) volume += sliceVolume(radius, end, u);
+  return volume;
+}
+
+/// Nodes in (0, 1) and weights of Gauss and Legendre, for twelve points symmetric about zero.
+constexpr std::array<std::array<double, 2>, 6> kGauss{{{0.1252334085114689, 0.2491470458134028},
+                                                       {0.3678314989981802, 0.2334925365383548},
+                                                       {0.5873179542866175, 0.2031674267230659},
+                                                       {0.7699026741943047, 0.1600783285433462},
+                                                       {0.9041172563704749, 0.1069393259953184},
+                                                       {0.9815606342467193, 0.0471753363865118}}};
+
+void addTetrahedron(const Vector3& apex, const Vector3& a, const Vector3& b, const Vector3& c, VolumeMoments& sum) {
+  const double volume = (a - apex).dot((b - apex).cross(c - apex)) / 6;
+  sum.volume += volume;
+  sum.first += volume / 4 * (apex + a + b + c);
+}
+
+/// Adds what a triangle that the plane cuts has below it. The corner `a` is alone on its side.
+void addCut(const Vector3& apex, const std::array<Vector3, 3>& corner, const std::array<double, 3>& above,
+            VolumeMoments& sum) {
+  const Vector3 ab = corner[0] + above[0] / (above[0] - above[1]) * (corner[1] - corner[0]);
+  const Vector3 ac = corner[0] + above[0] / (above[0] - above[2]) * (corner[2] - corner[0]);
+  if (above[0] <= 0) {
+    addTetrahedron(apex, corner[0], ab, ac, sum);
+  } else {
+    addTetrahedron(apex, ab, corner[1], corner[2], sum);
+    addTetrahedron(apex, ab, corner[2], ac, sum);
+  }
+}
+
+}  // namespace
+
+VolumeMoments ballBelow(double radius, const Vector3& up, double height) {
+  const double u = std::clamp(height, -radius, radius);
+  const double rim = radius * radius - u * u;
+  return {sliceVolume(radius, -radius, u), -kPi / 4 * rim * rim * up};
+}
+
+// The volume is the integral of the slices across `up`. The moments follow from Gauss's theorem: that of p is half the
+// integral of p^2 over the surface, on whose round part p^2 is constant, so that the two flat faces say it all.
+VolumeMoments halfBallBelow(double radius, const Vector3& up, double height) {
+  const double sine = up.head<2>().norm();
+  const double cosine = up.z();
+  const double u = std::clamp(height, -radius, radius);
+  const double rim = std::sqrt(std::max(0.0, radius * radius - u * u));
+  const bool isLevel = sine <= 1e-9;
+  const double inBase = isLevel ? (u >= 0 ? radius : -radius) : u / sine;
+  // where both are one face, it counts once
+  const bool isCutInside = u * cosine > 0 || (u == 0 && cosine > 0);
+  const double inCut = isLevel ? (isCutInside ? rim : -rim) : u * cosine / sine;
+  const Segment base = segmentOf(radius, inBase);
+  const Segment cut = segmentOf(rim, inCut);
+  VolumeMoments part;
+  part.volume = halfBallVolume(radius, isLevel ? 0 : sine, cosine, u);
+  part.first =
+      (radius * radius * base.area - base.polar) / 2 * Vector3::UnitZ() + (cut.polar - rim * rim * cut.area) / 2 * up;
+  return part;
+}
+
+// Strips along z, as long as the plane lets them be. With x = r sin(angle) along the plane's slope all that is summed
+// up is smooth, so that the points of Gauss are exact to rounding.
+VolumeMoments cylinderBelow(double radius, double length, const Vector3& up, double height) {
+  const double slope = up.head<2>().norm();
+  const double cosine = std::abs(up.z());
+  const bool isLevel = slope <= 1e-12;
+  const auto endOf = [&](double rise) {
+    if (isLevel) return rise >= 0 ? radius : -radius;
+    return std::clamp(rise / slope, -radius, radius);
+  };
+  // up to `full` the strips are whole, beyond `none` there are none
+  const double full = isLevel ? -radius : endOf(height - cosine * length / 2);
+  const double none = isLevel ? radius : endOf(height + cosine * length / 2);
+  const double square = radius * radius;
+  double volume = length * segmentOf(radius, full).area;
+  double alongSlope = -length * 2 / 3 * std::pow(std::max(0.0, square - full * full), 1.5);
+  double alongAxis = 0;
+  if (cosine > 1e-12 && none > full) {
+    const double first = std::asin(full / radius), last = std::asin(none / radius);
+    const double middle = (first + last) / 2, half = (last - first) / 2;
+    for (const auto& [node, weight] : kGauss) {
+      for (const double angle : {middle - half * node, middle + half * node}) {
+        const double x = radius * std::sin(angle);
+        const double width = 2 * square * std::cos(angle) * std::cos(angle) * weight * half;
+        const double strip = std::clamp((height - slope * x) / cosine + length / 2, 0.0, length);
+        volume += width * strip;
+        alongSlope += width * strip * x;
+        alongAxis += width * strip * (strip - length) / 2;
+      }
+    }
+  }
+  VolumeMoments part{volume, Vector3(0, 0, up.z() < 0 ? -alongAxis : alongAxis)};
+  if (!isLevel) part.first.head<2>() = alongSlope / slope * up.head<2>();
+  return part;
+}
+
+// Tetrahedra from a point of the plane to the triangles' parts below it: those to the cut itself are flat.
+VolumeMoments trianglesBelow(std::span<const Vector3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
+                             const Vector3& up, double height) {
+  const Vector3 apex = height * up;
+  VolumeMoments sum;
+  for (const auto& triangle : triangles) {
+    const std::array<Vector3, 3> corner{vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
+    const std::array<double, 3> above{up.dot(corner[0]) - height, up.dot(corner[1]) - height,
+                                      up.dot(corner[2]) - height};
+    const std::array<bool, 3> isBelow{above[0] <= 0, above[1] <= 0, above[2] <= 0};
+    if (isBelow[0] == isBelow[1] && isBelow[1] == isBelow[2]) {
+      if (isBelow[0]) addTetrahedron(apex, corner[0], corner[1], corner[2], sum);
+      continue;
+    }
+    const std::size_t lone = isBelow[1] == isBelow[2] ? 0 : isBelow[0] == isBelow[2] ? 1 : 2;
+    const std::size_t next = (lone + 1) % 3, last = (lone + 2) % 3;
+    addCut(apex, {corner[lone], corner[next], corner[last]}, {above[lone], above[next], above[last]}, sum);
+  }
+  return sum;
+}
+
+}  // namespace pongsim::base

@@ -1,0 +1,85 @@
+#include <ignition/msgs/stringmsg.pb.h>
+
+#include <optional>
+#include <string>
+
+#include "pongsim/system.hh"
+
+namespace pongsim::test {
+
+/// Edits the world as messages on /edit say, "template NAME", "text SDF", "file FILE", "copy MODEL", "remove MODEL", at
+/// once or, with "step " in front, in the next step's update; says on /edited what has come of it, but of what has
+/// "silent " in front.
+class Editing : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Edits the world as it is told.", Declaration::Place::kAnywhere);
+    declaration.element("sdf", "a model to insert");
+    declaration.sharesTopics();
+  }
+
+  void configure(const SystemContext& context) override {
+    world_ = &context.world;
+    edits_ = &context.edits;
+    if (const Element* sdf = context.sdf.child("sdf")) template_ = context.edits.read(*sdf, context.diagnostics);
+    edit_ = context.node.subscribe<ignition::msgs::StringMsg>("/edit", [this](const auto& message) {
+      if (message.data().starts_with("step ")) {
+        waiting_ = message.data().substr(5);
+      } else {
+        edit(message.data());
+      }
+    });
+    edited_ = context.node.advertise<ignition::msgs::StringMsg>("/edited");
+  }
+
+  void update(const StepInfo&) override {
+    if (waiting_.empty()) return;
+    edit(waiting_);
+    waiting_.clear();
+  }
+
+ private:
+  void edit(const std::string& command) {
+    if (command.starts_with("silent ")) return ask(command.substr(7), {}, {});
+    ask(
+        command,
+        [this](const Outcome<Model>& model) {
+          if (model && model.value->name() == "bad") throw std::runtime_error("it is bad");
+          tell(model ? "there is " + std::string(model.value->name()) : model.error);
+        },
+        [this](const std::optional<std::string>& refusal) { tell(refusal.value_or("it has gone")); });
+  }
+
+  void ask(const std::string& command, WorldEdits::Inserted inserted, WorldEdits::Removed removed) {
+    const std::size_t blank = command.find(' ');
+    const std::string verb = command.substr(0, blank), rest = command.substr(blank + 1);
+    if (verb == "template") {
+      edits_->insert(*template_, {.name = rest, .pose = Pose{{3, 0, 0}, Quaternion::Identity()}}, std::move(inserted));
+    } else if (verb == "text") {
+      edits_->insertText(rest, "text", {}, std::move(inserted));
+    } else if (verb == "file") {
+      edits_->insertFile(rest, {}, std::move(inserted));
+    } else if (verb == "copy") {
+      edits_->insertCopy(*world_->model(rest), {.allowRenaming = true}, std::move(inserted));
+    } else {
+      edits_->remove(*world_->model(rest), std::move(removed));
+    }
+  }
+
+  void tell(const std::string& what) {
+    ignition::msgs::StringMsg message;
+    message.set_data(what);
+    edited_.publish(message);
+  }
+
+  World* world_ = nullptr;
+  WorldEdits* edits_ = nullptr;
+  std::optional<ModelTemplate> template_;
+  std::string waiting_;
+  Subscription edit_;
+  Publisher edited_;
+};
+
+}  // namespace pongsim::test
+
+PONGSIM_EXPORT_SYSTEM(pongsim::test::Editing, "test::Editing");
