@@ -14,7 +14,7 @@ namespace pongsim::sim {
 
 namespace {
 
-constexpr std::string_view kMark = "pongsim3";
+constexpr std::string_view kMark = "pongsim4";
 
 void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.position) hash.add(value);

@@ -185,7 +185,8 @@ void SystemSet::unload(const std::vector<ModelId>& models) {
 }
 
 void SystemSet::updateWhoRests() {
-  for (SystemSlot& slot : slots_) slot.setResting(access_.shelvedIds.contains(slot.model().value));
+  const auto isShelved = [this](auto id) { return access_.shelvedIds.contains(id.value); };
+  for (SystemSlot& slot : slots_) slot.setResting(isShelved(slot.model()) || isShelved(slot.actor()));
   collectAwake();
 }
 
