@@ -52,7 +52,7 @@ class Access {
   }
   /// What is set aside, in the order of ids.
   std::vector<Shelved> shelf = {};
-  /// The ids of all models and sensors in it.
+  /// The ids of all models, sensors and actors in it.
   std::unordered_set<std::uint64_t> shelvedIds = {};
   Levels levels = {};
 };

@@ -186,6 +186,7 @@ void Editor::putShelfInOrder() {
   for (const Shelved& shelved : access_.shelf) {
     for (const world::ModelRecord& model : shelved.entities.models) access_.shelvedIds.insert(model.id.value);
     for (const world::SensorRecord& sensor : shelved.entities.sensors) access_.shelvedIds.insert(sensor.id.value);
+    for (const world::ActorRecord& actor : shelved.entities.actors) access_.shelvedIds.insert(actor.id.value);
   }
   access_.noteChange();
 }

@@ -115,7 +115,7 @@ void Levels::readPerformers(Access& access) {
 }
 
 std::optional<Pose> Levels::poseOf(const Access& access, const Part& performer) const {
-  if (performer.actor != nullptr) return world::actorPose(*performer.actor, access.state.time);
+  if (performer.actor != nullptr) return world::actorPose(*performer.actor, access.state);
   const world::Slot slot = access.entities.slot(performer.model);
   if (slot == world::kNoSlot) return std::nullopt;
   return world::modelPose(access.entities, access.state, slot);

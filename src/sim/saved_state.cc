@@ -14,7 +14,7 @@ namespace pongsim::sim {
 
 namespace {
 
-constexpr std::string_view kMark = "pongsim3";
+constexpr std::string_view kMark = "pongsim4";
 
 void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.position) hash.add(value);
@@ -72,7 +72,7 @@ void transferShelf(StateArchive& archive, Access& access) {
   }
 }
 
-void transfer(StateArchive& archive, Access& access, SystemSet* systems) {
+void transfer(StateArchive& archive, Access& access) {
   access.levels.transfer(archive, access);
   world::transfer(archive, access.state);
   access.engine.transfer(archive);
@@ -85,23 +85,38 @@ void transfer(StateArchive& archive, Access& access, SystemSet* systems) {
     access.entities.setPose(slot, pose);
   }
   transferShelf(archive, access);
-  if (systems != nullptr) systems->transfer(archive);
 }
+
+/// Who is there in a saved state, and what the systems remember.
+struct SavedWho {
+  std::vector<SavedGroup> groups;
+  std::vector<SavedJoint> joints;
+  std::vector<std::string> systems;
+
+  void transfer(StateArchive& archive) {
+    archive(groups);
+    archive(joints);
+    archive(systems);
+  }
+};
 
 /// Lets those be set aside that are in the saved state.
 /// @return Why that can't be, and nothing is changed then.
-std::optional<std::string> restoreWho(const std::vector<SavedGroup>& groups, const std::vector<SavedJoint>& joints,
-                                      Access& access, SystemSet* systems) {
+std::optional<std::string> restoreWho(const SavedWho& who, Access& access, SystemSet* systems) {
   const std::vector<SavedGroup> before = listGroups(access);
   bringAllBack(access);
-  if (auto error = restoreJoints(access, joints)) {
+  if (auto error = restoreJoints(access, who.joints)) {
     setAside(before, access);
     return error;
   }
-  // what is set aside is not made anew with the others
-  if (!groups.empty()) access.engine.reset();
-  setAside(groups, access);
-  if (systems == nullptr || groups == before) return std::nullopt;
+  if (!who.groups.empty()) {
+    // what is set aside is not made anew with the others
+    access.engine.reset();
+    // nor can its systems look for anything then
+    if (systems != nullptr) systems->restore(who.systems, false);
+  }
+  setAside(who.groups, access);
+  if (systems == nullptr || who.groups == before) return std::nullopt;
   // who holds sensors that have come or gone must know it before those are restored
   systems->updateWhoRests();
   systems->announceChanges();
@@ -112,11 +127,10 @@ std::optional<std::string> restoreWho(const std::vector<SavedGroup>& groups, con
 
 std::vector<std::byte> saveState(Access& access, SystemSet* systems) {
   StateArchive content;
-  std::vector<SavedGroup> groups = listGroups(access);
-  content(groups);
-  std::vector<SavedJoint> joints = listJoints(access);
-  content(joints);
-  transfer(content, access, systems);
+  SavedWho who{listGroups(access), listJoints(access), {}};
+  if (systems != nullptr) who.systems = systems->save();
+  content(who);
+  transfer(content, access);
   const std::vector<std::byte> rest = content.take();
 
   StateArchive archive;
@@ -146,12 +160,11 @@ std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access
     return "the saved state is one of another world, or other models, joints or systems were there";
   }
   StateArchive content(header.rest());
-  std::vector<SavedGroup> groups;
-  content(groups);
-  std::vector<SavedJoint> joints;
-  content(joints);
-  if (const auto error = restoreWho(groups, joints, access, systems)) return error;
-  transfer(content, access, systems);
+  SavedWho who;
+  content(who);
+  if (const auto error = restoreWho(who, access, systems)) return error;
+  transfer(content, access);
+  if (systems != nullptr) systems->restore(who.systems, true);
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -184,7 +185,8 @@ void SystemSet::unload(const std::vector<ModelId>& models) {
 }
 
 void SystemSet::updateWhoRests() {
-  for (SystemSlot& slot : slots_) slot.setResting(access_.shelvedIds.contains(slot.model().value));
+  const auto isShelved = [this](auto id) { return access_.shelvedIds.contains(id.value); };
+  for (SystemSlot& slot : slots_) slot.setResting(isShelved(slot.model()) || isShelved(slot.actor()));
   collectAwake();
 }
 
@@ -221,8 +223,24 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
   }
 }
 
-void SystemSet::transfer(StateArchive& archive) {
-  for (SystemSlot& slot : slots_) slot.transfer(archive);
+std::vector<std::string> SystemSet::save() {
+  std::vector<std::string> saved;
+  for (SystemSlot& slot : slots_) {
+    StateArchive archive;
+    slot.transfer(archive);
+    const std::vector<std::byte> bytes = archive.take();
+    saved.emplace_back(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  }
+  return saved;
+}
+
+void SystemSet::restore(const std::vector<std::string>& saved, bool awakeOnly) {
+  auto next = saved.begin();
+  for (SystemSlot& slot : slots_) {
+    StateArchive archive(std::as_bytes(std::span(next->data(), next->size())));
+    ++next;
+    if (!awakeOnly || !slot.isResting()) slot.transfer(archive);
+  }
 }
 
 void SystemSet::addTo(base::Hash& hash) const {

@@ -56,8 +56,11 @@ class SystemSet {
   /// @param seed In place of the one of before.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed);
 
-  /// What the systems remember, with their random streams.
-  void transfer(StateArchive& archive);
+  /// @return What the systems remember, with their random streams, one after the other.
+  std::vector<std::string> save();
+  /// Gives that back.
+  /// @param awakeOnly Not to those that rest: they can't be, where they look for what is set aside with them.
+  void restore(const std::vector<std::string>& saved, bool awakeOnly);
 
   /// Adds which systems there are.
   void addTo(base::Hash& hash) const;

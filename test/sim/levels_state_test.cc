@@ -291,6 +291,35 @@ TEST_F(LevelSave, HasWhatIsSetAside) {
   EXPECT_EQ(goOn(*other), hashes);
 }
 
+// a gripper and what it holds are set aside together
+TEST_F(LevelSave, HasWhatSystemsHoldThatRest) {
+  std::string text = playground();
+  text.replace(text.find("<ref>crate</ref>"), 16, "<ref>crate</ref><ref>gripper</ref>");
+  text.replace(
+      text.find("<model name='crate'>"), 0,
+      "<model name='gripper'><static>true</static><link name='l'/><plugin "
+      "filename='ignition-gazebo-detachable-joint-system' name='ignition::gazebo::systems::DetachableJoint'>"
+      "<parent_link>l</parent_link><child_model>crate</child_model><child_link>l</child_link></plugin></model>");
+  const auto simulation = test::simulate(text, {.levels = true});
+  simulation->step(10);
+  place(*simulation, "scout", kFar);
+  simulation->step(10);
+  const std::vector<std::byte> state = simulation->saveState();
+  for (int i = 0; i < 2; ++i) {
+    place(*simulation, "scout", {0, 0, 0});
+    simulation->step(500);
+    EXPECT_GT(simulation->world().model("crate")->pose().position.z(), 0.9) << "it is held";
+    const MessagePointer nothing = newMessage("ignition.msgs.Empty");
+    simulation->transport()
+        .node()
+        .advertise("/model/gripper/detachable_joint/detach", "ignition.msgs.Empty")
+        .publish(*nothing);
+    simulation->step(500);
+    EXPECT_LT(simulation->world().model("crate")->pose().position.z(), 0.5) << "it is let go";
+    ASSERT_EQ(simulation->restoreState(state), std::nullopt);
+  }
+}
+
 TEST_F(LevelSave, OfALoadedLevelIsRestoredWhereItIsSetAside) {
   const auto simulation = play();
   simulation->step(400);
