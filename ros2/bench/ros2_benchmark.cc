@@ -231,7 +231,7 @@ double twistIn(int domain) {
         ages.add((now() - static_cast<const ignition::msgs::Twist&>(message).linear().x()) * 1e6);
       });
   bridged.bridge.update();
-  Process writer({own(), "write", std::to_string(kTwist), "default"});
+  Process writer({own(), "write", std::to_string(kTwist), "udp"});
   return median(ages.wait(kKinds[kTwist].count));
 }
 
@@ -246,7 +246,7 @@ double scanOut(int domain) {
   }
   Publisher publisher = bridged.transport.node().advertise<ignition::msgs::LaserScan>(kKinds[kScan].topic);
   bridged.bridge.update();
-  Process reader({own(), "read", std::to_string(kScan), "default"});
+  Process reader({own(), "read", std::to_string(kScan), "udp"});
   waitFor([&] {
     bridged.bridge.update();
     return publisher.hasSubscribers();
@@ -276,7 +276,7 @@ double imageOut(int domain, double& copies) {
                   }};
   Publisher publisher = bridged.transport.node().advertise<ignition::msgs::Image>(kKinds[kImage].topic);
   bridged.bridge.update();
-  Process reader({own(), "read", std::to_string(kImage), "default"});
+  Process reader({own(), "read", std::to_string(kImage), "udp"});
   waitFor([&] {
     bridged.bridge.update();
     return publisher.hasSubscribers();
