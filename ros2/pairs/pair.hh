@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "pongsim/bulk.hh"
 #include "pongsim/message.hh"
 #include "ros2/pairs/frames.hh"
 #include "ros2/types/cdr.hh"

@@ -26,7 +26,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::vector<Pair> collect() {
   std::vector<Pair> all;
-  for (auto* const list : {basicPairs, geometryPairs, sensorPairs}) std::ranges::move(list(), std::back_inserter(all));
+  for (auto* const list : {basicPairs, geometryPairs, gzPairs, imagePairs, motionPairs, sensorPairs, visionPairs})
+    std::ranges::move(list(), std::back_inserter(all));
   return all;
 }
 

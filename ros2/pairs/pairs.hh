@@ -12,7 +12,11 @@ namespace pongsim::ros2 {
 // A list for each file of pairs.
 std::vector<Pair> basicPairs();
 std::vector<Pair> geometryPairs();
+std::vector<Pair> gzPairs();
+std::vector<Pair> imagePairs();
+std::vector<Pair> motionPairs();
 std::vector<Pair> sensorPairs();
+std::vector<Pair> visionPairs();
 
 /// @return All pairs there are.
 std::span<const Pair> allPairs();
