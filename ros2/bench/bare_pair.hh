@@ -16,7 +16,7 @@ class BarePeer {
   enum class Way {
     /// As it comes: shared memory, and UDP on all interfaces.
     kDefault,
-    /// By UDP alone, as the simulation.
+    /// By UDP alone, as the simulation, with room for a picture in its sockets, which the system's default has not.
     kUdp
   };
   explicit BarePeer(int domain, Way way);

@@ -1,5 +1,6 @@
 // What talking to ROS costs beside bare Fast DDS, and what it costs the simulation.
 //   pongsim_ros2_bench                       the whole of it
+//   pongsim_ros2_bench ways                  how long messages take, steps: what steps cost
 //   pongsim_ros2_bench write KIND WAY        its other process: writes what a kind is, stamped
 //   pongsim_ros2_bench read KIND WAY         hears it, and prints the median age [us]
 //   pongsim_ros2_bench listen                five readers of the world's sensors, until it is killed
@@ -10,7 +11,9 @@
 #include <time.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -231,7 +234,7 @@ double twistIn(int domain) {
         ages.add((now() - static_cast<const ignition::msgs::Twist&>(message).linear().x()) * 1e6);
       });
   bridged.bridge.update();
-  Process writer({own(), "write", std::to_string(kTwist), "default"});
+  Process writer({own(), "write", std::to_string(kTwist), "udp"});
   return median(ages.wait(kKinds[kTwist].count));
 }
 
@@ -246,7 +249,7 @@ double scanOut(int domain) {
   }
   Publisher publisher = bridged.transport.node().advertise<ignition::msgs::LaserScan>(kKinds[kScan].topic);
   bridged.bridge.update();
-  Process reader({own(), "read", std::to_string(kScan), "default"});
+  Process reader({own(), "read", std::to_string(kScan), "udp"});
   waitFor([&] {
     bridged.bridge.update();
     return publisher.hasSubscribers();
@@ -276,7 +279,7 @@ double imageOut(int domain, double& copies) {
                   }};
   Publisher publisher = bridged.transport.node().advertise<ignition::msgs::Image>(kKinds[kImage].topic);
   bridged.bridge.update();
-  Process reader({own(), "read", std::to_string(kImage), "default"});
+  Process reader({own(), "read", std::to_string(kImage), "udp"});
   waitFor([&] {
     bridged.bridge.update();
     return publisher.hasSubscribers();
@@ -332,20 +335,28 @@ std::unique_ptr<Simulation> load(bool withRos) {
   return simulation;
 }
 
+std::atomic<bool> isOver = false;
+
 int listenProcess(int domain) {
-  BarePeer peer(domain, Way::kDefault);
-  int heard[3] = {};
+  // ends in order, so that it is forgotten at once
+  std::signal(SIGTERM, [](int) { isOver = true; });
+  BarePeer peer(domain, Way::kUdp);
+  std::atomic<int> heard[3] = {};
   const std::pair<const char*, const char*> ways[] = {
       {"/lidar", "sensor_msgs/msg/LaserScan"}, {"/camera", "sensor_msgs/msg/Image"}, {"/imu", "sensor_msgs/msg/Imu"}};
   for (std::size_t i = 0; i < 3; ++i) {
     peer.read(topicOnWire(ways[i].first), ddsTypeName(ways[i].second),
               [&heard, i](std::span<const std::byte>) { ++heard[i]; });
   }
-  while (true) std::this_thread::sleep_for(std::chrono::seconds(1));
+  waitFor([&] { return isOver || (heard[0] > 0 && heard[1] > 0 && heard[2] > 0); });
+  std::puts("ready");
+  std::fflush(stdout);
+  waitFor([] { return isOver.load(); });
+  return 0;
 }
 
-constexpr std::uint64_t kSensorSteps = 2000;
-constexpr std::uint64_t kQuietSteps = 20000;
+constexpr std::uint64_t kSensorSteps = 1000;
+constexpr std::uint64_t kQuietSteps = 5000;
 
 double costOf(Simulation& simulation, std::uint64_t steps) {
   const double before = cpuSeconds();
@@ -369,14 +380,15 @@ double shareOfReaders() {
     without.push_back(costOf(*simulation, kSensorSteps));
     std::vector<std::unique_ptr<Process>> readers;
     for (int j = 0; j < 5; ++j) readers.push_back(std::make_unique<Process>(std::vector<std::string>{own(), "listen"}));
-    // until they are met, each topic by five
-    const auto end = Clock::now() + std::chrono::seconds(4);
-    while (Clock::now() < end) simulation->step(20);
+    // until each of the five has heard of each of the three
+    const auto areReady = [&] {
+      return std::ranges::all_of(readers, [](const auto& each) { return each->output().starts_with("ready"); });
+    };
+    while (!areReady()) simulation->step(20);
     with.push_back(costOf(*simulation, kSensorSteps));
-    readers.clear();
-    // until they are forgotten
-    const auto quiet = Clock::now() + std::chrono::seconds(12);
-    while (Clock::now() < quiet) simulation->step(20);
+    for (const auto& reader : readers) reader->kill(SIGTERM);
+    for (const auto& reader : readers) reader->wait();
+    simulation->step(20);
   }
   return median(with) / median(without) - 1;
 }
@@ -408,7 +420,7 @@ void tell(const char* what, const std::function<double()>& ours, const std::func
   std::fflush(stdout);
 }
 
-int measure(int domain) {
+void measureWays(int domain) {
   double copies = 0;
   tell(
       "Twist in", [=] { return twistIn(domain); }, [=] { return bareFromWriter(domain, kTwist, "udp"); },
@@ -421,10 +433,14 @@ int measure(int domain) {
       [=] { return bareToReader(domain, kImage, "udp"); }, [=] { return bareToReader(domain, kImage, "default"); },
       1.2);
   std::printf("copies of a picture on its way to the wire: %.2f\n", copies);
+  std::fflush(stdout);
+}
+
+void measureSteps() {
   std::printf("no readers: %.3f us a step (at most 1)\n", costUnheard());
+  std::fflush(stdout);
   std::printf("five readers of lidar, camera and IMU: %+.1f %% of the thread's time (at most 5)\n",
               100 * shareOfReaders());
-  return 0;
 }
 
 }  // namespace
@@ -433,10 +449,12 @@ int measure(int domain) {
 int main(int argc, char** argv) {
   using namespace pongsim::ros2;
   const std::string what = argc > 1 ? argv[1] : "";
-  if (what.empty()) {
+  if (what.empty() || what == "ways" || what == "steps") {
     const int domain = pongsim::test::testDomain();
     setenv("ROS_DOMAIN_ID", std::to_string(domain).c_str(), 1);
-    return measure(domain);
+    if (what != "steps") measureWays(domain);
+    if (what != "ways") measureSteps();
+    return 0;
   }
   const int domain = std::atoi(std::getenv("ROS_DOMAIN_ID"));
   if (what == "listen") return listenProcess(domain);

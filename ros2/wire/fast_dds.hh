@@ -68,8 +68,9 @@ inline eprosima::fastrtps::rtps::ReliabilityKind_t reliabilityOf(const Contract&
   return contract.qos.isReliable ? eprosima::fastrtps::rtps::RELIABLE : eprosima::fastrtps::rtps::BEST_EFFORT;
 }
 
-// Fast DDS has 3 s; on the way within a machine a lost packet is repaired at once.
-inline const eprosima::fastrtps::Duration_t kHeartbeatPeriod{0, 10'000'000};
+// Fast DDS has 3 s. Within a machine a packet is lost only where a socket of the receiver is full, as those with default
+// settings are of a picture, and is repaired at once.
+inline const eprosima::fastrtps::Duration_t kHeartbeatPeriod{0, 3'000'000};
 inline const eprosima::fastrtps::Duration_t kAtOnce{0, 0};
 
 }  // namespace pongsim::ros2

@@ -25,7 +25,8 @@ using eprosima::fastrtps::Duration_t;
 constexpr int kLastDomain = 232;
 // How soon a process that died without a word is forgotten.
 const Duration_t kLease{10, 0};
-const Duration_t kAnnouncementPeriod{2, 0};
+// Whoever was not told when he came is told soon: Fast DDS answers a new participant once, and that may be lost.
+const Duration_t kAnnouncementPeriod{0, 500'000'000};
 // So many may find a port on this machine.
 constexpr std::uint32_t kParticipants = 115;
 // From it peers see that it is ROS; the zero at its end belongs to it.

@@ -1,6 +1,8 @@
 #include "cli/cli.hh"
 
 #include <CLI/App.hpp>
+#include <filesystem>
+#include <string>
 
 #include "cli/command.hh"
 #include "cli/command_line.hh"
@@ -32,7 +34,13 @@ int run(int argc, char** argv) { return run(argc, argv, kCommands); }
 bool pongsim_write_manual(const char* folder) {
   pongsim::cli::Work none;
   const auto program = pongsim::cli::makeProgram(pongsim::cli::kOwnCommands, none);
-  return pongsim::cli::writeManual(*program, folder);
+  return pongsim::cli::writeManual(pongsim::cli::manualPages(*program), folder);
+}
+
+bool pongsim_write_extension_manual(const char* descriptor, const char* folder) {
+  using namespace pongsim::cli;
+  const std::string name = std::filesystem::path(descriptor).stem().string();
+  return writeManual({extensionPage(readExtension(descriptor), name)}, folder);
 }
 
 int pongsim_main(int argc, char** argv) { return pongsim::cli::run(argc, argv); }

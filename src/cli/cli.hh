@@ -22,3 +22,7 @@ extern "C" PONGSIM_API int pongsim_main(int argc, char** argv);
 /// Writes the pages of the manual, `pongsim.1` and one for each command, into a folder, for `manual_main.cc`.
 /// @return Whether it could.
 extern "C" PONGSIM_API bool pongsim_write_manual(const char* folder);
+
+/// Likewise the page of an extension, of which the descriptor is given.
+/// @throws std::runtime_error where that can't be read.
+extern "C" PONGSIM_API bool pongsim_write_extension_manual(const char* descriptor, const char* folder);

@@ -51,6 +51,7 @@ Extension::Command readCommand(const Descriptor& json) {
 }
 
 Extension extensionOf(const Descriptor& json) {
+  if (!json.is_object()) throw std::runtime_error("it is no object");
   Extension extension;
   if (const auto run = json.find("run"); run != json.end()) {
     extension.systemFile = run->at("system").at("filename").get<std::string>();

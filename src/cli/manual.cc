@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "cli/extension_command.hh"
+
 namespace pongsim::cli {
 
 namespace {
@@ -138,8 +140,33 @@ std::vector<ManualPage> manualPages(const CLI::App& program) {
   return pages;
 }
 
-bool writeManual(const CLI::App& program, const std::string& folder) {
-  for (const ManualPage& page : manualPages(program)) {
+ManualPage extensionPage(const Extension& extension, const std::string& name) {
+  CLI::App program("", "pongsim");
+  CLI::App* run = program.add_subcommand("run", "");
+  run->set_help_flag();
+  std::vector<Element> systems;
+  addRunOptions(*run, extension, systems);
+  const Extension::Command command =
+      extension.command.value_or(Extension::Command{name, "options of pongsim run", {}, {}, {}});
+  Work none;
+  addExtensionCommand(program, command, none);
+  std::string text = page(*program.get_subcommand(command.name), "pongsim " + command.name, {},
+                          bold("pongsim") + "(1), " + pageName("run"));
+  std::string sections;
+  if (!extension.runOptions.empty()) sections += ".SH OPTIONS OF PONGSIM RUN\n" + optionsOf(*run);
+  for (const Extension::Action& action : command.actions) {
+    sections += ".SH " + bold("pongsim " + command.name + " " + action.name) + "\n" + troff(action.help) + "\n";
+    for (const Extension::Option& option : action.options) {
+      sections += ".TP\n" + bold(option.name) + (option.value.empty() ? "" : " " + italic(option.value)) + "\n" +
+                  troff(option.help) + "\n";
+    }
+  }
+  text.insert(text.find(".SH EXIT STATUS"), sections);
+  return {"pongsim-" + command.name + ".1", text};
+}
+
+bool writeManual(const std::vector<ManualPage>& pages, const std::string& folder) {
+  for (const ManualPage& page : pages) {
     std::ofstream stream(std::filesystem::path(folder) / page.file, std::ios::binary);
     stream << page.text;
     if (!stream.flush()) return false;

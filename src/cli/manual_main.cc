@@ -1,4 +1,8 @@
-// Writes the manual's pages while pongsim is built: pongsim-manual FOLDER.
+// Writes the manual's pages while pongsim is built: pongsim-manual FOLDER, or that of what a package beside it adds:
+// pongsim-manual FOLDER DESCRIPTOR.
 #include "cli/cli.hh"
 
-int main(int argc, char** argv) { return argc == 2 && pongsim_write_manual(argv[1]) ? 0 : 1; }
+int main(int argc, char** argv) {
+  if (argc == 2) return pongsim_write_manual(argv[1]) ? 0 : 1;
+  return argc == 3 && pongsim_write_extension_manual(argv[2], argv[1]) ? 0 : 1;
+}

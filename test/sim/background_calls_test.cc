@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
@@ -39,6 +40,30 @@ TEST_F(BackgroundCallsTest, AreMadeInOrderWhileTheCallerGoesOn) {
   for (const char* text : {"a", "b", "c"}) post(text, calls);
   while (requests_.size() < 3) transport_.dispatchFor(std::chrono::milliseconds(10));
   EXPECT_EQ(requests_, (std::vector<std::string>{"data: \"a\"\n", "data: \"b\"\n", "data: \"c\"\n"}));
+}
+
+TEST_F(BackgroundCallsTest, TellWhatCameOfThem) {
+  std::atomic<int> told = 0;
+  std::string error;
+  {
+    BackgroundCalls calls(transport_.node(), log_);
+    const Service service = serve();
+    calls.post({.service = "/echo",
+                .request = newMessage("StringMsg"),
+                .replyType = "ignition.msgs.Empty",
+                .done = [&](const CallResult& result, const Message&) { told += result ? 1 : 100; }});
+    calls.post({.service = "/nobody",
+                .request = newMessage("Empty"),
+                .replyType = "ignition.msgs.Empty",
+                .timeout = std::chrono::milliseconds(1),
+                .done = [&](const CallResult& result, const Message&) {
+                  error = result.error;
+                  ++told;
+                }});
+    while (told < 2) transport_.dispatchFor(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(told, 2);
+  EXPECT_NE(error.find("/nobody"), std::string::npos) << error;
 }
 
 TEST_F(BackgroundCallsTest, AreRefusedWhereTooManyWait) {

@@ -123,6 +123,52 @@ TEST(Simulation, TakesItsSolverFromTheWorld) {
   EXPECT_EQ(hashWith("dantsig"), hashWith("dantzig"));
 }
 
+/// A `<plugin>` of the scene broadcaster, which publishes poses so often a second.
+Element sceneBroadcaster(const std::string& poseHertz) {
+  Element plugin, hertz;
+  plugin.name = "plugin";
+  plugin.attributes = {{"filename", "ignition-gazebo-scene-broadcaster-system", {}},
+                       {"name", "ignition::gazebo::systems::SceneBroadcaster", {}}};
+  hertz.name = "dynamic_pose_hertz";
+  hertz.text = poseHertz;
+  plugin.children.push_back(hertz);
+  return plugin;
+}
+
+constexpr const char* kFallingBox =
+    "<sdf version='1.9'><world name='w'>"
+    "<plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>@"
+    "<model name='m'><link name='l'/></model></world></sdf>";
+
+/// @return How many poses a simulated second has, in a world with more plugins and with systems that are given.
+int posesOfASecond(const std::string& plugins, const std::vector<Element>& systems) {
+  std::string text = kFallingBox;
+  text.replace(text.find('@'), 1, plugins);
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(text, "w.sdf", {.systems = systems}, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  int poses = 0;
+  const Subscription subscription = simulation->transport().node().subscribe(
+      "/world/w/dynamic_pose/info", "ignition.msgs.Pose_V", [&poses](const Message&) { ++poses; });
+  simulation->step(1000);
+  return poses;
+}
+
+TEST(Simulation, HasTheSystemsThatItIsGivenBesideThoseOfTheWorld) {
+  EXPECT_EQ(posesOfASecond("", {}), 0);
+  EXPECT_GT(posesOfASecond("", {sceneBroadcaster("10")}), 5);
+}
+
+TEST(Simulation, HasASystemOnceOfWhichTheWorldAndItsUserSpeakAndTheUserIsRight) {
+  const std::string inFile =
+      "<plugin filename='gz-sim-scene-broadcaster-system' name='gz::sim::systems::SceneBroadcaster'>"
+      "<dynamic_pose_hertz>50</dynamic_pose_hertz></plugin>";
+  const int often = posesOfASecond(inFile, {}), seldom = posesOfASecond(inFile, {sceneBroadcaster("10")});
+  EXPECT_GT(often, 40);
+  EXPECT_LT(seldom, 15);
+  EXPECT_GT(seldom, 5);
+}
+
 TEST(Simulation, TakesItsStepFromTheWorld) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(

@@ -1,0 +1,105 @@
+#include "ros2/node/service.hh"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <future>
+#include <optional>
+#include <thread>
+
+#include "support/process.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim::ros2 {
+namespace {
+
+/// As example_interfaces has it.
+struct AddTwoInts {
+  static constexpr const char* kName = "example_interfaces/srv/AddTwoInts";
+  struct Request {
+    static constexpr const char* kName = "example_interfaces/srv/AddTwoInts_Request";
+    std::int64_t a = 0;
+    std::int64_t b = 0;
+    static void visit(auto& self, auto&& field) {
+      field("a", self.a);
+      field("b", self.b);
+    }
+  };
+  struct Response {
+    static constexpr const char* kName = "example_interfaces/srv/AddTwoInts_Response";
+    std::int64_t sum = 0;
+    static void visit(auto& self, auto&& field) { field("sum", self.sum); }
+  };
+};
+
+class ServiceTest : public testing::Test {
+ protected:
+  /// Calls on another thread, for this one answers.
+  std::optional<AddTwoInts::Response> call(std::int64_t a, std::int64_t b,
+                                           std::chrono::seconds timeout = test::kDeadline) {
+    auto answer = std::async(std::launch::async, [&] {
+      return RosClient<AddTwoInts>(peer_, "/add").call({a, b}, timeout);
+    });
+    while (answer.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) node_.mailbox().dispatch();
+    return answer.get();
+  }
+
+  const int domain_ = test::testDomain();
+  Participant participant_{{.domain = domain_}};
+  RosNode node_{participant_, {}};
+  Participant peerParticipant_{{.domain = domain_}};
+  RosNode peer_{peerParticipant_, {.name = "peer"}};
+};
+
+TEST_F(ServiceTest, AnswersWithTheSum) {
+  const auto server = serveAtOnce<AddTwoInts>(
+      node_, "/add", [](const AddTwoInts::Request& request) { return AddTwoInts::Response{request.a + request.b}; });
+  EXPECT_EQ(server->name(), "/add");
+  for (std::int64_t i = 0; i < 5; ++i) {
+    const auto answer = call(i, 2);
+    ASSERT_TRUE(answer.has_value());
+    EXPECT_EQ(answer->sum, i + 2);
+  }
+}
+
+TEST_F(ServiceTest, MayAnswerLaterFromAnotherThread) {
+  std::thread later;
+  const auto server =
+      serve<AddTwoInts>(node_, "/add", [&](const AddTwoInts::Request& request, const Responder<AddTwoInts>& responder) {
+        later = std::thread([responder, sum = request.a + request.b] { responder.answer({sum}); });
+      });
+  const auto answer = call(40, 2);
+  later.join();
+  ASSERT_TRUE(answer.has_value());
+  EXPECT_EQ(answer->sum, 42);
+}
+
+TEST_F(ServiceTest, EachOfManyClientsGetsItsOwnAnswer) {
+  const auto server = serveAtOnce<AddTwoInts>(
+      node_, "/add", [](const AddTwoInts::Request& request) { return AddTwoInts::Response{request.a + request.b}; });
+  std::atomic<int> right = 0;
+  std::vector<std::jthread> clients;
+  for (std::int64_t i = 0; i < 5; ++i) {
+    clients.emplace_back([&, i] {
+      RosClient<AddTwoInts> client(peer_, "/add");
+      for (std::int64_t j = 0; j < 20; ++j) {
+        const auto answer = client.call({100 * i, j}, test::kDeadline);
+        if (answer && answer->sum == 100 * i + j) ++right;
+      }
+      ++right;
+    });
+  }
+  const auto end = std::chrono::steady_clock::now() + 2 * test::kDeadline;
+  while (right < 5 * 21 && std::chrono::steady_clock::now() < end) {
+    node_.mailbox().dispatch();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(right, 5 * 21);
+}
+
+TEST_F(ServiceTest, WhereNobodyServesThereIsNoAnswer) {
+  EXPECT_FALSE(RosClient<AddTwoInts>(peer_, "/add").call({1, 2}, std::chrono::milliseconds(50)).has_value());
+}
+
+}  // namespace
+}  // namespace pongsim::ros2
