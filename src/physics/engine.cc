@@ -21,9 +21,10 @@
 namespace pongsim::physics {
 
 struct Engine::Parts final : GroupWork {
-  Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld)
+  Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, HullStore& hullsOfWorld)
       : entities(entitiesOfWorld),
         settings(settingsOfWorld),
+        hulls(hullsOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
         world(settings, *this),
@@ -42,6 +43,7 @@ struct Engine::Parts final : GroupWork {
               std::span<btTypedConstraint* const> groupJoints) override;
 
   void grow();
+  void prepareHulls();
   void addJoints();
   void remove(const world::Removal& removal);
   void renumber();
@@ -52,6 +54,7 @@ struct Engine::Parts final : GroupWork {
 
   const world::Entities& entities;
   const Settings settings;
+  HullStore& hulls;
   Vector3 gravity;
   ContactFilter filter;
   DynamicsWorld world;
@@ -113,9 +116,10 @@ void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
 }
 
 void Engine::Parts::grow() {
+  prepareHulls();
   std::vector<std::unique_ptr<Body>> newBodies;
   for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
-    newBodies.push_back(std::make_unique<Body>(entities, link, gravity));
+    newBodies.push_back(std::make_unique<Body>(entities, link, gravity, hulls));
   }
   // before a body comes: who may touch it is asked then
   filter.update();
@@ -125,6 +129,18 @@ void Engine::Parts::grow() {
   }
   addJoints();
   renumber();
+}
+
+// those of all new links at once, which are worked out side by side
+void Engine::Parts::prepareHulls() {
+  std::vector<HullRequest> requests;
+  for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
+    const world::LinkRecord& record = entities.links()[link];
+    for (const description::Collision& collision : record.description->collisions) {
+      if (usesHulls(collision.geometry, isMoving(record))) requests.push_back(requestFor(collision.geometry));
+    }
+  }
+  hulls.prepare(requests);
 }
 
 void Engine::Parts::addJoints() {
@@ -197,7 +213,8 @@ void Engine::Parts::reportExplosion(world::Slot link) const {
 }
 
 Engine::Engine(const world::Entities& entities, const Settings& settings)
-    : parts_(std::make_unique<Parts>(entities, settings)) {
+    : hulls_(std::make_unique<HullStore>(settings.hullCache)),
+      parts_(std::make_unique<Parts>(entities, settings, *hulls_)) {
   combineSurfacesAsFortress();
 }
 
@@ -244,7 +261,7 @@ void Engine::reset() {
   const world::Entities& entities = parts_->entities;
   const Settings settings = parts_->settings;
   parts_.reset();
-  parts_ = std::make_unique<Parts>(entities, settings);
+  parts_ = std::make_unique<Parts>(entities, settings, *hulls_);
 }
 
 void Engine::setGravity(const Vector3& gravity) {

@@ -13,6 +13,8 @@
 
 namespace pongsim::physics {
 
+class HullStore;
+
 /// Bodies, joints and contacts, and one step of them. Reads the description through `entities`, which must outlive
 /// it; no Bullet type shows.
 class Engine {
@@ -89,6 +91,8 @@ class Engine {
 
  private:
   struct Parts;
+  /// Of meshes, which stay the same when all else is made anew.
+  std::unique_ptr<HullStore> hulls_;
   std::unique_ptr<Parts> parts_;
 };
 
