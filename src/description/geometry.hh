@@ -57,6 +57,14 @@ struct Plane {
   bool operator==(const Plane&) const = default;
 };
 
+/// `<mesh optimization>`: what collides in place of the triangles.
+enum class MeshOptimization {
+  /// Where the body moves, convex pieces, as many as the shape asks for.
+  kNone,
+  kConvexHull,
+  kConvexDecomposition,
+};
+
 /// `<mesh>`: triangles from a file.
 struct Mesh {
   /// As it stands in the description's file.
@@ -69,13 +77,20 @@ struct Mesh {
   bool isCentered = false;
   /// Along each axis; negative mirrors, never zero.
   Vector3 scale{1, 1, 1};
+  MeshOptimization optimization = MeshOptimization::kNone;
+  /// `<convex_decomposition>`, of effect with that optimization only: how many pieces there may be, 1 to 1000, and how
+  /// many voxels the box of the mesh has, below whose edge nothing is looked at.
+  std::uint32_t maxConvexHulls = 16;
+  std::uint32_t voxelResolution = 200'000;
   /// Before scaling, shared by all that show the same. Null where it could not be read, and for visuals, which are not
   /// read.
   std::shared_ptr<const TriangleMesh> triangles;
 
   /// @return Whether both show the same part of the same file in the same way.
   bool operator==(const Mesh& other) const {
-    return file == other.file && submesh == other.submesh && isCentered == other.isCentered && scale == other.scale;
+    return file == other.file && submesh == other.submesh && isCentered == other.isCentered && scale == other.scale &&
+           optimization == other.optimization && maxConvexHulls == other.maxConvexHulls &&
+           voxelResolution == other.voxelResolution;
   }
 };
 

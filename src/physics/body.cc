@@ -36,10 +36,11 @@ btRigidBody::btRigidBodyConstructionInfo constructionInfo(const PrincipalMass& m
 
 }  // namespace
 
-Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gravity)
-    : Body(entities.links()[link], link, massOf(entities, entities.links()[link]), gravity) {}
+Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gravity, HullStore& hulls)
+    : Body(entities.links()[link], link, massOf(entities, entities.links()[link]), gravity, hulls) {}
 
-Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity)
+Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity,
+           HullStore& hulls)
     : link_(link),
       id_(record.id),
       moves_(isMoving(record)),
@@ -48,7 +49,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
       isRound_(mass.moments.x() == mass.moments.y() && mass.moments.y() == mass.moments.z()),
       X_LinkBody_(mass.X_LinkBody),
       X_BodyLink_(X_LinkBody_.inverse()),
-      shape_(*record.description, X_BodyLink_, moves_),
+      shape_(*record.description, X_BodyLink_, moves_, hulls),
       rigid_(constructionInfo(mass, shape_.root())) {
   const description::Link& description = *record.description;
   setPose(record.X_WorldLinkStart);

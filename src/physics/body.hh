@@ -19,7 +19,7 @@ class Body {
  public:
   /// @param gravity World frame [m/s^2].
   /// @throws std::invalid_argument if a moving link's mass or inertia can't be.
-  Body(const world::Entities& entities, world::Slot link, const Vector3& gravity);
+  Body(const world::Entities& entities, world::Slot link, const Vector3& gravity, HullStore& hulls);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
@@ -66,7 +66,8 @@ class Body {
   bool read(world::LinkState& state) const;
 
  private:
-  Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity);
+  Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity,
+       HullStore& hulls);
 
   world::Slot link_;
   LinkId id_;

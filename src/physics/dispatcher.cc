@@ -15,9 +15,9 @@ namespace pongsim::physics {
 
 namespace {
 
-int partNumber(const btCollisionObjectWrapper* wrapper) {
+int numberOf(const btCollisionObjectWrapper* wrapper) {
   const btCollisionShape* part = partOf(wrapper);
-  return part == nullptr ? -1 : part->getUserIndex();
+  return part == nullptr ? -1 : partNumber(part->getUserIndex(), part->getUserIndex2());
 }
 
 /// Of what an algorithm was made last on this thread. It makes its manifold when it is made itself, or as the first
@@ -45,7 +45,7 @@ bool masksMeet(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper
 btCollisionAlgorithm* Dispatcher::findAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                                 btPersistentManifold* shared, ebtDispatcherQueryType type) {
   if (!masksMeet(a, b)) return noAlgorithm(a, b, shared);
-  lastPair = {a->getCollisionObject(), partNumber(a), partNumber(b)};
+  lastPair = {a->getCollisionObject(), numberOf(a), numberOf(b)};
   return btCollisionDispatcher::findAlgorithm(a, b, shared, type);
 }
 

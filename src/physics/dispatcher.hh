@@ -8,9 +8,14 @@
 
 namespace pongsim::physics {
 
+/// @return Number of a part of a link: of the collision in the link and of the piece in the collision.
+constexpr int partNumber(int collision, int piece) { return collision << 10 | piece; }
+/// @return Of such a number, the collision's.
+constexpr int collisionOfPart(int part) { return part >> 10; }
+
 /// Finds where pairs of bodies touch, and knows of each manifold (the points at which two parts touch) whose it is: the
-/// numbers of the two collisions in their links are its companion ids A and B, -1 where a body is made of several parts
-/// and all of it is meant. Collisions whose `<collide_bitmask>` share no bit do not touch.
+/// numbers of the two parts in their links are its companion ids A and B, -1 where a body is made of several parts and
+/// all of it is meant. Collisions whose `<collide_bitmask>` share no bit do not touch.
 ///
 /// Pairs are shared out among workers. What is found for one depends on nothing that is found for another: each writes
 /// to its own manifolds only, and what they share, the pools that algorithms and manifolds come from, is locked. The

@@ -25,9 +25,11 @@
 namespace pongsim::physics {
 
 struct Engine::Parts final : GroupWork {
-  Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, std::shared_ptr<btRigidBody> fixed)
+  Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, HullStore& hullsOfWorld,
+        std::shared_ptr<btRigidBody> fixed)
       : entities(entitiesOfWorld),
         settings(settingsOfWorld),
+        hulls(hullsOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
         world(settings, *this),
@@ -46,6 +48,7 @@ struct Engine::Parts final : GroupWork {
               std::span<btTypedConstraint* const> groupJoints) override;
 
   void grow();
+  void prepareHulls();
   void addJoints();
   void findFrictionFrames();
   /// Friction directions that are those of other links go with these.
@@ -60,6 +63,7 @@ struct Engine::Parts final : GroupWork {
 
   const world::Entities& entities;
   const Settings settings;
+  HullStore& hulls;
   Vector3 gravity;
   ContactFilter filter;
   DynamicsWorld world;
@@ -146,9 +150,10 @@ void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
 }
 
 void Engine::Parts::grow() {
+  prepareHulls();
   std::vector<std::unique_ptr<Body>> newBodies;
   for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
-    newBodies.push_back(std::make_unique<Body>(entities, link, gravity));
+    newBodies.push_back(std::make_unique<Body>(entities, link, gravity, hulls));
   }
   // before a body comes: who may touch it is asked then
   filter.update();
@@ -189,6 +194,18 @@ void Engine::Parts::turnFrictionDirections() {
 
 void Engine::Parts::take(Body& body) {
   if (body.moves() || body.collides()) world.add(body.rigid(), body.id().value);
+}
+
+// those of all new links at once, which are worked out side by side
+void Engine::Parts::prepareHulls() {
+  std::vector<HullRequest> requests;
+  for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
+    const world::LinkRecord& record = entities.links()[link];
+    for (const description::Collision& collision : record.description->collisions) {
+      if (usesHulls(collision.geometry, isMoving(record))) requests.push_back(requestFor(collision.geometry));
+    }
+  }
+  hulls.prepare(requests);
 }
 
 void Engine::Parts::addJoints() {
@@ -262,7 +279,8 @@ void Engine::Parts::reportExplosion(world::Slot link) const {
 }
 
 Engine::Engine(const world::Entities& entities, const Settings& settings)
-    : parts_(std::make_unique<Parts>(entities, settings, makeAnchor())) {
+    : hulls_(std::make_unique<HullStore>(settings.hullCache)),
+      parts_(std::make_unique<Parts>(entities, settings, *hulls_, makeAnchor())) {
   combineSurfacesAsFortress();
 }
 
@@ -310,7 +328,7 @@ void Engine::reset() {
   const Settings settings = parts_->settings;
   std::shared_ptr<btRigidBody> anchor = parts_->anchor;
   parts_.reset();
-  parts_ = std::make_unique<Parts>(entities, settings, std::move(anchor));
+  parts_ = std::make_unique<Parts>(entities, settings, *hulls_, std::move(anchor));
 }
 
 void Engine::setGravity(const Vector3& gravity) {

@@ -17,6 +17,8 @@
 
 namespace pongsim::physics {
 
+class HullStore;
+
 /// The bodies and joints of a group of entities that is set aside, and where they touched, with all that they remember.
 /// Not to outlive its engine's `entities`.
 class SetAside {
@@ -136,6 +138,8 @@ class Engine {
 
  private:
   struct Parts;
+  /// Of meshes, which stay the same when all else is made anew.
+  std::unique_ptr<HullStore> hulls_;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -7,8 +7,11 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
+
+#include "physics/dispatcher.hh"
 
 namespace pongsim::physics {
 
@@ -162,6 +165,60 @@ void GroupedWorld::collectTouches() {
   }
   std::ranges::sort(
       touches_, [](const Touch& a, const Touch& b) { return std::tie(a.links, a.parts) < std::tie(b.links, b.parts); });
+  limitContactsOfPieces();
+}
+
+// The limit is one of two collisions, which may touch with many of their pieces. The deepest point stays, and then
+// always the one that is farthest from those that stay: they shall bear the body.
+void GroupedWorld::limitContactsOfPieces() {
+  constexpr std::uint64_t kWhole = 0xffffffffU;
+  const auto collisionsOf = [](const Touch& touch) {
+    const auto collision = [](std::uint64_t part) {
+      return static_cast<std::uint32_t>(part) == kWhole
+                 ? static_cast<std::uint32_t>(kWhole)
+                 : static_cast<std::uint32_t>(collisionOfPart(static_cast<int>(static_cast<std::uint32_t>(part))));
+    };
+    return std::tuple(touch.links, collision(touch.parts >> 32U), collision(touch.parts));
+  };
+  bool isOneEmpty = false;
+  for (auto first = touches_.begin(); first != touches_.end();) {
+    const auto pair = collisionsOf(*first);
+    const auto end = std::find_if(first + 1, touches_.end(), [&](const Touch& t) { return collisionsOf(t) != pair; });
+    const long long most = end - first > 1 ? work_.mostContacts(*first->manifold) : -1;
+    if (most >= 0) isOneEmpty |= keepSpread(std::span(first, end), static_cast<std::size_t>(most));
+    first = end;
+  }
+  if (isOneEmpty) std::erase_if(touches_, [](const Touch& touch) { return touch.manifold->getNumContacts() == 0; });
+}
+
+bool GroupedWorld::keepSpread(std::span<const Touch> touches, std::size_t most) {
+  points_.clear();
+  for (const Touch& touch : touches) {
+    for (int i = 0; i < touch.manifold->getNumContacts(); ++i) {
+      points_.push_back({touch.manifold, i, std::numeric_limits<double>::infinity(), false});
+    }
+  }
+  if (points_.size() <= most) return false;
+  const auto pointOf = [](const Point& point) -> const btManifoldPoint& {
+    return point.manifold->getContactPoint(point.index);
+  };
+  auto next = std::ranges::min_element(points_, {}, [&](const Point& p) { return pointOf(p).getDistance(); });
+  for (std::size_t kept = 0; kept < most; ++kept) {
+    next->isKept = true;
+    const btVector3 place = pointOf(*next).getPositionWorldOnB();
+    for (Point& point : points_) {
+      const double distance = (pointOf(point).getPositionWorldOnB() - place).length2();
+      point.distance = point.isKept ? -1 : std::min(point.distance, distance);
+    }
+    next = std::ranges::max_element(points_, {}, &Point::distance);
+  }
+  // from behind, for the last one of a manifold takes the place of one that goes
+  bool isOneEmpty = false;
+  for (auto point = points_.rbegin(); point != points_.rend(); ++point) {
+    if (!point->isKept) point->manifold->removeContactPoint(point->index);
+    isOneEmpty |= point->manifold->getNumContacts() == 0;
+  }
+  return isOneEmpty;
 }
 
 // the deepest ones stay

@@ -58,6 +58,13 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
     std::uint64_t parts;
     btPersistentManifold* manifold;
   };
+  /// A point of contact, and how far it is from those that are kept, squared.
+  struct Point {
+    btPersistentManifold* manifold;
+    int index;
+    double distance;
+    bool isKept;
+  };
   /// Numbers of members, or places of the first ones.
   struct Group {
     std::size_t bodies = 0;
@@ -78,6 +85,10 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   void solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info);
   void collectTouches();
   void limitContacts(btPersistentManifold& manifold) const;
+  void limitContactsOfPieces();
+  /// Leaves that many points.
+  /// @return Whether a manifold has none any more.
+  bool keepSpread(std::span<const Touch> touches, std::size_t most);
   void uniteBodies();
   void countMembers();
   void sortByGroup();
@@ -95,6 +106,8 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   std::vector<btRigidBody*> bodies_;
   std::vector<btTypedConstraint*> joints_;
   std::vector<Touch> touches_;
+  /// Of two collisions.
+  std::vector<Point> points_;
 
   /// Of each body, one that it is connected with and that stands before it, or itself.
   std::vector<std::size_t> parents_;

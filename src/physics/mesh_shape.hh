@@ -11,9 +11,6 @@
 
 namespace pongsim::physics {
 
-/// @return The convex hull of a mesh, for a body that moves.
-std::unique_ptr<btCollisionShape> makeHull(const description::TriangleMesh& mesh, const Vector3& scale);
-
 /// The triangles of a mesh, for a body that does not move. What slides over them does not catch on the edges between
 /// them, if this is the only part of its body.
 class TriangleSurface {

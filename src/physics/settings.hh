@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 namespace pongsim::physics {
 
 /// How Bullet solves joints and contacts together.
@@ -30,6 +32,8 @@ struct Settings {
   double contactErrorReduction = 0.2;
   /// Points at which two collisions touch, where neither says how many; negative: no limit. Bullet has four at most.
   long long maxContacts = 20;
+  /// Where pieces of meshes are kept for later runs; empty: nowhere.
+  std::filesystem::path hullCache = {};
 };
 
 }  // namespace pongsim::physics

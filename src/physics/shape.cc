@@ -47,16 +47,10 @@ struct MakeShape {
     shape->setMargin(0);
     return shape;
   }
-  // of a body that moves; for others see below
-  Result operator()(const description::Mesh& mesh) const {
-    return mesh.triangles != nullptr ? makeHull(*mesh.triangles, mesh.scale) : nullptr;
-  }
-  Result operator()(const description::Heightmap& map) const {
-    return map.triangles != nullptr ? makeHull(*map.triangles, {1, 1, 1}) : nullptr;
-  }
-  Result operator()(const description::Polyline& polyline) const {
-    return polyline.triangles != nullptr ? makeHull(*polyline.triangles, {1, 1, 1}) : nullptr;
-  }
+  // what is made of triangles see below
+  Result operator()(const description::Mesh&) const { return nullptr; }
+  Result operator()(const description::Heightmap&) const { return nullptr; }
+  Result operator()(const description::Polyline&) const { return nullptr; }
   Result operator()(const description::Empty&) const { return nullptr; }
   Result operator()(const description::Image&) const { return nullptr; }
 };
@@ -71,29 +65,48 @@ std::pair<const description::TriangleMesh*, Vector3> trianglesOf(const descripti
 
 }  // namespace
 
-LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves) {
+bool usesHulls(const description::Geometry& geometry, bool moves) {
+  if (const auto* mesh = std::get_if<description::Mesh>(&geometry)) {
+    return mesh->triangles != nullptr && (moves || mesh->optimization != description::MeshOptimization::kNone);
+  }
+  return moves && trianglesOf(geometry).first != nullptr;
+}
+
+LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls) {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < link.collisions.size(); ++i) {
     const description::Collision& collision = link.collisions[i];
-    Pose X_BodyPart = X_BodyLink * collision.X_LinkCollision;
-    collisions_.push_back({&collision.surface, X_BodyPart.rotation, collision.surface.slip1, collision.surface.slip2});
-    btCollisionShape* shape = nullptr;
+    const Pose X_BodyCollision = X_BodyLink * collision.X_LinkCollision;
+    collisions_.push_back(
+        {&collision.surface, X_BodyCollision.rotation, collision.surface.slip1, collision.surface.slip2});
+    int piece = 0;
+    const auto add = [&](btCollisionShape* shape, const Pose& X_BodyPart) {
+      if (shape == nullptr) return;
+      shape->setUserPointer(const_cast<description::Surface*>(&collision.surface));
+      shape->setUserIndex(static_cast<int>(i));
+      shape->setUserIndex2(piece++);
+      parts_.push_back(shape);
+      poses.push_back(X_BodyPart);
+    };
+    const auto own = [this](std::unique_ptr<btCollisionShape> shape) {
+      owned_.push_back(std::move(shape));
+      return owned_.back().get();
+    };
     const auto [triangles, scale] = trianglesOf(collision.geometry);
-    if (triangles != nullptr && !moves) {
-      surfaces_.push_back(std::make_unique<TriangleSurface>(*triangles, scale, X_BodyPart));
-      shape = surfaces_.back()->shape();
-      X_BodyPart = Pose();
-    } else if (auto made = std::visit(MakeShape(), collision.geometry)) {
-      shape = made.get();
-      owned_.push_back(std::move(made));
+    if (usesHulls(collision.geometry, moves)) {
+      for (const Hull& hull : hulls.find(requestFor(collision.geometry))) add(own(makeShape(hull)), X_BodyCollision);
+    } else if (triangles != nullptr) {
+      surfaces_.push_back(std::make_unique<TriangleSurface>(*triangles, scale, X_BodyCollision));
+      add(surfaces_.back()->shape(), Pose());
+    } else {
+      add(own(std::visit(MakeShape(), collision.geometry)), X_BodyCollision);
     }
-    if (shape == nullptr) continue;
-    shape->setUserPointer(const_cast<description::Surface*>(&collision.surface));
-    parts_.push_back(shape);
-    shape->setUserIndex(static_cast<int>(i));
-    poses.push_back(X_BodyPart);
   }
+  assemble(poses);
+}
 
+// one shape of all parts
+void LinkShape::assemble(const std::vector<Pose>& poses) {
   if (parts_.empty()) {
     holder_ = std::make_unique<btEmptyShape>();
     root_ = holder_.get();

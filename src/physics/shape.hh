@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "description/link.hh"
+#include "physics/hull_store.hh"
 #include "physics/mesh_shape.hh"
 #include "pongsim/state_archive.hh"
 #include "pongsim/surface_motion.hh"
@@ -15,14 +16,18 @@
 
 namespace pongsim::physics {
 
+/// @return Whether a shape collides as convex pieces of its triangles.
+bool usesHulls(const description::Geometry& geometry, bool moves);
+
 /// What a link collides with: all its collisions as one Bullet shape. Each part's user pointer is the
-/// `description::Surface` of its collision, its user index the number of that collision in the link.
+/// `description::Surface` of its collision, its user index the number of that collision in the link; of several pieces
+/// that one collision is made of, the second user index is the piece's number.
 class LinkShape {
  public:
   /// Shapes of kinds that are not built yet are left out.
   /// @param X_BodyLink Pose of the link frame in the frame of the body that bears the shape.
-  /// @param moves Forces move the body: a mesh is its convex hull then, else its triangles.
-  LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves);
+  /// @param moves Forces move the body: a mesh is made of convex pieces then, else of its triangles.
+  LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls);
 
   LinkShape(const LinkShape&) = delete;
   LinkShape& operator=(const LinkShape&) = delete;
@@ -53,6 +58,8 @@ class LinkShape {
   btCollisionShape* root() const { return root_; }
 
  private:
+  void assemble(const std::vector<Pose>& poses);
+
   std::vector<std::unique_ptr<TriangleSurface>> surfaces_;
   std::vector<std::unique_ptr<btCollisionShape>> owned_;
   /// One a collision.

@@ -1,5 +1,9 @@
 #include "sdf/mesh_reader.hh"
 
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
 #include <variant>
 
 #include "sdf/asset_file.hh"
@@ -20,6 +24,22 @@ void readSubmesh(const Element& element, description::Mesh& mesh, Context& conte
   }
 }
 
+void readOptimization(const Element& element, description::Mesh& mesh, Context& context) {
+  using description::MeshOptimization;
+  constexpr std::array<std::string_view, 2> kWords{"convex_hull", "convex_decomposition"};
+  constexpr std::array kMeanings{MeshOptimization::kConvexHull, MeshOptimization::kConvexDecomposition,
+                                 MeshOptimization::kNone};
+  mesh.optimization = kMeanings.at(readWordAttribute(element, "optimization", kWords.size(), kWords, context));
+  const Element* settings = element.child("convex_decomposition");
+  if (settings == nullptr) return;
+  // as many as a collision can have here
+  constexpr long long kMostHulls = 1000;
+  mesh.maxConvexHulls = static_cast<std::uint32_t>(
+      readInteger(*settings, "max_convex_hulls", mesh.maxConvexHulls, 1, kMostHulls, context));
+  mesh.voxelResolution = static_cast<std::uint32_t>(readInteger(*settings, "voxel_resolution", mesh.voxelResolution, 1,
+                                                                std::numeric_limits<std::uint32_t>::max(), context));
+}
+
 }  // namespace
 
 description::Mesh readMesh(const Element& element, const std::string& owner, bool isCollision, Context& context) {
@@ -29,6 +49,7 @@ description::Mesh readMesh(const Element& element, const std::string& owner, boo
     context.diagnostics.error(element.child("scale")->position, "the mesh of " + owner + " has a scale of zero");
   }
   readSubmesh(element, mesh, context);
+  readOptimization(element, mesh, context);
   const AssetFile asset = findAsset(element, "mesh", owner, isCollision, context);
   mesh.uri = asset.uri;
   mesh.file = asset.path;

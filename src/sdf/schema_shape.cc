@@ -153,6 +153,15 @@ constexpr SchemaRow kShapeRows[] = {
      "The specular color of a material specified by set of four numbers representing red/green/blue/alpha, each in the "
      "range of [0,1]."},
     {"mesh", "", "", '1', 4, 0, kRead, "Mesh shape"},
+    {"mesh.convex_decomposition", "", "", '0', 11, 0, kRead,
+     "Convex decomposition parameters. Applicable if the mesh optimization attribute is set to convex_decomposition"},
+    {"mesh.convex_decomposition.max_convex_hulls", "unsigned int", "16", '0', 11, 0, kRead,
+     "Maximum number of convex hulls to decompose into. This sets the maximum number of submeshes that the final "
+     "decomposed mesh will contain."},
+    {"mesh.convex_decomposition.voxel_resolution", "unsigned int", "200000", '0', 11, 0, kRead,
+     "The number of voxels to use for representing the source mesh before decomposition. Applicable only to voxel "
+     "based "
+     "convex decomposition methods."},
     {"mesh.scale", "vector3", "1 1 1", '0', 2, 0, kRead, "Scaling factor applied to the mesh"},
     {"mesh.submesh", "", "", '0', 3, 0, kRead,
      "Use a named submesh. The submesh must exist in the mesh specified by the uri"},
@@ -161,6 +170,10 @@ constexpr SchemaRow kShapeRows[] = {
      "the submesh before the poses from parent links and models are applied."},
     {"mesh.submesh.name", "string", "", '1', 3, 0, kRead, "Name of the submesh within the parent mesh"},
     {"mesh.uri", "string", "", '1', 2, 0, kRead, "Mesh uri"},
+    {"mesh@optimization", "string", "", '0', 11, 0, kRead,
+     "Set whether to optimize the mesh using one of the specified methods. Values include: \"convex_hull\" - a single "
+     "convex hull that encapsulates the mesh, \"convex_decomposition\" - decompose the mesh into multiple convex hull "
+     "meshes. Default value is an empty string which means no mesh optimization."},
     {"plane", "", "", '1', 4, 0, kRead, "Plane shape"},
     {"plane.normal", "vector3", "0 0 1", '1', 2, 0, kRead,
      "Normal direction for the plane. When a Plane is used as a geometry for a Visual or Collision object, then the "

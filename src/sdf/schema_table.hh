@@ -15,7 +15,8 @@ enum class Use {
   kPassed,
 };
 
-/// One line of the table of elements: an element or an attribute, SDF 1.4 to 1.9 in one.
+/// One line of the table of elements: an element or an attribute, SDF 1.4 to 1.9 in one, and what of later versions is
+/// read in any.
 struct SchemaRow {
   /// From the outermost element whose meaning is the same wherever it stands: "joint", "joint.axis",
   /// "joint.axis.xyz@expressed_in". "plugin.*" stands for any child.

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "assets/file_cache.hh"
 #include "assets/finder.hh"
 #include "assets/places.hh"
 #include "description/world.hh"
@@ -36,6 +37,7 @@ physics::Settings settingsFor(const description::PhysicsProfile& profile, const 
   physics::Settings settings;
   settings.threads = std::max(options.threads, 1);
   settings.maxContacts = profile.maxContacts;
+  settings.hullCache = assets::FileCache::userFolder();
   if (profile.dart.solver == "pgs") settings.solver = physics::Solver::kSequentialImpulse;
   return settings;
 }

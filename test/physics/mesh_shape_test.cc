@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/hull_store.hh"
 #include "physics/rig.hh"
 
 namespace pongsim::physics {
@@ -52,6 +53,14 @@ description::Mesh meshOf(description::TriangleMesh triangles, const Vector3& sca
   return mesh;
 }
 
+/// As it moves, which is in one piece.
+std::unique_ptr<btConvexHullShape> hullOf(description::TriangleMesh triangles, const Vector3& scale) {
+  HullStore store;
+  const std::vector<Hull>& hulls = store.find(requestFor(meshOf(std::move(triangles), scale)));
+  EXPECT_EQ(hulls.size(), 1U);
+  return makeShape(hulls.at(0));
+}
+
 description::Model makeFloor(double mu = 1) {
   description::Link link;
   link.name = "link";
@@ -72,7 +81,7 @@ double restingHeight(const description::Link& link, description::Model floor) {
 }
 
 TEST(MeshShape, MovesAsItsConvexHull) {
-  const auto shape = makeHull(boxMesh({1, 2, 3}), {1, 1, -2});
+  const auto shape = hullOf(boxMesh({1, 2, 3}), {1, 1, -2});
   const auto* hull = dynamic_cast<const btConvexHullShape*>(shape.get());
   ASSERT_NE(hull, nullptr);
   EXPECT_EQ(hull->getNumPoints(), 8);
@@ -87,7 +96,7 @@ TEST(MeshShape, KeepsTheFormOfAFineMeshWithFewCorners) {
     const double z = 1 - (2 * i + 1) / 20000.0, angle = 0.1 * i;
     ball.vertices.emplace_back(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
   }
-  const auto shape = makeHull(ball, {1, 1, 1});
+  const auto shape = hullOf(ball, {1, 1, 1});
   const auto* hull = dynamic_cast<const btConvexHullShape*>(shape.get());
   ASSERT_NE(hull, nullptr);
   EXPECT_LE(hull->getNumPoints(), 500);
@@ -98,7 +107,7 @@ TEST(MeshShape, KeepsTheFormOfAFineMeshWithFewCorners) {
 }
 
 TEST(MeshShape, BearsAFlatMesh) {
-  const auto hull = makeHull(floorMesh(2), {1, 1, 1});
+  const auto hull = hullOf(floorMesh(2), {1, 1, 1});
   btVector3 lower, upper;
   hull->getAabb(btTransform::getIdentity(), lower, upper);
   EXPECT_NEAR(upper.x(), 1, 1e-6);

@@ -102,8 +102,9 @@ TEST(LinkShape, LeavesOutWhatItCannotBuild) {
   addCollision(link, description::Image{});
   addCollision(link, description::Empty{});
   addCollision(link, description::Mesh{});
-  EXPECT_TRUE(LinkShape(link, Pose(), true).empty());
-  EXPECT_NE(LinkShape(link, Pose(), true).root(), nullptr);
+  HullStore hulls;
+  EXPECT_TRUE(LinkShape(link, Pose(), true, hulls).empty());
+  EXPECT_NE(LinkShape(link, Pose(), true, hulls).root(), nullptr);
 }
 
 }  // namespace

@@ -97,6 +97,44 @@ TEST_F(MeshReaderTest, WarnsOfAFileThatIsNotThereOrBroken) {
   EXPECT_EQ(meshOf(loaded).triangles, nullptr);
 }
 
+TEST_F(MeshReaderTest, ReadsHowItMoves) {
+  using description::MeshOptimization;
+  folder_.write("a.obj", kTriangles);
+  const auto mesh = [](const std::string& attributes, const std::string& more) {
+    return "<collision name='c" + std::to_string(attributes.size()) + "'><geometry><mesh" + attributes +
+           "><uri>a.obj</uri>" + more + "</mesh></geometry></collision>\n";
+  };
+  const Loaded loaded = loadWith(mesh("", "") + mesh(" optimization='convex_hull'", "") +
+                                 mesh(" optimization='convex_decomposition'",
+                                      "<convex_decomposition><max_convex_hulls>7</max_convex_hulls>"
+                                      "<voxel_resolution>5000</voxel_resolution></convex_decomposition>"));
+  EXPECT_EQ(loaded.messages, Messages());
+  EXPECT_EQ(meshOf(loaded, 0).optimization, MeshOptimization::kNone);
+  EXPECT_EQ(meshOf(loaded, 1).optimization, MeshOptimization::kConvexHull);
+  EXPECT_EQ(meshOf(loaded, 1).maxConvexHulls, 16U);
+  EXPECT_EQ(meshOf(loaded, 1).voxelResolution, 200'000U);
+  EXPECT_EQ(meshOf(loaded, 2).optimization, MeshOptimization::kConvexDecomposition);
+  EXPECT_EQ(meshOf(loaded, 2).maxConvexHulls, 7U);
+  EXPECT_EQ(meshOf(loaded, 2).voxelResolution, 5000U);
+}
+
+TEST_F(MeshReaderTest, SaysWhatIsWrongWithHowItMoves) {
+  folder_.write("a.obj", kTriangles);
+  const Loaded loaded = loadWith(
+      "<collision name='c'><geometry><mesh optimization='convex_hul'><uri>a.obj</uri></mesh></geometry></collision>\n"
+      "<collision name='d'><geometry><mesh optimization='exact'><uri>a.obj</uri>"
+      "<convex_decomposition><max_convex_hulls>0</max_convex_hulls></convex_decomposition></mesh></geometry></"
+      "collision>");
+  ASSERT_EQ(loaded.messages.size(), 3U);
+  EXPECT_EQ(loaded.messages[0],
+            "DIR/w.sdf:2:37: error: attribute 'optimization' has the unknown value 'convex_hul' | did you mean "
+            "'convex_hull'?");
+  EXPECT_EQ(loaded.messages[1],
+            "DIR/w.sdf:3:37: error: attribute 'optimization' has the unknown value 'exact' | it can be convex_hull, "
+            "convex_decomposition");
+  EXPECT_EQ(loaded.messages[2].substr(0, 41), "DIR/w.sdf:3:96: error: <max_convex_hulls>");
+}
+
 TEST_F(MeshReaderTest, RefusesWhatCanNotBeMeant) {
   const Loaded loaded = loadWith(collision("<scale>1 0 1</scale>"));
   EXPECT_EQ(loaded.messages,

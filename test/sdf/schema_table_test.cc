@@ -46,6 +46,7 @@ const std::map<std::string_view, Values> kSpecial = {
     {"material.pbr.specular.glossiness", {"0.25", "0.75"}},
     {"material.pbr.specular.normal_map@type", {"object", "tangent"}},
     {"material.shader@type", {"pixel", "vertex"}},
+    {"mesh@optimization", {"convex_hull", "convex_decomposition"}},
     {"model@canonical_link", {"a", "b"}},
     {"model@placement_frame", {"", "f"}},
     {"noise@type", {"none", "gaussian"}},

@@ -1,0 +1,186 @@
+#include "assets/file_cache.hh"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/hash.hh"
+
+namespace pongsim::assets {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnding = ".cache";
+/// A file is this, its content's length and hash in eight bytes each, the last one first, and the content.
+constexpr std::string_view kMagic = "pongsim cache 1\n";
+constexpr std::size_t kHeader = kMagic.size() + 16;
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20U;
+
+void appendNumber(std::uint64_t number, std::string& to) {
+  for (unsigned shift = 0; shift < 64; shift += 8) to += static_cast<char>(number >> shift & 0xffU);
+}
+
+std::uint64_t numberAt(std::string_view text, std::size_t place) {
+  std::uint64_t number = 0;
+  for (unsigned i = 0; i < 8; ++i) number |= std::uint64_t{static_cast<std::uint8_t>(text[place + i])} << (8 * i);
+  return number;
+}
+
+std::uint64_t hashOf(std::string_view bytes) {
+  base::Hash hash;
+  hash.add(bytes);
+  return hash.value();
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  bool isOpen() const { return number_ >= 0; }
+  /// @return Whether all that was written has arrived.
+  bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+std::optional<std::string> readWhole(const fs::path& file) {
+  // no waiting for whoever might write to a pipe of that name
+  const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat status {};
+  if (!open.isOpen() || ::fstat(open.number(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  const auto size = static_cast<std::uintmax_t>(status.st_size);
+  if (size < kHeader || size > kLargestFile) return std::nullopt;
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  for (std::size_t at = 0; at < bytes.size();) {
+    const ::ssize_t count = ::read(open.number(), bytes.data() + at, bytes.size() - at);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return std::nullopt;
+    at += static_cast<std::size_t>(count);
+  }
+  return bytes;
+}
+
+/// @return Why not; empty where all is written.
+std::string writeWhole(const fs::path& file, std::string_view bytes) {
+  Descriptor open(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  if (!open.isOpen()) return std::strerror(errno);
+  while (!bytes.empty()) {
+    const ::ssize_t count = ::write(open.number(), bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return std::strerror(errno);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return open.close() ? std::string() : std::strerror(errno);
+}
+
+}  // namespace
+
+FileCache::FileCache(fs::path folder, std::uintmax_t mostBytes) : folder_(std::move(folder)), mostBytes_(mostBytes) {}
+
+fs::path FileCache::userFolder() {
+  const auto folder = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return fs::path(value != nullptr ? value : "");
+  };
+  fs::path caches = folder("XDG_CACHE_HOME");
+  if (!caches.is_absolute()) {
+    const fs::path home = folder("HOME");
+    if (!home.is_absolute()) return {};
+    caches = home / ".cache";
+  }
+  return caches / "pongsim" / "meshes";
+}
+
+std::optional<std::string> FileCache::find(std::string_view name) const {
+  if (folder_.empty()) return std::nullopt;
+  const fs::path file = folder_ / (std::string(name) + std::string(kEnding));
+  std::optional<std::string> bytes = readWhole(file);
+  if (!bytes || !bytes->starts_with(kMagic)) return std::nullopt;
+  if (numberAt(*bytes, kMagic.size()) != bytes->size() - kHeader) return std::nullopt;
+  const std::uint64_t hash = numberAt(*bytes, kMagic.size() + 8);
+  bytes->erase(0, kHeader);
+  if (hashOf(*bytes) != hash) return std::nullopt;
+  // what is used is not the oldest
+  std::error_code ignored;
+  fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
+  return bytes;
+}
+
+std::string FileCache::keep(std::string_view name, std::string_view bytes) const {
+  if (folder_.empty()) return "there is no folder for it";
+  if (bytes.size() > kLargestFile - kHeader) return "it is too large";
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) return error.message();
+  std::string whole(kMagic);
+  appendNumber(bytes.size(), whole);
+  appendNumber(hashOf(bytes), whole);
+  whole += bytes;
+
+  // a name of its own until all of it is there
+  static std::atomic<unsigned> count = 0;
+  const fs::path file = folder_ / (std::string(name) + std::string(kEnding));
+  fs::path draft = file;
+  draft += "." + std::to_string(::getpid()) + "." + std::to_string(++count);
+  std::string problem = writeWhole(draft, whole);
+  if (problem.empty()) {
+    fs::rename(draft, file, error);
+    if (error) problem = error.message();
+  }
+  if (!problem.empty()) {
+    fs::remove(draft, error);
+    return problem;
+  }
+  prune();
+  return {};
+}
+
+void FileCache::prune() const {
+  struct Entry {
+    fs::file_time_type time;
+    std::uintmax_t size;
+    fs::path file;
+  };
+  std::vector<Entry> entries;
+  std::uintmax_t sum = 0;
+  std::error_code error;
+  for (fs::directory_iterator at(folder_, error), end; !error && at != end; at.increment(error)) {
+    // ours only; others may delete them meanwhile
+    if (at->path().filename().string().find(kEnding) == std::string::npos) continue;
+    std::error_code gone;
+    const Entry entry{at->last_write_time(gone), at->file_size(gone), at->path()};
+    if (gone) continue;
+    sum += entry.size;
+    entries.push_back(entry);
+  }
+  if (sum <= mostBytes_) return;
+  std::ranges::sort(
+      entries, [](const Entry& a, const Entry& b) { return a.time != b.time ? a.time < b.time : a.file < b.file; });
+  for (const Entry& entry : entries) {
+    if (sum <= mostBytes_ / 4 * 3) break;
+    std::error_code ignored;
+    fs::remove(entry.file, ignored);
+    sum -= entry.size;
+  }
+}
+
+}  // namespace pongsim::assets
