@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lee_velocity_controller.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 #include "rotors.hh"
@@ -19,8 +20,6 @@ namespace pongsim {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// No command is larger [m/s, rad/s].
-constexpr double kLargestCommand = 1e6;
 
 /// Adds what the links of a model weigh, and those of the models in it. As in Fortress, all links count as if their
 /// frames were one: where they are in the model does not matter.
@@ -85,7 +84,6 @@ class MulticopterVelocityControl : public System {
   }
 
   void configure(const SystemContext& context) override {
-    log_ = &context.log;
     world_ = &context.world;
     random_ = &context.random;
     model_ = context.model;
@@ -106,7 +104,7 @@ class MulticopterVelocityControl : public System {
 
     const std::string prefix = nameSpace_ + "/";
     commands_ = context.node.subscribe<ignition::msgs::Twist>(
-        cleanTopic(prefix + commandTopic_), [this](const ignition::msgs::Twist& twist) { receive(twist); });
+        cleanTopic(prefix + commandTopic_), [this](const ignition::msgs::Twist& twist) { receive(twist); }, kCommands);
     enable_ = context.node.subscribe<ignition::msgs::Boolean>(
         cleanTopic(prefix + enableTopic_), [this](const auto& message) { isActive_ = message.data(); });
   }
@@ -168,11 +166,7 @@ class MulticopterVelocityControl : public System {
   }
 
   void receive(const ignition::msgs::Twist& twist) {
-    const Command command{{twist.linear().x(), twist.linear().y(), twist.linear().z()}, twist.angular().z()};
-    const bool isSound =
-        (command.linear.array().abs() <= kLargestCommand).all() && std::abs(command.yawRate) <= kLargestCommand;
-    if (!isSound) return log_->warning("a command that is not finite, or beyond all measure, was ignored");
-    command_ = command;
+    command_ = {{twist.linear().x(), twist.linear().y(), twist.linear().z()}, twist.angular().z()};
   }
 
   /// Stops the rotors once; what is commanded after that is followed where it is switched on again.
@@ -197,7 +191,6 @@ class MulticopterVelocityControl : public System {
   Vector3 maximumAngular_ = Vector3::Constant(kInfinity);
   Noise linearNoise_, angularNoise_;
 
-  const Logger* log_ = nullptr;
   World* world_ = nullptr;
   Random* random_ = nullptr;
   std::optional<Model> model_;

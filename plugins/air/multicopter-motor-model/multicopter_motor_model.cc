@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "first_order_filter.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -77,7 +78,8 @@ class MulticopterMotorModel : public System {
 
     const std::string prefix = (nameSpace_.empty() ? std::string(model_->name()) : nameSpace_) + "/";
     command_ = context.node.subscribe<ignition::msgs::Actuators>(
-        cleanTopic(prefix + commandTopic_), [this](const ignition::msgs::Actuators& message) { receive(message); });
+        cleanTopic(prefix + commandTopic_), [this](const ignition::msgs::Actuators& message) { receive(message); },
+        kCommands);
     if (!speedTopic_.empty()) {
       speed_ = context.node.advertise<ignition::msgs::Double>(cleanTopic(prefix + speedTopic_));
     }
@@ -160,7 +162,7 @@ class MulticopterMotorModel : public System {
   }
 
   void follow(double speed) {
-    if (std::isfinite(speed) && speed >= -kFastestRotor) {
+    if (speed >= -kFastestRotor) {
       reference_ = std::min({speed, maximum_, kFastestRotor});
     } else if (!std::exchange(hasWarnedOfCommand_, true)) {
       log_->warning("a rotor speed of " + std::to_string(speed) + " rad/s was ignored");

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -47,7 +48,6 @@ class BuoyancyEngine : public System {
   double volume_ = 0;
   double target_ = 0;
 
-  const Logger* log_ = nullptr;
   Subscription targets_;
   Publisher volumes_;
   ignition::msgs::Double message_;
@@ -76,7 +76,6 @@ void BuoyancyEngine::declare(Declaration& declaration) {
 }
 
 void BuoyancyEngine::configure(const SystemContext& context) {
-  log_ = &context.log;
   world_ = &context.world;
   link_ = requiredLink(context.sdf, "link_name", *context.model);
   checkVolumes(context);
@@ -84,7 +83,7 @@ void BuoyancyEngine::configure(const SystemContext& context) {
   volume_ = target_ = startVolume_;
   const std::string topic = (namespace_.empty() ? "" : "/model/" + namespace_) + "/buoyancy_engine";
   targets_ = context.node.subscribe<ignition::msgs::Double>(
-      cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); });
+      cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); }, kCommands);
   volumes_ = context.node.advertise<ignition::msgs::Double>(cleanTopic(topic + "/current_volume"));
 }
 
@@ -100,13 +99,7 @@ void BuoyancyEngine::checkVolumes(const SystemContext& context) {
   }
 }
 
-void BuoyancyEngine::receive(double volume) {
-  if (std::isfinite(volume)) {
-    target_ = std::clamp(volume, leastVolume_, mostVolume_);
-  } else {
-    log_->warning("a volume that is not finite was ignored");
-  }
-}
+void BuoyancyEngine::receive(double volume) { target_ = std::clamp(volume, leastVolume_, mostVolume_); }
 
 void BuoyancyEngine::preUpdate(const StepInfo& info) {
   if (info.paused) return;

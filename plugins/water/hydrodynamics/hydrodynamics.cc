@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "marine_craft.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -117,12 +118,12 @@ void Hydrodynamics::configure(const SystemContext& context) {
   current_ = defaultCurrent_;
   const std::string topic = namespace_.empty() ? "/ocean_current" : "/model/" + namespace_ + "/ocean_current";
   currents_ = context.node.subscribe<ignition::msgs::Vector3d>(
-      cleanTopic(topic), [this](const ignition::msgs::Vector3d& message) { receive(message); });
+      cleanTopic(topic), [this](const ignition::msgs::Vector3d& message) { receive(message); }, kCommands);
 }
 
 void Hydrodynamics::receive(const ignition::msgs::Vector3d& message) {
   const Vector3 current(message.x(), message.y(), message.z());
-  if (current.allFinite() && current.cwiseAbs().maxCoeff() <= kFastestCurrent) {
+  if (current.cwiseAbs().maxCoeff() <= kFastestCurrent) {
     current_ = current;
   } else {
     log_->warning("a current that is faster than any water was ignored");

@@ -106,19 +106,19 @@ TEST(Thruster, IgnoresWhatIsNoThrust) {
   RunningWorld world(worldWith(kDirect));
   ignition::msgs::Double message;
   testing::internal::CaptureStderr();
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308}) {
     message.set_data(bad);
     world.tell(kTopic, message);
   }
   world.step(10);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("not finite"), std::string::npos);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("is refused"), std::string::npos);
   EXPECT_EQ(speedOf(world), 0);
 }
 
 TEST(Thruster, CutsAHugeThrust) {
   RunningWorld world(worldWith(kDirect));
   ignition::msgs::Double message;
-  message.set_data(1e308);
+  message.set_data(1e6);
   world.tell(kTopic, message);
   world.step(100);
   EXPECT_NEAR(speedOf(world), 1000 / 100.1 * 0.1, 1e-3);
