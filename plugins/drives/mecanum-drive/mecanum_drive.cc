@@ -1,11 +1,12 @@
 #include <ignition/msgs/twist.pb.h>
 
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "kinematics.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/odometry_topics.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/speed_limiter.hh"
@@ -14,9 +15,6 @@
 namespace pongsim {
 
 namespace {
-
-/// A command beyond that is a mistake [m/s, rad/s].
-constexpr double kFastestCommand = 1e6;
 
 /// Drives four mecanum wheels as a Twist commands, sideways too, and publishes where it believes to be.
 class MecanumDrive : public System {
@@ -45,7 +43,6 @@ class MecanumDrive : public System {
   }
 
   void configure(const SystemContext& context) override {
-    log_ = &context.log;
     const Model& model = *context.model;
     for (Wheel& wheel : wheels_) wheel.joints = requiredJoints(context.sdf, wheel.parameter, model);
     const SpeedLimits linear = speedLimits({}, limits_, "linear", context.sdf);
@@ -53,7 +50,7 @@ class MecanumDrive : public System {
     angular_ = SpeedLimiter(speedLimits({}, limits_, "angular", context.sdf));
     command_ = context.node.subscribe<ignition::msgs::Twist>(
         topicOr(topic_, "/model/" + std::string(model.name()) + "/cmd_vel"),
-        [this](const ignition::msgs::Twist& twist) { receive(twist); });
+        [this](const ignition::msgs::Twist& twist) { receive(twist); }, kCommands);
     odometryTopics_.open(model, context.node);
   }
 
@@ -98,13 +95,7 @@ class MecanumDrive : public System {
   };
 
   void receive(const ignition::msgs::Twist& twist) {
-    const PlanarTwist wanted{twist.linear().x(), twist.linear().y(), twist.angular().z()};
-    for (const double value : {wanted.x, wanted.y, wanted.yaw}) {
-      if (std::abs(value) <= kFastestCommand) continue;
-      log_->warning("a command that is not finite, or faster than 1e6 m/s or rad/s, was ignored");
-      return;
-    }
-    target_ = wanted;
+    target_ = {twist.linear().x(), twist.linear().y(), twist.angular().z()};
   }
 
   std::array<Wheel, 4> wheels_{Wheel{"front_left_joint", "front left"}, Wheel{"front_right_joint", "front right"},
@@ -117,7 +108,6 @@ class MecanumDrive : public System {
   SpeedLimiter forward_, lateral_, angular_;
   MecanumOdometry odometry_;
 
-  const Logger* log_ = nullptr;
   OdometryTopics odometryTopics_;
   Subscription command_;
 };

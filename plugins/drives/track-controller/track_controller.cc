@@ -1,12 +1,12 @@
 #include <ignition/msgs/double.pb.h>
 #include <ignition/msgs/vector3d.pb.h>
 
-#include <cmath>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/speed_limiter.hh"
 #include "pongsim/surface_motion.hh"
@@ -60,7 +60,7 @@ class TrackController : public System {
     const std::string prefix = "/model/" + std::string(model.name()) + "/link/" + linkName_;
     velocity_ = context.node.subscribe<ignition::msgs::Double>(
         topicOr(velocityTopic_, prefix + "/track_cmd_vel"),
-        [this](const ignition::msgs::Double& message) { receiveSpeed(message.data()); });
+        [this](const ignition::msgs::Double& message) { receiveSpeed(message.data()); }, kCommands);
     centers_ = context.node.subscribe<ignition::msgs::Vector3d>(
         topicOr(centerTopic_, prefix + "/track_cmd_center_of_rotation"),
         [this](const ignition::msgs::Vector3d& message) {
@@ -118,16 +118,12 @@ class TrackController : public System {
   }
 
   void receiveSpeed(double speed) {
-    if (!(std::abs(speed) <= SurfaceMotion::kLargestSpeed)) {
-      log_->warning("a speed that is not finite, or above 1e6 m/s, was ignored");
-      return;
-    }
     wanted_ = speed;
     isNew_ = true;
   }
 
   void receiveCenter(const Vector3& center) {
-    // as Fortress says that a vehicle goes straight on; not a number is refused by this comparison, too
+    // what is not finite is how Fortress says that a vehicle goes straight on
     const bool isNear = center.cwiseAbs().maxCoeff() <= kFarthestCenter && center.allFinite();
     center_ = isNear ? std::optional(center) : std::nullopt;
     isNew_ = true;

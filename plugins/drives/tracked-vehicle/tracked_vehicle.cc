@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/commands.hh"
 #include "pongsim/differential_odometry.hh"
 #include "pongsim/odometry_topics.hh"
 #include "pongsim/parameters.hh"
@@ -83,10 +84,11 @@ class TrackedVehicle : public System {
     efficiency_ = initialEfficiency_;
     odometry_.emplace(separation_, 1);
     command_ = context.node.subscribe<ignition::msgs::Twist>(
-        topicOr(topic_, prefix + "/cmd_vel"), [this](const ignition::msgs::Twist& twist) { receive(twist); });
+        topicOr(topic_, prefix + "/cmd_vel"), [this](const ignition::msgs::Twist& twist) { receive(twist); },
+        kCommands);
     efficiencies_ = context.node.subscribe<ignition::msgs::Double>(
         topicOr(efficiencyTopic_, prefix + "/steering_efficiency"),
-        [this](const ignition::msgs::Double& message) { receiveEfficiency(message.data()); });
+        [this](const ignition::msgs::Double& message) { receiveEfficiency(message.data()); }, kCommands);
     odometryTopics_.open(model, context.node, body_);
   }
 
@@ -179,7 +181,7 @@ class TrackedVehicle : public System {
     const double angular = twist.angular().z();
     const double fastest = std::abs(linear) + std::abs(angular) * separation_ / (2 * efficiency_);
     if (!(fastest <= SurfaceMotion::kLargestSpeed)) {
-      log_->warning("a command that is not finite, or lets a track run faster than 1e6 m/s, was ignored");
+      log_->warning("a command that lets a track run faster than 1e6 m/s was ignored");
       return;
     }
     targetLinear_ = linear;
@@ -188,8 +190,10 @@ class TrackedVehicle : public System {
   }
 
   void receiveEfficiency(double efficiency) {
-    if (!(efficiency > 0) || !std::isfinite(efficiency) || !std::isfinite(separation_ / (2 * efficiency))) {
-      log_->warning("a steering efficiency that is not above zero, or not finite, was ignored");
+    const double fastest = std::abs(targetLinear_) + std::abs(targetAngular_) * separation_ / (2 * efficiency);
+    if (!(efficiency > 0) || !(fastest <= SurfaceMotion::kLargestSpeed)) {
+      log_->warning(
+          "a steering efficiency that is not above zero, or lets a track run faster than 1e6 m/s, was ignored");
       return;
     }
     efficiency_ = efficiency;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -53,7 +54,7 @@ class WheelSlip : public System {
     if (wheels_.empty()) refuse(context.sdf, "none of the <wheel>s can be used");
     commands_ = context.node.subscribe<ignition::msgs::WheelSlipParametersCmd>(
         cleanTopic("/world/" + std::string(context.world.name()) + "/wheel_slip"),
-        [this](const ignition::msgs::WheelSlipParametersCmd& command) { receive(command); });
+        [this](const ignition::msgs::WheelSlipParametersCmd& command) { receive(command); }, kCommands);
   }
 
   /// The compliances have no unit, slips have [m/s/N]: they are scaled by a speed, that of the rim as it is now, and by
@@ -148,8 +149,8 @@ class WheelSlip : public System {
   void receive(const ignition::msgs::WheelSlipParametersCmd& command) {
     const Compliance wanted{command.slip_compliance_lateral(), command.slip_compliance_longitudinal()};
     for (const double value : {wanted.lateral, wanted.longitudinal}) {
-      if (value >= 0 && std::isfinite(value)) continue;
-      log_->warning("slip compliances below zero, or not finite, were ignored");
+      if (value >= 0) continue;
+      log_->warning("slip compliances below zero were ignored");
       return;
     }
     const ignition::msgs::Entity& entity = command.entity();
