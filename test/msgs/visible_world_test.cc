@@ -118,6 +118,25 @@ TEST(VisibleWorld, HasItsPolylinesFilledAgain) {
   EXPECT_NE(polyline.triangles, nullptr);
 }
 
+TEST(VisibleWorld, HasActorsWhereTheyWereMoved) {
+  description::World world;
+  description::Actor& actor = world.actors.emplace_back();
+  actor.name = "walker";
+  actor.X_WorldActor.position = {1, 2, 3};
+  actor.trajectories.emplace_back().waypoints = {{0, {}}, {2, {{4, 0, 0}, Quaternion::Identity()}}};
+  const world::Entities entities(world);
+  world::State state(entities);
+  state.actors.push_back({&actor, {{7, 8, 9}, fromRollPitchYaw(0, 0, 0.5)}, "walk", Time(0)});
+  ignition::msgs::SerializedStepMap step;
+  setState(entities, state, StateContent::kAll, false, step);
+  Diagnostics diagnostics;
+  const description::World seen = visibleWorld(step, diagnostics);
+  ASSERT_EQ(seen.actors.size(), 1U);
+  EXPECT_TRUE(seen.actors[0].trajectories.empty());
+  EXPECT_NEAR((seen.actors[0].X_WorldActor.position - Vector3(7, 8, 9)).norm(), 0, 1e-9);
+  EXPECT_NEAR(yawOf(seen.actors[0].X_WorldActor.rotation), 0.5, 1e-9);
+}
+
 TEST(VisibleWorld, HasItsActors) {
   description::World world = test::cartWorld();
   description::Actor& actor = world.actors.emplace_back();

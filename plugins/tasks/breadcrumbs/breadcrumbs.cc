@@ -1,0 +1,203 @@
+#include <ignition/msgs/empty.pb.h>
+#include <ignition/msgs/int32.pb.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pongsim/parameters.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// Leaves copies of a model where its own model is.
+class Breadcrumbs : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is("Leaves a copy of a model beside its own whenever it is told to.", Declaration::Place::kModel);
+    declaration.element("breadcrumb",
+                        "`<sdf>` with the model B to leave; its pose is in the frame of its own; required");
+    declaration.parameter("topic", &topic_, "", "where it is told to").otherwise("/model/M/breadcrumbs/B/deploy");
+    declaration.parameter("max_deployments", &most_, "", "how many it has; below zero: as many as one likes, 0: none");
+    declaration.parameter("disable_physics_time", &timeToRest_, "s",
+                          "simulated time after which one is held where it is; up to 0: never");
+    declaration.element("performer_volume", "`<geometry><box><size>`: they are performers, with that box [m]");
+    declaration.parameter("allow_renaming", &mayRename_, "",
+                          "where a name is taken, another number is added to it; else none is left");
+    declaration.parameter("topic_statistics", &tellsOfDrops_, "", "warns where messages on the topic were lost");
+    declaration.subscribes("<topic>", "ignition.msgs.Empty", "leaves one, called `B_0`, `B_1` and so on");
+    declaration.publishes("<topic>/remaining", "ignition.msgs.Int32",
+                          "how many it has left, after each message; below zero where that has no bounds");
+    declaration.sharesTopics();
+  }
+
+  void configure(const SystemContext& context) override {
+    log_ = &context.log;
+    world_ = &context.world;
+    edits_ = &context.edits;
+    model_ = context.model;
+    if (most_ == 0) return log_->info("has none to leave: <max_deployments> is 0");
+    const Element* breadcrumb = context.sdf.child("breadcrumb");
+    if (breadcrumb == nullptr) refuse(context.sdf, "no <breadcrumb> is given");
+    const Element* sdf = breadcrumb->child("sdf");
+    if (sdf == nullptr) refuse(*breadcrumb, "<breadcrumb> has no <sdf>", "write <sdf version=\"1.6\"><model name=...");
+    template_ = context.edits.read(*sdf, context.diagnostics);
+    if (const Element* volume = context.sdf.child("performer_volume")) performerSize_ = sizeOf(*volume);
+
+    const std::string topic =
+        topicOr(topic_, "/model/" + std::string(model_->name()) + "/breadcrumbs/" + template_->name() + "/deploy");
+    deploy_ = context.node.subscribe<ignition::msgs::Empty>(topic, [this](const auto&) { receive(); });
+    remaining_ = context.node.advertise<ignition::msgs::Int32>(topic + "/remaining");
+  }
+
+  void preUpdate(const StepInfo& info) override {
+    for (Falling& each : falling_) {
+      if (!each.since) each.since = info.time;
+    }
+  }
+
+  // what is asked for now is there when the next step begins
+  void postUpdate(const StepInfo& info) override {
+    while (!falling_.empty() && falling_.front().since &&
+           info.time + info.dt - *falling_.front().since > fromSeconds(timeToRest_)) {
+      hold(falling_.front().model);
+      falling_.erase(falling_.begin());
+    }
+  }
+
+  void reset() override {
+    count_ = 0;
+    falling_.clear();
+  }
+
+  void transfer(StateArchive& archive) override {
+    archive(count_);
+    archive(falling_);
+  }
+
+ private:
+  /// One that is to be held some day.
+  struct Falling {
+    ModelId model;
+    /// Since when it is there.
+    std::optional<Time> since;
+
+    void transfer(StateArchive& archive) {
+      archive(model.value);
+      archive(since);
+    }
+  };
+
+  static Vector3 sizeOf(const Element& volume) {
+    const Element* geometry = volume.child("geometry");
+    const Element* box = geometry != nullptr ? geometry->child("box") : nullptr;
+    const Element* size = box != nullptr ? box->child("size") : nullptr;
+    if (size == nullptr) {
+      refuse(volume, "<performer_volume> is no box", "write <geometry><box><size>X Y Z</size></box></geometry>");
+    }
+    const Vector3 lengths = size->as<Vector3>();
+    if (!lengths.allFinite() || lengths.minCoeff() < 0) refuse(*size, "<size> must be three lengths");
+    return lengths;
+  }
+
+  void receive() {
+    if (tellsOfDrops_ && deploy_.dropped() > dropped_) {
+      dropped_ = deploy_.dropped();
+      log_->warning(std::to_string(dropped_) + " messages to leave a '" + template_->name() + "' were lost");
+    }
+    if (most_ >= 0 && count_ >= most_) {
+      log_->info("has no '" + template_->name() + "' left to leave");
+    } else if (!leave()) {
+      return;
+    }
+    ignition::msgs::Int32 message;
+    message.set_data(most_ - count_);
+    remaining_.publish(message);
+  }
+
+  /// @return Whether one is on its way.
+  bool leave() {
+    const std::optional<std::string> name = freeName();
+    if (!name) return false;
+    ++count_;
+    edits_->insert(*template_, {.name = *name, .pose = model_->pose() * template_->pose()},
+                   [this](const Outcome<Model>& model) { settle(model); });
+    return true;
+  }
+
+  std::optional<std::string> freeName() {
+    const std::string wanted = template_->name() + "_" + std::to_string(count_);
+    if (!world_->model(wanted)) return wanted;
+    if (!mayRename_) {
+      log_->warning("there is a '" + wanted + "' already, and <allow_renaming> is not set: none is left behind");
+      return std::nullopt;
+    }
+    for (int number = 1;; ++number) {
+      std::string name = wanted + "_" + std::to_string(number);
+      if (!world_->model(name)) return name;
+    }
+  }
+
+  /// Makes of a copy what it is to be.
+  void settle(const Outcome<Model>& model) {
+    if (!model) {
+      --count_;
+      return log_->warning("none can be left behind: " + model.error);
+    }
+    if (performerSize_) {
+      const std::optional<std::string> refusal = world_->addPerformer(*model.value, *performerSize_);
+      if (refusal) log_->warning("'" + std::string(model.value->name()) + "' can't perform: " + *refusal);
+    }
+    if (!template_->isStatic() && timeToRest_ > 0) falling_.push_back({model.value->id(), std::nullopt});
+  }
+
+  /// Lets a model stay where it is: a static one beside it holds it, as in Fortress.
+  void hold(ModelId id) {
+    const std::optional<Model> model = world_->model(id);
+    if (!model) return;
+    const std::string text = "<sdf version='1.9'><model name='" + template_->name() +
+                             "__static__'><static>true</static><link name='static_link'/></model></sdf>";
+    edits_->insertText(text, "the holder of a breadcrumb",
+                       {.name = std::string(model->name()) + "__static__", .pose = model->pose()},
+                       [this, id](const Outcome<Model>& holder) { attach(holder, id); });
+  }
+
+  void attach(const Outcome<Model>& holder, ModelId id) {
+    const std::optional<Model> model = world_->model(id);
+    if (!model) return;
+    std::string error = holder.error;
+    if (holder) error = world_->attach(*holder.value->canonicalLink(), *model->canonicalLink()).error;
+    if (!error.empty()) log_->warning("'" + std::string(model->name()) + "' can't be held: " + error);
+  }
+
+  std::string topic_;
+  int most_ = -1;
+  double timeToRest_ = 0;
+  bool mayRename_ = false;
+  bool tellsOfDrops_ = false;
+
+  const Logger* log_ = nullptr;
+  World* world_ = nullptr;
+  WorldEdits* edits_ = nullptr;
+  std::optional<Model> model_;
+  std::optional<ModelTemplate> template_;
+  std::optional<Vector3> performerSize_;
+  /// How many were left.
+  int count_ = 0;
+  std::uint64_t dropped_ = 0;
+  /// In the order of coming.
+  std::vector<Falling> falling_;
+  Subscription deploy_;
+  Publisher remaining_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::Breadcrumbs, "ignition::gazebo::systems::Breadcrumbs", "gz::sim::systems::Breadcrumbs");
