@@ -28,10 +28,10 @@ endif()
 )";
 
 constexpr std::string_view kSource = R"(#include <ignition/msgs/double.pb.h>
+#include <pongsim/commands.hh>
 #include <pongsim/parameters.hh>
 #include <pongsim/system.hh>
 
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -54,9 +54,7 @@ class @MySystem@ : public pongsim::System {
     if (!link_) pongsim::refuse(context.sdf, "the model has no link to lift");
     subscription_ = context.node.subscribe<ignition::msgs::Double>(
         pongsim::topicOr(topic_, "/model/" + std::string(model.name()) + "/lift"),
-        [this](const ignition::msgs::Double& message) {
-          if (std::isfinite(message.data())) force_ = message.data();
-        });
+        [this](const ignition::msgs::Double& message) { force_ = message.data(); }, pongsim::kForces);
   }
 
   // Before each step of the physics: the place for commands.

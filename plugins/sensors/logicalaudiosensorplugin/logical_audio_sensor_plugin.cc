@@ -3,6 +3,7 @@
 #include <ignition/msgs/empty.pb.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <optional>

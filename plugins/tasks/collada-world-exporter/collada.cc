@@ -1,9 +1,9 @@
 #include "collada.hh"
 
 #include <array>
-#include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <cstdio>
+#include <initializer_list>
 #include <numbers>
 #include <string_view>
 

@@ -1,5 +1,7 @@
 #include "xml_writer.hh"
 
+#include <utility>
+
 namespace pongsim {
 
 std::string escaped(std::string_view text) {
