@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -27,6 +28,9 @@ class PONGSIM_API BackgroundCalls {
     /// Full name.
     std::string replyType;
     std::chrono::milliseconds timeout{5000};
+    /// Told on the worker's thread what came of it; the reply is there where it worked. Empty: what goes wrong is
+    /// logged.
+    std::function<void(const CallResult& result, const Message& reply)> done = {};
   };
   /// @param log Must outlive it.
   /// @param mostWaiting How many may wait.

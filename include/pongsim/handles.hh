@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "pongsim/geodesy.hh"
 #include "pongsim/outcome.hh"
 #include "pongsim/shape.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {
@@ -24,6 +26,7 @@ class SystemSet;
 }  // namespace sim
 
 class Actor;
+class Appearance;
 class Batteries;
 class BeamScene;
 class CameraScene;
@@ -48,7 +51,8 @@ struct MassInfo {
 };
 
 /// Thrown by a handle to something that is not there any more: its model or its joint was removed. A handle can be
-/// asked first (`exists`). Handles of what was there at the start lead to it again after a reset.
+/// asked first (`exists`). Handles of what was there at the start lead to it again after a reset, and those of what is
+/// set aside with a level when it is back.
 class PONGSIM_API Gone : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -126,6 +130,18 @@ class PONGSIM_API Collision {
   Link link() const;
   /// @return Pose of the collision frame in the link frame; never changes.
   Pose poseInLink() const;
+  /// Lets the surface run along, as a belt does, from the next step on and until told otherwise; nothing ends that.
+  /// A motion that is not finite, faster than `SurfaceMotion::kLargestSpeed` or without an axis is refused with a
+  /// warning.
+  void setSurfaceMotion(const std::optional<SurfaceMotion>& motion);
+  /// @return How the surface runs along; nothing where it does not.
+  std::optional<SurfaceMotion> surfaceMotion() const;
+  /// Sets how fast this collision slips along its first and second friction direction by each newton of friction at a
+  /// point [m/s/N], in place of the file's `<slip1>` and `<slip2>`, from the next step on. Values below zero, and those
+  /// that are not finite, are refused with a warning.
+  void setSlip(double slip1, double slip2);
+  /// @return These two [m/s/N].
+  std::pair<double, double> slip() const;
   /// @return Its shape in the collision frame; never changes. `Solid` makes volume, centre and bounds of it.
   Shape shape() const;
   /// @return Where the file says it.
@@ -233,7 +249,7 @@ class PONGSIM_API Joint {
 class PONGSIM_API Model {
  public:
   ModelId id() const { return id_; }
-  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  /// @return Whether it is still there. If not, all other functions but `id` and `isSetAside` throw `Gone`.
   bool exists() const;
   /// @return Its own name, without the models it is nested in.
   std::string_view name() const;
@@ -269,6 +285,9 @@ class PONGSIM_API Model {
   /// Tells the model's actuators, in place of what they were told before; the systems that come later in this step read
   /// it already. Values that are not finite are refused with a warning.
   void setActuators(std::span<const double> values);
+  /// @return Whether it is not there because its levels are not loaded: it does not exist for anybody, and comes back
+  /// as it is.
+  bool isSetAside() const;
 
  private:
   friend class Link;
@@ -279,6 +298,20 @@ class PONGSIM_API Model {
   void changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular);
   sim::Access* access_;
   ModelId id_;
+};
+
+/// A model or actor that makes levels come and go (`<performer>`), as it is now.
+struct Performer {
+  /// Among those of all entities.
+  std::uint64_t id = 0;
+  /// There until performers come or go.
+  std::string_view name;
+  /// Nothing where it is an actor.
+  std::optional<ModelId> model;
+  /// Of the model or actor in the world frame. Around its position lies the performer's box, along the world's axes.
+  Pose pose;
+  /// Full lengths of the box [m].
+  Vector3 size = Vector3::Ones();
 };
 
 /// A way to a running world. It must not outlive its `Simulation`.
@@ -333,9 +366,17 @@ class PONGSIM_API World {
   /// Sets the velocity of the air, world frame [m/s].
   /// @return Why not (it is faster than `kFastestWind`), or nothing.
   std::optional<std::string> setWind(const Vector3& wind);
+  /// Replaces `performers` by those that are there, whether levels are used or not.
+  void performers(std::vector<Performer>& performers) const;
+  /// Lets a model of the top level perform, until it is removed or the world is reset.
+  /// @param size Full lengths of its box [m].
+  /// @param name Of the performer; empty: "perf_" and the model's.
+  /// @return Why not, or nothing.
+  std::optional<std::string> addPerformer(const Model& model, const Vector3& size, std::string_view name = {});
 
  private:
   friend class Actor;
+  friend class Appearance;
   friend class Batteries;
   friend class BeamScene;
   friend class CameraScene;

@@ -12,15 +12,19 @@
 #include <string_view>
 #include <vector>
 
+#include "pongsim/bulk.hh"
 #include "pongsim/export.hh"
 #include "pongsim/message.hh"
 #include "pongsim/service.hh"
 
 namespace pongsim {
 
+class Publisher;
+
 namespace transport {
 class Bus;
 class Channel;
+class Inbox;
 class PublisherState;
 class SubscriptionState;
 }  // namespace transport
@@ -39,7 +43,18 @@ struct SubscriptionOptions {
   /// So many messages a second of wall time are taken, above 0; those between pass unheard and uncounted. Unset: all.
   /// It is for watching: what a system hears in this way is not the same in each run.
   std::optional<double> messagesPerSecond = std::nullopt;
+  /// How large a number with a point (float, double) may be, either way. A message with a larger one, with one that is
+  /// not finite, or with a time beyond 4e9 s is refused: a warning says which number and what is allowed, and the
+  /// subscription does not hear of it. Unset: all are taken. Not for `subscribeBytes`. See `commands.hh`.
+  std::optional<double> largestNumber = std::nullopt;
+  /// What this publisher of the same transport sends is not heard: for who both publishes and subscribes on a topic,
+  /// and would hear itself. Looked at when the subscription is made; null: all is heard.
+  const Publisher* except = nullptr;
 };
+
+/// Called with a message; where some of it is not in it yet, `bulk` says what, else it is null. Both live until it
+/// returns.
+using HeardAtOnce = std::function<void(const Message& message, const Bulk* bulk)>;
 
 /// Publishes messages of one type on one topic, for as long as it lives. It must not outlive its `Transport`.
 class PONGSIM_API Publisher {
@@ -63,6 +78,10 @@ class PONGSIM_API Publisher {
   /// @throws std::invalid_argument where the message's type is not the topic's.
   void publish(const Message& message);
 
+  /// As `publish`, a message whose bulk is elsewhere: it is written to where each listener wants it.
+  /// @throws std::invalid_argument, too, where the message has no such field of bytes.
+  void publish(const Message& message, const Bulk& bulk);
+
   /// As `publish`, a message in protobuf's binary form. Bytes that are no message of the topic's type are dropped, with
   /// a warning, where somebody reads them as one.
   void publishBytes(std::span<const std::byte> bytes);
@@ -79,6 +98,7 @@ class PONGSIM_API Publisher {
   bool waitForDelivery(std::chrono::nanoseconds timeout) const;
 
  private:
+  friend class transport::Inbox;
   std::unique_ptr<transport::PublisherState> state_;
 };
 
@@ -128,6 +148,18 @@ struct TopicInfo {
   };
   std::vector<Endpoint> publishers;
   std::vector<Endpoint> subscribers;
+};
+
+/// A topic as a transport itself has it: what its own publishers and subscriptions are.
+struct OwnTopic {
+  std::string name;
+  /// Full name of the message type. A topic with several types is there several times.
+  std::string type;
+  int publishers = 0;
+  int subscriptions = 0;
+  /// Whether one of the publishers keeps the last message for who comes later.
+  bool isLatched = false;
+  bool operator==(const OwnTopic&) const = default;
 };
 
 /// @return What is wrong with `name` as a topic's name ("has a space"), or nothing. Names with a space, `~`,
@@ -183,6 +215,20 @@ class PONGSIM_API Node {
                               std::function<void(std::span<const std::byte>)> received,
                               const SubscriptionOptions& options = {});
 
+  /// As `subscribe`, but what the publishers of this transport send is handed over at once, from within their `publish`
+  /// and on their thread, in no other form than theirs: nothing is copied, nothing waits. What other processes send,
+  /// and what is latched when it is made, comes from within `Transport::dispatch` as ever. `heard` may be called by
+  /// several threads, by one at a time. It may publish, and must not make or end publishers and subscriptions. What it
+  /// throws a guarded node takes, else who publishes.
+  Subscription subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
+                               const SubscriptionOptions& options = {});
+
+  /// @return The topics of this transport's own publishers and subscriptions, sorted by name, then by type.
+  std::vector<OwnTopic> ownTopics() const;
+  /// @return A number that is another one when a publisher or a subscription of this transport has come or gone. Cheap:
+  /// for who watches the topics from step to step.
+  std::uint64_t ownTopicsVersion() const;
+
   /// Offers a service: `handler` is called from within `Transport::dispatch` with each request, after the messages
   /// that came before it. Requests beyond a thousand that wait, or 32 MiB of them, are dropped with a warning.
   /// @param service Relative names get a leading slash, or the node's namespace. A name has up to 230 letters.
@@ -196,6 +242,15 @@ class PONGSIM_API Node {
   /// @param timeout For all of it, from finding the service to the answer.
   /// @throws std::invalid_argument for a bad name; std::logic_error if called from a function that `dispatch` called.
   CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
+
+  /// Sends a request to a service of this same transport and does not wait: systems can ask each other in this way, and
+  /// a run repeats. The service gets it at the next `Transport::dispatch`, which calls `answered` right after.
+  /// @param replyType Which type the service must answer with.
+  /// @param answered May be empty.
+  /// @return Nothing where this transport has no such service with such types; `answered` is not called then.
+  /// @throws std::invalid_argument for a bad name or an unknown type.
+  PendingRequest request(std::string_view service, const Message& request, std::string_view replyType,
+                         Answered answered);
 
   template <class M>
   Publisher advertise(std::string_view topic, const PublisherOptions& options = {}) {

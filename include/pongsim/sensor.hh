@@ -26,8 +26,10 @@ class SensorMetrics;
 class PONGSIM_API Sensor {
  public:
   SensorId id() const { return id_; }
-  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  /// @return Whether it is still there. If not, all other functions but `id` and `isSetAside` throw `Gone`.
   bool exists() const;
+  /// @return Whether it is not there because its model is set aside (`Model::isSetAside`): it comes back.
+  bool isSetAside() const;
   std::string_view name() const;
   /// @return Its type as the file has it: "imu".
   std::string_view type() const;
@@ -98,6 +100,8 @@ class PONGSIM_API SensorTopic {
   bool hasSubscribers() const;
   /// Publishes the reading that was due last.
   void publish(const Message& message);
+  /// Likewise one whose bulk is elsewhere (`Publisher::publish`).
+  void publish(const Message& message, const Bulk& bulk);
 
   /// @return Time between the last two readings that were due [s], zero for the first one: what `Noise` asks for.
   double sinceLast() const { return sinceLast_; }

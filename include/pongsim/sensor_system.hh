@@ -32,9 +32,9 @@ namespace pongsim {
 /// The constructor may fill in what never changes, and throws an `Error` for a sensor that can't be had, which is left
 /// out with a warning; so it is where a library is missing (std::runtime_error). `measure` is called when a message is
 /// due and somebody listens, and fills in all but the header. Where there are, `void observe(const StepInfo&)` is
-/// called before it in each step, `void reset()` where the world is set back, and `kHolder` names what holds the sensor
-/// in its topic, in place of "link/L". What it remembers it tells by `void transfer(StateArchive&)`; its noise is taken
-/// care of.
+/// called before it in each step, `Bulk bulk()` says where the pixels are that the message leaves out, `void reset()`
+/// where the world is set back, and `kHolder` names what holds the sensor in its topic, in place of "link/L". What it
+/// remembers it tells by `void transfer(StateArchive&)`; its noise is taken care of.
 ///
 /// Sensors of several types have `kTypes`, an array, in place of `kType`. `Shared` is what those of a system share:
 /// made of the world, the node and the `<plugin>` element with the first of them, given to their constructors as the
@@ -68,7 +68,9 @@ class SensorSystem : public System {
   }
 
   void worldChanged() override {
-    std::erase_if(sensors_, [](const Entry& entry) { return !entry.handle.exists(); });
+    // those that are set aside come back as they are
+    std::erase_if(sensors_, [](const Entry& entry) { return !entry.handle.exists() && !entry.handle.isSetAside(); });
+    for (Entry& entry : sensors_) entry.isThere = entry.handle.exists();
     Diagnostics diagnostics;
     if constexpr (kIsSharing) {
       if (shared_) shared_->rebuild(diagnostics);
@@ -82,7 +84,9 @@ class SensorSystem : public System {
     if constexpr (kIsSharing) {
       if (shared_) shared_->observe(info);
     }
-    for (Entry& entry : sensors_) entry.update(info);
+    for (Entry& entry : sensors_) {
+      if (entry.isThere) entry.update(info);
+    }
   }
 
   void reset() override {
@@ -159,7 +163,11 @@ class SensorSystem : public System {
       } else {
         sensor.measure(message);
       }
-      topic.publish(message);
+      if constexpr (requires { sensor.bulk(); }) {
+        topic.publish(message, sensor.bulk());
+      } else {
+        topic.publish(message);
+      }
       if constexpr (requires { sensor.publishElsewhere(message); }) sensor.publishElsewhere(message);
     }
 
@@ -183,6 +191,7 @@ class SensorSystem : public System {
     }
 
     Sensor handle;
+    bool isThere = true;
     SensorTopic topic;
     NoiseSet noises;
     typename OneSensor::Message message;

@@ -11,8 +11,9 @@
 namespace pongsim {
 
 namespace transport {
+class RequestState;
 class ServiceState;
-}
+}  // namespace transport
 
 /// What a service made of a request.
 struct ServiceAnswer {
@@ -56,6 +57,25 @@ struct CallResult {
   std::string error;
 
   explicit operator bool() const { return outcome == CallOutcome::kDone; }
+};
+
+/// Told what became of a request that nobody waits for. The reply is empty where the outcome is not `kDone`.
+using Answered = std::function<void(const CallResult& result, const Message& reply)>;
+
+/// A request that nobody waits for. When it is destroyed its function is not called from then on; the service gets the
+/// request all the same. It must not outlive its `Transport`.
+class PONGSIM_API PendingRequest {
+ public:
+  PendingRequest();
+  explicit PendingRequest(std::unique_ptr<transport::RequestState> state);
+  PendingRequest(PendingRequest&&) noexcept;
+  PendingRequest& operator=(PendingRequest&&) noexcept;
+  ~PendingRequest();
+
+  explicit operator bool() const { return state_ != nullptr; }
+
+ private:
+  std::unique_ptr<transport::RequestState> state_;
 };
 
 /// What the processes offer under a service's name.

@@ -2,11 +2,9 @@
 
 #include <ignition/msgs/double.pb.h>
 
-#include <cmath>
 #include <string>
-#include <utility>
 
-#include "pongsim/log.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/node.hh"
 #include "pongsim/state_archive.hh"
 
@@ -21,17 +19,11 @@ class Setpoint {
   Setpoint& operator=(const Setpoint&) = delete;
 
   /// Listens for ignition.msgs.Double.
-  /// @param what What the number is, for a warning about one that is not finite and is ignored: "a velocity".
-  void listen(Node& node, const std::string& topic, double initial, std::string what, const Logger& log) {
+  /// @param options Which numbers are refused with a warning: those that are no commands, or no forces (`kForces`).
+  void listen(Node& node, const std::string& topic, double initial, const SubscriptionOptions& options = kCommands) {
     value_ = initial_ = initial;
     command_ = node.subscribe<ignition::msgs::Double>(
-        topic, [this, &log, what = std::move(what)](const ignition::msgs::Double& message) {
-          if (std::isfinite(message.data())) {
-            value_ = message.data();
-          } else {
-            log.warning(what + " that is not finite was ignored");
-          }
-        });
+        topic, [this](const ignition::msgs::Double& message) { value_ = message.data(); }, options);
   }
 
   double value() const { return value_; }

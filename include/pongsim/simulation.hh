@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pongsim/diagnostic.hh"
+#include "pongsim/element.hh"
 #include "pongsim/export.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/insert_options.hh"
@@ -35,8 +36,13 @@ struct SimulationOptions {
   /// How many threads move the bodies, from 1 on. Groups of bodies that touch nothing of each other's are shared out
   /// among them; the result has the same bits. Systems are called on the thread that steps, whatever it says.
   int threads = 1;
+  /// Load the models, lights and actors of `<level>`s only while a performer is near; otherwise they are always there.
+  bool levels = false;
   /// Where the systems' topics go; null keeps them within this simulation. Must outlive it.
   Transport* transport = nullptr;
+  /// Systems beside those that the world asks for, each a `<plugin>` element with its parameters. Where the world asks
+  /// for one of them too, it is there once, and of what both say counts what stands here.
+  std::vector<Element> systems = {};
 };
 
 /// One world, from its file, with its bodies and systems. Belongs to one thread at a time.
@@ -103,6 +109,15 @@ class PONGSIM_API Simulation {
   /// Removes a light of the world.
   /// @param id 0: it is named by its name.
   std::optional<std::string> removeLight(LightId id, const std::string& name);
+
+  /// Lets a model of the top level perform, with a box of 2 m around its origin: levels load where it is. One that is
+  /// not there yet, or is set aside, performs from when it is.
+  std::optional<std::string> addPerformer(const std::string& model);
+
+  /// @return Whether there is a model of that name that is set aside with its level.
+  bool isSetAside(const std::string& model) const;
+  /// @return How many models of the top level are.
+  std::size_t countSetAside() const;
 
   /// @param size Above zero and up to `kLongestStep`.
   std::optional<std::string> setStepSize(Time size);

@@ -78,7 +78,8 @@ class PONGSIM_API System {
   virtual void reset() {}
   /// Models or joints have come or gone. The place to look for what is new, and to let go of handles whose `exists`
   /// says no: a system that asks them for more (`Gone`) rests until the next reset. The systems of a model that is
-  /// removed go with it and are not called.
+  /// removed go with it and are not called; those of one that is set aside with its level are called again, with this
+  /// first, when it is back.
   virtual void worldChanged() {}
   /// Takes what the system remembers from step to step into `archive`, or gives it back from there. One that remembers
   /// something and does not tell it goes on as it is where a state is restored. The random stream of its context needs

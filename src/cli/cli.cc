@@ -4,15 +4,22 @@
 
 #include "cli/command.hh"
 #include "cli/command_line.hh"
+#include "cli/extension_command.hh"
 #include "cli/manual.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
-constexpr AddCommand kCommands[] = {addVersionOption, addRunCommand,   addTopicCommand,  addServiceCommand,
-                                    addModelCommand,  addWorldCommand, addKeyCommand,    addViewCommand,
-                                    addMsgCommand,    addSdfCommand,   addPluginCommand, addCompletionCommand};
+constexpr AddCommand kCommands[] = {addVersionOption,    addRunCommand,   addTopicCommand,  addServiceCommand,
+                                    addModelCommand,     addWorldCommand, addKeyCommand,    addViewCommand,
+                                    addMsgCommand,       addSdfCommand,   addPluginCommand, addCompletionCommand,
+                                    addExtensionCommands};
+
+/// What pongsim has whatever is installed beside it.
+constexpr AddCommand kOwnCommands[] = {addVersionOption, addPlainRunCommand, addTopicCommand,  addServiceCommand,
+                                       addModelCommand,  addWorldCommand,    addKeyCommand,    addViewCommand,
+                                       addMsgCommand,    addSdfCommand,      addPluginCommand, addCompletionCommand};
 
 }  // namespace
 
@@ -24,7 +31,7 @@ int run(int argc, char** argv) { return run(argc, argv, kCommands); }
 
 bool pongsim_write_manual(const char* folder) {
   pongsim::cli::Work none;
-  const auto program = pongsim::cli::makeProgram(pongsim::cli::kCommands, none);
+  const auto program = pongsim::cli::makeProgram(pongsim::cli::kOwnCommands, none);
   return pongsim::cli::writeManual(*program, folder);
 }
 

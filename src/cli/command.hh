@@ -15,7 +15,10 @@ using Work = std::function<int()>;
 /// Each adds its subcommand (the first an option) to `program`, which sets `work` where the user names it. Both must
 /// stay until the work is done.
 void addVersionOption(CLI::App& program, Work& work);
+/// With what installed extensions add to it.
 void addRunCommand(CLI::App& program, Work& work);
+/// Without.
+void addPlainRunCommand(CLI::App& program, Work& work);
 void addSdfCommand(CLI::App& program, Work& work);
 void addCompletionCommand(CLI::App& program, Work& work);
 void addTopicCommand(CLI::App& program, Work& work);

@@ -6,6 +6,7 @@
 
 #include "cli/command.hh"
 #include "cli/console.hh"
+#include "cli/extension_command.hh"
 
 namespace pongsim::cli {
 
@@ -13,11 +14,17 @@ namespace {
 
 /// What stands in the shell's function for every command alike; the rest is put in for the three marks.
 constexpr const char* kBash = R"sh(# Completion of pongsim: source <(pongsim completion bash)
+# What packages installed beside pongsim add, asked for once.
+_pongsim_extensions() {
+  [ -n "${_pongsim_extension_words+set}" ] || _pongsim_extension_words=$("$1" completion words 2>/dev/null)
+  printf '%s\n' "$_pongsim_extension_words"
+}
 _pongsim() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} choices=
   local program=${COMP_WORDS[0]} command=${COMP_WORDS[1]}
   if [ "$COMP_CWORD" -eq 1 ]; then
     choices='@COMMANDS@'
+    choices+=" $(_pongsim_extensions "$program" | cut -d ' ' -f 1)"
   else
     case $command/$before in
       topic/-t | topic/--topic | topic/-et | topic/-it | key/-t | key/--topic)
@@ -31,6 +38,7 @@ _pongsim() {
       *)
         case $command in
 @CASES@        esac
+        choices+=" $(_pongsim_extensions "$program" | sed -n "s/^$command //p")"
         [[ $word == -* ]] || choices+=" $(compgen -f -- "$word")"
         ;;
     esac
@@ -63,6 +71,7 @@ constexpr std::pair<std::string_view, std::string_view> kActionWords[] = {
 std::string wordsOf(const CLI::App& command) {
   std::string words;
   for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() == kExtensionGroup) continue;
     for (const std::string& name : option->get_snames()) words += " -" + name;
     for (const std::string& name : option->get_lnames()) words += " --" + name;
   }
@@ -72,6 +81,7 @@ std::string wordsOf(const CLI::App& command) {
 std::string script(const CLI::App& program, bool isZsh) {
   std::string commands, cases;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_group() == kExtensionGroup) continue;
     commands += command->get_name() + " ";
     std::string words = wordsOf(*command);
     for (const auto& [name, actions] : kActionWords) {
@@ -98,6 +108,11 @@ void addCompletionCommand(CLI::App& program, Work& work) {
       "  source <(pongsim completion bash)\n"
       "  pongsim completion zsh");
   command->callback([&program, shell, &work] {
+    // what the script asks for
+    if (*shell == "words") {
+      work = [] { return print(extensionWords()) ? kDone : kFailed; };
+      return;
+    }
     if (*shell != "bash" && *shell != "zsh") {
       throw UsageError(shell->empty() ? "no shell given" : "no completion for '" + *shell + "'", "bash or zsh");
     }

@@ -32,6 +32,10 @@ std::vector<std::string> fromIgnArguments(std::vector<std::string> arguments) {
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     const std::string& word = arguments[i];
     if (word == "-g") throw UsageError("there is no display here: '-g' shows nothing", "leave it out");
+    if (word.starts_with("--network-")) {
+      throw UsageError("one process runs all of a world here: there is no '" + word + "'",
+                       "leave it out; '--levels' loads only what is near performers");
+    }
     // without them there would be a display too, which there is never
     if (word == "-s" || word == "--headless-rendering") continue;
     if (word == "-r") runs = true;

@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/crash_report.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/extension.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/readiness.hh"
@@ -32,6 +35,9 @@ struct RunCommandOptions {
   LogLevel verbosity = LogLevel::kWarning;
   bool hash = false;
   bool strict = false;
+  bool levels = false;
+  /// Of extensions.
+  std::vector<Element> systems;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -44,8 +50,10 @@ std::string shortNumber(double value) {
 std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   World world = simulation.world();
   const std::size_t models = world.models().size();
+  const std::size_t away = simulation.countSetAside();
+  const std::string setAside = away == 0 ? "" : " and " + std::to_string(away) + " in levels not loaded";
   std::string text = "world '" + std::string(world.name()) + "': " + std::to_string(models) +
-                     (models == 1 ? " model" : " models") + ", step " +
+                     (models == 1 ? " model" : " models") + setAside + ", step " +
                      shortNumber(toSeconds(simulation.stepSize()) * 1e3) + " ms, ";
   if (options.updateRate) {
     text += *options.updateRate > 0 ? shortNumber(*options.updateRate) + " steps a second" : "as fast as possible";
@@ -63,10 +71,14 @@ int runWorld(const RunCommandOptions& options) {
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(
-      findWorldFile(options.world),
-      {.seed = options.seed, .strict = options.strict, .threads = options.threads, .transport = &transport},
-      diagnostics);
+  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(findWorldFile(options.world),
+                                                                      {.seed = options.seed,
+                                                                       .strict = options.strict,
+                                                                       .threads = options.threads,
+                                                                       .levels = options.levels,
+                                                                       .transport = &transport,
+                                                                       .systems = options.systems},
+                                                                      diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) {
@@ -98,9 +110,7 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   work = [&options] { return runWorld(options); };
 }
 
-}  // namespace
-
-void addRunCommand(CLI::App& program, Work& work) {
+void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> extensions) {
   const auto options = std::make_shared<RunCommandOptions>();
   CLI::App* command = program.add_subcommand("run", "Simulate a world until SIGINT or SIGTERM");
   command->set_help_flag("-h,--help", "Print this and end");
@@ -139,6 +149,8 @@ void addRunCommand(CLI::App& program, Work& work) {
       });
   addFlag("--strict", options->strict,
           "Take warnings about the file for errors, and end with exit code 1 where a system fails");
+  addFlag("--levels", options->levels,
+          "Load what is in a <level> only while a <performer> is near; without it all is loaded");
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
   addNetworkOption(*command);
   command->footer(
@@ -146,7 +158,14 @@ void addRunCommand(CLI::App& program, Work& work) {
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
+  for (const Extension& extension : extensions) addRunOptions(*command, extension, options->systems);
   command->callback([options, &work] { checkAndSchedule(*options, work); });
 }
+
+}  // namespace
+
+void addRunCommand(CLI::App& program, Work& work) { addRunCommand(program, work, installedExtensions()); }
+
+void addPlainRunCommand(CLI::App& program, Work& work) { addRunCommand(program, work, {}); }
 
 }  // namespace pongsim::cli

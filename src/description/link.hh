@@ -45,8 +45,11 @@ struct Surface {
   /// Friction coefficient along the first and the second direction (`<friction><ode><mu>`, `<mu2>`).
   double mu = 1;
   double mu2 = 1;
-  /// First friction direction in the collision frame (`<fdir1>`); zero: the engine chooses.
+  /// First friction direction (`<fdir1>`), in the collision frame or in that of a link; zero: the engine chooses.
   Vector3 fdir1 = Vector3::Zero();
+  /// Link of the model in whose frame `fdir1` is (`<fdir1 ignition:expressed_in>`); empty: the collision frame. Of a
+  /// mecanum wheel, that of the chassis: the direction does not turn with the wheel.
+  std::string fdir1Link;
   /// How fast it slips along the two directions by each newton of friction (`<slip1>`, `<slip2>`) [m/s/N].
   double slip1 = 0;
   double slip2 = 0;

@@ -6,6 +6,7 @@
 
 #include "description/actor.hh"
 #include "description/environment.hh"
+#include "description/levels.hh"
 #include "description/light.hh"
 #include "description/model.hh"
 #include "description/physics_profile.hh"
@@ -38,6 +39,7 @@ struct World {
   /// Frames at the world's level; the world stands for their model: links are named "model::link", or "world".
   std::vector<Frame> frames;
   std::vector<Plugin> plugins;
+  LevelPlan levels;
   bool operator==(const World&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <ignition/msgs/physics.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 #include <ignition/msgs/spherical_coordinates.pb.h>
+#include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
 
 #include <numbers>
 
@@ -79,6 +80,21 @@ PhysicsSettings physicsSettings(const Message& message) {
   PhysicsSettings settings{physics.max_step_size(), physics.real_time_factor(), {}};
   if (physics.has_gravity()) settings.gravity = vectorFrom(physics.gravity());
   return settings;
+}
+
+WheelSlip wheelSlip(const Message& message) {
+  const auto& asked = static_cast<const im::WheelSlipParametersCmd&>(message);
+  return {nameFrom(asked.entity()), asked.slip_compliance_lateral(), asked.slip_compliance_longitudinal()};
+}
+
+void setWheelSlip(const WheelSlip& slip, Message& message) {
+  auto& command = static_cast<im::WheelSlipParametersCmd&>(message);
+  command.mutable_entity()->set_id(slip.entity.id);
+  command.mutable_entity()->set_name(slip.entity.name);
+  im::Entity::Type type = im::Entity::NONE;
+  if (im::Entity::Type_Parse(slip.entity.type, &type)) command.mutable_entity()->set_type(type);
+  command.set_slip_compliance_lateral(slip.lateral);
+  command.set_slip_compliance_longitudinal(slip.longitudinal);
 }
 
 }  // namespace pongsim::msgs

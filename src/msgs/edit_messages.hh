@@ -59,6 +59,14 @@ struct PlaceOfEntity {
   PlaceOnEarth place;
 };
 
+/// What `ignition.msgs.WheelSlipParametersCmd` asks for.
+struct WheelSlip {
+  /// A link, or a model with all of its links.
+  EntityName entity;
+  double lateral = 0;
+  double longitudinal = 0;
+};
+
 /// What `ignition.msgs.Physics` asks for.
 struct PhysicsSettings {
   /// [s]; 0: as it is.
@@ -75,6 +83,10 @@ EntityName entityName(const Message& message);
 PoseOfEntity poseOfEntity(const Message& message);
 PlaceOfEntity placeOfEntity(const Message& message);
 PhysicsSettings physicsSettings(const Message& message);
+WheelSlip wheelSlip(const Message& message);
+
+/// Fills in an `ignition.msgs.WheelSlipParametersCmd`.
+void setWheelSlip(const WheelSlip& slip, Message& message);
 
 /// Of `ignition.msgs.EntityFactory_V` and `ignition.msgs.Pose_V`.
 std::vector<EntityFactory> entityFactories(const Message& message);

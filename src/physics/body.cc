@@ -40,6 +40,7 @@ Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gra
 
 Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity)
     : link_(link),
+      id_(record.id),
       moves_(isMoving(record)),
       hasGravity_(record.description->gravity),
       moments_(toBullet(mass.moments)),
@@ -81,10 +82,16 @@ void Body::setPose(const Pose& X_WorldLink) {
   rigid_.updateInertiaTensor();
 }
 
-void Body::addForces(double dt) {
+void Body::addForces(double dt, bool isHeld) {
   if (!isRound_) {
-    rigid_.applyTorque(
-        gyroscopicTorque(rigid_.getWorldTransform().getBasis(), rigid_.getAngularVelocity(), moments_, dt));
+    btMatrix3x3& basis = rigid_.getWorldTransform().getBasis();
+    const btMatrix3x3 now = basis;
+    const Gyration asked = gyration(now, rigid_.getAngularVelocity(), moments_, dt, isHeld);
+    rigid_.applyTorque(asked.torque);
+    // Bullet makes the inertia of where the body is; the step's end sets it back
+    basis = asked.R_WorldAhead;
+    rigid_.updateInertiaTensor();
+    basis = now;
   }
   rigid_.applyGravity();
 }
@@ -112,6 +119,7 @@ void Body::transfer(StateArchive& archive) {
   btVector3 force = rigid_.getTotalForce();
   btVector3 torque = rigid_.getTotalTorque();
   for (btVector3* vector : {&linear, &angular, &force, &torque}) transferVector(archive, *vector);
+  shape_.transfer(archive);
   if (!archive.isGiving()) return;
   rigid_.setWorldTransform(transform);
   rigid_.setInterpolationWorldTransform(transform);

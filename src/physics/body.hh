@@ -26,10 +26,14 @@ class Body {
   btRigidBody& rigid() { return rigid_; }
   const btRigidBody& rigid() const { return rigid_; }
   world::Slot link() const { return link_; }
+  /// Of the link.
+  LinkId id() const { return id_; }
   /// The link has another slot now.
   void setLink(world::Slot link);
   bool moves() const { return moves_; }
   bool collides() const { return !shape_.empty(); }
+  LinkShape& shape() { return shape_; }
+  const LinkShape& shape() const { return shape_; }
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
 
@@ -40,7 +44,8 @@ class Body {
   void setPose(const Pose& X_WorldLink);
 
   /// For the next step of `dt` [s]: the torque that its own turning asks for, and gravity.
-  void addForces(double dt);
+  /// @param isHeld Joints have a say in how it moves.
+  void addForces(double dt, bool isHeld);
 
   /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
   void addWrench(const Vector3& force, const Vector3& torque);
@@ -64,6 +69,7 @@ class Body {
   Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity);
 
   world::Slot link_;
+  LinkId id_;
   bool moves_;
   bool hasGravity_;
   /// Principal moments of inertia [kg m^2], and whether all are the same.

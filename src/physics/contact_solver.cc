@@ -222,6 +222,8 @@ void ContactSolver::orient(btPersistentManifold& manifold) {
     point.m_combinedFriction = friction->mu;
     point.m_lateralFrictionDir1 = friction->direction;
     point.m_lateralFrictionDir2 = point.m_normalWorldOnB.cross(friction->direction);
+    point.m_contactMotion1 = friction->motion1;
+    point.m_contactMotion2 = friction->motion2;
     frictions_.push_back({friction->mu2, friction->slip1, friction->slip2});
     point.m_userPersistentData = reinterpret_cast<void*>(static_cast<std::uintptr_t>(frictions_.size()));
   }

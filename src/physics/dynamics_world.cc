@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -65,6 +66,14 @@ DynamicsWorld::DynamicsWorld(const Settings& settings, GroupWork& work)
   info.m_restitutionVelocityThreshold = 0;
 }
 
+void DynamicsWorld::add(btRigidBody& body, std::uint64_t number) {
+  // the broad phase gives each body the next number, and finds its pairs at once
+  const int last = broadphase_.m_gid;
+  broadphase_.m_gid = static_cast<int>(number) - 1;
+  world_.addRigidBody(&body);
+  broadphase_.m_gid = std::max(last, static_cast<int>(number));
+}
+
 void DynamicsWorld::moved(btRigidBody& body) {
   if (body.getBroadphaseProxy() == nullptr) return;
   world_.updateSingleAabb(&body);
@@ -85,7 +94,7 @@ void DynamicsWorld::findPairsOf(btRigidBody& body) {
 
 void DynamicsWorld::transferContacts(StateArchive& archive) {
   // what algorithms and manifolds there must be follows from where the bodies are
-  if (archive.isGiving()) world_.performDiscreteCollisionDetection();
+  if (archive.isGiving()) findTouches();
   transferManifolds(archive, dispatcher_);
 }
 

@@ -3,6 +3,8 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 
+#include <cstdint>
+
 #include "physics/dispatcher.hh"
 #include "physics/grouped_world.hh"
 #include "physics/settings.hh"
@@ -16,6 +18,15 @@ class DynamicsWorld {
   DynamicsWorld(const Settings& settings, GroupWork& work);
 
   GroupedWorld& bullet() { return world_; }
+
+  /// Takes a body in.
+  /// @param number Of its own and larger than those of the bodies before it: of a pair, the one with the smaller number
+  /// comes first, whenever it was taken in, so that what is found between the two has the same bits.
+  void add(btRigidBody& body, std::uint64_t number);
+
+  /// Finds what bodies touch where they are now, without moving them.
+  void findTouches() { world_.performDiscreteCollisionDetection(); }
+  Dispatcher& dispatcher() { return dispatcher_; }
 
   /// Forgets what touches the body, which is somewhere else now, and finds what it may touch there.
   void moved(btRigidBody& body);

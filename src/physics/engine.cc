@@ -2,7 +2,10 @@
 
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -16,18 +19,19 @@
 #include "physics/friction.hh"
 #include "physics/gearbox.hh"
 #include "physics/joint.hh"
+#include "physics/manifold_state.hh"
 #include "physics/surface.hh"
 
 namespace pongsim::physics {
 
 struct Engine::Parts final : GroupWork {
-  Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld)
+  Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, std::shared_ptr<btRigidBody> fixed)
       : entities(entitiesOfWorld),
         settings(settingsOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
         world(settings, *this),
-        anchor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)) {
+        anchor(std::move(fixed)) {
     world.bullet().getPairCache()->setOverlapFilterCallback(&filter);
     grow();
   }
@@ -43,8 +47,12 @@ struct Engine::Parts final : GroupWork {
 
   void grow();
   void addJoints();
+  void findFrictionFrames();
+  /// Friction directions that are those of other links go with these.
+  void turnFrictionDirections();
   void remove(const world::Removal& removal);
   void renumber();
+  void take(Body& body);
   JointEnd end(world::Slot link, const Pose& X_LinkJoint);
   Joint& jointWithAxis(world::Slot slot, std::size_t axis);
   Body& bodyOf(const btCollisionObject& object) { return *bodies[static_cast<world::Slot>(object.getUserIndex())]; }
@@ -55,13 +63,19 @@ struct Engine::Parts final : GroupWork {
   Vector3 gravity;
   ContactFilter filter;
   DynamicsWorld world;
-  /// What joints to the world hold on to.
-  btRigidBody anchor;
+  /// What joints to the world hold on to; those that are set aside, too, while all else is made anew.
+  const std::shared_ptr<btRigidBody> anchor;
   /// One a link, in the order of their slots.
   std::vector<std::unique_ptr<Body>> bodies;
   std::vector<Body*> moving;
   /// One a joint, in the order of their slots.
   std::vector<std::unique_ptr<Joint>> joints;
+  /// Collisions whose first friction direction is in the frame of another link.
+  struct FrictionFrame {
+    LinkShape::Part* part;
+    const Body* frame;
+  };
+  std::vector<FrictionFrame> frictionFrames;
   /// Length of the last step [s].
   double dt = 1;
 
@@ -73,7 +87,26 @@ struct Engine::Parts final : GroupWork {
   std::atomic<world::Slot> slowedDown = world::kNoSlot;
 };
 
+/// One of two parts that touched, or both, are set aside.
+struct KeptTouch {
+  LinkId linkA;
+  LinkId linkB;
+  ManifoldPoints points;
+};
+
+struct SetAside::Content {
+  std::shared_ptr<btRigidBody> anchor;
+  std::vector<std::unique_ptr<Body>> bodies;
+  // behind the bodies, on which they hold
+  std::vector<std::unique_ptr<Joint>> joints;
+  std::vector<KeptTouch> touches;
+};
+
 namespace {
+
+std::shared_ptr<btRigidBody> makeAnchor() {
+  return std::make_shared<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr));
+}
 
 void keepFirst(std::atomic<world::Slot>& first, world::Slot link) {
   world::Slot before = first;
@@ -94,7 +127,7 @@ void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
   for (btTypedConstraint* joint : groupJoints) {
     if (!isGearReference(*joint)) static_cast<Joint*>(joint)->prepare(seconds);
   }
-  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds);
+  for (btCollisionObject* object : groupBodies) bodyOf(*object).addForces(seconds, !groupJoints.empty());
 }
 
 void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
@@ -120,11 +153,42 @@ void Engine::Parts::grow() {
   // before a body comes: who may touch it is asked then
   filter.update();
   for (auto& body : newBodies) {
-    if (body->moves() || body->collides()) world.bullet().addRigidBody(&body->rigid());
+    take(*body);
     bodies.push_back(std::move(body));
   }
   addJoints();
   renumber();
+}
+
+void Engine::Parts::findFrictionFrames() {
+  frictionFrames.clear();
+  for (const auto& body : bodies) {
+    LinkShape& shape = body->shape();
+    for (std::size_t i = 0; i < shape.partCount(); ++i) {
+      const std::string& name = shape.part(i).surface->fdir1Link;
+      if (name.empty()) continue;
+      const world::Slot model = entities.links()[body->link()].model;
+      const auto frame = std::ranges::find_if(bodies, [&](const auto& other) {
+        const world::LinkRecord& link = entities.links()[other->link()];
+        return link.model == model && link.description->name == name;
+      });
+      if (frame != bodies.end()) frictionFrames.push_back({&shape.part(i), frame->get()});
+    }
+  }
+}
+
+// before bodies move, on one thread: the other link may be of another group
+void Engine::Parts::turnFrictionDirections() {
+  for (const FrictionFrame& each : frictionFrames) {
+    const Pose X_BodyLink = each.frame->X_LinkBody().inverse();
+    const btVector3 direction = each.frame->rigid().getWorldTransform().getBasis() *
+                                toBullet(Vector3(X_BodyLink.rotation * each.part->surface->fdir1));
+    each.part->fdir1_World = fromBullet(direction);
+  }
+}
+
+void Engine::Parts::take(Body& body) {
+  if (body.moves() || body.collides()) world.add(body.rigid(), body.id().value);
 }
 
 void Engine::Parts::addJoints() {
@@ -167,6 +231,7 @@ void Engine::Parts::renumber() {
     moving.push_back(bodies[link].get());
     movingRigid.push_back(&bodies[link]->rigid());
   }
+  findFrictionFrames();
   std::vector<btTypedConstraint*> holding;
   for (world::Slot slot = 0; slot < joints.size(); ++slot) {
     joints[slot]->setSlot(slot);
@@ -178,7 +243,7 @@ void Engine::Parts::renumber() {
 }
 
 JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
-  if (link == world::kNoSlot) return {&anchor, toBullet(X_LinkJoint), false};
+  if (link == world::kNoSlot) return {anchor.get(), toBullet(X_LinkJoint), false};
   Body& body = *bodies[link];
   return {&body.rigid(), toBullet(body.X_LinkBody().inverse() * X_LinkJoint), body.moves()};
 }
@@ -197,7 +262,7 @@ void Engine::Parts::reportExplosion(world::Slot link) const {
 }
 
 Engine::Engine(const world::Entities& entities, const Settings& settings)
-    : parts_(std::make_unique<Parts>(entities, settings)) {
+    : parts_(std::make_unique<Parts>(entities, settings, makeAnchor())) {
   combineSurfacesAsFortress();
 }
 
@@ -243,8 +308,9 @@ void Engine::reset() {
   // by and by: two of them take twice the memory
   const world::Entities& entities = parts_->entities;
   const Settings settings = parts_->settings;
+  std::shared_ptr<btRigidBody> anchor = parts_->anchor;
   parts_.reset();
-  parts_ = std::make_unique<Parts>(entities, settings);
+  parts_ = std::make_unique<Parts>(entities, settings, std::move(anchor));
 }
 
 void Engine::setGravity(const Vector3& gravity) {
@@ -273,9 +339,35 @@ void Engine::step(Time dt, world::State& state) {
   parts_->dt = toSeconds(dt);
   parts_->state = &state;
   parts_->slowedDown = world::kNoSlot;
+  parts_->turnFrictionDirections();
   parts_->world.step(parts_->dt);
   const world::Slot exploded = parts_->exploded.exchange(world::kNoSlot);
   if (exploded != world::kNoSlot) parts_->reportExplosion(exploded);
+}
+
+void Engine::setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion) {
+  Body& body = *parts_->bodies[link];
+  std::optional<SurfaceMotion>& own = body.shape().part(collision).motion;
+  own = motion;
+  if (own) own->axis = body.X_LinkBody().rotation.conjugate() * own->axis.normalized();
+}
+
+std::optional<SurfaceMotion> Engine::surfaceMotion(world::Slot link, std::size_t collision) const {
+  const Body& body = *parts_->bodies[link];
+  std::optional<SurfaceMotion> motion = body.shape().part(collision).motion;
+  if (motion) motion->axis = body.X_LinkBody().rotation * motion->axis;
+  return motion;
+}
+
+void Engine::setSlip(world::Slot link, std::size_t collision, double slip1, double slip2) {
+  LinkShape::Part& part = parts_->bodies[link]->shape().part(collision);
+  part.slip1 = slip1;
+  part.slip2 = slip2;
+}
+
+std::pair<double, double> Engine::slip(world::Slot link, std::size_t collision) const {
+  const LinkShape::Part& part = parts_->bodies[link]->shape().part(collision);
+  return {part.slip1, part.slip2};
 }
 
 world::Slot Engine::slowedDown() const { return parts_->slowedDown; }
@@ -283,5 +375,92 @@ world::Slot Engine::slowedDown() const { return parts_->slowedDown; }
 bool Engine::isJointDriven(world::Slot joint) const { return parts_->joints[joint]->isDriven(); }
 
 void Engine::releaseJoint(world::Slot joint) { parts_->joints[joint]->release(); }
+
+std::vector<SetAside> Engine::setAside(const world::GroupSlots& groups) {
+  Parts& parts = *parts_;
+  std::vector<SetAside> result(groups.links.size());
+  std::vector<std::size_t> groupOf(parts.bodies.size(), result.size());
+  for (std::size_t group = 0; group < result.size(); ++group) {
+    result[group].content_ = std::make_unique<SetAside::Content>();
+    result[group].content_->anchor = parts.anchor;
+    for (const world::Slot link : groups.links[group]) groupOf[link] = group;
+  }
+  for (const ManifoldPoints& points : listManifolds(parts.world.dispatcher())) {
+    const auto a = static_cast<world::Slot>(points.linkA), b = static_cast<world::Slot>(points.linkB);
+    for (const std::size_t group : {groupOf[a], groupOf[b] == groupOf[a] ? result.size() : groupOf[b]}) {
+      if (group == result.size()) continue;
+      result[group].content_->touches.push_back({parts.bodies[a]->id(), parts.bodies[b]->id(), points});
+    }
+  }
+  for (world::Slot link = 0; link < parts.bodies.size(); ++link) {
+    btRigidBody& rigid = parts.bodies[link]->rigid();
+    const bool goes = groupOf[link] != result.size();
+    if (goes && rigid.getBroadphaseHandle() != nullptr) parts.world.bullet().removeRigidBody(&rigid);
+  }
+  auto bodies = world::takeSlots(parts.bodies, groups.links);
+  auto joints = world::takeSlots(parts.joints, groups.joints);
+  for (std::size_t group = 0; group < result.size(); ++group) {
+    result[group].content_->bodies = std::move(bodies[group]);
+    result[group].content_->joints = std::move(joints[group]);
+  }
+  parts.renumber();
+  parts.filter.update();
+  return result;
+}
+
+void Engine::bringBack(const world::GroupSlots& groups, std::vector<SetAside> parts) {
+  std::vector<std::vector<std::unique_ptr<Body>>> bodies;
+  std::vector<std::vector<std::unique_ptr<Joint>>> joints;
+  std::vector<KeptTouch> touches;
+  for (SetAside& part : parts) {
+    bodies.push_back(std::move(part.content_->bodies));
+    joints.push_back(std::move(part.content_->joints));
+    std::ranges::move(part.content_->touches, std::back_inserter(touches));
+  }
+  world::giveSlots(parts_->bodies, groups.links, bodies);
+  world::giveSlots(parts_->joints, groups.joints, joints);
+  // before a body comes: who may touch it is asked then
+  for (world::Slot link = 0; link < parts_->bodies.size(); ++link) parts_->bodies[link]->setLink(link);
+  parts_->filter.update();
+  std::vector<ManifoldPoints> all = listManifolds(parts_->world.dispatcher());
+  for (const std::vector<world::Slot>& group : groups.links) {
+    for (const world::Slot link : group) {
+      parts_->bodies[link]->setGravity(parts_->gravity);
+      parts_->take(*parts_->bodies[link]);
+    }
+  }
+  parts_->renumber();
+  for (KeptTouch& touch : touches) {
+    const world::Slot a = parts_->entities.slot(touch.linkA), b = parts_->entities.slot(touch.linkB);
+    if (a == world::kNoSlot || b == world::kNoSlot) continue;
+    touch.points.linkA = static_cast<int>(a);
+    touch.points.linkB = static_cast<int>(b);
+    all.push_back(std::move(touch.points));
+  }
+  parts_->world.findTouches();
+  restoreManifolds(all, parts_->world.dispatcher());
+}
+
+SetAside::SetAside() = default;
+SetAside::~SetAside() = default;
+SetAside::SetAside(SetAside&&) noexcept = default;
+SetAside& SetAside::operator=(SetAside&&) noexcept = default;
+
+void SetAside::transfer(StateArchive& archive, std::span<const LinkId> links) {
+  for (const auto& body : content_->bodies) body->transfer(archive);
+  for (const auto& joint : content_->joints) joint->transfer(archive);
+  std::size_t count = content_->touches.size();
+  archive(count);
+  if (archive.isGiving()) content_->touches.resize(std::min(count, archive.rest().size()));
+  for (KeptTouch& touch : content_->touches) {
+    // ids may be others in another run
+    for (LinkId* id : {&touch.linkA, &touch.linkB}) {
+      auto number = static_cast<std::uint64_t>(std::ranges::lower_bound(links, *id) - links.begin());
+      archive(number);
+      if (archive.isGiving()) *id = number < links.size() ? links[number] : LinkId();
+    }
+    archive(touch.points);
+  }
+}
 
 }  // namespace pongsim::physics

@@ -2,16 +2,39 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <utility>
+#include <span>
 #include <vector>
 
 #include "physics/settings.hh"
 #include "pongsim/contact.hh"
 #include "pongsim/state_archive.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
 
 namespace pongsim::physics {
+
+/// The bodies and joints of a group of entities that is set aside, and where they touched, with all that they remember.
+/// Not to outlive its engine's `entities`.
+class SetAside {
+ public:
+  SetAside();
+  ~SetAside();
+  SetAside(SetAside&&) noexcept;
+  SetAside& operator=(SetAside&&) noexcept;
+
+  /// Takes all of it into `archive`, or gives it back.
+  /// @param links Those of the whole world, which others may touch them, in ascending order.
+  void transfer(StateArchive& archive, std::span<const LinkId> links);
+
+ private:
+  friend class Engine;
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
 
 /// Bodies, joints and contacts, and one step of them. Reads the description through `entities`, which must outlive
 /// it; no Bullet type shows.
@@ -92,6 +115,24 @@ class Engine {
 
   /// Takes back all that is asked of the joint: its axes go on freely.
   void releaseJoint(world::Slot joint);
+
+  /// Lets the surface of a link's collision run along, or ends that. The values must be finite, the axis not zero.
+  /// @param collision Its number in the link.
+  void setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion);
+  /// @return How it runs along, its axis a unit vector.
+  std::optional<SurfaceMotion> surfaceMotion(world::Slot link, std::size_t collision) const;
+
+  /// Sets how fast a collision slips along its friction directions by each newton [m/s/N], finite and not below zero.
+  void setSlip(world::Slot link, std::size_t collision, double slip1, double slip2);
+  std::pair<double, double> slip(world::Slot link, std::size_t collision) const;
+  /// Takes groups of bodies and joints out of the world; they keep what they remember. To be called when `entities` has
+  /// set them aside.
+  std::vector<SetAside> setAside(const world::GroupSlots& groups);
+
+  /// Puts them back, when `entities` has brought them back, where and as they were. What touched then and is near still
+  /// begins with the forces of then, so that a group that touches nothing but what has not moved goes on with the bits
+  /// that it would have had.
+  void bringBack(const world::GroupSlots& groups, std::vector<SetAside> parts);
 
  private:
   struct Parts;

@@ -27,6 +27,7 @@ const LinkShape::Part* collisionAt(const btCollisionObject& object, int number) 
 }
 
 btVector3 worldDirection(const btCollisionObject& object, const LinkShape::Part& part) {
+  if (part.fdir1_World) return toBullet(*part.fdir1_World);
   return object.getWorldTransform().getBasis() * toBullet(Vector3(part.q_BodyCollision * part.surface->fdir1));
 }
 
@@ -36,6 +37,49 @@ std::optional<btVector3> alongSurface(const btVector3& direction, const btVector
   const double length = tangent.length();
   if (length <= kSmallestSine * direction.length()) return std::nullopt;
   return tangent / length;
+}
+
+/// How a surface runs along at a point: a unit vector in the tangent plane, and how fast that way [m/s].
+struct Run {
+  btVector3 direction;
+  double speed;
+};
+
+/// @param inwards The normal into the collision.
+/// @return Nothing where the surface does not run.
+std::optional<Run> runOf(const LinkShape::Part& part, const btCollisionObject& object, const btVector3& position,
+                         const btVector3& inwards) {
+  if (!part.motion) return std::nullopt;
+  const btVector3 axis = object.getWorldTransform().getBasis() * toBullet(part.motion->axis);
+  btVector3 direction = inwards.cross(axis);
+  if (direction.length() <= kSmallestSine) return std::nullopt;
+  direction.normalize();
+  if (!part.motion->center) return Run{direction, part.motion->speed};
+  const btVector3 arm = position - toBullet(*part.motion->center);
+  const btVector3 tangent = inwards.cross(arm);
+  // at the centre itself nothing runs
+  if (tangent.length() <= kSmallestSine * arm.length()) return Run{direction, 0};
+  const double along = direction.dot(tangent);
+  const double sign = along > 0 ? 1 : along < 0 ? -1 : 0;
+  return Run{tangent.normalized(), sign * part.motion->speed};
+}
+
+/// Turns friction along the surface that runs, and says how fast.
+/// @return Whether one does.
+bool takeAlong(DirectedFriction& friction, const btPersistentManifold& manifold, const btManifoldPoint& point,
+               const LinkShape::Part& a, const LinkShape::Part& b) {
+  const btVector3& normal = point.m_normalWorldOnB;
+  const auto runA = runOf(a, *manifold.getBody0(), point.getPositionWorldOnA(), normal);
+  const auto runB = runOf(b, *manifold.getBody1(), point.getPositionWorldOnB(), -normal);
+  if (!runA && !runB) return false;
+  friction.direction = runA ? runA->direction : runB->direction;
+  // bodies and surfaces together are at rest against each other: vA + uA = vB + uB
+  btVector3 wanted(0, 0, 0);
+  if (runB) wanted += runB->direction * runB->speed;
+  if (runA) wanted -= runA->direction * runA->speed;
+  friction.motion1 = wanted.dot(friction.direction);
+  friction.motion2 = wanted.dot(normal.cross(friction.direction));
+  return true;
 }
 
 // below that speed nothing bounces, where no file says otherwise [m/s]
@@ -100,8 +144,9 @@ std::optional<DirectedFriction> directedFriction(const btPersistentManifold& man
   if (a == nullptr || b == nullptr) return std::nullopt;
   const description::Surface& one = *a->surface;
   const description::Surface& other = *b->surface;
-  DirectedFriction friction{std::min(one.mu, other.mu), std::min(one.mu2, other.mu2), one.slip1 + other.slip1,
-                            one.slip2 + other.slip2, btVector3(0, 0, 0)};
+  DirectedFriction friction{std::min(one.mu, other.mu), std::min(one.mu2, other.mu2), a->slip1 + b->slip1,
+                            a->slip2 + b->slip2, btVector3(0, 0, 0)};
+  if ((a->motion || b->motion) && takeAlong(friction, manifold, point, *a, *b)) return friction;
   if (friction.mu == friction.mu2 && friction.slip1 == 0 && friction.slip2 == 0) return std::nullopt;
 
   const bool hasOne = !one.fdir1.isZero(0);

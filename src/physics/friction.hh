@@ -19,12 +19,17 @@ struct DirectedFriction {
   double slip2 = 0;
   /// The first one, a unit vector of the world in the tangent plane.
   btVector3 direction;
+  /// Velocity of the first body against the second one that friction draws them to, along the two directions [m/s]:
+  /// what surfaces that run along ask for.
+  double motion1 = 0;
+  double motion2 = 0;
 };
 
 /// As Fortress's engine does: of two coefficients the smaller one, of two slips the sum; the first direction is `fdir1`
 /// of the collision that has one, where both have that of the one with the smaller `mu2`, and where none has z of the
-/// world, or x where that is the normal, each along the surface.
-/// @return Nothing where friction is the same in all directions and nothing slips.
+/// world, or x where that is the normal, each along the surface. Where a surface runs along, that is the first
+/// direction.
+/// @return Nothing where friction is the same in all directions and nothing slips or runs along.
 std::optional<DirectedFriction> directedFriction(const btPersistentManifold& manifold, const btManifoldPoint& point);
 
 /// How two surfaces act on each other at a point, beside friction along them. Fortress's engine has but the

@@ -25,6 +25,9 @@ struct Turn {
   // Rodrigues' formula
   btVector3 operator()(const btVector3& vector) const { return turned(vector, sine); }
   btVector3 back(const btVector3& vector) const { return turned(vector, -sine); }
+  btMatrix3x3 matrix() const {
+    return btMatrix3x3((*this)({1, 0, 0}), (*this)({0, 1, 0}), (*this)({0, 0, 1})).transpose();
+  }
 
   btVector3 axis;
   double sine;
@@ -38,22 +41,26 @@ struct Turn {
 
 }  // namespace
 
-btVector3 gyroscopicTorque(const btMatrix3x3& R_WorldBody, const btVector3& w_World, const btVector3& moments,
-                           double dt) {
-  if (w_World.length2() * dt * dt < kSmallestTurn * kSmallestTurn) return {0, 0, 0};
-  if (moments.x() == moments.y() && moments.y() == moments.z()) return {0, 0, 0};
+Gyration gyration(const btMatrix3x3& R_WorldBody, const btVector3& w_World, const btVector3& moments, double dt, bool isHeld) {
+  Gyration result{{0, 0, 0}, R_WorldBody};
+  if (w_World.length2() * dt * dt < kSmallestTurn * kSmallestTurn) return result;
+  if (moments.x() == moments.y() && moments.y() == moments.z()) return result;
   // all of it in the body's frame
   const btVector3 before = w_World * R_WorldBody;
   const btVector3 momentum = Turn(dt / 2 * before).back(moments * before);
   const btVector3 inverse(1 / moments.x(), 1 / moments.y(), 1 / moments.z());
   btVector3 next = before;
-  for (int i = 0; i < kMostIterations; ++i) {
+  // a free body turns as it comes out; of one that is held the joints decide, and last time's is the best guess
+  for (int i = 0; i < (isHeld ? 0 : kMostIterations); ++i) {
     const btVector3 last = next;
     const Turn half(dt / 2 * last);
     next = half(inverse * half.back(momentum));
     if ((next - last).length2() <= kEnough * kEnough * next.length2()) break;
   }
-  return R_WorldBody * (moments * (next - before)) / dt;
+  const Turn half(dt / 2 * next);
+  result.torque = R_WorldBody * (momentum - half(moments * half.back(before))) / dt;
+  result.R_WorldAhead = R_WorldBody * half.matrix();
+  return result;
 }
 
 }  // namespace pongsim::physics

@@ -3,7 +3,9 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 
 #include "physics/convert.hh"
@@ -39,53 +41,52 @@ void transferPoint(StateArchive& archive, btManifoldPoint& point) {
   }
 }
 
-void takeManifolds(StateArchive& archive, Dispatcher& dispatcher) {
+}  // namespace
+
+void ManifoldPoints::transfer(StateArchive& archive) {
+  std::size_t count = points.size();
+  archive(count);
+  for (int* value : {&linkA, &partA, &linkB, &partB}) archive(*value);
+  // four is the most that a manifold has
+  if (archive.isGiving()) points.resize(std::min<std::size_t>(count, MANIFOLD_CACHE_SIZE));
+  for (btManifoldPoint& point : points) transferPoint(archive, point);
+}
+
+std::vector<ManifoldPoints> listManifolds(Dispatcher& dispatcher) {
   // in the order of their keys: that in which they were made depends on threads and on the past
   std::map<Key, btPersistentManifold*> manifolds;
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
     if (manifold->getNumContacts() != 0) manifolds.emplace(keyOf(*manifold), manifold);
   }
+  std::vector<ManifoldPoints> list;
   for (const auto& [key, manifold] : manifolds) {
-    int count = manifold->getNumContacts();
-    archive(count);
-    Key copy = key;
-    for (int& value : copy) archive(value);
-    for (int j = 0; j < count; ++j) transferPoint(archive, manifold->getContactPoint(j));
+    ManifoldPoints& entry = list.emplace_back(ManifoldPoints{key[0], key[1], key[2], key[3], {}});
+    for (int j = 0; j < manifold->getNumContacts(); ++j) entry.points.push_back(manifold->getContactPoint(j));
   }
-  int end = 0;
-  archive(end);
+  return list;
 }
 
-void giveManifolds(StateArchive& archive, Dispatcher& dispatcher) {
+void restoreManifolds(const std::vector<ManifoldPoints>& list, Dispatcher& dispatcher) {
   std::map<Key, btPersistentManifold*> manifolds;
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
     manifold->clearManifold();
     manifolds.emplace(keyOf(*manifold), manifold);
   }
-  int count = 0;
-  for (archive(count); count > 0; archive(count)) {
-    Key key{};
-    for (int& value : key) archive(value);
-    const auto found = manifolds.find(key);
-    for (int j = 0; j < count; ++j) {
-      btManifoldPoint point;
-      transferPoint(archive, point);
-      // "predictive": it is not looked at whether the point is near enough
-      if (found != manifolds.end()) found->second->addManifoldPoint(point, true);
-    }
+  for (const ManifoldPoints& entry : list) {
+    const auto found = manifolds.find({entry.linkA, entry.partA, entry.linkB, entry.partB});
+    if (found == manifolds.end() || found->second->getNumContacts() != 0) continue;
+    // "predictive": it is not looked at whether the point is near enough
+    for (const btManifoldPoint& point : entry.points) found->second->addManifoldPoint(point, true);
   }
 }
 
-}  // namespace
-
 void transferManifolds(StateArchive& archive, Dispatcher& dispatcher) {
-  if (archive.isGiving()) {
-    giveManifolds(archive, dispatcher);
-  } else {
-    takeManifolds(archive, dispatcher);
-  }
+  std::vector<ManifoldPoints> list;
+  if (!archive.isGiving()) list = listManifolds(dispatcher);
+  archive(list);
+  if (archive.isGiving()) restoreManifolds(list, dispatcher);
 }
 
 }  // namespace pongsim::physics

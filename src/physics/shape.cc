@@ -76,7 +76,7 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool
   for (std::size_t i = 0; i < link.collisions.size(); ++i) {
     const description::Collision& collision = link.collisions[i];
     Pose X_BodyPart = X_BodyLink * collision.X_LinkCollision;
-    collisions_.push_back({&collision.surface, X_BodyPart.rotation});
+    collisions_.push_back({&collision.surface, X_BodyPart.rotation, collision.surface.slip1, collision.surface.slip2});
     btCollisionShape* shape = nullptr;
     const auto [triangles, scale] = trianglesOf(collision.geometry);
     if (triangles != nullptr && !moves) {
@@ -110,6 +110,14 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool
   for (std::size_t i = 0; i < parts_.size(); ++i) compound->addChildShape(toBullet(poses[i]), parts_[i]);
   holder_ = std::move(compound);
   root_ = holder_.get();
+}
+
+void LinkShape::transfer(StateArchive& archive) {
+  for (Part& part : collisions_) {
+    archive(part.slip1);
+    archive(part.slip2);
+    archive(part.motion);
+  }
 }
 
 }  // namespace pongsim::physics

@@ -4,10 +4,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "description/link.hh"
 #include "physics/mesh_shape.hh"
+#include "pongsim/state_archive.hh"
+#include "pongsim/surface_motion.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::physics {
@@ -29,9 +32,21 @@ class LinkShape {
     const description::Surface* surface = nullptr;
     /// Orientation of the collision frame in the body frame.
     Quaternion q_BodyCollision = Quaternion::Identity();
+    /// How fast it slips along the friction directions by each newton [m/s/N].
+    double slip1 = 0;
+    double slip2 = 0;
+    /// How the surface runs along, its axis a unit vector in the body frame.
+    std::optional<SurfaceMotion> motion = std::nullopt;
+    /// The first friction direction in the world frame, where it is that of another link; set before each step.
+    std::optional<Vector3> fdir1_World = std::nullopt;
   };
   /// @param collision Its number in the link.
   const Part& part(std::size_t collision) const { return collisions_[collision]; }
+  Part& part(std::size_t collision) { return collisions_[collision]; }
+  std::size_t partCount() const { return collisions_.size(); }
+
+  /// What of its collisions may change while running.
+  void transfer(StateArchive& archive);
 
   bool empty() const { return parts_.empty(); }
   /// @return The whole; an empty shape where there is nothing to collide with.

@@ -32,6 +32,9 @@ CoreSystem userCommands() {
          "where on the earth the world is, or a model of the top level");
   serves("light_config", "ignition.msgs.Light", "how a light shines");
   serves("set_physics", "ignition.msgs.Physics", "step size, gravity and real-time factor");
+  serves("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", "how the wheels of WheelSlip slip");
+  serves("level/set_performer", "ignition.msgs.StringMsg",
+         "lets a model of the top level perform: levels are loaded where it is");
   declaration.subscribes("/world/W/light_config", "ignition.msgs.Light", "the same as a topic");
   return system;
 }

@@ -171,6 +171,7 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
   for (const Body& body : std::visit(MakeBodies{shapes_, meshes_, warn}, visual.geometry)) {
     Item item = prototype;
     item.surface = body.surface;
+    item.visual = visual.name;
     item.paint = paintOf(visual, body.material);
     if (item.paint.opacity <= 0) continue;
     for (std::size_t map = 0; map < kMapCount; ++map) item.pictures[map] = pictureOf(item.paint.maps[map], warn);

@@ -37,6 +37,8 @@ struct Item {
   ModelId model;
   /// In place of a link; it moves by itself.
   const description::Actor* actor = nullptr;
+  /// The visual's name.
+  std::string visual;
   Pose X_LinkSurface;
   /// Along the axes of the surface, before it is turned.
   Vector3 scale = Vector3::Ones();

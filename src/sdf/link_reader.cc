@@ -53,6 +53,12 @@ void readStiffness(const Element& ode, description::Surface& surface, Context& c
   }
 }
 
+/// @return What names the link in whose frame a friction direction is given; null where nothing does.
+const Element::Attribute* frameOfDirection(const Element& direction) {
+  const Element::Attribute* frame = direction.attribute("ignition:expressed_in");
+  return frame != nullptr ? frame : direction.attribute("gz:expressed_in");
+}
+
 description::Surface readSurface(const Element& collision, Context& context) {
   description::Surface surface;
   const Element* element = collision.child("surface");
@@ -62,6 +68,9 @@ description::Surface readSurface(const Element& collision, Context& context) {
     surface.mu = readNotNegative(*ode, "mu", surface.mu, context);
     surface.mu2 = readNotNegative(*ode, "mu2", surface.mu2, context);
     surface.fdir1 = readVector(*ode, "fdir1", surface.fdir1, context);
+    if (const Element* direction = ode->child("fdir1")) {
+      if (const Element::Attribute* frame = frameOfDirection(*direction)) surface.fdir1Link = frame->value;
+    }
     surface.slip1 = readNotNegative(*ode, "slip1", surface.slip1, context);
     surface.slip2 = readNotNegative(*ode, "slip2", surface.slip2, context);
   }

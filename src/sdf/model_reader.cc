@@ -1,8 +1,12 @@
 #include "sdf/model_reader.hh"
 
+#include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "base/nearest_word.hh"
 #include "sdf/includes.hh"
 #include "sdf/names.hh"
 #include "sdf/parts_reader.hh"
@@ -22,6 +26,23 @@ void readCanonicalLink(const Element& element, Scope& scope, Context& context) {
   } else {
     context.diagnostics.error(attribute->position,
                               "the canonical link of " + scope.label() + ", '" + attribute->value + "', is not a link");
+  }
+}
+
+/// Friction directions in the frame of a link that is not there are in that of their collision, with a warning.
+void checkFrictionFrames(description::Model& model, const std::string& label, Context& context) {
+  std::vector<std::string_view> names;
+  for (const description::Link& link : model.links) names.push_back(link.name);
+  for (description::Link& link : model.links) {
+    for (description::Collision& collision : link.collisions) {
+      std::string& frame = collision.surface.fdir1Link;
+      if (frame.empty() || std::ranges::find(names, frame) != names.end()) continue;
+      context.diagnostics.warning(collision.position,
+                                  "the <fdir1> of collision '" + collision.name + "' is expressed in '" + frame +
+                                      "', which is no link of " + label + ": it is taken in the collision's frame",
+                                  base::didYouMean(frame, names));
+      frame.clear();
+    }
   }
 }
 
@@ -55,6 +76,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   draft.scope->resolve(context);
   model.canonicalLink = draft.scope->link(0);
   model.links = parts.takeLinks();
+  checkFrictionFrames(model, label, context);
   model.joints = parts.takeJoints();
   model.frames = parts.takeFrames();
   model.models = parts.takeModels();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sdf/environment_reader.hh"
+#include "sdf/levels_reader.hh"
 #include "sdf/names.hh"
 #include "sdf/parts_reader.hh"
 #include "sdf/physics_reader.hh"
@@ -47,6 +48,7 @@ WorldParts readWorld(const Element& element, Context& context) {
   world.lights = parts.takeLights();
   world.actors = parts.takeActors();
   world.plugins = parts.takePlugins();
+  world.levels = readLevels(world, context);
   for (description::Model& model : world.models) placeWorldJoints(model, Pose());
   return {std::move(world), std::move(scope)};
 }

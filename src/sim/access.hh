@@ -1,16 +1,27 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "physics/engine.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/log.hh"
+#include "sim/levels.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
 
 namespace pongsim::sim {
+
+/// A group of entities that is set aside: not there for anybody, and kept as it is until it comes back.
+struct Shelved {
+  world::Records entities;
+  world::StatePart state;
+  physics::SetAside bodies;
+};
 
 /// What the handles (`World`, `Model`, `Link`, `Joint`) reach into.
 class Access {
@@ -33,6 +44,17 @@ class Access {
   }
   /// Models or joints have come or gone, and the systems do not know yet.
   bool hasChanged = false;
+  /// How often they have.
+  std::uint64_t changes = 0;
+  void noteChange() {
+    hasChanged = true;
+    ++changes;
+  }
+  /// What is set aside, in the order of ids.
+  std::vector<Shelved> shelf = {};
+  /// The ids of all models and sensors in it.
+  std::unordered_set<std::uint64_t> shelvedIds = {};
+  Levels levels = {};
 };
 
 inline const char* kindOf(ModelId) { return "model"; }
@@ -47,6 +69,10 @@ template <class Id>
 world::Slot slotOf(const Access& access, Id id) {
   const world::Slot slot = access.entities.slot(id);
   if (slot == world::kNoSlot) {
+    if (access.shelvedIds.contains(id.value)) {
+      throw Gone(std::string("the ") + kindOf(id) + " with the id " + std::to_string(id.value) +
+                 " is set aside with its level");
+    }
     throw Gone(std::string("the ") + kindOf(id) + " with the id " + std::to_string(id.value) +
                " is not there any more");
   }

@@ -44,7 +44,11 @@ void BackgroundCalls::make(const Call& call) {
   try {
     const MessagePointer reply = newMessage(call.replyType);
     const CallResult result = node_.call(call.service, *call.request, *reply, call.timeout);
-    if (!result) log_.warning(result.error);
+    if (call.done) {
+      call.done(result, *reply);
+    } else if (!result) {
+      log_.warning(result.error);
+    }
   } catch (const std::exception& error) {
     log_.warning("service '" + call.service + "' can't be called: " + error.what());
   }

@@ -8,6 +8,8 @@ namespace pongsim {
 struct BeamScene::Content {
   sim::Access& access;
   sensing::Scene scene = {};
+  /// Those of the world that it knows of.
+  std::uint64_t changes = 0;
 };
 
 BeamScene::BeamScene(const World& world) : content_(new Content{*world.access_}) {}
@@ -15,10 +17,18 @@ BeamScene::BeamScene(const World& world) : content_(new Content{*world.access_})
 BeamScene::~BeamScene() = default;
 
 void BeamScene::rebuild(Diagnostics& diagnostics) {
+  content_->changes = content_->access.changes;
   content_->scene.build(content_->access.entities, content_->access.state, diagnostics);
 }
 
-void BeamScene::update() { content_->scene.update(content_->access.state); }
+void BeamScene::update() {
+  // who steps a simulation himself is told by nobody that a level has come or gone
+  if (content_->changes != content_->access.changes) {
+    Diagnostics none;
+    rebuild(none);
+  }
+  content_->scene.update(content_->access.state);
+}
 
 void BeamScene::cast(const Sensor& sensor, std::span<const Vector3> directions, double minRange, double maxRange,
                      std::uint32_t visibilityMask, std::span<Echo> echoes) {

@@ -16,6 +16,8 @@ struct CameraScene::Content {
   sim::Access& access;
   std::unique_ptr<rendering::Renderer> renderer;
   rendering::Scene scene = {};
+  /// Those of the world that it knows of.
+  std::uint64_t changes = 0;
 };
 
 CameraScene::CameraScene(const World& world)
@@ -28,10 +30,18 @@ void CameraScene::setColors(const std::optional<Vector3>& background, const std:
 }
 
 void CameraScene::rebuild(Diagnostics& diagnostics) {
+  content_->changes = content_->access.changes;
   content_->scene.build(content_->access.entities, content_->access.state, diagnostics);
 }
 
-void CameraScene::update() { content_->scene.update(content_->access.entities, content_->access.state); }
+void CameraScene::update() {
+  // who steps a simulation himself is told by nobody that a level has come or gone
+  if (content_->changes != content_->access.changes) {
+    Diagnostics none;
+    rebuild(none);
+  }
+  content_->scene.update(content_->access.entities, content_->access.state);
+}
 
 void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pixels) {
   content_->renderer->drawColors(content_->scene, view, pixels);

@@ -1,10 +1,14 @@
 #include "sim/edit_services.hh"
 
+#include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "base/nearest_word.hh"
 #include "msgs/control_messages.hh"
 #include "pongsim/log.hh"
+#include "pongsim/message.hh"
 #include "sim/diagnostic_log.hh"
 
 namespace pongsim::sim {
@@ -32,6 +36,9 @@ EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates", &EditServices::setPlace);
   serve("light_config", "ignition.msgs.Light", &EditServices::setLight);
   serve("set_physics", "ignition.msgs.Physics", &EditServices::setPhysics);
+  serve("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", &EditServices::setWheelSlip);
+  wheelSlips_ = simulation.transport().node().advertise(nameOf("wheel_slip"), "ignition.msgs.WheelSlipParametersCmd");
+  serve("level/set_performer", "ignition.msgs.StringMsg", &EditServices::setPerformer);
   lights_ = simulation.transport().node().subscribe(nameOf("light_config"), "ignition.msgs.Light",
                                                     [this](const Message& light) {
                                                       if (const auto refusal = simulation_.changeLight(light))
@@ -140,6 +147,8 @@ std::optional<Model> EditServices::find(const msgs::EntityName& asked, std::stri
     error = "neither a name nor an id is given";
   } else if (simulation_.world().model(asked.name)) {
     error = "'" + asked.name + "' is nested in another model";
+  } else if (simulation_.isSetAside(asked.name)) {
+    error = "model '" + asked.name + "' is set aside: its level is not loaded";
   } else {
     const std::string nearest = base::didYouMean(asked.name, names);
     error = "there is no model '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest);
@@ -200,6 +209,10 @@ ServiceAnswer EditServices::setPlace(const Message& request) {
 
 ServiceAnswer EditServices::setLight(const Message& request) { return answerFor(simulation_.changeLight(request)); }
 
+ServiceAnswer EditServices::setPerformer(const Message& request) {
+  return answerFor(simulation_.addPerformer(msgs::string(request)));
+}
+
 ServiceAnswer EditServices::setPhysics(const Message& request) {
   const msgs::PhysicsSettings asked = msgs::physicsSettings(request);
   if (asked.stepSize == 0 && asked.realTimeFactor == 0 && !asked.gravity) {
@@ -218,6 +231,46 @@ ServiceAnswer EditServices::setPhysics(const Message& request) {
   simulation_.setStepSize(oldStep);
   simulation_.setRealTimeFactor(oldFactor);
   return ServiceAnswer::refused(*refusal);
+}
+
+std::optional<msgs::EntityName> EditServices::findLinkOrModel(const msgs::EntityName& asked, std::string& error) {
+  const World world = simulation_.world();
+  if (asked.id != 0) {
+    if (const auto link = world.link(LinkId{asked.id})) return msgs::EntityName{asked.id, link->scopedName(), "LINK"};
+    if (const auto model = world.model(ModelId{asked.id})) {
+      return msgs::EntityName{asked.id, model->scopedName(), "MODEL"};
+    }
+    error = "there is no link or model with the id " + std::to_string(asked.id);
+    return std::nullopt;
+  }
+  if (const auto model = world.model(asked.name)) return msgs::EntityName{model->id().value, asked.name, "MODEL"};
+  const std::size_t colons = asked.name.rfind("::");
+  if (colons != std::string::npos) {
+    const auto model = world.model(std::string_view(asked.name).substr(0, colons));
+    const auto link = model ? model->link(std::string_view(asked.name).substr(colons + 2)) : std::nullopt;
+    if (link) return msgs::EntityName{link->id().value, asked.name, "LINK"};
+  }
+  error = asked.name.empty() ? "neither a name nor an id is given"
+                             : "there is no model '" + asked.name + "', and no link of that name (it is 'MODEL::LINK')";
+  return std::nullopt;
+}
+
+/// Passes it on to the systems that let wheels slip, which take it up at the next step.
+ServiceAnswer EditServices::setWheelSlip(const Message& request) {
+  msgs::WheelSlip asked = msgs::wheelSlip(request);
+  std::string error;
+  const std::optional<msgs::EntityName> entity = findLinkOrModel(asked.entity, error);
+  if (!entity) return ServiceAnswer::refused(error);
+  const auto isSound = [](double compliance) { return compliance >= 0 && std::isfinite(compliance); };
+  if (!isSound(asked.lateral) || !isSound(asked.longitudinal)) {
+    return ServiceAnswer::refused("slip compliances are finite numbers from zero up");
+  }
+  if (!wheelSlips_.hasSubscribers()) return ServiceAnswer::refused("no system here lets wheels slip: wheel-slip does");
+  asked.entity = *entity;
+  const MessagePointer command = newMessage("ignition.msgs.WheelSlipParametersCmd");
+  msgs::setWheelSlip(asked, *command);
+  wheelSlips_.publish(*command);
+  return true;
 }
 
 }  // namespace pongsim::sim

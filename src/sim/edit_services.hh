@@ -13,9 +13,10 @@
 namespace pongsim::sim {
 
 /// Lets others change a world that runs: `create`, `create_multiple`, `remove`, `set_pose`, `set_pose_vector`,
-/// `set_spherical_coordinates`, `light_config` and `set_physics` under `/world/W`. Requests are met from within
+/// `set_spherical_coordinates`, `light_config`, `set_physics` and `wheel_slip` under `/world/W`. Requests are met from within
 /// `Transport::dispatch`, which must be in between two steps, and answered when they have taken effect, or with the
-/// reason why they have not. `light_config` is a topic, too.
+/// reason why they have not. `light_config` is a topic, too, and so is `wheel_slip`, which the systems hear that let
+/// wheels slip.
 class EditServices {
  public:
   /// @param simulation Must outlive it.
@@ -35,6 +36,7 @@ class EditServices {
   ServiceAnswer setPlace(const Message& request);
   ServiceAnswer setLight(const Message& request);
   ServiceAnswer setPhysics(const Message& request);
+  ServiceAnswer setWheelSlip(const Message& request);
 
   /// What came with one request, to be taken back if the rest of it can't be.
   struct Inserted {
@@ -51,12 +53,16 @@ class EditServices {
   std::optional<Vector3> positionOf(const msgs::PlaceOnEarth& place, std::string& refusal);
   /// @return Where it is to stand, or nothing, which with `refusal` means that it can't.
   std::optional<Pose> poseFor(const msgs::EntityFactory& asked, std::string& refusal);
+  ServiceAnswer setPerformer(const Message& request);
   /// @return The model at the top level, or nothing and `error`.
   std::optional<Model> find(const msgs::EntityName& asked, std::string& error);
+  /// @return The link or the model of any level, or nothing and `error`.
+  std::optional<msgs::EntityName> findLinkOrModel(const msgs::EntityName& asked, std::string& error);
 
   Simulation& simulation_;
   std::vector<Service> services_;
   Subscription lights_;
+  Publisher wheelSlips_;
 };
 
 }  // namespace pongsim::sim

@@ -1,6 +1,8 @@
 #include "sim/editor.hh"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -11,8 +13,16 @@ bool isSound(const Pose& pose) {
 }
 
 bool Editor::isFree(std::string_view name) const {
+  const auto isOf = [name](const Shelved& shelved) {
+    return std::ranges::any_of(shelved.entities.models,
+                               [name](const world::ModelRecord& model) { return model.scopedName == name; }) ||
+           std::ranges::any_of(shelved.entities.lights, [name](const world::LightRecord& light) {
+             return light.link == world::kNoSlot && light.description->name == name;
+           });
+  };
   return access_.entities.findModel(name) == world::kNoSlot &&
-         access_.entities.findLight(world::kNoSlot, name) == world::kNoSlot;
+         access_.entities.findLight(world::kNoSlot, name) == world::kNoSlot &&
+         std::ranges::none_of(access_.shelf, isOf);
 }
 
 std::string Editor::freeName(const std::string& name) const {
@@ -30,7 +40,7 @@ world::Slot Editor::insert(std::shared_ptr<const description::Model> model) {
     throw;
   }
   access_.state.grow(access_.entities);
-  access_.hasChanged = true;
+  access_.noteChange();
   return slot;
 }
 
@@ -38,7 +48,7 @@ std::vector<ModelId> Editor::remove(world::Slot model) {
   const world::Removal removal = access_.entities.removeModel(model);
   access_.engine.remove(removal);
   access_.state.remove(removal);
-  access_.hasChanged = true;
+  access_.noteChange();
   return removal.models;
 }
 
@@ -113,7 +123,7 @@ world::Slot Editor::insertJoint(std::shared_ptr<const description::Joint> joint,
   const world::Slot slot = access_.entities.insertJoint(std::move(joint), id);
   access_.engine.grow();
   access_.state.grow(access_.entities);
-  access_.hasChanged = true;
+  access_.noteChange();
   return slot;
 }
 
@@ -121,7 +131,7 @@ void Editor::detach(world::Slot joint) {
   const world::Removal removal = access_.entities.removeJoint(joint);
   access_.engine.remove(removal);
   access_.state.remove(removal);
-  access_.hasChanged = true;
+  access_.noteChange();
 }
 
 void Editor::setGravity(const Vector3& gravity) {
@@ -129,7 +139,60 @@ void Editor::setGravity(const Vector3& gravity) {
   access_.engine.setGravity(gravity);
 }
 
+namespace {
+
+/// @return The lowest id in it.
+std::uint64_t firstId(const world::Records& records) {
+  std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
+  for (const world::ModelRecord& model : records.models) first = std::min(first, model.id.value);
+  for (const world::LightRecord& light : records.lights) first = std::min(first, light.id.value);
+  for (const world::ActorRecord& actor : records.actors) first = std::min(first, actor.id.value);
+  return first;
+}
+
+}  // namespace
+
+void Editor::setAside(const std::vector<world::Roots>& groups) {
+  if (groups.empty()) return;
+  world::Departure departure = access_.entities.setAside(groups);
+  std::vector<physics::SetAside> bodies = access_.engine.setAside(departure.slots);
+  std::vector<world::StatePart> state = access_.state.setAside(departure.slots);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    access_.shelf.push_back({std::move(departure.groups[i]), std::move(state[i]), std::move(bodies[i])});
+  }
+  putShelfInOrder();
+}
+
+void Editor::bringBack(const std::vector<std::size_t>& places) {
+  if (places.empty()) return;
+  std::vector<world::Records> entities;
+  std::vector<world::StatePart> state;
+  std::vector<physics::SetAside> bodies;
+  for (const std::size_t place : places) {
+    entities.push_back(std::move(access_.shelf[place].entities));
+    state.push_back(std::move(access_.shelf[place].state));
+    bodies.push_back(std::move(access_.shelf[place].bodies));
+  }
+  world::eraseSlots(access_.shelf, places);
+  const world::GroupSlots slots = access_.entities.bringBack(std::move(entities));
+  access_.engine.bringBack(slots, std::move(bodies));
+  access_.state.bringBack(slots, std::move(state));
+  putShelfInOrder();
+}
+
+void Editor::putShelfInOrder() {
+  std::ranges::sort(access_.shelf, {}, [](const Shelved& shelved) { return firstId(shelved.entities); });
+  access_.shelvedIds.clear();
+  for (const Shelved& shelved : access_.shelf) {
+    for (const world::ModelRecord& model : shelved.entities.models) access_.shelvedIds.insert(model.id.value);
+    for (const world::SensorRecord& sensor : shelved.entities.sensors) access_.shelvedIds.insert(sensor.id.value);
+  }
+  access_.noteChange();
+}
+
 void Editor::reset() {
+  access_.shelf.clear();
+  access_.shelvedIds.clear();
   access_.entities.reset();
   // the systems stay, and with them the batteries of the models that are there
   std::vector<world::BatteryState> batteries = std::move(access_.state.batteries);
@@ -139,7 +202,7 @@ void Editor::reset() {
   access_.state = world::State(access_.entities);
   access_.state.batteries = std::move(batteries);
   access_.engine.reset();
-  access_.hasChanged = true;
+  access_.noteChange();
 }
 
 void Editor::cutPower() {

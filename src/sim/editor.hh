@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "description/joint.hh"
 #include "description/model.hh"
@@ -49,6 +51,11 @@ class Editor {
 
   void setGravity(const Vector3& gravity);
 
+  /// Sets groups of entities aside, each to come back as one. A joint must not hold one to what is not of it.
+  void setAside(const std::vector<world::Roots>& groups);
+  /// Brings those of these places in the shelf back, in ascending order.
+  void bringBack(const std::vector<std::size_t>& places);
+
   /// Back to the start.
   void reset();
 
@@ -58,6 +65,7 @@ class Editor {
  private:
   /// @return The joint that holds some of these links, in ascending order, to something else; null if there is none.
   const world::JointRecord* holder(const std::vector<world::Slot>& links) const;
+  void putShelfInOrder();
   Access& access_;
 };
 

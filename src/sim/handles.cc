@@ -230,11 +230,16 @@ void Model::setVelocity(const Vector3& linear, const Vector3& angular) {
 }
 
 void Model::changeVelocity(const Vector3& origin, const Vector3& linear, const Vector3& angular) {
-  for (Link& link : links()) {
+  // by slots, for lists of handles would be allocated in each step
+  const world::ModelRecord& model = record(*access_, id_);
+  for (const world::Slot slot : model.links) {
+    Link link(*access_, access_->entities.links()[slot].id);
     const Vector3 arm = link.pose().position - origin;
     link.setVelocity(link.linearVelocity() + linear + angular.cross(arm), link.angularVelocity() + angular);
   }
-  for (Model& inner : models()) inner.changeVelocity(origin, linear, angular);
+  for (const world::Slot slot : model.models) {
+    Model(*access_, access_->entities.models()[slot].id).changeVelocity(origin, linear, angular);
+  }
 }
 
 std::optional<std::string> Model::setPose(const Pose& X_WorldModel, AfterMove after) {
@@ -254,6 +259,8 @@ void Model::setActuators(std::span<const double> values) {
   slotOf(*access_, id_);
   access_->state.actuators[id_].assign(values.begin(), values.end());
 }
+
+bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
 
 std::string_view World::name() const { return access_->entities.description().name; }
 
@@ -344,6 +351,14 @@ std::optional<std::string> World::setWind(const Vector3& wind) {
   }
   access_->state.wind = wind;
   return std::nullopt;
+}
+
+void World::performers(std::vector<Performer>& performers) const {
+  access_->levels.listPerformers(*access_, performers);
+}
+
+std::optional<std::string> World::addPerformer(const Model& model, const Vector3& size, std::string_view name) {
+  return access_->levels.add(*access_, model.id(), std::string(name), size);
 }
 
 }  // namespace pongsim

@@ -75,7 +75,7 @@ Outcome<std::string> insertLight(Access& access, const Message& light, const Ins
   added->X_ParentLight.rotation.normalize();
   if (std::optional<std::string> refusal = checkLight(*added)) return {std::nullopt, *refusal};
   access.entities.insertLight(std::move(added));
-  access.hasChanged = true;
+  access.noteChange();
   return {blank.name, {}};
 }
 
@@ -87,7 +87,7 @@ std::optional<std::string> changeLight(Access& access, const Message& light) {
       std::make_shared<description::Light>(msgs::changedLight(*access.entities.lights()[slot].description, light));
   if (std::optional<std::string> wrong = checkLight(*changed)) return wrong;
   access.entities.changeLight(slot, std::move(changed));
-  access.hasChanged = true;
+  access.noteChange();
   return std::nullopt;
 }
 
@@ -99,7 +99,7 @@ std::optional<std::string> removeLight(Access& access, std::uint64_t id, const s
     return "the light with the id " + std::to_string(id) + " is a part of a link and can't be removed alone";
   }
   access.entities.removeLight(slot);
-  access.hasChanged = true;
+  access.noteChange();
   return std::nullopt;
 }
 

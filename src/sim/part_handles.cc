@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "pongsim/sensor.hh"
 #include "sim/access.hh"
 
@@ -9,6 +11,12 @@ using sim::slotOf;
 
 const world::CollisionRecord& record(const sim::Access& access, CollisionId id) {
   return access.entities.collisions()[slotOf(access, id)];
+}
+
+/// @return The how manieth collision of its link it is.
+std::size_t numberInLink(const sim::Access& access, CollisionId id) {
+  const world::Slot slot = slotOf(access, id);
+  return slot - access.entities.links()[access.entities.collisions()[slot].link].firstCollision;
 }
 
 const world::SensorRecord& record(const sim::Access& access, SensorId id) {
@@ -53,11 +61,44 @@ Link Collision::link() const { return Link(*access_, access_->entities.links()[r
 
 Pose Collision::poseInLink() const { return record(*access_, id_).description->X_LinkCollision; }
 
+void Collision::setSurfaceMotion(const std::optional<SurfaceMotion>& motion) {
+  const world::CollisionRecord& own = record(*access_, id_);
+  if (motion) {
+    const bool isFinite = std::abs(motion->speed) <= SurfaceMotion::kLargestSpeed && motion->axis.allFinite() &&
+                          (!motion->center || motion->center->allFinite());
+    if (!isFinite || !(motion->axis.norm() > 0)) {
+      access_->refuse("the surface of collision '" + scopedName() +
+                      "' can't run as asked: a speed of at most 1e6 m/s, an axis and a finite centre are needed");
+      return;
+    }
+  }
+  access_->engine.setSurfaceMotion(own.link, numberInLink(*access_, id_), motion);
+}
+
+std::optional<SurfaceMotion> Collision::surfaceMotion() const {
+  return access_->engine.surfaceMotion(record(*access_, id_).link, numberInLink(*access_, id_));
+}
+
+void Collision::setSlip(double slip1, double slip2) {
+  const world::CollisionRecord& own = record(*access_, id_);
+  if (!(slip1 >= 0) || !(slip2 >= 0) || !std::isfinite(slip1) || !std::isfinite(slip2)) {
+    access_->refuse("the slips of collision '" + scopedName() + "' must be finite and not below zero, in m/s/N");
+    return;
+  }
+  access_->engine.setSlip(own.link, numberInLink(*access_, id_), slip1, slip2);
+}
+
+std::pair<double, double> Collision::slip() const {
+  return access_->engine.slip(record(*access_, id_).link, numberInLink(*access_, id_));
+}
+
 Shape Collision::shape() const { return std::visit(ShapeOf(), record(*access_, id_).description->geometry); }
 
 SourcePosition Collision::sourcePosition() const { return record(*access_, id_).description->position; }
 
 bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
+
+bool Sensor::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
 
 std::string_view Sensor::name() const { return record(*access_, id_).description->name; }
 

@@ -25,11 +25,11 @@ struct SavedJoint {
   void transfer(StateArchive& archive);
 };
 
-/// @return The joints that are there, in the order of their slots.
+/// @return The joints that are there or set aside, in the order of their ids.
 std::vector<SavedJoint> listJoints(const Access& access);
 
 /// Makes and removes joints until these are there. Where the file has joints that have gone since, all goes back to the
-/// start first, which can't be where models have come or gone.
+/// start first, which can't be where models have come or gone. Nothing may be set aside.
 /// @return Why that can't be, and nothing is changed then.
 std::optional<std::string> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted);
 

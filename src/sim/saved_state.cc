@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "base/hash.hh"
+#include "sim/saved_groups.hh"
 #include "sim/saved_joints.hh"
 
 namespace pongsim::sim {
@@ -19,20 +21,33 @@ void add(base::Hash& hash, const Pose& pose) {
   for (const double value : pose.rotation.coeffs()) hash.add(value);
 }
 
+/// @return Pointers to records that are there or set aside, in the order of their ids.
+template <class Record>
+std::vector<const Record*> allOf(const Access& access, const std::vector<Record>& there,
+                                 std::vector<Record> world::Records::*member) {
+  std::vector<const Record*> all;
+  for (const Record& record : there) all.push_back(&record);
+  for (const Shelved& shelved : access.shelf) {
+    for (const Record& record : shelved.entities.*member) all.push_back(&record);
+  }
+  std::ranges::sort(all, {}, [](const Record* record) { return record->id; });
+  return all;
+}
+
 /// @return A number made of who is in the world and how it began, but for joints: a state fits where it is the same.
 std::uint64_t structureOf(const Access& access, const SystemSet* systems) {
   base::Hash hash;
-  const world::Entities& entities = access.entities;
-  for (const world::ModelRecord& model : entities.models()) {
-    hash.add(model.scopedName);
-    hash.add(std::uint64_t{model.isStatic});
+  for (const world::ModelRecord* model : allOf(access, access.entities.models(), &world::Records::models)) {
+    hash.add(model->scopedName);
+    hash.add(std::uint64_t{model->isStatic});
   }
-  for (const world::LinkRecord& link : entities.links()) {
-    hash.add(link.description->name);
-    hash.add(link.description->inertial.mass);
-    hash.add(std::uint64_t{link.description->collisions.size()});
-    add(hash, link.X_WorldLinkStart);
+  for (const world::LinkRecord* link : allOf(access, access.entities.links(), &world::Records::links)) {
+    hash.add(link->description->name);
+    hash.add(link->description->inertial.mass);
+    hash.add(std::uint64_t{link->description->collisions.size()});
+    add(hash, link->X_WorldLinkStart);
   }
+  for (const auto& [level, isLoaded] : access.levels.list()) hash.add(level);
   if (systems != nullptr) systems->addTo(hash);
   return hash.value();
 }
@@ -43,7 +58,22 @@ std::uint64_t checksumOf(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
+void transferShelf(StateArchive& archive, Access& access) {
+  std::vector<LinkId> links;
+  for (const world::LinkRecord* link : allOf(access, access.entities.links(), &world::Records::links)) {
+    links.push_back(link->id);
+  }
+  for (Shelved& shelved : access.shelf) {
+    world::transfer(archive, shelved.state);
+    shelved.bodies.transfer(archive, links);
+    for (world::ModelRecord& model : shelved.entities.models) {
+      if (model.canonicalLink == world::kNoSlot) archive(model.X_CanonicalModel);
+    }
+  }
+}
+
 void transfer(StateArchive& archive, Access& access, SystemSet* systems) {
+  access.levels.transfer(archive, access);
   world::transfer(archive, access.state);
   access.engine.transfer(archive);
   if (archive.isGiving()) access.engine.setGravity(access.state.gravity);
@@ -54,13 +84,36 @@ void transfer(StateArchive& archive, Access& access, SystemSet* systems) {
     archive(pose);
     access.entities.setPose(slot, pose);
   }
+  transferShelf(archive, access);
   if (systems != nullptr) systems->transfer(archive);
+}
+
+/// Lets those be set aside that are in the saved state.
+/// @return Why that can't be, and nothing is changed then.
+std::optional<std::string> restoreWho(const std::vector<SavedGroup>& groups, const std::vector<SavedJoint>& joints,
+                                      Access& access, SystemSet* systems) {
+  const std::vector<SavedGroup> before = listGroups(access);
+  bringAllBack(access);
+  if (auto error = restoreJoints(access, joints)) {
+    setAside(before, access);
+    return error;
+  }
+  // what is set aside is not made anew with the others
+  if (!groups.empty()) access.engine.reset();
+  setAside(groups, access);
+  if (systems == nullptr || groups == before) return std::nullopt;
+  // who holds sensors that have come or gone must know it before those are restored
+  systems->updateWhoRests();
+  systems->announceChanges();
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::vector<std::byte> saveState(Access& access, SystemSet* systems) {
   StateArchive content;
+  std::vector<SavedGroup> groups = listGroups(access);
+  content(groups);
   std::vector<SavedJoint> joints = listJoints(access);
   content(joints);
   transfer(content, access, systems);
@@ -93,9 +146,11 @@ std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access
     return "the saved state is one of another world, or other models, joints or systems were there";
   }
   StateArchive content(header.rest());
+  std::vector<SavedGroup> groups;
+  content(groups);
   std::vector<SavedJoint> joints;
   content(joints);
-  if (const auto error = restoreJoints(access, joints)) return error;
+  if (const auto error = restoreWho(groups, joints, access, systems)) return error;
   transfer(content, access, systems);
   return std::nullopt;
 }

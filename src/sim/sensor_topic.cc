@@ -59,6 +59,11 @@ void SensorTopic::publish(const Message& message) {
   if (metrics_) metrics_->publish(last_, rate_);
 }
 
+void SensorTopic::publish(const Message& message, const Bulk& bulk) {
+  publisher_.publish(message, bulk);
+  if (metrics_) metrics_->publish(last_, rate_);
+}
+
 void SensorTopic::setRate(double rate) {
   if (!(rate >= 0)) return;
   // no more than the file asks for

@@ -19,6 +19,7 @@
 #include "sdf/loader.hh"
 #include "sim/access.hh"
 #include "sim/editor.hh"
+#include "sim/levels.hh"
 #include "sim/light_edits.hh"
 #include "sim/model_edits.hh"
 #include "sim/saved_state.hh"
@@ -61,6 +62,12 @@ struct Simulation::Parts {
     if (systems) systems->announceChanges();
   }
 
+  /// Loads and unloads levels. The systems are told when they are called next.
+  void updateLevels() {
+    const std::uint64_t before = access.changes;
+    access.levels.update(access);
+    if (systems && access.changes != before) systems->updateWhoRests();
+  }
   void stepEngine(Time dt);
 
   StepInfo nextStep(Time dt) const {
@@ -118,13 +125,21 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
                                                      "first world of a file, '" + root.worlds[0].name + "'");
   }
   description::World world = root.worlds.empty() ? worldAround(std::move(root)) : std::move(root.worlds.front());
+  if (options.levels && !world.levels.isGiven) {
+    diagnostics.warning(world.position, "world '" + world.name + "' has no levels: all of it is loaded",
+                        "they stand in a <plugin filename=\"dummy\" name=\"gz::sim\"> of the world");
+  }
   auto parts = std::make_unique<Parts>(std::move(world), options);
+  if (options.levels) parts->access.levels.use();
+  parts->access.levels.start(parts->access);
   if (options.loadSystems) {
     parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict);
     parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, diagnostics);
+    parts->systems->load(parts->description, options.systems, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
+  parts->updateLevels();
+  parts->announceChanges();
   return std::unique_ptr<Simulation>(new Simulation(std::move(parts)));
 }
 
@@ -168,6 +183,7 @@ void Simulation::Parts::stepEngine(Time dt) {
 void Simulation::advance(Time dt) {
   Parts& parts = *parts_;
   const StepInfo info = parts.nextStep(dt);
+  parts.updateLevels();
   if (parts.systems) {
     parts.systems->preUpdate(info);
     parts.systems->update(info);
@@ -242,6 +258,33 @@ std::optional<std::filesystem::path> Simulation::resolve(const std::string& addr
 
 std::optional<std::string> Simulation::remove(const Model& model) { return parts_->edits.remove(model.id()); }
 
+std::optional<std::string> Simulation::addPerformer(const std::string& model) {
+  if (model.empty()) return "no model is named";
+  sim::Access& access = parts_->access;
+  const world::Slot slot = access.entities.findModel(model);
+  if (slot != world::kNoSlot)
+    return access.levels.add(access, access.entities.models()[slot].id, {}, sim::kPerformerSize);
+  Logger("levels").warning("there is no model '" + model + "' yet: it performs from when it is there");
+  access.levels.addLater(model);
+  return std::nullopt;
+}
+
+bool Simulation::isSetAside(const std::string& model) const {
+  return std::ranges::any_of(parts_->access.shelf, [&](const sim::Shelved& shelved) {
+    return std::ranges::any_of(shelved.entities.models,
+                               [&](const world::ModelRecord& record) { return record.scopedName == model; });
+  });
+}
+
+std::size_t Simulation::countSetAside() const {
+  std::size_t count = 0;
+  for (const sim::Shelved& shelved : parts_->access.shelf) {
+    count += static_cast<std::size_t>(
+        std::ranges::count(shelved.entities.models, world::kNoSlot, &world::ModelRecord::parent));
+  }
+  return count;
+}
+
 std::optional<std::string> Simulation::setStepSize(Time size) {
   if (size <= Time::zero() || size > kLongestStep) return "a step must be longer than zero and at most a second";
   parts_->state.stepSize = size;
@@ -256,7 +299,10 @@ std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
 
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   sim::Editor(parts_->access).reset();
+  parts_->access.levels.start(parts_->access);
   if (parts_->systems) parts_->systems->reset(diagnostics, seed);
+  parts_->updateLevels();
+  parts_->announceChanges();
 }
 
 std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }
@@ -267,7 +313,11 @@ std::optional<std::string> Simulation::restoreState(std::span<const std::byte> s
 
 World Simulation::world() { return World(parts_->access); }
 
-std::uint64_t Simulation::stateHash() const { return world::stateHash(parts_->state); }
+std::uint64_t Simulation::stateHash() const {
+  std::vector<const world::StatePart*> parts;
+  for (const sim::Shelved& shelved : parts_->access.shelf) parts.push_back(&shelved.state);
+  return world::stateHash(parts_->state, parts);
+}
 
 Transport& Simulation::transport() { return *parts_->transport; }
 

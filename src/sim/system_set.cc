@@ -24,6 +24,31 @@ description::Plugin defaultSceneBroadcaster() {
   return plugin;
 }
 
+std::string attributeOf(const Element& element, const char* name) {
+  const Element::Attribute* attribute = element.attribute(name);
+  return attribute == nullptr ? std::string() : attribute->value;
+}
+
+std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements) {
+  std::vector<description::Plugin> plugins;
+  for (const Element& each : elements)
+    plugins.push_back({attributeOf(each, "filename"), attributeOf(each, "name"), each});
+  return plugins;
+}
+
+/// @return A plugin of the file with what is said of the same system elsewhere, which is taken from `more`.
+description::Plugin joined(description::Plugin plugin, std::vector<description::Plugin>& more) {
+  const auto same = std::ranges::find(more, plugin::systemName(plugin.filename), [](const description::Plugin& each) {
+    return plugin::systemName(each.filename);
+  });
+  if (same == more.end()) return plugin;
+  // of elements of one name the first counts
+  std::vector<Element>& children = plugin.sdf.children;
+  children.insert(children.begin(), same->sdf.children.begin(), same->sdf.children.end());
+  more.erase(same);
+  return plugin;
+}
+
 }  // namespace
 
 SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict)
@@ -37,23 +62,29 @@ SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, st
 
 SystemSet::~SystemSet() = default;
 
-void SystemSet::load(const description::World& world, Diagnostics& diagnostics) {
-  loadWorldPlugins(world, diagnostics);
+void SystemSet::load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics) {
+  loadWorldPlugins(world, added, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
   for (const world::ActorRecord& actor : access_.entities.actors()) {
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
     for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, diagnostics);
   }
+  collectAwake();
 }
 
-void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& diagnostics) {
-  if (world.plugins.empty()) {
+void SystemSet::loadWorldPlugins(const description::World& world, const std::vector<Element>& added,
+                                 Diagnostics& diagnostics) {
+  std::vector<description::Plugin> more = pluginsOf(added);
+  const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
+  if (std::ranges::none_of(world.plugins, isSystem)) {
     add(defaultSceneBroadcaster_, 0, {}, diagnostics);
+    for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, diagnostics);
     return;
   }
   wantsPhysics_ = false;
   for (std::size_t i = 0; i < world.plugins.size(); ++i) {
-    const description::Plugin& plugin = world.plugins[i];
+    if (!isSystem(world.plugins[i])) continue;
+    const description::Plugin plugin = joined(world.plugins[i], more);
     const std::string name = plugin::systemName(plugin.filename);
     if (name == kPhysics) {
       wantsPhysics_ = true;
@@ -68,6 +99,7 @@ void SystemSet::loadWorldPlugins(const description::World& world, Diagnostics& d
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }
+  for (std::size_t i = 0; i < more.size(); ++i) add(more[i], world.plugins.size() + i, {}, diagnostics);
 }
 
 void SystemSet::loadModelPlugins(world::Slot model, Diagnostics& diagnostics) {
@@ -140,11 +172,27 @@ void SystemSet::check() const {
   if (failure_) throw std::runtime_error(*failure_);
 }
 
-void SystemSet::load(world::Slot model, Diagnostics& diagnostics) { loadModelPlugins(model, diagnostics); }
+void SystemSet::load(world::Slot model, Diagnostics& diagnostics) {
+  loadModelPlugins(model, diagnostics);
+  collectAwake();
+}
 
 void SystemSet::unload(const std::vector<ModelId>& models) {
   slots_.remove_if([&](const SystemSlot& slot) { return std::ranges::find(models, slot.model()) != models.end(); });
   unloaded_.insert(unloaded_.end(), models.begin(), models.end());
+  collectAwake();
+}
+
+void SystemSet::updateWhoRests() {
+  for (SystemSlot& slot : slots_) slot.setResting(access_.shelvedIds.contains(slot.model().value));
+  collectAwake();
+}
+
+void SystemSet::collectAwake() {
+  awake_.clear();
+  for (SystemSlot& slot : slots_) {
+    if (!slot.isResting()) awake_.push_back(&slot);
+  }
 }
 
 void SystemSet::announceChanges() {
@@ -163,6 +211,7 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
     if (slot != world::kNoSlot) loadOwnPlugins(slot, diagnostics);
   }
   putInOrder();
+  updateWhoRests();
   for (SystemSlot& slot : slots_) slot.switchOn(Random(seed_, slot.stream()));
   announceChanges();
   for (SystemSlot& slot : slots_) {
@@ -193,17 +242,17 @@ void SystemSet::preUpdate(const StepInfo& info) {
   check();
   queue_.carryOut();
   announceChanges();
-  for (SystemSlot& slot : slots_) slot.preUpdate(info);
+  for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->preUpdate(info);
   check();
 }
 
 void SystemSet::update(const StepInfo& info) {
-  for (SystemSlot& slot : slots_) slot.update(info);
+  for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->update(info);
   check();
 }
 
 void SystemSet::postUpdate(const StepInfo& info) {
-  for (SystemSlot& slot : slots_) slot.postUpdate(info);
+  for (std::size_t i = 0; i < awake_.size(); ++i) awake_[i]->postUpdate(info);
   queue_.carryOut();
   check();
 }

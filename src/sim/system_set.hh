@@ -33,7 +33,8 @@ class SystemSet {
   /// Makes and configures the systems that the world asks for: its own plugins in the order of the file, then each
   /// model's. A world that lists none gets those that Fortress's servers have by default. A system that can't use its
   /// parameters is left out with a warning, as in Fortress, and the rest of the world runs.
-  void load(const description::World& world, Diagnostics& diagnostics);
+  /// @param added `<plugin>` elements of systems beside them.
+  void load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
 
   /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.
   bool wantsPhysics() const { return wantsPhysics_; }
@@ -43,6 +44,9 @@ class SystemSet {
 
   /// Ends the systems of models that have gone.
   void unload(const std::vector<ModelId>& models);
+
+  /// Lets the systems of models that are set aside rest, and those of models that are back be called again.
+  void updateWhoRests();
 
   /// Tells the systems that the world has changed, if it has since they were told.
   void announceChanges();
@@ -64,7 +68,7 @@ class SystemSet {
   void postUpdate(const StepInfo& info);
 
  private:
-  void loadWorldPlugins(const description::World& world, Diagnostics& diagnostics);
+  void loadWorldPlugins(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
   /// What a `<plugin>` stands in: a model, an actor, or where it is neither the world.
@@ -74,6 +78,7 @@ class SystemSet {
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
   void putInOrder();
+  void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
   /// Ends the step where a system must not have failed.
@@ -94,6 +99,8 @@ class SystemSet {
   EditQueue queue_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
+  /// Those that are called in a step, in their order.
+  std::vector<SystemSlot*> awake_;
 };
 
 }  // namespace pongsim::sim

@@ -56,7 +56,7 @@ bool SystemSlot::start(const Element& plugin, World& world, const std::optional<
 }
 
 bool SystemSlot::begin(const char* phase) {
-  if (isOff_) return false;
+  if (isOff_ || isResting_) return false;
   phase_ = phase;
   running_.emplace(crashName_.c_str(), phase);
   access_.inSystem = true;

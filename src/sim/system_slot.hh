@@ -66,6 +66,10 @@ class SystemSlot final : public CallGuard {
   /// @return What it has advertised.
   const std::vector<std::string>& topics() const { return topics_; }
 
+  /// Whether its model is set aside: it is not called, and gets neither messages nor requests.
+  void setResting(bool rests) { isResting_ = rests; }
+  bool isResting() const { return isResting_; }
+
   /// Calls it again from now on, with random numbers as at the start.
   void switchOn(Random random);
   /// Its random numbers begin there, where it draws the next one.
@@ -106,6 +110,7 @@ class SystemSlot final : public CallGuard {
   Declaration declaration_;
   std::vector<std::string> topics_;
   bool isOff_ = false;
+  bool isResting_ = false;
   const char* phase_ = "";
   std::optional<base::RunningPart> running_;
 };

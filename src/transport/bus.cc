@@ -64,11 +64,13 @@ Channel& Bus::addPublisher(std::string_view topic, const std::string& type, bool
   }
   ++channel.publishers;
   if (latched) ++channel.latchedPublishers;
+  ++ownTopicsVersion_;
   return channel;
 }
 
 void Bus::endPublisher(Channel& channel, bool latched) {
   const std::lock_guard lock(setUp_);
+  ++ownTopicsVersion_;
   if (latched && --channel.latchedPublishers == 0) {
     forgetLatched(channel, [](const ParticipantId& sender) { return sender == kThisProcess; });
     if (channel.writer) channel.writer->forgetKept();
@@ -95,6 +97,34 @@ Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, Inb
   return addInbox(channel, std::make_unique<Inbox>(channel, std::move(received), options));
 }
 
+Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, HeardAtOnce heard,
+                            const SubscriptionOptions& options) {
+  const std::lock_guard lock(setUp_);
+  Channel& channel = channelFor(topic, type);
+  auto inbox = std::make_unique<Inbox>(
+      channel, newMessage(type),
+      [&channel, heard](const Message& message) {
+        const std::lock_guard hearing(channel.hearing);
+        heard(message, nullptr);
+      },
+      options);
+  inbox->heardAtOnce = std::move(heard);
+  Inbox& added = addInbox(channel, std::move(inbox));
+  const std::lock_guard hearing(channel.hearing);
+  channel.atOnce.push_back(&added);
+  return added;
+}
+
+std::vector<OwnTopic> Bus::ownTopics() {
+  const std::lock_guard lock(setUp_);
+  std::vector<OwnTopic> topics;
+  for (const auto& [key, channel] : channels_) {
+    topics.push_back(
+        {channel->topic, channel->type, channel->publishers, channel->subscriptions, channel->latchedPublishers > 0});
+  }
+  return topics;
+}
+
 Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
   Inbox& inbox = *owned;
   ++channel.subscriptions;
@@ -102,7 +132,7 @@ Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
     const std::lock_guard inboxesLock(mutex_);
     inboxes_.emplace(&inbox, std::move(owned));
     channel.inboxes.push_back(&inbox);
-    ++channel.inboxCount;
+    ++(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
     ++channel.inboxesSoFar;
     if (channel.latched != nullptr) putInto(inbox, channel.latched);
   }
@@ -112,12 +142,13 @@ Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
     std::erase(inboxesWithArrivals_, &inbox);
-    --channel.inboxCount;
+    --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
     --channel.subscriptions;
     inboxes_.erase(&inbox);
     throw;
   }
   if (channel.reader) inbox.lostBefore = channel.reader->lost();
+  ++ownTopicsVersion_;
   subscribersChanged_.notify_all();
   arrived_.notify_one();
   return inbox;
@@ -139,10 +170,15 @@ void Bus::endSubscription(Inbox& inbox) {
   const std::lock_guard dispatchLock(dispatching_);
   const std::lock_guard lock(setUp_);
   Channel& channel = inbox.channel();
+  ++ownTopicsVersion_;
+  if (inbox.heardAtOnce) {
+    const std::lock_guard hearing(channel.hearing);
+    std::erase(channel.atOnce, &inbox);
+  }
   {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
-    --channel.inboxCount;
+    --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
     std::erase(inboxesWithArrivals_, &inbox);
     std::vector<Arrival> unread;
     inbox.moveTo(unread);
@@ -165,7 +201,8 @@ void Bus::endSubscription(Inbox& inbox) {
 }
 
 bool Bus::hasSubscribers(const Channel& channel) const {
-  return channel.inboxCount.load(std::memory_order_relaxed) > 0 || (channel.writer && channel.writer->hasReaders());
+  return channel.inboxCount.load(std::memory_order_relaxed) > 0 ||
+         channel.atOnceCount.load(std::memory_order_relaxed) > 0 || (channel.writer && channel.writer->hasReaders());
 }
 
 std::uint64_t Bus::newSubscribers(PublisherState& publisher) const {
@@ -185,12 +222,59 @@ void Bus::publish(PublisherState& publisher, const Message& message) {
                                 msgs::typeName(message));
   }
   if (!isAwaited(publisher)) return;
+  hearAtOnce(publisher, message, nullptr);
+  if (!isWantedInBytes(publisher)) return;
   send(publisher, msgs::byteSize(message),
        [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); });
 }
 
+void Bus::publish(PublisherState& publisher, const Message& message, const Bulk& bulk) {
+  const Channel& channel = publisher.channel;
+  const std::optional<msgs::BulkWriter> writer = msgs::BulkWriter::of(message, bulk);
+  if (msgs::typeName(message) != channel.type || !writer) {
+    throw std::invalid_argument("topic '" + channel.topic + "' is of " + channel.type + ", not of " +
+                                msgs::typeName(message) + " with bytes in '" + bulk.field + "'");
+  }
+  if (!isAwaited(publisher)) return;
+  hearAtOnce(publisher, message, &bulk);
+  if (!isWantedInBytes(publisher)) return;
+  send(publisher, writer->size(), [&writer](std::span<std::byte> place) { writer->write(place); });
+}
+
+/// @return Whether others want it than those who hear at once. What these alone hear is counted as sent here.
+bool Bus::isWantedInBytes(PublisherState& publisher) {
+  Channel& channel = publisher.channel;
+  if (publisher.latched || channel.inboxCount.load(std::memory_order_relaxed) > 0) return true;
+  if (channel.writer && channel.writer->hasReaders()) return true;
+  ++publisher.sent;
+  ++channel.sent;
+  return false;
+}
+
+void Bus::hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk) {
+  Channel& channel = publisher.channel;
+  if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
+  const std::lock_guard hearing(channel.hearing);
+  // by number, for what is called may end subscriptions, or make some
+  for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
+    const Inbox& inbox = *channel.atOnce[i];
+    if (inbox.except != &publisher) inbox.heardAtOnce(message, bulk);
+  }
+}
+
 void Bus::publishBytes(PublisherState& publisher, std::span<const std::byte> bytes) {
   if (!isAwaited(publisher)) return;
+  Channel& channel = publisher.channel;
+  if (channel.atOnceCount.load(std::memory_order_relaxed) > 0) {
+    const std::lock_guard hearing(channel.hearing);
+    if (!channel.read) channel.read = newMessage(channel.type);
+    if (channel.read && msgs::parseBytes(bytes, *channel.read)) {
+      hearAtOnce(publisher, *channel.read, nullptr);
+    } else {
+      complain(channel, kThisProcess, "is no " + channel.type);
+    }
+  }
+  if (!isWantedInBytes(publisher)) return;
   send(publisher, bytes.size(), [bytes](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
 }
 
@@ -218,7 +302,7 @@ void Bus::send(PublisherState& publisher, std::size_t size, const std::function<
     const auto copy = [buffer](std::span<std::byte> place) { std::ranges::copy(buffer->bytes, place.begin()); };
     channel.writer->write(size, copy, keeping);
   }
-  deliver(channel, buffer, latched);
+  deliver(channel, buffer, latched, &publisher);
 }
 
 /// Takes the sample's bytes, and leaves as many of no meaning for the next one.
@@ -233,7 +317,7 @@ void Bus::receive(Channel& channel, const ParticipantId& sender, Buffer& sample)
   buffer->swapBytes(sample);
   buffer->bytes = buffer->bytes.subspan(kPayloadHeader, message->size());
   buffer->sender = sender;
-  deliver(channel, buffer, latched);
+  deliver(channel, buffer, latched, nullptr);
 }
 
 Buffer* Bus::takeBuffer(std::size_t size) {
@@ -241,10 +325,11 @@ Buffer* Bus::takeBuffer(std::size_t size) {
   return buffers_.take(size);
 }
 
-void Bus::deliver(Channel& channel, Buffer* buffer, bool latched) {
+void Bus::deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from) {
   {
     const std::lock_guard lock(mutex_);
     for (Inbox* inbox : channel.inboxes) {
+      if (from != nullptr && (inbox->heardAtOnce || inbox->except == from)) continue;
       if (inbox->wants()) putInto(*inbox, buffer);
     }
     if (latched) {
@@ -312,10 +397,10 @@ std::size_t Bus::dispatch() {
   for (const Arrival& arrival : arrivals_) {
     Inbox& inbox = *arrival.inbox;
     if (inbox.ended) continue;
-    if (inbox.handOver(*arrival.buffer)) {
-      ++handedOver;
+    if (const std::optional<std::string> fault = inbox.handOver(*arrival.buffer)) {
+      complain(inbox.channel(), arrival.buffer->sender, *fault);
     } else {
-      complain(inbox.channel(), arrival.buffer->sender, "is no " + inbox.channel().type);
+      ++handedOver;
     }
   }
   return handedOver + server_.dispatch();

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,11 +48,18 @@ class Channel {
   std::unique_ptr<Writer> writer;
   std::unique_ptr<Reader> reader;
 
-  /// Guarded by the bus's mutex, in the order of subscribing.
+  /// Guarded by the bus's mutex, in the order of subscribing; with those that hear at once.
   std::vector<Inbox*> inboxes;
   std::atomic<int> inboxCount = 0;
   std::atomic<std::uint64_t> inboxesSoFar = 0;
   std::atomic<std::uint64_t> sent = 0;
+
+  /// Those that hear at once, who are not in `inboxCount`. Held while they are called, which may publish in turn.
+  std::recursive_mutex hearing;
+  std::vector<Inbox*> atOnce;
+  std::atomic<int> atOnceCount = 0;
+  /// What bytes are read into for them, or null.
+  MessagePointer read;
 
   /// For who comes later, or null; guarded by the bus's mutex.
   Buffer* latched = nullptr;
@@ -84,11 +92,18 @@ class Bus {
                          const SubscriptionOptions& options);
   Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::ReceivedBytes received,
                          const SubscriptionOptions& options);
+  /// Of one that hears at once what is published here.
+  Inbox& addSubscription(std::string_view topic, const std::string& type, HeardAtOnce heard,
+                         const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
+
+  std::vector<OwnTopic> ownTopics();
+  std::uint64_t ownTopicsVersion() const { return ownTopicsVersion_.load(std::memory_order_relaxed); }
 
   bool hasSubscribers(const Channel& channel) const;
   std::uint64_t newSubscribers(PublisherState& publisher) const;
   void publish(PublisherState& publisher, const Message& message);
+  void publish(PublisherState& publisher, const Message& message, const Bulk& bulk);
   void publishBytes(PublisherState& publisher, std::span<const std::byte> bytes);
   bool waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout);
   bool waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout);
@@ -107,6 +122,15 @@ class Bus {
                     ServiceHandler handler);
   void endService(Offer& offer);
   CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
+
+  /// Sends a request to a service of this transport.
+  /// @return Its number, or nothing where there is no such service.
+  std::optional<std::uint64_t> request(std::string_view service, const Message& request, const std::string& replyType,
+                                       Answered answered) {
+    return client_.post(service, request, replyType, std::move(answered));
+  }
+  /// Does not have the request's function called any more.
+  void forgetRequest(std::uint64_t number) { client_.forget(number); }
   std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
@@ -115,8 +139,11 @@ class Bus {
   Inbox& addInbox(Channel& channel, std::unique_ptr<Inbox> inbox);
   void openReader(Channel& channel);
   bool isAwaited(const PublisherState& publisher) const;
+  bool isWantedInBytes(PublisherState& publisher);
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
-  void deliver(Channel& channel, Buffer* buffer, bool latched);
+  void hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk);
+  /// @param from Null for another process's.
+  void deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from);
   void putInto(Inbox& inbox, Buffer* buffer);
   void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
@@ -139,6 +166,7 @@ class Bus {
   /// Ended by a function that `dispatch` called, for which they must stay until it returns.
   std::vector<Inbox*> endedInDispatch_;
 
+  std::atomic<std::uint64_t> ownTopicsVersion_ = 0;
   std::mutex setUp_;
   std::map<std::pair<std::string, std::string>, std::unique_ptr<Channel>> channels_;
 
@@ -183,6 +211,18 @@ class ServiceState {
 
   Bus& bus;
   Offer& offer;
+};
+
+/// The right of a request to have its function called.
+class RequestState {
+ public:
+  RequestState(Bus& owner, std::uint64_t request) : bus(owner), number(request) {}
+  ~RequestState() { bus.forgetRequest(number); }
+  RequestState(const RequestState&) = delete;
+  RequestState& operator=(const RequestState&) = delete;
+
+  Bus& bus;
+  const std::uint64_t number;
 };
 
 /// A subscription's place to wait for messages.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "msgs/bytes.hh"
+#include "msgs/number_check.hh"
 
 namespace pongsim::transport {
 
@@ -16,10 +18,20 @@ constexpr std::size_t kMostInboxBytes = 64 << 20;
 // A rate below this is as good as no message at all, and fits the clock.
 constexpr double kLowestRate = 1e-6;
 
+/// @return Why a message with such numbers is refused, or nothing.
+std::optional<std::string> refusal(const Message& message, double largest) {
+  const std::optional<std::string> fault = msgs::unusableNumber(message, largest);
+  if (!fault) return std::nullopt;
+  std::ostringstream text;
+  text << "is refused: " << *fault << "; allowed are finite numbers from " << -largest << " to " << largest;
+  return text.str();
+}
+
 }  // namespace
 
 Inbox::Inbox(Channel& channel, const SubscriptionOptions& options)
     : channel_(channel), limit_(std::max<std::size_t>(options.queueLength, 1)) {
+  if (options.except != nullptr) except = options.except->state_.get();
   if (!options.messagesPerSecond) return;
   const std::chrono::duration<double> period(1 / std::max(*options.messagesPerSecond, kLowestRate));
   period_ = std::chrono::duration_cast<Clock::duration>(period);
@@ -27,17 +39,21 @@ Inbox::Inbox(Channel& channel, const SubscriptionOptions& options)
 
 Inbox::Inbox(Channel& channel, MessagePointer message, Received received, const SubscriptionOptions& options)
     : Inbox(channel, options) {
-  take_ = [message = std::shared_ptr<Message>(std::move(message)), received = std::move(received)](auto bytes) {
-    if (!msgs::parseBytes(bytes, *message)) return false;
+  take_ = [message = std::shared_ptr<Message>(std::move(message)), received = std::move(received),
+           largest = options.largestNumber](auto bytes) -> std::optional<std::string> {
+    if (!msgs::parseBytes(bytes, *message)) return "is no " + msgs::typeName(*message);
+    if (largest) {
+      if (std::optional<std::string> fault = refusal(*message, *largest)) return fault;
+    }
     received(*message);
-    return true;
+    return std::nullopt;
   };
 }
 
 Inbox::Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions& options) : Inbox(channel, options) {
   take_ = [received = std::move(received)](auto bytes) {
     received(bytes);
-    return true;
+    return std::optional<std::string>();
   };
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pongsim/message.hh"
@@ -50,11 +51,19 @@ class Inbox {
   std::uint64_t dropped() const { return dropped_; }
   Channel& channel() const { return channel_; }
 
-  /// @return Whether the bytes are a message of its type; else nobody gets it.
-  bool handOver(const Buffer& buffer) const { return take_(buffer.bytes); }
+  /// Hands the message over, unless it can't be used.
+  /// @return Why not ("is no ignition.msgs.Twist"), or nothing.
+  std::optional<std::string> handOver(const Buffer& buffer) const { return take_(buffer.bytes); }
 
   /// Whether its subscription has gone.
   bool ended = false;
+
+  /// Hears what is published here at once, rather than from here; empty for others. Guarded by the channel's mutex for
+  /// that.
+  HeardAtOnce heardAtOnce;
+
+  /// The publisher that it does not hear, or null.
+  const void* except = nullptr;
 
   /// What its channel's reader had lost before there was this subscription.
   std::uint64_t lostBefore = 0;
@@ -66,7 +75,7 @@ class Inbox {
   Buffer* removeOldest();
 
   Channel& channel_;
-  std::function<bool(std::span<const std::byte>)> take_;
+  std::function<std::optional<std::string>(std::span<const std::byte>)> take_;
   std::size_t limit_;
   std::optional<Clock::duration> period_;
   Clock::time_point next_;

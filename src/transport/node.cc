@@ -53,6 +53,10 @@ void Publisher::publish(const Message& message) {
   if (state_) state_->bus.publish(*state_, message);
 }
 
+void Publisher::publish(const Message& message, const Bulk& bulk) {
+  if (state_) state_->bus.publish(*state_, message, bulk);
+}
+
 void Publisher::publishBytes(std::span<const std::byte> bytes) {
   if (state_) state_->bus.publishBytes(*state_, bytes);
 }
@@ -127,6 +131,28 @@ Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
       *bus_, bus_->addSubscription(fullName(topic), name, guarded(guard_, std::move(received)), options)));
 }
 
+Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
+                                   const SubscriptionOptions& options) {
+  checkRate(options);
+  const std::string name = transport::knownType(type);
+  if (guard_ != nullptr) {
+    // it is another's turn that it is called in, which must not end with it
+    heard = [guard = guard_, inner = std::move(heard)](const Message& message, const Bulk* bulk) {
+      try {
+        inner(message, bulk);
+      } catch (const std::exception& error) {
+        guard->failed(error);
+      }
+    };
+  }
+  return Subscription(std::make_unique<transport::SubscriptionState>(
+      *bus_, bus_->addSubscription(fullName(topic), name, std::move(heard), options)));
+}
+
+std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(); }
+
+std::uint64_t Node::ownTopicsVersion() const { return bus_->ownTopicsVersion(); }
+
 Service::Service() = default;
 Service::Service(std::unique_ptr<transport::ServiceState> state) : state_(std::move(state)) {}
 Service::Service(Service&&) noexcept = default;
@@ -137,7 +163,7 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
                     ServiceHandler handler) {
   if (guard_ != nullptr) {
     handler = [guard = guard_, inner = std::move(handler)](const Message& request, Message& reply) {
-      if (!guard->enter()) return ServiceAnswer::refused("the system is switched off");
+      if (!guard->enter()) return ServiceAnswer::refused("the system is switched off or set aside");
       ServiceAnswer answer = false;
       try {
         answer = inner(request, reply);
@@ -156,6 +182,31 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
 CallResult Node::call(std::string_view service, const Message& request, Message& reply,
                       std::chrono::nanoseconds timeout) {
   return bus_->call(fullName(service), request, reply, timeout);
+}
+
+PendingRequest::PendingRequest() = default;
+PendingRequest::PendingRequest(std::unique_ptr<transport::RequestState> state) : state_(std::move(state)) {}
+PendingRequest::PendingRequest(PendingRequest&&) noexcept = default;
+PendingRequest& PendingRequest::operator=(PendingRequest&&) noexcept = default;
+PendingRequest::~PendingRequest() = default;
+
+PendingRequest Node::request(std::string_view service, const Message& request, std::string_view replyType,
+                             Answered answered) {
+  if (guard_ != nullptr && answered) {
+    answered = [guard = guard_, inner = std::move(answered)](const CallResult& result, const Message& reply) {
+      if (!guard->enter()) return;
+      try {
+        inner(result, reply);
+      } catch (const std::exception& error) {
+        guard->failed(error);
+      }
+      guard->leave();
+    };
+  }
+  const std::optional<std::uint64_t> number =
+      bus_->request(fullName(service), request, transport::knownType(replyType), std::move(answered));
+  if (!number) return {};
+  return PendingRequest(std::make_unique<transport::RequestState>(*bus_, *number));
 }
 
 Transport::Transport(const TransportOptions& options)

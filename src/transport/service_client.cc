@@ -50,16 +50,10 @@ class ServiceClient::CallScope {
   CallResult wait(const std::string& service, Message& reply, TimePoint deadline, IsThere isThere) {
     std::unique_lock lock(client_.mutex_);
     client_.changed_.wait_until(lock, deadline, [&] { return call_->header || call_->gone || !isThere(); });
-    if (!call_->header && (call_->gone || !isThere())) {
-      return failed(CallOutcome::kGone, service, "went away before it answered");
+    if (!call_->header && !call_->gone && isThere()) {
+      return failed(CallOutcome::kNoAnswer, service, "did not answer in time");
     }
-    if (!call_->header) return failed(CallOutcome::kNoAnswer, service, "did not answer in time");
-    if (!call_->header->done) {
-      const std::string& reason = call_->header->reason;
-      return failed(CallOutcome::kRefused, service, "refused" + (reason.empty() ? "" : ": " + reason));
-    }
-    if (msgs::parseBytes(call_->message, reply)) return {CallOutcome::kDone, {}};
-    return failed(CallOutcome::kNoAnswer, service, "answered with what is no " + msgs::typeName(reply));
+    return read(service, call_->header, call_->message, reply);
   }
 
  private:
@@ -182,15 +176,57 @@ void ServiceClient::receive(const Line& line, const ParticipantId& sender, std::
 
 void ServiceClient::answerOwn(std::uint64_t number, const std::optional<ReplyHeader>& header,
                               std::span<const std::byte> message) {
+  std::map<std::uint64_t, Posted>::node_type posted;
   {
     const std::lock_guard lock(mutex_);
+    posted = posted_.extract(number);
     const auto call = calls_.find(number);
-    if (call == calls_.end()) return;
-    call->second.gone = !header;
-    call->second.header = header;
-    call->second.message.assign(message.begin(), message.end());
+    if (call != calls_.end()) {
+      call->second.gone = !header;
+      call->second.header = header;
+      call->second.message.assign(message.begin(), message.end());
+    }
   }
   changed_.notify_all();
+  if (!posted) return;
+  const auto& [service, reply, answered] = posted.mapped();
+  answered(read(service, header, message, *reply), *reply);
+}
+
+std::optional<std::uint64_t> ServiceClient::post(std::string_view service, const Message& request,
+                                                 const std::string& replyType, Answered answered) {
+  const std::string name = absoluteService(service);
+  const auto types = own_.typesOf(name);
+  if (!types || types->first != msgs::typeName(request) || types->second != replyType) return std::nullopt;
+  std::vector<std::byte> message(msgs::byteSize(request));
+  msgs::writeBytes(request, message);
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    number = nextCall_++;
+    if (answered) posted_[number] = {name, newMessage(replyType), std::move(answered)};
+  }
+  if (own_.post(name, number, std::move(message))) return number;
+  forget(number);
+  return std::nullopt;
+}
+
+void ServiceClient::forget(std::uint64_t request) {
+  std::map<std::uint64_t, Posted>::node_type posted;
+  // its function ends without the mutex
+  const std::lock_guard lock(mutex_);
+  posted = posted_.extract(request);
+}
+
+/// Reads an answer; there is no header where the service has gone.
+CallResult ServiceClient::read(const std::string& service, const std::optional<ReplyHeader>& header,
+                               std::span<const std::byte> message, Message& reply) {
+  if (!header) return failed(CallOutcome::kGone, service, "went away before it answered");
+  if (!header->done) {
+    return failed(CallOutcome::kRefused, service, "refused" + (header->reason.empty() ? "" : ": " + header->reason));
+  }
+  if (msgs::parseBytes(message, reply)) return {CallOutcome::kDone, {}};
+  return failed(CallOutcome::kNoAnswer, service, "answered with what is no " + msgs::typeName(reply));
 }
 
 void ServiceClient::changed() {

@@ -34,6 +34,14 @@ class ServiceClient {
 
   CallResult call(std::string_view service, const Message& request, Message& reply, TimePoint deadline);
 
+  /// Sends a request to one of the transport's own services. `answered` is called when that has answered or gone.
+  /// @return The request's number, or nothing where there is no such service with such types, or no room.
+  std::optional<std::uint64_t> post(std::string_view service, const Message& request, const std::string& replyType,
+                                    Answered answered);
+
+  /// Does not call the function of that request any more.
+  void forget(std::uint64_t request);
+
   /// Takes the answer to a call to this transport's own service; nothing where the service has gone.
   void answerOwn(std::uint64_t call, const std::optional<ReplyHeader>& header, std::span<const std::byte> message);
 
@@ -52,6 +60,12 @@ class ServiceClient {
     std::optional<ReplyHeader> header;
     std::vector<std::byte> message;
   };
+  /// A request that nobody waits for.
+  struct Posted {
+    std::string service;
+    MessagePointer reply;
+    Answered answered;
+  };
   class CallScope;
 
   CallResult callOwn(const std::string& service, const Message& request, Message& reply, TimePoint deadline);
@@ -60,6 +74,8 @@ class ServiceClient {
   std::optional<ParticipantId> waitForServer(const Line& line, TimePoint deadline);
   std::string otherTypes(const Line& line) const;
   void receive(const Line& line, const ParticipantId& sender, std::span<const std::byte> payload);
+  static CallResult read(const std::string& service, const std::optional<ReplyHeader>& header,
+                         std::span<const std::byte> message, Message& reply);
   void changed();
 
   Network* network_;
@@ -70,6 +86,7 @@ class ServiceClient {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::uint64_t, Call> calls_;
+  std::map<std::uint64_t, Posted> posted_;
   std::uint64_t nextCall_ = 0;
 };
 

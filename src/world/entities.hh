@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "description/world.hh"
@@ -124,14 +126,80 @@ void eraseSlots(Array& array, const std::vector<Slot>& slots) {
   array.erase(array.begin() + static_cast<std::ptrdiff_t>(kept), array.end());
 }
 
+/// Takes the entries of several groups of slots, each in ascending order, out of an array; those behind move up.
+/// @return The entries, group by group.
+template <class T>
+std::vector<std::vector<T>> takeSlots(std::vector<T>& array, const std::vector<std::vector<Slot>>& groups) {
+  std::vector<std::vector<T>> taken(groups.size());
+  std::vector<Slot> all;
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    for (const Slot slot : groups[group]) taken[group].push_back(std::move(array[slot]));
+    all.insert(all.end(), groups[group].begin(), groups[group].end());
+  }
+  std::sort(all.begin(), all.end());
+  eraseSlots(array, all);
+  return taken;
+}
+
+/// Puts groups of entries into an array, so that they have these slots then; the others make room.
+template <class T>
+void giveSlots(std::vector<T>& array, const std::vector<std::vector<Slot>>& groups,
+               std::vector<std::vector<T>>& entries) {
+  std::vector<std::pair<Slot, T*>> given;
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    for (std::size_t i = 0; i < groups[group].size(); ++i) given.emplace_back(groups[group][i], &entries[group][i]);
+  }
+  std::sort(given.begin(), given.end());
+  const std::size_t count = array.size() + given.size();
+  std::vector<T> result;
+  result.reserve(count);
+  auto next = given.begin();
+  auto own = array.begin();
+  while (result.size() < count) {
+    const bool isGiven = next != given.end() && next->first == result.size();
+    result.push_back(std::move(isGiven ? *(next++)->second : *own++));
+  }
+  array = std::move(result);
+}
+
+/// The entities of a world, by kind, each kind in the order of its ids. A slot in them is a place in these arrays.
+struct Records {
+  std::vector<ModelRecord> models;
+  std::vector<LinkRecord> links;
+  std::vector<JointRecord> joints;
+  std::vector<CollisionRecord> collisions;
+  std::vector<SensorRecord> sensors;
+  std::vector<LightRecord> lights;
+  std::vector<ActorRecord> actors;
+};
+
+/// What stands at the world's level, by its slots.
+struct Roots {
+  std::vector<Slot> models;
+  std::vector<Slot> lights;
+  std::vector<Slot> actors;
+};
+
+/// Which slots groups of entities have had or have now, group by group, each in ascending order.
+struct GroupSlots {
+  std::vector<std::vector<Slot>> links;
+  std::vector<std::vector<Slot>> joints;
+};
+
+/// Groups of entities that are set aside, and the slots that they had.
+struct Departure {
+  std::vector<Records> groups;
+  GroupSlots slots;
+};
+
 /// Who is there: the models, links and joints of a world with their ids, names and places in the arrays. Made from
 /// a description, which must outlive it.
 ///
 /// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it
 /// has visuals, by its collisions, its lights and its sensors), the models in it and its joints (each followed by its
 /// sensors); last the world's own joints, its lights, and its actors, each followed by as many ids as its links have
-/// visuals. All of a kind take their slots in the same order; what comes
-/// later takes the last ones, and where something goes, those behind it move up.
+/// visuals. All of a kind have their slots in the order of their ids: what comes later takes the last ones, where
+/// something goes, those behind it move up, and what comes back after it was set aside has its place again.
 class Entities {
  public:
   /// @throws std::invalid_argument if a joint or a model names a link that isn't there.
@@ -146,7 +214,6 @@ class Entities {
   const std::vector<CollisionRecord>& collisions() const { return collisions_; }
   const std::vector<SensorRecord>& sensors() const { return sensors_; }
   const std::vector<LightRecord>& lights() const { return lights_; }
-  /// They neither come nor go while running.
   const std::vector<ActorRecord>& actors() const { return actors_; }
   /// Slots of the models at the top level, in the order of the file.
   const std::vector<Slot>& topLevelModels() const { return topLevelModels_; }
@@ -193,6 +260,13 @@ class Entities {
   void changeLight(Slot light, std::shared_ptr<const description::Light> changed);
   void removeLight(Slot light);
 
+  /// Takes groups of entities out, with their ids and with the joints that hold on to their links. A joint must not
+  /// hold a group to what is not of it.
+  Departure setAside(const std::vector<Roots>& groups);
+  /// Puts groups back that were set aside.
+  /// @return The slots that they have now.
+  GroupSlots bringBack(std::vector<Records> groups);
+
   /// Back to what the description says. Who is in it has the ids of the start again; no other id is used a second time.
   void reset();
 
@@ -216,6 +290,8 @@ class Entities {
   void remove(const std::vector<Slot>& models, const Removal& removal);
   void renumber(const std::vector<Slot>& models, const Removal& removal);
   void index();
+  Records takeRecords();
+  void giveRecords(Records records);
 
   const description::World* description_;
   std::uint64_t lastId_ = 0;

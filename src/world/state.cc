@@ -1,6 +1,8 @@
 #include "world/state.hh"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include "base/hash.hh"
 
@@ -47,6 +49,27 @@ void State::remove(const Removal& removal) {
   });
 }
 
+std::vector<StatePart> State::setAside(const GroupSlots& groups) {
+  std::vector<std::vector<LinkState>> linkParts = takeSlots(links, groups.links);
+  std::vector<std::vector<JointState>> jointParts = takeSlots(joints, groups.joints);
+  std::vector<StatePart> parts;
+  for (std::size_t i = 0; i < linkParts.size(); ++i) {
+    parts.push_back({std::move(linkParts[i]), std::move(jointParts[i])});
+  }
+  return parts;
+}
+
+void State::bringBack(const GroupSlots& groups, std::vector<StatePart> parts) {
+  std::vector<std::vector<LinkState>> linkParts;
+  std::vector<std::vector<JointState>> jointParts;
+  for (StatePart& part : parts) {
+    linkParts.push_back(std::move(part.links));
+    jointParts.push_back(std::move(part.joints));
+  }
+  giveSlots(links, groups.links, linkParts);
+  giveSlots(joints, groups.joints, jointParts);
+}
+
 namespace {
 
 void transferActuators(StateArchive& archive, std::map<ModelId, std::vector<double>>& actuators) {
@@ -68,6 +91,17 @@ void transferActuators(StateArchive& archive, std::map<ModelId, std::vector<doub
   }
 }
 
+void transferArrays(StateArchive& archive, std::vector<LinkState>& links, std::vector<JointState>& joints) {
+  for (LinkState& link : links) {
+    archive(link.X_WorldLink);
+    archive(link.v_WorldLink);
+    archive(link.w_WorldLink);
+  }
+  for (JointState& joint : joints) {
+    for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
+  }
+}
+
 }  // namespace
 
 void transfer(StateArchive& archive, State& state) {
@@ -82,16 +116,11 @@ void transfer(StateArchive& archive, State& state) {
     archive(*value);
   }
   archive(state.wind);
-  for (LinkState& link : state.links) {
-    archive(link.X_WorldLink);
-    archive(link.v_WorldLink);
-    archive(link.w_WorldLink);
-  }
-  for (JointState& joint : state.joints) {
-    for (double* value : {&joint.position, &joint.velocity, &joint.position2, &joint.velocity2}) archive(*value);
-  }
+  transferArrays(archive, state.links, state.joints);
   transferActuators(archive, state.actuators);
 }
+
+void transfer(StateArchive& archive, StatePart& part) { transferArrays(archive, part.links, part.joints); }
 
 bool isOutOfPower(const State& state, ModelId model) {
   bool has = false;
@@ -122,21 +151,30 @@ Pose poseInModel(const Entities& entities, const State& state, Slot link) {
   return modelPose(entities, state, entities.links()[link].model).inverse() * state.links[link].X_WorldLink;
 }
 
-std::uint64_t stateHash(const State& state) {
-  base::Hash hash;
-  hash.add(static_cast<std::uint64_t>(state.time.count()));
-  hash.add(state.iterations);
-  hash.add(static_cast<std::uint64_t>(state.links.size()));
-  for (const LinkState& link : state.links) {
+namespace {
+
+void addArrays(base::Hash& hash, const std::vector<LinkState>& links, const std::vector<JointState>& joints) {
+  hash.add(static_cast<std::uint64_t>(links.size()));
+  for (const LinkState& link : links) {
     add(hash, link.X_WorldLink.position);
     add(hash, link.X_WorldLink.rotation);
     add(hash, link.v_WorldLink);
     add(hash, link.w_WorldLink);
   }
-  hash.add(static_cast<std::uint64_t>(state.joints.size()));
-  for (const JointState& joint : state.joints) {
+  hash.add(static_cast<std::uint64_t>(joints.size()));
+  for (const JointState& joint : joints) {
     for (const double value : {joint.position, joint.velocity, joint.position2, joint.velocity2}) hash.add(value);
   }
+}
+
+}  // namespace
+
+std::uint64_t stateHash(const State& state, const std::vector<const StatePart*>& parts) {
+  base::Hash hash;
+  hash.add(static_cast<std::uint64_t>(state.time.count()));
+  hash.add(state.iterations);
+  addArrays(hash, state.links, state.joints);
+  for (const StatePart* part : parts) addArrays(hash, part->links, part->joints);
   return hash.value();
 }
 

@@ -40,6 +40,12 @@ struct Place {
   double heading = 0;
 };
 
+/// How a group of entities stands that is set aside.
+struct StatePart {
+  std::vector<LinkState> links;
+  std::vector<JointState> joints;
+};
+
 /// A battery of a model, and what drains it.
 struct BatteryState {
   struct Load {
@@ -72,6 +78,9 @@ struct State {
   /// Gives what has come into `entities` its place, where it is at the start.
   void grow(const Entities& entities);
   void remove(const Removal& removal);
+  /// Goes with `Entities::setAside` and `bringBack`.
+  std::vector<StatePart> setAside(const GroupSlots& groups);
+  void bringBack(const GroupSlots& groups, std::vector<StatePart> parts);
 
   Time time{0};
   std::uint64_t iterations = 0;
@@ -94,6 +103,7 @@ struct State {
 
 /// All of a state whose arrays have the right size already.
 void transfer(StateArchive& archive, State& state);
+void transfer(StateArchive& archive, StatePart& part);
 
 /// @return Whether the model has batteries and all of them are empty.
 bool isOutOfPower(const State& state, ModelId model);
@@ -110,7 +120,8 @@ Pose poseInModel(const Entities& entities, const State& state, Slot link);
 /// @return A number made of all bits of the state, by FNV-1a (64 bits) over 64-bit words, each taken from its lowest
 /// byte up: time [ns], iterations, number of links, then of each link position (x, y, z), rotation (w, x, y, z),
 /// linear and angular velocity, then the number of joints and of each position and velocity, of its first axis and of
-/// its second; floating-point values as the bits of their IEEE 754 doubles.
-std::uint64_t stateHash(const State& state);
+/// its second; floating-point values as the bits of their IEEE 754 doubles. Then the same of the links and joints of
+/// each part that is set aside.
+std::uint64_t stateHash(const State& state, const std::vector<const StatePart*>& parts = {});
 
 }  // namespace pongsim::world

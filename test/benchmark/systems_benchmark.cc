@@ -1,4 +1,5 @@
-// What each system costs a step while nobody listens, and what fifty driven robots add to the physics.
+// What each system costs a step while nobody listens, what fifty driven robots add to the physics, and what robots cost
+// whose levels are not loaded.
 
 #include <benchmark/benchmark.h>
 
@@ -17,6 +18,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::benchmark {
 namespace {
@@ -25,6 +27,8 @@ namespace fs = std::filesystem;
 
 constexpr int kRobots = 50;
 constexpr int kBodies = 100;
+constexpr int kRobotsALevel = 10, kRobotsInLevels = 500;
+constexpr double kMostForLevels = 0.05;
 constexpr double kMostMicroseconds = 2;
 constexpr double kMostShare = 0.1;
 constexpr int kSettlingSteps = 500;
@@ -71,10 +75,11 @@ std::vector<SystemCase> systemCases() {
   return cases;
 }
 
-std::unique_ptr<Simulation> load(const std::string& text, bool loadSystems = true) {
+std::unique_ptr<Simulation> load(const std::string& text, bool loadSystems = true, bool useLevels = false) {
   Diagnostics diagnostics;
   SimulationOptions options;
   options.loadSystems = loadSystems;
+  options.levels = useLevels;
   auto simulation = Simulation::fromText(text, "world.sdf", options, diagnostics);
   if (!simulation) throw std::runtime_error(format(diagnostics.all().front()));
   return simulation;
@@ -87,19 +92,33 @@ void stepWorld(::benchmark::State& run, const std::string& text) {
 }
 
 /// The example of DiffDrive with further robots, 2 m apart.
-std::string manyRobots() {
+/// @param isInLevels Ten at a time are in a level, and a performer is in the first of them.
+std::string manyRobots(int count = kRobots, bool isInLevels = false) {
   const std::string text = textOf(test::projectFolder() / "plugins/drives/diff-drive/diff_drive.sdf");
   const std::size_t begin = text.find("<model name=\"rover\">");
   const std::string closing = "</model>";
   const std::size_t end = text.find(closing, begin) + closing.size();
   const std::string robot = text.substr(begin, end - begin);
   std::string robots;
-  for (int i = 0; i < kRobots; ++i) {
+  std::string levels = isInLevels ? "<model name=\"scout\"><static>true</static><link name=\"link\"/></model><plugin "
+                                    "filename=\"dummy\" name=\"gz::sim\"><performer name=\"p\"><ref>scout</ref>"
+                                    "<geometry><box/></geometry></performer>"
+                                  : "";
+  for (int i = 0; i < count; ++i) {
     const std::string place = std::to_string(2 * (i % 10)) + " " + std::to_string(2 * (i / 10)) + " 0 0 0 0";
     robots += replaced(robot, "<model name=\"rover\">",
                        "<model name=\"rover" + std::to_string(i) + "\"><pose>" + place + "</pose>");
+    if (!isInLevels) continue;
+    if (i % kRobotsALevel == 0) {
+      const std::string row = std::to_string(i / kRobotsALevel);
+      levels += (i == 0 ? "" : "</level>") + ("<level name=\"" + row) + "\"><pose>9 " +
+                std::to_string(2 * (i / kRobotsALevel)) +
+                " 0 0 0 0</pose><geometry><box><size>20 0.9 2</size></box></geometry>";
+    }
+    levels += "<ref>rover" + std::to_string(i) + "</ref>";
   }
-  return std::string(text).replace(begin, end - begin, robots);
+  if (isInLevels) levels += "</level></plugin>";
+  return std::string(text).replace(begin, end - begin, robots + levels);
 }
 
 Pose poseOf(Simulation& simulation) { return simulation.world().model("rover0")->pose(); }
@@ -182,6 +201,25 @@ void printBuoyancy(const Medians& medians) {
   }
 }
 
+/// Robots that stand there.
+std::unique_ptr<Simulation> standing(int count, bool isInLevels) {
+  auto simulation = load(manyRobots(count, isInLevels), true, isInLevels);
+  simulation->step(kSettlingSteps);
+  const std::size_t there = simulation->world().models().size() + simulation->countSetAside();
+  if (there != static_cast<std::size_t>(count) + (isInLevels ? 2U : 1U)) throw std::runtime_error("robots are missing");
+  if (isInLevels != (simulation->countSetAside() > 0)) throw std::runtime_error("levels are not what they should be");
+  return simulation;
+}
+
+void printLevels(const Medians& medians) {
+  const double few = medians.of("levels/10_robots"), some = medians.of("levels/10_of_500_robots");
+  if (!(few > 0) || !(some > 0)) return;
+  std::printf(
+      "\n%d robots %.1f us; %d, of which %d are in a level that is loaded, %.1f us: %.1f %% more%s; all %d %.0f us\n",
+      kRobotsALevel, few, kRobotsInLevels, kRobotsALevel, some, 100 * (some / few - 1),
+      some / few - 1 > kMostForLevels ? "  TOO MUCH" : "", kRobotsInLevels, medians.of("levels/500_robots"));
+}
+
 void printTable(const Medians& medians, const std::vector<SystemCase>& cases) {
   const double nothing = medians.of("nothing");
   if (nothing > 0) {
@@ -204,6 +242,8 @@ void printTable(const Medians& medians, const std::vector<SystemCase>& cases) {
 
 int run(int argc, char** argv) {
   const std::vector<SystemCase> cases = systemCases();
+  // some write into the current folder
+  const test::WorkingFolder folder;
   const auto add = [](const std::string& name, auto function, const std::string& text) {
     ::benchmark::RegisterBenchmark(name.c_str(), function, text)->Unit(::benchmark::kMicrosecond);
   };
@@ -225,10 +265,14 @@ int run(int argc, char** argv) {
   add("100_bodies/at_the_surface", stepWorld, manyBodies(kSurface));
   addDriven("50_robots/physics", drivenByHand);
   addDriven("50_robots/diff_drive", drivenBySystem);
+  addDriven("levels/10_robots", [] { return standing(kRobotsALevel, false); });
+  addDriven("levels/10_of_500_robots", [] { return standing(kRobotsInLevels, true); });
+  addDriven("levels/500_robots", [] { return standing(kRobotsInLevels, false); });
   Medians medians;
   if (!medians.run(argc, argv)) return 2;
   printTable(medians, cases);
   printBuoyancy(medians);
+  printLevels(medians);
   return 0;
 }
 

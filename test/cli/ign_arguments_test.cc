@@ -22,7 +22,12 @@ TEST(IgnArguments, RunAWorld) {
   EXPECT_EQ(fromIgnArguments({"gazebo", "-r", "a.sdf", "-v"}), (Words{"run", "-r", "a.sdf", "-v", "3"}));
   EXPECT_EQ(fromIgnArguments({"gazebo", "-v", "-r", "a.sdf"}), (Words{"run", "-v", "3", "-r", "a.sdf"}));
   EXPECT_EQ(fromIgnArguments({"gazebo", "--help"}), (Words{"run", "--help"}));
+  EXPECT_EQ(fromIgnArguments({"gazebo", "levels.sdf", "-r", "--levels"}),
+            (Words{"run", "levels.sdf", "-r", "--levels"}));
   EXPECT_THROW(fromIgnArguments({"gazebo", "-g"}), UsageError);
+  for (const char* word : {"--network-role=primary", "--network-role", "--network-secondaries"}) {
+    EXPECT_THROW(fromIgnArguments({"gazebo", "a.sdf", word}), UsageError) << word;
+  }
 }
 
 TEST(IgnArguments, AreOtherwiseTheSame) {

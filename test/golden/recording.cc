@@ -1,6 +1,7 @@
 #include "golden/recording.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/battery_state.pb.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,8 @@ std::vector<RecordedRow> readRecording(const std::filesystem::path& file) {
 
 bool Replay::isHere() { return fortressWorlds() && goldenData(); }
 
-Replay::Replay(const std::string& world, std::vector<RecordedCommand> commands) : commands_(std::move(commands)) {
+Replay::Replay(const std::string& world, std::vector<RecordedCommand> commands, std::vector<RecordedBattery> batteries)
+    : commands_(std::move(commands)), batteries_(std::move(batteries)) {
   rows_ = readRecording(*goldenData() / "systems" / recordingOf(world));
   EXPECT_FALSE(rows_.empty()) << "no recording of " << world;
   Diagnostics diagnostics;
@@ -93,6 +95,11 @@ Replay::Replay(const std::string& world, std::vector<RecordedCommand> commands) 
     if (!publishers_.contains(command.topic)) {
       publishers_.emplace(command.topic, simulation_->transport().node().advertise(command.topic, command.type));
     }
+  }
+  for (const RecordedBattery& battery : batteries_) {
+    subscriptions_.push_back(simulation_->transport().node().subscribe<ignition::msgs::BatteryState>(
+        "/model/" + battery.model + "/battery/" + battery.name + "/state",
+        [this, name = battery.name](const auto& state) { charges_[name] = state.percentage(); }));
   }
 }
 
@@ -119,7 +126,7 @@ void Replay::run(const std::function<void(const RecordedRow&)>& atEach) {
 }
 
 void Replay::compare(const RecordedRow& row) {
-  if (row.what == "battery") return;
+  if (row.what == "battery") return compareBattery(row);
   const std::string key = row.what + " " + row.name;
   double distance = 0;
   double angle = 0;
@@ -159,6 +166,25 @@ void Replay::compare(const RecordedRow& row) {
   deviation.last = distance;
   deviation.lastAngle = angle;
   deviation.way += way;
+}
+
+void Replay::compareBattery(const RecordedRow& row) {
+  if (batteries_.empty()) return;
+  if (std::exchange(batteryTime_, row.time) != row.time) batteryCount_ = 0;
+  const std::string name = batteries_.at(batteryCount_++).name;
+  // of the step that was made last
+  simulation_->transport().dispatch();
+  const std::string key = "battery " + name;
+  if (!charges_.contains(name)) {
+    if (std::ranges::find(missing_, key) == missing_.end()) missing_.push_back(key);
+    return;
+  }
+  Deviation& deviation = deviations_[key];
+  deviation.last = std::abs(charges_.at(name) - row.values.at(0));
+  if (deviation.last > deviation.largest) {
+    deviation.largest = deviation.last;
+    deviation.when = row.time;
+  }
 }
 
 const Deviation& Replay::of(const std::string& whatAndName) const {

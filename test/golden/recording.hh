@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -21,9 +22,15 @@ struct RecordedCommand {
   std::string text;
 };
 
+/// A battery of a model. Recordings name none: they have a line for each, in this order.
+struct RecordedBattery {
+  std::string model;
+  std::string name;
+};
+
 /// How far a run was from what Fortress recorded of one model, link or joint.
 struct Deviation {
-  /// Largest distance of positions [m], or of the positions of a joint's axes [rad or m].
+  /// Largest distance of positions [m], of the positions of a joint's axes [rad or m], or of states of charge.
   double largest = 0;
   /// When that was.
   Time when{0};
@@ -55,7 +62,9 @@ class Replay {
  public:
   /// Runs `world`, a file below the folder of Fortress's worlds as "test/conveyor.sdf", beside the recording of the
   /// same name. Fails the test where it can't be loaded, and skips nothing: see `isHere`.
-  explicit Replay(const std::string& world, std::vector<RecordedCommand> commands = {});
+  /// @param batteries Those to compare, by what they publish; none: the lines of batteries are passed over.
+  explicit Replay(const std::string& world, std::vector<RecordedCommand> commands = {},
+                  std::vector<RecordedBattery> batteries = {});
 
   /// @return Whether Fortress's worlds and recordings are here; skip the test where they are not.
   static bool isHere();
@@ -64,7 +73,7 @@ class Replay {
   /// @param atEach Called when the run stands at a line's time, for what a test looks at besides.
   void run(const std::function<void(const RecordedRow&)>& atEach = {});
 
-  /// Of "model NAME", "link NAME" or "joint NAME". A test fails where the recording has no such thing.
+  /// Of "model NAME", "link NAME", "joint NAME" or "battery NAME". A test fails where the recording has no such thing.
   const Deviation& of(const std::string& whatAndName) const;
   const std::map<std::string, Deviation>& all() const { return deviations_; }
   /// What the recording has and the world has not, as "model NAME".
@@ -74,11 +83,19 @@ class Replay {
 
  private:
   void compare(const RecordedRow& row);
+  void compareBattery(const RecordedRow& row);
 
   std::vector<RecordedRow> rows_;
   std::vector<RecordedCommand> commands_;
+  std::vector<RecordedBattery> batteries_;
+  /// What each has published last.
+  std::map<std::string, double> charges_;
+  /// Of the lines at a time, how many were batteries.
+  std::size_t batteryCount_ = 0;
+  Time batteryTime_{0};
   std::unique_ptr<Simulation> simulation_;
   std::map<std::string, Publisher> publishers_;
+  std::vector<Subscription> subscriptions_;
   std::map<std::string, Deviation> deviations_;
   std::map<std::string, Vector3> lastPositions_;
   std::vector<std::string> missing_;

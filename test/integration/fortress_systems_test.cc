@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -15,11 +16,13 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -31,12 +34,18 @@ constexpr double kSeconds = 5;
 /// What the list says of a world.
 struct ListedWorld {
   std::string file;
+  /// It is run with `--levels`, maybe once more.
+  bool usesLevels = false;
   /// Why it is left out; empty where it runs.
   std::string reason;
   std::vector<std::string> lines;
 };
 
-void PrintTo(const ListedWorld& world, std::ostream* stream) { *stream << world.file; }
+constexpr std::string_view kLevels = " --levels";
+
+void PrintTo(const ListedWorld& world, std::ostream* stream) {
+  *stream << world.file << (world.usesLevels ? kLevels : "");
+}
 
 std::vector<ListedWorld> listedWorlds() {
   std::ifstream stream(projectFolder() / "test/integration/fortress_systems.txt");
@@ -48,7 +57,11 @@ std::vector<ListedWorld> listedWorlds() {
       continue;
     }
     const std::size_t colon = line.find(": ");
-    worlds.push_back({line.substr(0, colon), colon == std::string::npos ? "" : line.substr(colon + 2), {}});
+    ListedWorld& world = worlds.emplace_back();
+    world.file = line.substr(0, colon);
+    world.reason = colon == std::string::npos ? "" : line.substr(colon + 2);
+    world.usesLevels = world.file.ends_with(kLevels);
+    if (world.usesLevels) world.file.resize(world.file.size() - kLevels.size());
   }
   return worlds;
 }
@@ -95,12 +108,19 @@ class Performance {
       const auto model = simulation_.world().model(name);
       ASSERT_TRUE(model) << line;
       starts_.emplace(name, model->pose().position);
-    } else if (verb != "says" && verb != "turns") {
+    } else if (verb == "perform") {
+      double x = 0, y = 0;
+      words >> x >> y;
+      const auto model = simulation_.world().model(name);
+      ASSERT_TRUE(model) << line;
+      EXPECT_EQ(Model(*model).setPose({{x, y, model->pose().position.z()}, model->pose().rotation}), std::nullopt);
+      EXPECT_EQ(simulation_.addPerformer(name), std::nullopt);
+    } else if (verb != "says" && verb != "turns" && verb != "there" && verb != "gone" && verb != "writes") {
       FAIL() << "the list says '" << line << "'";
     }
   }
 
-  /// After the run: `hear`, `moves`, `rests` and `turns`.
+  /// After the run: `hear`, `moves`, `rests`, `turns`, `there`, `gone` and `writes`.
   void check(const std::string& line) {
     std::istringstream words(line);
     std::string verb, name, type, part;
@@ -120,6 +140,12 @@ class Performance {
       const double moved = (simulation_.world().model(name)->pose().position - starts_.at(name)).norm();
       EXPECT_TRUE(verb == "moves" ? moved >= distance : moved <= distance)
           << line << ": it has moved " << moved << " m";
+    } else if (verb == "there" || verb == "gone") {
+      for (; !name.empty(); name.clear(), words >> name) {
+        EXPECT_EQ(simulation_.world().model(name).has_value(), verb == "there") << name;
+      }
+    } else if (verb == "writes") {
+      EXPECT_TRUE(fs::is_regular_file(name)) << line;
     } else if (verb == "turns") {
       std::string joint;
       double position = 0;
@@ -137,13 +163,25 @@ class Performance {
   std::map<std::string, Vector3> starts_;
 };
 
-class FortressSystems : public testing::TestWithParam<ListedWorld> {};
+/// Fortress's own tests name the folder of their models in this way.
+class FortressSystems : public testing::TestWithParam<ListedWorld> {
+ protected:
+  FortressSystems() {
+    if (const auto folder = fortressWorlds()) setenv(kVariable, (*folder / "test/models").c_str(), 1);
+  }
+  ~FortressSystems() override { unsetenv(kVariable); }
+
+ private:
+  static constexpr const char* kVariable = "IGN_GAZEBO_RESOURCE_PATH";
+};
 
 TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
   const auto folder = fortressWorlds();
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
+  const WorkingFolder workingFolder;
   Diagnostics diagnostics;
-  const auto simulation = Simulation::fromFile(*folder / GetParam().file, {.strict = true}, diagnostics);
+  const auto simulation =
+      Simulation::fromFile(*folder / GetParam().file, {.strict = true, .levels = GetParam().usesLevels}, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     EXPECT_TRUE(Performance::isExpected(GetParam(), diagnostic.message)) << format(diagnostic);
   }
@@ -157,7 +195,7 @@ TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
 }
 
 std::string nameOf(const testing::TestParamInfo<ListedWorld>& info) {
-  std::string name = info.param.file;
+  std::string name = info.param.file + (info.param.usesLevels ? "_with_levels" : "");
   std::ranges::replace_if(
       name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
   return name;
@@ -170,7 +208,7 @@ TEST(FortressSystemsList, HasEveryWorld) {
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
   std::set<std::string> listed, there;
   for (const ListedWorld& world : listedWorlds()) {
-    EXPECT_TRUE(listed.insert(world.file).second) << world.file << " is listed twice";
+    EXPECT_TRUE(listed.insert(world.file).second || world.usesLevels) << world.file << " is listed twice";
   }
   for (const char* part : {"examples", "test"}) {
     for (const auto& entry : fs::directory_iterator(*folder / part)) {

@@ -9,6 +9,7 @@
 
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -25,6 +26,8 @@ std::vector<fs::path> worldsBelow(const fs::path& folder) {
 }
 
 TEST(Worlds, OfTheProjectRunWithoutAWarning) {
+  // some write into the current folder
+  const WorkingFolder folder;
   std::vector<fs::path> files = worldsBelow(projectFolder() / "worlds");
   const std::vector<fs::path> ofSystems = worldsBelow(projectFolder() / "plugins");
   files.insert(files.end(), ofSystems.begin(), ofSystems.end());

@@ -124,7 +124,7 @@ TEST_F(GoldenReplies, AreThoseOfServicesThatFortressHas) {
   for (const char* name :
        {"/gazebo/resource_paths/add", "/gazebo/resource_paths/get", "/gazebo/worlds", "/server_control",
         "/world/Moving_robot/control", "/world/Moving_robot/create", "/world/Moving_robot/create_multiple",
-        "/world/Moving_robot/light_config", "/world/Moving_robot/remove", "/world/Moving_robot/scene/graph",
+        "/world/Moving_robot/level/set_performer", "/world/Moving_robot/light_config", "/world/Moving_robot/remove", "/world/Moving_robot/scene/graph",
         "/world/Moving_robot/scene/info", "/world/Moving_robot/set_physics", "/world/Moving_robot/set_pose",
         "/world/Moving_robot/state", "/world/Moving_robot/state_async"}) {
     EXPECT_NE(textOf(folder_ / "services.txt").find(std::string(name) + "\n"), std::string::npos) << name;

@@ -21,6 +21,7 @@
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
 #include "support/test_domain.hh"
+#include "support/working_folder.hh"
 
 namespace pongsim::test {
 namespace {
@@ -128,22 +129,21 @@ void expectSame(const std::vector<std::string>& found, const std::vector<std::st
 }
 
 std::vector<std::string> systemWorlds() {
+  const fs::path plugins = projectFolder() / "plugins";
   std::vector<std::string> files;
-  for (const auto& folder : fs::directory_iterator(projectFolder() / "plugins")) {
-    if (!folder.is_directory()) continue;
-    for (const auto& file : fs::directory_iterator(folder)) {
-      if (file.path().extension() == ".sdf") {
-        files.push_back((folder.path().filename() / file.path().filename()).string());
-      }
-    }
+  for (const auto& file : fs::recursive_directory_iterator(plugins)) {
+    if (file.path().extension() == ".sdf") files.push_back(file.path().lexically_relative(plugins).string());
   }
   std::ranges::sort(files);
   return files;
 }
 
+TEST(SystemWorlds, AreFound) { EXPECT_GT(systemWorlds().size(), 20U); }
+
 class SystemState : public testing::TestWithParam<std::string> {};
 
 TEST_P(SystemState, RepeatsToTheBit) {
+  const WorkingFolder folder;
   const fs::path file = projectFolder() / "plugins" / GetParam();
   Recorder recorder(file);
   recorder.listen();

@@ -49,7 +49,8 @@ TEST(MessageTypes, AreFoundByANearSpelling) {
 }
 
 TEST(MessageTypes, ThatDebianLacksIsThereByAllNames) {
-  for (const char* type : {"EntityWrench", "OdometryWithCovariance", "PoseWithCovariance", "TwistWithCovariance"}) {
+  for (const char* type :
+       {"Dataframe", "EntityWrench", "OdometryWithCovariance", "PoseWithCovariance", "TwistWithCovariance"}) {
     const std::string name = std::string("ignition.msgs.") + type;
     EXPECT_EQ(messageTypeName(type), name);
     EXPECT_EQ(messageTypeName(std::string("gz.msgs.") + type), name);

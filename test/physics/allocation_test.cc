@@ -68,6 +68,7 @@ TEST(Engine, AllocatesNothingInASteadyStep) {
     test::Rig rig(cart());
     rig.engine.setJointVelocityTarget(0, 2);
     rig.engine.setJointVelocityTarget(1, 3);
+    rig.engine.setSurfaceMotion(4, 0, SurfaceMotion{.speed = 0.1, .center = Vector3(0, 9, 0)});
     rig.step(1000);
     const long before = allocations;
     rig.step(2000);

@@ -130,6 +130,32 @@ TEST(AnalyticJoints, PrecessAsAGyroscopeDoes) {
   EXPECT_NEAR(axis.z(), 0, 0.02);
 }
 
+TEST(AnalyticJoints, TiltAFrameWhoseBladesTurnFast) {
+  // two blades turn by 0.65 rad a step, against each other, so that their spin cancels: what is left is the inertia
+  description::Model model = test::makeModel("model", {test::makeLink("frame", {0, 0, 0}, 1.5, {0.035, 0.07, 0.1})});
+  for (const double x : {-0.2, 0.2}) {
+    const std::string name = x < 0 ? "left" : "right";
+    model.links.push_back(test::makeLink(name, {x, 0, 0}, 0.005, {1e-6, 4e-5, 4e-5}));
+    model.joints.push_back(
+        test::makeJoint("hinge_" + name, JointType::kRevolute, "frame", name, test::at(x, 0, 0), Pose()));
+  }
+  description::World world;
+  world.gravity.setZero();
+  world.models = {model};
+  test::Rig rig(std::move(world));
+  rig.engine.setJointVelocityTarget(0, 650);
+  rig.engine.setJointVelocityTarget(1, -650);
+  rig.step(100);
+  constexpr int kSteps = 200;
+  for (int i = 0; i < kSteps; ++i) {
+    rig.engine.addLinkWrench(0, Vector3::Zero(), {0.02, 0, 0});
+    rig.step();
+  }
+  const double expected = 0.02 * kSteps * 1e-3 / (0.035 + 2 * 4e-5 / 2);
+  note("turn", rig.link("model::frame").w_WorldLink.x() / expected - 1);
+  EXPECT_NEAR(rig.link("model::frame").w_WorldLink.x(), expected, 0.05 * expected);
+}
+
 TEST(AnalyticJoints, SwingOnASpringWithADamper) {
   description::Model model = test::makeModel("model", {test::makeLink("mass", {0, 0, 0}, 2, {1, 1, 1})});
   model.joints.push_back(

@@ -69,6 +69,17 @@ description::World gearTrain() {
   return world;
 }
 
+// a heap on a belt that runs round a centre; one of the crates slips
+description::World loadedBelt() {
+  description::World world = heap();
+  world.models.erase(world.models.begin());
+  description::Link belt = linkOf(description::Box{{20, 20, 0.2}});
+  belt.X_ModelLink.position.z() = -0.1;
+  world.models.insert(world.models.begin(), test::makeModel("belt", {belt}));
+  world.models[0].isStatic = true;
+  return world;
+}
+
 // takes the state after some steps into another engine, which has a past of its own
 void expectSameFuture(const description::World& world, int before, void (*command)(Engine&)) {
   test::Rig original(world);
@@ -111,6 +122,13 @@ TEST_P(EngineState, OfADrivenArmLeadsToTheSameBits) {
 
 TEST_P(EngineState, OfAGearTrainLeadsToTheSameBits) {
   expectSameFuture(gearTrain(), GetParam(), [](Engine& engine) { engine.setJointVelocityTarget(0, 3); });
+}
+
+TEST_P(EngineState, OfALoadedBeltLeadsToTheSameBits) {
+  expectSameFuture(loadedBelt(), GetParam(), [](Engine& engine) {
+    engine.setSurfaceMotion(0, 0, SurfaceMotion{.speed = 0.5, .center = Vector3(0, 2, 0)});
+    engine.setSlip(3, 0, 0.01, 0.02);
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(AfterSteps, EngineState, testing::Values(0, 1, 300, 700, 1500));

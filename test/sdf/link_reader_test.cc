@@ -43,6 +43,27 @@ TEST(Link, ReadsSurfaces) {
   EXPECT_EQ(surface.restitution, 0.75);
 }
 
+std::string wheelWithDirection(const std::string& attribute) {
+  return "<collision name='c'><geometry><sphere/></geometry><surface><friction><ode><fdir1 " + attribute +
+         ">1 1 0</fdir1></ode></friction></surface></collision>";
+}
+
+TEST(Link, ReadsTheLinkThatAFrictionDirectionIsFixedTo) {
+  for (const char* attribute : {"ignition:expressed_in='l'", "gz:expressed_in='l'"}) {
+    const Loaded loaded = loadLink(wheelWithDirection(attribute));
+    EXPECT_EQ(loaded.messages, Messages());
+    EXPECT_EQ(loaded.model().links.at(0).collisions.at(0).surface.fdir1Link, "l");
+  }
+}
+
+TEST(Link, TakesAFrictionDirectionInTheCollisionWhereItsLinkIsNotThere) {
+  const Loaded loaded = loadLink(wheelWithDirection("ignition:expressed_in='lin'"));
+  ASSERT_EQ(loaded.messages.size(), 1U);
+  EXPECT_NE(loaded.messages[0].find("expressed in 'lin', which is no link of model"), std::string::npos)
+      << loaded.messages[0];
+  EXPECT_EQ(loaded.model().links.at(0).collisions.at(0).surface.fdir1Link, "");
+}
+
 TEST(Link, ReadsWhatASurfaceDoesBesideRubbing) {
   const Loaded loaded = loadLink(
       "<collision name='c'><geometry><box/></geometry><max_contacts>3</max_contacts><surface><friction><torsional>"

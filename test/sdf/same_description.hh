@@ -21,6 +21,11 @@ class PositionEraser {
     for (description::Light& light : world.lights) light.position = {};
     for (description::Actor& actor : world.actors) erase(actor);
     if (world.gui) erase(*world.gui);
+    for (description::Performer& performer : world.levels.performers) performer.position = {};
+    for (description::Level& level : world.levels.levels) {
+      level.position = {};
+      for (description::Level::Member& member : level.members) member.position = {};
+    }
     eraseCommon(world);
   }
 

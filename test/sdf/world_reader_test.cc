@@ -66,14 +66,14 @@ TEST(World, KeepsItsGuiAsItStands) {
   EXPECT_FALSE(loadWorld("").world().gui);
 }
 
-TEST(World, KeepsLevelsAndPerformersInTheirPlugin) {
+TEST(World, KeepsThePluginOfItsLevels) {
   const Loaded loaded = loadWorld(
-      "<plugin filename='dummy' name='ignition::gazebo'><performer name='p'><ref>m</ref></performer>"
-      "<level name='l'><ref>m</ref></level></plugin>");
+      "<model name='m'><link name='l'/></model><plugin filename='dummy' name='ignition::gazebo'><level "
+      "name='l'><geometry>"
+      "<box/></geometry><ref>m</ref></level></plugin>");
   EXPECT_EQ(loaded.messages, Messages());
-  const Element& plugin = loaded.world().plugins.at(0).sdf;
-  EXPECT_EQ(plugin.child("performer")->child("ref")->text, "m");
-  EXPECT_EQ(plugin.child("level")->attributeOr("name", ""), "l");
+  EXPECT_EQ(loaded.world().plugins.at(0).sdf.child("level")->attributeOr("name", ""), "l");
+  EXPECT_EQ(loaded.world().levels.levels.at(0).name, "l");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/scene.pb.h>
+#include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
 
 #include <chrono>
 #include <memory>
@@ -59,6 +60,34 @@ class EditServicesTest : public testing::Test {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<EditServices> services_;
 };
+
+TEST_F(EditServicesTest, LetModelsPerform) {
+  const auto perform = [this](const std::string& text) { return refusal("level/set_performer", "StringMsg", text); };
+  EXPECT_EQ(perform("data: 'ball'"), "");
+  EXPECT_EQ(perform("data: 'ball'"), "model 'ball' is a performer already");
+  EXPECT_EQ(perform(""), "no model is named");
+  EXPECT_EQ(perform("data: 'tower::top'"), "model 'tower::top' is a part of another one");
+  EXPECT_EQ(perform("data: 'later'"), "") << "as in Fortress: when it comes";
+  std::vector<Performer> performers;
+  simulation_->world().performers(performers);
+  ASSERT_EQ(performers.size(), 1U);
+  EXPECT_EQ(performers[0].name, "perf_ball");
+  EXPECT_EQ(performers[0].pose.position, Vector3(1, 2, 3));
+}
+
+TEST_F(EditServicesTest, SayThatAModelIsSetAside) {
+  Diagnostics diagnostics;
+  services_.reset();
+  simulation_ = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><model name='far'><link name='l'/></model><plugin filename='dummy' "
+      "name='gz::sim'><level name='x'><geometry><box/></geometry><ref>far</ref></level></plugin></world></sdf>",
+      "world.sdf", {.loadSystems = false, .levels = true}, diagnostics);
+  ASSERT_NE(simulation_, nullptr);
+  services_ = std::make_unique<EditServices>(*simulation_);
+  const std::string refused = "model 'far' is set aside: its level is not loaded";
+  EXPECT_EQ(setPose("name: 'far'"), refused);
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'far', type: MODEL"), refused);
+}
 
 TEST_F(EditServicesTest, CreateAModelWhereItIsWanted) {
   const std::string crate = kCrate;
@@ -135,6 +164,38 @@ TEST_F(EditServicesTest, CreateChangeAndRemoveLights) {
   simulation_->reset(diagnostics);
   ASSERT_EQ(scene().light_size(), 1);
   EXPECT_EQ(scene().light(0).diffuse().r(), 1);
+}
+
+TEST_F(EditServicesTest, PassWheelSlipsOnToWhoeverListens) {
+  const auto slip = [&](const std::string& text) { return refusal("wheel_slip", "WheelSlipParametersCmd", text); };
+  EXPECT_EQ(slip("entity {name: 'ball::l'}"), "no system here lets wheels slip: wheel-slip does");
+  std::vector<ignition::msgs::WheelSlipParametersCmd> heard;
+  const Subscription subscription = simulation_->transport().node().subscribe<ignition::msgs::WheelSlipParametersCmd>(
+      "/world/w/wheel_slip", [&](const auto& message) { heard.push_back(message); });
+  const LinkId link = model("ball")->link("l")->id();
+  EXPECT_EQ(slip("entity {name: 'ball::l', type: LINK}, slip_compliance_lateral: 0.5"), "");
+  EXPECT_EQ(slip("entity {name: 'tower::top'}, slip_compliance_longitudinal: 2"), "");
+  EXPECT_EQ(slip("entity {id: " + std::to_string(link.value) + "}"), "");
+  simulation_->step();
+  ASSERT_EQ(heard.size(), 3U);
+  EXPECT_EQ(heard[0].entity().id(), link.value);
+  EXPECT_EQ(heard[0].entity().type(), ignition::msgs::Entity::LINK);
+  EXPECT_EQ(heard[0].slip_compliance_lateral(), 0.5);
+  EXPECT_EQ(heard[1].entity().id(), model("tower::top")->id().value);
+  EXPECT_EQ(heard[1].entity().type(), ignition::msgs::Entity::MODEL);
+  EXPECT_EQ(heard[1].slip_compliance_longitudinal(), 2);
+  EXPECT_EQ(heard[2].entity().name(), "ball::l");
+}
+
+TEST_F(EditServicesTest, SayWhichWheelIsNotThere) {
+  const auto slip = [&](const std::string& text) { return refusal("wheel_slip", "WheelSlipParametersCmd", text); };
+  EXPECT_NE(slip("").find("neither a name nor an id"), std::string::npos);
+  EXPECT_NE(slip("entity {name: 'ball::k'}").find("no model 'ball::k', and no link of that name"), std::string::npos);
+  EXPECT_NE(slip("entity {name: 'l'}").find("'MODEL::LINK'"), std::string::npos);
+  EXPECT_NE(slip("entity {id: 4711}").find("id 4711"), std::string::npos);
+  for (const char* bad : {"slip_compliance_lateral: -1", "slip_compliance_longitudinal: nan"}) {
+    EXPECT_NE(slip(std::string("entity {name: 'ball::l'}, ") + bad).find("from zero up"), std::string::npos) << bad;
+  }
 }
 
 TEST_F(EditServicesTest, ListenToLightsOnATopic) {
@@ -218,7 +279,7 @@ TEST_F(EditServicesTest, AreThoseThatThePagesTellOf) {
     // an empty request is understood, whether it can be met or not
     EXPECT_TRUE(outcome == CallOutcome::kDone || outcome == CallOutcome::kRefused) << name;
   }
-  EXPECT_EQ(services, 8);
+  EXPECT_EQ(services, 9);
 }
 
 TEST_F(EditServicesTest, ChangePhysicsOrNothingOfIt) {

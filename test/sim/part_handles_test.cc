@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "pongsim/sensor.hh"
 #include "pongsim/simulation.hh"
@@ -57,6 +62,33 @@ TEST_F(PartHandlesTest, LeadFromALinkToItsPartsAndBack) {
   EXPECT_EQ(base().visuals()[0].poseInLink().position, Vector3(0, 0, 4));
   ASSERT_EQ(base().sensors().size(), 1U);
   EXPECT_EQ(base().sensors()[0].name(), "imu");
+}
+
+TEST_F(PartHandlesTest, LetASurfaceRunAlongAndSlip) {
+  Collision skin = base().collisions()[0];
+  EXPECT_EQ(skin.surfaceMotion(), std::nullopt);
+  const SurfaceMotion motion{.speed = -2, .axis = {1, 0, 0}, .center = Vector3(1, 2, 3)};
+  skin.setSurfaceMotion(motion);
+  EXPECT_EQ(skin.surfaceMotion(), motion);
+  for (const SurfaceMotion& bad :
+       {SurfaceMotion{.speed = 1e308}, SurfaceMotion{.speed = NAN}, SurfaceMotion{.axis = Vector3::Zero()},
+        SurfaceMotion{.center = Vector3(0, 0, INFINITY)}}) {
+    skin.setSurfaceMotion(bad);
+    EXPECT_EQ(skin.surfaceMotion(), motion);
+  }
+  skin.setSlip(0.25, 0.5);
+  for (const double bad : {-1.0, double{NAN}, double{INFINITY}}) skin.setSlip(bad, 0);
+  EXPECT_EQ(skin.slip(), std::pair(0.25, 0.5));
+
+  // saved, and gone after a reset
+  const std::vector<std::byte> state = simulation_->saveState();
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_EQ(skin.surfaceMotion(), std::nullopt);
+  EXPECT_EQ(skin.slip(), std::pair(0.0, 0.0));
+  ASSERT_EQ(simulation_->restoreState(state), std::nullopt);
+  EXPECT_EQ(skin.surfaceMotion(), motion);
+  EXPECT_EQ(skin.slip(), std::pair(0.25, 0.5));
 }
 
 TEST_F(PartHandlesTest, TellOfASensorOnALink) {

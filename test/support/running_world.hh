@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,12 +78,39 @@ class RunningWorld {
     publishers_.back().publish(message);
   }
 
+  /// As `tell`, a message of that type in protobuf's text format.
+  void tellText(const std::string& topic, const std::string& type, const std::string& text) {
+    publishers_.push_back(simulation_->transport().node().advertise(topic, type));
+    const MessagePointer message = newMessage(type);
+    EXPECT_EQ(parseMessage(text, *message), std::nullopt) << text;
+    publishers_.back().publish(*message);
+  }
+
   /// As `tell`, an ignition.msgs.Double.
   void tellNumber(const std::string& topic, double value) {
-    publishers_.push_back(simulation_->transport().node().advertise(topic, "ignition.msgs.Double"));
-    const MessagePointer message = newMessage("ignition.msgs.Double");
-    parseMessage("data: " + std::to_string(value), *message);
-    publishers_.back().publish(*message);
+    tellText(topic, "ignition.msgs.Double", "data: " + std::to_string(value));
+  }
+
+  /// Tells commands that nobody may follow, each with some steps after it: of huge numbers, infinite ones and one that
+  /// is none. It fails unless that is warned of.
+  /// @param text With '#' where the number stands: "linear {x: #}".
+  /// @param largest Bound that the warning tells.
+  void tellAbsurdities(const std::string& topic, const std::string& type, const std::string& text,
+                       const std::string& largest = "1e+06") {
+    testing::internal::CaptureStderr();
+    for (const char* number : {"1e308", "-1e308", "2e9", "inf", "-inf", "nan"}) {
+      std::string filled = text;
+      filled.replace(filled.find('#'), 1, number);
+      tellText(topic, type, filled);
+      step(3);
+    }
+    const std::string said = testing::internal::GetCapturedStderr();
+    // of the others no word, for they came within a second
+    EXPECT_NE(said.find("topic '" + topic + "': a message from this process is refused: "), std::string::npos) << said;
+    EXPECT_NE(said.find(" is 1e+308; allowed are finite numbers from -" + largest + " to " + largest + "; dropped\n"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("switched off"), std::string::npos) << said;
   }
 
   /// Makes steps and hands over what was published in the last one.

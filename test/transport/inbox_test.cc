@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
+#include "pongsim/commands.hh"
 #include "transport/bus.hh"
 #include "transport/endpoint.hh"
 
@@ -81,13 +84,33 @@ TEST_F(InboxTest, SaysWhenBytesAreNoMessage) {
   Inbox places = inbox({});
   Buffer* buffer = pool_.take(5);
   std::ranges::fill(buffer->bytes, std::byte{0xff});
-  EXPECT_FALSE(places.handOver(*buffer));
+  EXPECT_EQ(places.handOver(*buffer), "is no ignition.msgs.StringMsg");
   std::size_t size = 0;
   Inbox raw(channel_, [&size](std::span<const std::byte> bytes) { size = bytes.size(); }, {});
-  EXPECT_TRUE(raw.handOver(*buffer));
+  EXPECT_EQ(raw.handOver(*buffer), std::nullopt);
   EXPECT_EQ(size, 5);
   buffer->resize(0);
-  EXPECT_TRUE(places.handOver(*buffer));
+  EXPECT_EQ(places.handOver(*buffer), std::nullopt);
+}
+
+TEST_F(InboxTest, RefusesNumbersBeyondTheLargest) {
+  std::vector<std::string> heard;
+  const auto note = [&heard](const Message& message) { heard.push_back(message.ShortDebugString()); };
+  Inbox commands(channel_, newMessage("ignition.msgs.Double"), note, kCommands);
+  Inbox all(channel_, newMessage("ignition.msgs.Double"), note, {});
+  const auto handTo = [this](Inbox& inbox, const char* text) {
+    const MessagePointer message = newMessage("ignition.msgs.Double");
+    EXPECT_EQ(parseMessage(text, *message), std::nullopt);
+    Buffer* buffer = pool_.take(message->ByteSizeLong());
+    message->SerializeToArray(buffer->bytes.data(), static_cast<int>(buffer->bytes.size()));
+    return inbox.handOver(*buffer);
+  };
+  EXPECT_EQ(handTo(commands, "data: 1e6"), std::nullopt);
+  EXPECT_EQ(handTo(commands, "data: -1e308"),
+            "is refused: data is -1e+308; allowed are finite numbers from -1e+06 to 1e+06");
+  EXPECT_EQ(handTo(commands, "data: nan"), "is refused: data is nan; allowed are finite numbers from -1e+06 to 1e+06");
+  EXPECT_EQ(handTo(all, "data: -1e308"), std::nullopt);
+  EXPECT_EQ(heard, (std::vector<std::string>{"data: 1000000", "data: -1e+308"}));
 }
 
 }  // namespace pongsim::transport

@@ -137,6 +137,35 @@ TEST_F(ServiceHere, RefusesToWaitInAFunctionThatDispatchCalled) {
   EXPECT_TRUE(threw);
 }
 
+TEST_F(ServiceHere, AnswersRequestsThatNobodyWaitsFor) {
+  std::vector<std::string> order;
+  const auto note = [&order](const CallResult& result, const Message& reply) {
+    order.push_back(result ? static_cast<const StringMsg&>(reply).data() : result.error);
+  };
+  const auto ask = [&](const std::string& service, const char* what) {
+    return node_.request(service, saying(what), "ignition.msgs.StringMsg", note);
+  };
+  EXPECT_FALSE(ask("/s", "nobody"));
+  Service service = node_.serve<StringMsg, StringMsg>("/s", [&](const StringMsg& request, StringMsg& reply) {
+    order.push_back("asked " + request.data());
+    reply.set_data(request.data() + "!");
+    return request.data() == "c" ? ServiceAnswer::refused("c is no word") : true;
+  });
+  EXPECT_FALSE(node_.request("/s", saying("a"), "ignition.msgs.Boolean", note)) << "it answers with texts";
+  const PendingRequest a = ask("s", "a");
+  ask("/s", "b");
+  const PendingRequest c = ask("/s", "c");
+  EXPECT_TRUE(a);
+  EXPECT_TRUE(order.empty());
+  transport_.dispatch();
+  const std::vector<std::string> expected{"asked a", "a!", "asked b", "asked c", "service '/s' refused: c is no word"};
+  EXPECT_EQ(order, expected) << "b's answer was not waited for";
+  const PendingRequest d = ask("/s", "d");
+  service = {};
+  EXPECT_EQ(order.back(), "service '/s' went away before it answered");
+  EXPECT_THROW(ask("/a b", ""), std::invalid_argument);
+}
+
 TEST_F(ServiceHere, TellsTheCallerWhenItEnds) {
   Service service = echo(node_, "/s");
   auto call = std::async(std::launch::async, [&] {

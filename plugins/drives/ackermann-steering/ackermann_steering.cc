@@ -1,10 +1,10 @@
 #include <ignition/msgs/twist.pb.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "geometry.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/odometry_topics.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/speed_limiter.hh"
@@ -43,7 +43,6 @@ class AckermannSteering : public System {
   }
 
   void configure(const SystemContext& context) override {
-    log_ = &context.log;
     const Element& sdf = context.sdf;
     const Model& model = *context.model;
     leftJoints_ = requiredJoints(sdf, "left_joint", model);
@@ -54,7 +53,7 @@ class AckermannSteering : public System {
     angularLimiter_ = SpeedLimiter(speedLimits({}, limits_, "angular", sdf));
     command_ = context.node.subscribe<ignition::msgs::Twist>(
         topicOr(topic_, "/model/" + std::string(model.name()) + "/cmd_vel"),
-        [this](const ignition::msgs::Twist& twist) { receive(twist); });
+        [this](const ignition::msgs::Twist& twist) { receive(twist); }, kCommands);
     odometryTopics_.open(model, context.node);
   }
 
@@ -103,14 +102,8 @@ class AckermannSteering : public System {
   }
 
   void receive(const ignition::msgs::Twist& twist) {
-    const double linear = twist.linear().x();
-    const double angular = twist.angular().z();
-    if (!std::isfinite(linear) || !std::isfinite(angular)) {
-      log_->warning("a command that is not finite was ignored");
-      return;
-    }
-    targetLinear_ = linear;
-    targetAngular_ = angular;
+    targetLinear_ = twist.linear().x();
+    targetAngular_ = twist.angular().z();
   }
 
   std::vector<std::string> leftNames_, rightNames_, leftSteeringNames_, rightSteeringNames_;
@@ -125,7 +118,6 @@ class AckermannSteering : public System {
   SpeedLimiter angularLimiter_;
   AckermannOdometry odometry_;
 
-  const Logger* log_ = nullptr;
   OdometryTopics odometryTopics_;
   Subscription command_;
 };

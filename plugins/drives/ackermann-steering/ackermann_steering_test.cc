@@ -79,6 +79,32 @@ TEST(AckermannSteering, PublishesOdometryThatAgreesWithTheTruth) {
   EXPECT_NEAR(odometry.back().twist().linear().x(), 0.5, 0.02);
 }
 
+TEST(AckermannSteering, RefusesAbsurdCommandsAndGoesOn) {
+  for (const char* text : {"linear {x: #}", "linear {x: 1} angular {z: #}"}) {
+    RunningWorld world = exampleWorld();
+    world.tellAbsurdities("/model/car/cmd_vel", "ignition.msgs.Twist", text);
+    EXPECT_NEAR(speed(world, "rear_left_joint"), 0, 0.05);
+    world.tell("/model/car/cmd_vel", twist(0.6, 0));
+    world.step(2000);
+    EXPECT_NEAR(speed(world, "rear_left_joint"), 2, 0.05);
+  }
+}
+
+TEST(AckermannSteering, RecoversFromTheLargestAndTheSmallestCommands) {
+  for (const char* text :
+       {"linear {x: 1e6}", "linear {x: 1} angular {z: 1e6}", "linear {x: 1e6} angular {z: 1e-310}"}) {
+    RunningWorld world = exampleWorld();
+    testing::internal::CaptureStderr();
+    world.tellText("/model/car/cmd_vel", "ignition.msgs.Twist", text);
+    world.step(100);
+    world.tell("/model/car/cmd_vel", twist(0.6, 0));
+    world.step(4000);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << text;
+    EXPECT_NEAR(speed(world, "rear_left_joint"), 2, 0.05) << text;
+    EXPECT_TRUE(world.model("car").pose().position.allFinite()) << text;
+  }
+}
+
 TEST(AckermannSteering, NamesEachParameterThatIsMissing) {
   EXPECT_EQ(
       RunningWorld::complaintsAbout(R"(<model name="m"><link name="l"/><plugin

@@ -1,12 +1,12 @@
 #include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/twist.pb.h>
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "odometry.hh"
+#include "pongsim/commands.hh"
+#include "pongsim/differential_odometry.hh"
 #include "pongsim/odometry_topics.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/speed_limiter.hh"
@@ -41,7 +41,6 @@ class DiffDrive : public System {
   }
 
   void configure(const SystemContext& context) override {
-    log_ = &context.log;
     const Element& sdf = context.sdf;
     const Model& model = *context.model;
     leftJoints_ = requiredJoints(sdf, "left_joint", model);
@@ -52,7 +51,8 @@ class DiffDrive : public System {
 
     const std::string prefix = cleanTopic("/model/" + std::string(model.name()));
     command_ = context.node.subscribe<ignition::msgs::Twist>(
-        topicOr(topic_, prefix + "/cmd_vel"), [this](const ignition::msgs::Twist& twist) { receive(twist); });
+        topicOr(topic_, prefix + "/cmd_vel"), [this](const ignition::msgs::Twist& twist) { receive(twist); },
+        kCommands);
     enable_ = context.node.subscribe<ignition::msgs::Boolean>(
         prefix + "/enable", [this](const ignition::msgs::Boolean& message) { setEnabled(message.data()); });
     odometryTopics_.open(model, context.node);
@@ -95,14 +95,8 @@ class DiffDrive : public System {
  private:
   void receive(const ignition::msgs::Twist& twist) {
     if (!enabled_) return;
-    const double linear = twist.linear().x();
-    const double angular = twist.angular().z();
-    if (!std::isfinite(linear) || !std::isfinite(angular)) {
-      log_->warning("a command that is not finite was ignored");
-      return;
-    }
-    targetLinear_ = linear;
-    targetAngular_ = angular;
+    targetLinear_ = twist.linear().x();
+    targetAngular_ = twist.angular().z();
   }
 
   void setEnabled(bool enabled) {
@@ -123,9 +117,8 @@ class DiffDrive : public System {
   bool enabled_ = true;
   SpeedLimiter linearLimiter_;
   SpeedLimiter angularLimiter_;
-  std::optional<Odometry> odometry_;
+  std::optional<DifferentialOdometry> odometry_;
 
-  const Logger* log_ = nullptr;
   OdometryTopics odometryTopics_;
   Subscription command_;
   Subscription enable_;

@@ -15,6 +15,8 @@
 
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/running_world.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim::diff_drive_test {
 namespace {
@@ -236,6 +238,41 @@ TEST_F(DiffDriveTest, DoesNothingWhilePaused) {
   for (int i = 0; i < 100; ++i) simulation_->stepPaused();
   EXPECT_TRUE(odometries_.empty());
   EXPECT_EQ(wheelSpeed("left_wheel_joint"), 0);
+}
+
+/// The example, with a robot that goes as fast as it is told.
+test::RunningWorld unlimitedRover(const test::TempFolder& folder) {
+  std::string world = replaced(exampleWorld(), "<max_linear_velocity>1</max_linear_velocity>", "");
+  world = replaced(world, "<max_linear_acceleration>2</max_linear_acceleration>", "");
+  return test::RunningWorld(folder.write("rover.sdf", world));
+}
+
+TEST(DiffDrive, RefusesAbsurdCommandsAndGoesOn) {
+  for (const char* text : {"linear {x: #}", "linear {x: 1} angular {z: #}"}) {
+    const test::TempFolder folder;
+    test::RunningWorld world = unlimitedRover(folder);
+    world.tellAbsurdities("/model/rover/cmd_vel", "ignition.msgs.Twist", text);
+    EXPECT_NEAR(world.model("rover").joint("left_wheel_joint")->velocity(), 0, 1e-3);
+    world.tellText("/model/rover/cmd_vel", "ignition.msgs.Twist", "linear {x: 0.5}");
+    world.step(1000);
+    EXPECT_NEAR(world.model("rover").joint("left_wheel_joint")->velocity(), 5, 1e-3);
+  }
+}
+
+TEST(DiffDrive, RecoversFromTheLargestCommands) {
+  for (const char* text : {"linear {x: 1e6}", "linear {x: -1e6} angular {z: 1e6}"}) {
+    const test::TempFolder folder;
+    test::RunningWorld world = unlimitedRover(folder);
+    testing::internal::CaptureStderr();
+    world.tellText("/model/rover/cmd_vel", "ignition.msgs.Twist", text);
+    world.step(100);
+    world.tellText("/model/rover/cmd_vel", "ignition.msgs.Twist", "linear {x: 0.5}");
+    world.step(4000);
+    // the physics may well say that it turns too fast
+    EXPECT_EQ(testing::internal::GetCapturedStderr().find("switched off"), std::string::npos) << text;
+    EXPECT_TRUE(world.model("rover").pose().position.allFinite()) << text;
+    EXPECT_NEAR(world.model("rover").joint("left_wheel_joint")->velocity(), 5, 0.1) << text;
+  }
 }
 
 TEST(DiffDriveParameters, NamesTheLineOfAnUnknownJoint) {

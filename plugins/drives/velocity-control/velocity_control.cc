@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -30,11 +31,10 @@ class VelocityControl : public System {
     const Element& sdf = context.sdf;
     model_ = *context.model;
     if (model_->parent()) refuse(sdf, "VelocityControl moves models at the top level only");
-    log_ = &context.log;
     command_ = initial_;
     const std::string prefix = "/model/" + std::string(model_->name());
-    subscription_ = context.node.subscribe<ignition::msgs::Twist>(topicOr(topic_, prefix + "/cmd_vel"),
-                                                                  [this](const auto& twist) { read(twist, command_); });
+    subscription_ = context.node.subscribe<ignition::msgs::Twist>(
+        topicOr(topic_, prefix + "/cmd_vel"), [this](const auto& twist) { command_ = read(twist); }, kCommands);
     for (const Element* element : sdf.childrenNamed("link_name")) {
       const std::optional<Link> link = model_->link(element->text);
       if (!link) {
@@ -43,10 +43,8 @@ class VelocityControl : public System {
       }
       LinkCommand& command = links_.emplace_back(LinkCommand{*link, std::nullopt, {}});
       command.subscription = context.node.subscribe<ignition::msgs::Twist>(
-          cleanTopic(prefix + "/link/" + element->text + "/cmd_vel"), [this, &command](const auto& twist) {
-            Twist read{};
-            if (this->read(twist, read)) command.twist = read;
-          });
+          cleanTopic(prefix + "/link/" + element->text + "/cmd_vel"),
+          [&command](const auto& twist) { command.twist = read(twist); }, kCommands);
     }
   }
 
@@ -88,18 +86,9 @@ class VelocityControl : public System {
     Subscription subscription;
   };
 
-  static bool isFinite(const Twist& twist) { return twist.linear.allFinite() && twist.angular.allFinite(); }
-
-  /// @return Whether it was finite; else `twist` is as it was.
-  bool read(const ignition::msgs::Twist& message, Twist& twist) {
-    const Twist found{{message.linear().x(), message.linear().y(), message.linear().z()},
-                      {message.angular().x(), message.angular().y(), message.angular().z()}};
-    if (!isFinite(found)) {
-      log_->warning("a command that is not finite was ignored");
-      return false;
-    }
-    twist = found;
-    return true;
+  static Twist read(const ignition::msgs::Twist& message) {
+    return {{message.linear().x(), message.linear().y(), message.linear().z()},
+            {message.angular().x(), message.angular().y(), message.angular().z()}};
   }
 
   std::string topic_;
@@ -109,7 +98,6 @@ class VelocityControl : public System {
   Twist command_;
   // the subscriptions point into it
   std::list<LinkCommand> links_;
-  const Logger* log_ = nullptr;
   Subscription subscription_;
 };
 

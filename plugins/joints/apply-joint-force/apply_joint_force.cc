@@ -24,7 +24,7 @@ class ApplyJointForce : public System {
     joint_ = requiredJoint(context.sdf, "joint_name", model);
     const std::string topic =
         "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/cmd_force";
-    force_.listen(context.node, cleanTopic(topic), 0, "a force", context.log);
+    force_.listen(context.node, cleanTopic(topic), 0, kForces);
   }
 
   void preUpdate(const StepInfo& info) override {

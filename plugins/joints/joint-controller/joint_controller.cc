@@ -31,7 +31,7 @@ class JointController : public System {
     pid_ = Pid(settings_);
     const std::string topic =
         topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/cmd_vel");
-    target_.listen(context.node, topic, initialTarget_, "a velocity", context.log);
+    target_.listen(context.node, topic, initialTarget_);
   }
 
   void preUpdate(const StepInfo& info) override {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/pid.hh"
 #include "pongsim/setpoint.hh"
@@ -45,7 +46,7 @@ class JointPositionController : public System {
     const std::string topic =
         topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/" +
                             std::to_string(axis_) + "/cmd_pos");
-    target_.listen(context.node, topic, initialTarget_, "a position", context.log);
+    target_.listen(context.node, topic, initialTarget_);
   }
 
   void preUpdate(const StepInfo& info) override {
@@ -57,7 +58,7 @@ class JointPositionController : public System {
     if (largestVelocity_ && std::abs(velocity) > *largestVelocity_) {
       velocity = std::copysign(*largestVelocity_, velocity);
     }
-    joint_->setVelocityTarget(velocity, axis_);
+    joint_->setVelocityTarget(std::clamp(velocity, -kLargestCommand, kLargestCommand), axis_);
   }
 
   void reset() override {

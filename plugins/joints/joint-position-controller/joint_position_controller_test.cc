@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -59,13 +58,28 @@ TEST(JointPositionController, MovesAtALimitedVelocityIfItIsTold) {
   EXPECT_NEAR(angle(world), 1, 1e-6);
 }
 
-TEST(JointPositionController, IgnoresWhatIsNoPosition) {
-  RunningWorld world(worldWith(kGains));
-  testing::internal::CaptureStderr();
-  world.tellNumber(kTopic, std::numeric_limits<double>::quiet_NaN());
-  world.step(10);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("not finite"), std::string::npos);
-  EXPECT_NEAR(angle(world), 0, 1e-9);
+TEST(JointPositionController, RefusesAbsurdPositionsAndGoesOn) {
+  for (const char* way : {kGains, "<use_velocity_commands>true</use_velocity_commands>"}) {
+    RunningWorld world(worldWith(way));
+    world.tellAbsurdities(kTopic, "ignition.msgs.Double", "data: #");
+    EXPECT_NEAR(angle(world), 0, 1e-9);
+    world.tellNumber(kTopic, 1);
+    world.step(3000);
+    EXPECT_NEAR(angle(world), 1, 0.01);
+  }
+}
+
+TEST(JointPositionController, RecoversFromTheLargestPositions) {
+  for (const char* way : {kGains, "<use_velocity_commands>true</use_velocity_commands>"}) {
+    RunningWorld world(worldWith(way));
+    testing::internal::CaptureStderr();
+    world.tellNumber(kTopic, 1e6);
+    world.step(10);
+    world.tellNumber(kTopic, 1);
+    world.step(5000);
+    EXPECT_NEAR(angle(world), 1, 0.01) << way;
+    testing::internal::GetCapturedStderr();
+  }
 }
 
 TEST(JointPositionController, IsLeftOutWithTheReason) {

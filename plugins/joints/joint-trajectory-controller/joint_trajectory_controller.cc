@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/pid.hh"
 #include "pongsim/system.hh"
@@ -126,7 +127,7 @@ class JointTrajectoryController : public System {
     usesHeaderTime_ = context.sdf.attributeOr("use_header_start_time", "false") == "true";
     const std::string topic = topicOr(topic_, "/model/" + std::string(model.name()) + "/joint_trajectory");
     command_ = context.node.subscribe<ignition::msgs::JointTrajectory>(
-        topic, [this](const ignition::msgs::JointTrajectory& message) { receive(message); });
+        topic, [this](const ignition::msgs::JointTrajectory& message) { receive(message); }, kCommands);
     progress_ = context.node.advertise<ignition::msgs::Float>(topic + "_progress");
   }
 

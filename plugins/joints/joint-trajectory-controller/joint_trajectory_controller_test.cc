@@ -99,6 +99,20 @@ TEST(JointTrajectoryController, IgnoresWhatIsNoTrajectory) {
   EXPECT_NEAR(position(world, "hinge"), 0, 1e-6);
 }
 
+TEST(JointTrajectoryController, RefusesAbsurdTrajectoriesAndGoesOn) {
+  for (const char* values : {"positions: #", "velocities: #", "effort: #"}) {
+    RunningWorld world(worldWith(kGains));
+    world.tellAbsurdities(kTopic, "ignition.msgs.JointTrajectory",
+                          std::string("joint_names: 'hinge' points {") + values + " time_from_start {nsec: 1}}");
+    world.tell(kTopic, trajectory("joint_names: 'hinge' points {positions: 1 time_from_start {sec: 4000000001}}"));
+    world.step(500);
+    EXPECT_NEAR(position(world, "hinge"), 0, 1e-6);
+    world.tell(kTopic, trajectory("joint_names: 'hinge' points {positions: 1 time_from_start {sec: 1}}"));
+    world.step(2000);
+    EXPECT_NEAR(position(world, "hinge"), 1, 0.01);
+  }
+}
+
 TEST(JointTrajectoryController, IsLeftOutWithTheReason) {
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<joint_name>knee</joint_name>")),
             std::vector<std::string>{"joint-trajectory-controller of m is left out: <joint_name> 'knee' is no joint of "

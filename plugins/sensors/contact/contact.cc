@@ -126,7 +126,9 @@ class ContactSystem : public System {
   }
 
   void worldChanged() override {
-    std::erase_if(sensors_, [](const ContactSensor& sensor) { return !sensor.sensor().exists(); });
+    std::erase_if(sensors_, [](const ContactSensor& sensor) {
+      return !sensor.sensor().exists() && !sensor.sensor().isSetAside();
+    });
     Diagnostics diagnostics;
     addSensors(diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) log_->warning(format(diagnostic));

@@ -89,11 +89,6 @@ void begin(std::uint32_t width, std::uint32_t height, ignition::msgs::PixelForma
   image.set_height(height);
   image.set_step(width * bytes);
   image.set_pixel_format_type(type);
-  image.mutable_data()->resize(std::size_t{width} * height * bytes);
-}
-
-void fillIn(const std::vector<float>& depths, ignition::msgs::Image& image) {
-  std::memcpy(image.mutable_data()->data(), depths.data(), depths.size() * sizeof(float));
 }
 
 }  // namespace
@@ -176,6 +171,7 @@ void CameraSensor::listenToTrigger(Node& node) {
 }
 
 bool CameraSensor::isReady() {
+  if (!surroundings_.hasPower(sensor_)) return false;
   if (!settings_.isTriggered) return true;
   const bool was = isTriggered_;
   isTriggered_ = false;
@@ -220,23 +216,37 @@ void CameraSensor::drawDepths() {
   }
 }
 
-void CameraSensor::measure(Message& message, bool isHeard) {
+void CameraSensor::measure(Message&, bool isHeard) {
   view_.X_WorldEye = depthView_.X_WorldEye = sensor_.pose() * settings_.X_SensorCamera;
   const bool ofDepths = kind_ == Kind::kDepths;
   if ((isHeard && !ofDepths) || arePointsHeard() || settings_.savesPictures) drawColors();
   if ((isHeard && ofDepths) || isDepthHeard() || arePointsHeard()) {
     drawDepths();
   }
-  if (!isHeard) return;
-  if (ofDepths) {
-    fillIn(depths_, message);
-  } else {
-    fillInColors(message);
-  }
 }
 
-void CameraSensor::fillInColors(Message& message) const {
-  auto* to = reinterpret_cast<std::uint8_t*>(message.mutable_data()->data());
+Bulk CameraSensor::depthBulk() const {
+  return {.size = std::size_t{settings_.width} * settings_.height * sizeof(float),
+          .write = [this](std::span<std::byte> to) {
+            // who has come since they were measured gets those before, or none
+            if (depths_.empty()) std::ranges::fill(to, std::byte(0));
+            std::ranges::copy(std::as_bytes(std::span(depths_)), to.begin());
+          }};
+}
+
+Bulk CameraSensor::bulk() const {
+  if (kind_ == Kind::kDepths) return depthBulk();
+  return {.size = std::size_t{settings_.width} * settings_.height * imageFormat(settings_.format)->bytes,
+          .write = [this](std::span<std::byte> to) { writeColors(to); }};
+}
+
+void CameraSensor::writeColors(std::span<std::byte> place) const {
+  auto* to = reinterpret_cast<std::uint8_t*>(place.data());
+  // who has come since it was measured gets the picture before, or a black one
+  if (colors_.empty()) {
+    std::ranges::fill(place, std::byte(0));
+    return;
+  }
   if (settings_.format == PixelFormat::kR8G8B8) {
     std::ranges::copy(colors_, to);
     return;
@@ -264,23 +274,21 @@ Eigen::Vector3f CameraSensor::placeOf(std::size_t pixel, double right, double do
   return {depth, static_cast<float>(shift - ahead * right), static_cast<float>(shift - ahead * down)};
 }
 
-void CameraSensor::fillInPoints() {
-  char* point = cloud_.mutable_data()->data();
-  bool isDense = true;
+void CameraSensor::writePoints(std::span<std::byte> to) const {
+  std::byte* point = to.data();
   for (std::uint32_t row = 0; row < settings_.height; ++row) {
     const double down = (row + 0.5 - depthView_.cy) / depthView_.fy;
     for (std::uint32_t column = 0; column < settings_.width; ++column, point += kPointSize) {
       const std::size_t i = std::size_t{row} * settings_.width + column;
       const double right = (column + 0.5 - depthView_.cx - depthView_.skew * down) / depthView_.fx;
       const Eigen::Vector3f place = placeOf(i, right, down);
-      isDense = isDense && place.allFinite();
+      std::memset(point, 0, kPointSize);
       std::memcpy(point, place.data(), sizeof(float) * 3);
       // blue first, as in Fortress
       const std::array<std::uint8_t, 4> color{colors_[3 * i + 2], colors_[3 * i + 1], colors_[3 * i], 0};
       std::memcpy(point + kColorOffset, color.data(), color.size());
     }
   }
-  cloud_.set_is_dense(isDense);
 }
 
 void CameraSensor::publishElsewhere(const Message& message) {
@@ -293,13 +301,13 @@ void CameraSensor::publishElsewhere(const Message& message) {
   }
   if (isDepthHeard()) {
     *depthImage_.mutable_header() = message.header();
-    fillIn(depths_, depthImage_);
-    depthImages_.publish(depthImage_);
+    depthImages_.publish(depthImage_, depthBulk());
   }
   if (arePointsHeard()) {
     *cloud_.mutable_header() = message.header();
-    fillInPoints();
-    points_.publish(cloud_);
+    cloud_.set_is_dense(std::ranges::all_of(depths_, [](float depth) { return std::isfinite(depth); }));
+    points_.publish(
+        cloud_, {.size = depths_.size() * kPointSize, .write = [this](std::span<std::byte> to) { writePoints(to); }});
   }
   if (settings_.savesPictures) save();
 }

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "camera_lens.hh"
+#include "pongsim/bulk.hh"
 #include "pongsim/camera_scene.hh"
 #include "pongsim/node.hh"
 #include "pongsim/noise_set.hh"
@@ -43,10 +45,12 @@ class CameraSensor {
   CameraSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message,
                CameraSurroundings& shared);
 
-  /// @return Whether it takes a picture now: always, unless it waits for a message first.
+  /// @return Whether it takes a picture now: always, unless it waits for a message first or has no power.
   bool isReady();
   /// @param isHeard Somebody listens to the images.
   void measure(Message& message, bool isHeard);
+  /// @return The pixels that were measured, as the message has them.
+  Bulk bulk() const;
   bool isHeardElsewhere() const;
   /// Publishes and saves what `measure` has measured.
   void publishElsewhere(const Message& message);
@@ -63,11 +67,12 @@ class CameraSensor {
   bool arePointsHeard() const { return points_ && points_.hasSubscribers(); }
   void drawColors();
   void drawDepths();
-  void fillInColors(Message& message) const;
+  void writeColors(std::span<std::byte> to) const;
+  Bulk depthBulk() const;
   /// @param right, down Slopes of the line of sight of the pixel.
   /// @return The point of the cloud; minus infinity where it is too near, infinity where nothing is.
   Eigen::Vector3f placeOf(std::size_t pixel, double right, double down) const;
-  void fillInPoints();
+  void writePoints(std::span<std::byte> to) const;
   void save();
 
   Sensor sensor_;

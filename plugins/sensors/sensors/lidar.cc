@@ -110,25 +110,24 @@ void LidarSensor::measure(Message& message) {
 void LidarSensor::publishElsewhere(const Message& message) {
   if (!points_.hasSubscribers()) return;
   *cloud_.mutable_header() = message.header();
-  fillIn(message, cloud_);
-  points_.publish(cloud_);
+  cloud_.set_is_dense(std::ranges::all_of(message.ranges(), [](double range) { return std::isfinite(range); }));
+  points_.publish(cloud_, {.size = directions_.size() * kPointSize,
+                           .write = [&](std::span<std::byte> to) { writePoints(message, to); }});
 }
 
-void LidarSensor::fillIn(const Message& scan, PointCloudPacked& cloud) const {
-  char* point = cloud.mutable_data()->data();
-  bool isDense = true;
+void LidarSensor::writePoints(const Message& scan, std::span<std::byte> to) const {
+  std::byte* point = to.data();
   for (std::size_t i = 0; i < directions_.size(); ++i, point += kPointSize) {
     const double range = scan.ranges(static_cast<int>(i));
-    isDense = isDense && std::isfinite(range);
     // as in Fortress infinite where the range is, or no number
     const Eigen::Vector3f place = (range * directions_[i]).cast<float>();
     const auto intensity = static_cast<float>(scan.intensities(static_cast<int>(i)));
-    const auto ring = static_cast<std::uint16_t>(i / cloud.width());
+    const auto ring = static_cast<std::uint16_t>(i / cloud_.width());
+    std::memset(point, 0, kPointSize);
     std::memcpy(point, place.data(), sizeof(float) * 3);
     std::memcpy(point + kIntensityOffset, &intensity, sizeof(intensity));
     std::memcpy(point + kRingOffset, &ring, sizeof(ring));
   }
-  cloud.set_is_dense(isDense);
 }
 
 }  // namespace pongsim

@@ -3,6 +3,8 @@
 #include <ignition/msgs/laserscan.pb.h>
 #include <ignition/msgs/pointcloud_packed.pb.h>
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "pongsim/beam_scene.hh"
@@ -29,13 +31,14 @@ class LidarSensor {
   /// @throws Error where it has too many beams.
   LidarSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message, LidarSurroundings& shared);
 
+  bool isReady() const { return surroundings_.hasPower(sensor_); }
   void measure(Message& message);
   bool isHeardElsewhere() const { return points_.hasSubscribers(); }
   /// Publishes the points that a scan tells of.
   void publishElsewhere(const Message& message);
 
  private:
-  void fillIn(const Message& scan, ignition::msgs::PointCloudPacked& cloud) const;
+  void writePoints(const Message& scan, std::span<std::byte> to) const;
 
   Sensor sensor_;
   LidarSettings settings_;

@@ -17,7 +17,6 @@ void beginCloud(std::span<const PointField> fields, std::uint32_t columns, std::
   cloud.set_height(rows);
   cloud.set_point_step(kPointSize);
   cloud.set_row_step(kPointSize * columns);
-  cloud.mutable_data()->resize(std::size_t{kPointSize} * columns * rows);
 }
 
 }  // namespace pongsim

@@ -17,7 +17,7 @@ struct PointField {
 /// Bytes of a point: Fortress puts what follows x, y and z behind 16 bytes, and fills them up to 32.
 inline constexpr std::uint32_t kPointSize = 32;
 
-/// Fills in what is the same in all clouds of a sensor, and makes room for its points.
+/// Fills in what is the same in all clouds of a sensor, whose points are its bulk.
 void beginCloud(std::span<const PointField> fields, std::uint32_t columns, std::uint32_t rows,
                 ignition::msgs::PointCloudPacked& cloud);
 

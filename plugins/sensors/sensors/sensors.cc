@@ -15,6 +15,8 @@ class Sensors final : public System {
     declaration.element("background_color",
                         "red, green, blue and opacity, in place of the `<background>` of the scene");
     declaration.element("ambient_light", "likewise, in place of its `<ambient>`");
+    declaration.parameter("disable_on_drained_battery", &restsWithoutPower_, "",
+                          "sensors of models whose batteries are all empty rest");
     declaration.publishes(sensor + "/scan", "ignition.msgs.LaserScan",
                           "of each lidar; `<topic>` in the `<sensor>` names another, `<update_rate>` says how often");
     declaration.publishes(sensor + "/scan/points", "ignition.msgs.PointCloudPacked",
@@ -52,6 +54,8 @@ class Sensors final : public System {
   }
 
  private:
+  /// Read again by what the sensors share.
+  bool restsWithoutPower_ = false;
   SensorSystem<LidarSensor> lidars_;
   SensorSystem<CameraSensor> cameras_;
 };

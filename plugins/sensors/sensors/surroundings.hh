@@ -1,9 +1,13 @@
 #pragma once
 
+#include <optional>
+
+#include "pongsim/battery.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/node.hh"
+#include "pongsim/sensor.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -12,7 +16,11 @@ namespace pongsim {
 template <class SeenScene>
 class Surroundings {
  public:
-  Surroundings(const World& world, Node& node, const Element&) : scene_(world), node_(node) {}
+  Surroundings(const World& world, Node& node, const Element& plugin)
+      : scene_(world),
+        node_(node),
+        batteries_(world),
+        restsWithoutPower_(plugin.get<bool>("disable_on_drained_battery", false)) {}
 
   void observe(const StepInfo&) { isOfNow_ = false; }
   void rebuild(Diagnostics& diagnostics) {
@@ -22,6 +30,15 @@ class Surroundings {
 
   SeenScene& scene() { return scene_; }
   Node& node() { return node_; }
+  /// @return Whether the sensor works: not where it is to rest and its model, or one that holds that, has empty
+  /// batteries.
+  bool hasPower(const Sensor& sensor) const {
+    if (!restsWithoutPower_) return true;
+    for (std::optional<Model> model = sensor.link().model(); model; model = model->parent()) {
+      if (batteries_.areEmpty(*model)) return false;
+    }
+    return true;
+  }
   /// @return The scene with everything where it is in this step.
   SeenScene& now() {
     if (!isOfNow_) scene_.update();
@@ -32,6 +49,8 @@ class Surroundings {
  private:
   SeenScene scene_;
   Node& node_;
+  Batteries batteries_;
+  bool restsWithoutPower_;
   bool isOfNow_ = false;
 };
 

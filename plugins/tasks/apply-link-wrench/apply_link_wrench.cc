@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -46,9 +47,10 @@ class ApplyLinkWrench : public System {
     initial_ = wrenches_;
     const std::string topic = "/world/" + std::string(world_->name()) + "/wrench";
     once_ = context.node.subscribe<ignition::msgs::EntityWrench>(
-        topicOr(topic_, topic), [this](const auto& message) { receive(message, onceWrenches_); });
+        topicOr(topic_, topic), [this](const auto& message) { receive(message, onceWrenches_); }, kForces);
     persistent_ = context.node.subscribe<ignition::msgs::EntityWrench>(
-        topicOr(persistentTopic_, topic + "/persistent"), [this](const auto& message) { receive(message, wrenches_); });
+        topicOr(persistentTopic_, topic + "/persistent"), [this](const auto& message) { receive(message, wrenches_); },
+        kForces);
     clear_ = context.node.subscribe<ignition::msgs::Entity>(topicOr(clearTopic_, topic + "/clear"),
                                                             [this](const auto& entity) { clear(entity); });
   }
@@ -132,9 +134,6 @@ class ApplyLinkWrench : public System {
     if (!link) return log_->warning("there is no link or model " + name + " to apply a wrench to");
     const auto vector = [](const ignition::msgs::Vector3d& v) { return Vector3(v.x(), v.y(), v.z()); };
     const Wrench wrench{vector(message.wrench().force()), vector(message.wrench().torque())};
-    if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {
-      return log_->warning("a wrench that is not finite was ignored");
-    }
     if (message.wrench().has_force_offset() && !vector(message.wrench().force_offset()).isZero()) {
       log_->warning("a force acts at the link's origin: its offset is ignored, as in Fortress");
     }

@@ -1,25 +1,27 @@
 #pragma once
 
+#include "pongsim/export.hh"
 #include "pongsim/planar_odometry.hh"
 #include "pongsim/rolling_mean.hh"
 #include "pongsim/state_archive.hh"
 
 namespace pongsim {
 
-/// Where a robot of two driven wheels believes to be from the angles of its wheels, starting at the origin.
+/// Where a robot of two driven wheels, or tracks, believes to be from the angles of its wheels, starting at the origin.
 /// Integration along arcs of circles and velocities as rolling means of ten samples, as ignition-math's
 /// DiffDriveOdometry.
-class Odometry {
+class PONGSIM_API DifferentialOdometry {
  public:
   /// @param wheelSeparation Distance of the wheels [m].
   /// @param wheelRadius [m]
-  Odometry(double wheelSeparation, double wheelRadius) : separation_(wheelSeparation), radius_(wheelRadius) {}
+  DifferentialOdometry(double wheelSeparation, double wheelRadius)
+      : separation_(wheelSeparation), radius_(wheelRadius) {}
 
   /// @param leftAngle, rightAngle Angles of the wheels [rad], not wrapped.
   /// @param dt Time since the last call [s], more than zero.
   void update(double leftAngle, double rightAngle, double dt);
 
-  void reset() { *this = Odometry(separation_, radius_); }
+  void reset() { *this = DifferentialOdometry(separation_, radius_); }
 
   PlanarOdometry value() const { return {x_, y_, heading_, linear_.mean(), angular_.mean()}; }
 

@@ -1,4 +1,4 @@
-#include "odometry.hh"
+#include "pongsim/differential_odometry.hh"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ constexpr double kStraightAhead = 1e-6;
 
 }  // namespace
 
-void Odometry::update(double leftAngle, double rightAngle, double dt) {
+void DifferentialOdometry::update(double leftAngle, double rightAngle, double dt) {
   if (!started_) {
     lastLeft_ = leftAngle;
     lastRight_ = rightAngle;
@@ -39,7 +39,7 @@ void Odometry::update(double leftAngle, double rightAngle, double dt) {
   angular_.add(turn / dt);
 }
 
-void Odometry::transfer(StateArchive& archive) {
+void DifferentialOdometry::transfer(StateArchive& archive) {
   for (double* value : {&x_, &y_, &heading_, &lastLeft_, &lastRight_}) archive(*value);
   archive(started_);
   linear_.transfer(archive);

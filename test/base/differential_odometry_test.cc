@@ -1,15 +1,15 @@
-#include "odometry.hh"
+#include "pongsim/differential_odometry.hh"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace pongsim::odometry_test {
+namespace pongsim {
 namespace {
 
-TEST(Odometry, StartsAtTheOriginWhateverTheWheelsSay) {
-  Odometry odometry(1.2, 0.4);
+TEST(DifferentialOdometry, StartsAtTheOriginWhateverTheWheelsSay) {
+  DifferentialOdometry odometry(1.2, 0.4);
   odometry.update(7, -3, 0.001);
   EXPECT_EQ(odometry.value().x, 0);
   EXPECT_EQ(odometry.value().y, 0);
@@ -17,18 +17,18 @@ TEST(Odometry, StartsAtTheOriginWhateverTheWheelsSay) {
   EXPECT_EQ(odometry.value().linearVelocity, 0);
 }
 
-TEST(Odometry, GoesStraightByRadiusTimesAngle) {
-  Odometry odometry(1.2, 0.4);
+TEST(DifferentialOdometry, GoesStraightByRadiusTimesAngle) {
+  DifferentialOdometry odometry(1.2, 0.4);
   odometry.update(0, 0, 0.1);
   odometry.update(2.5, 2.5, 0.1);
   EXPECT_DOUBLE_EQ(odometry.value().x, 1);
   EXPECT_DOUBLE_EQ(odometry.value().y, 0);
 }
 
-TEST(Odometry, ClosesACircle) {
+TEST(DifferentialOdometry, ClosesACircle) {
   constexpr double kSeparation = 1.2, kRadius = 0.4, kCircle = 3;
   constexpr int kSteps = 360;
-  Odometry odometry(kSeparation, kRadius);
+  DifferentialOdometry odometry(kSeparation, kRadius);
   double y = 0;
   for (int i = 0; i <= kSteps; ++i) {
     const double turned = 2 * std::numbers::pi * i / kSteps;
@@ -42,8 +42,8 @@ TEST(Odometry, ClosesACircle) {
   EXPECT_NEAR(y, 2 * kCircle, 1e-9);
 }
 
-TEST(Odometry, MeansVelocitiesOverTenSamples) {
-  Odometry odometry(1, 1);
+TEST(DifferentialOdometry, MeansVelocitiesOverTenSamples) {
+  DifferentialOdometry odometry(1, 1);
   double angle = 0;
   odometry.update(angle, angle, 0.1);
   for (int i = 0; i < 5; ++i) odometry.update(angle + 0.1, angle + 0.1, 0.1), angle += 0.1;
@@ -54,4 +54,4 @@ TEST(Odometry, MeansVelocitiesOverTenSamples) {
 }
 
 }  // namespace
-}  // namespace pongsim::odometry_test
+}  // namespace pongsim

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+
+#include "pongsim/state_archive.hh"
+
+namespace pongsim {
+
+/// A value that follows another one with a delay of first order, x' = (u - x) / tau, with one time constant upwards and
+/// one downwards. Exact for an input that holds during a step.
+class FirstOrderFilter {
+ public:
+  FirstOrderFilter() = default;
+  /// @param timeUp Time constant while the input is above the value [s], zero or more; zero follows at once.
+  /// @param timeDown Likewise below it.
+  FirstOrderFilter(double timeUp, double timeDown) : timeUp_(timeUp), timeDown_(timeDown) {}
+
+  /// @param dt Time since the last call [s], above zero.
+  /// @return The value now.
+  double update(double input, double dt) {
+    // a quotient that is infinite leaves nothing of the old value
+    const double kept = std::exp(-dt / (input > value_ ? timeUp_ : timeDown_));
+    value_ = kept * value_ + (1 - kept) * input;
+    return value_;
+  }
+
+  double value() const { return value_; }
+  void reset() { value_ = 0; }
+  void transfer(StateArchive& archive) { archive(value_); }
+
+ private:
+  double timeUp_ = 0;
+  double timeDown_ = 0;
+  double value_ = 0;
+};
+
+}  // namespace pongsim

@@ -1,0 +1,122 @@
+#include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/stringmsg_v.pb.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "pongsim/parameter_group.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim {
+
+namespace {
+
+/// Binds an address to a topic, for a model, at the broker.
+class CommsEndpoint : public System {
+ public:
+  ~CommsEndpoint() override {
+    if (!isBound_ && !pending_) return;
+    ignition::msgs::StringMsg_V request;
+    request.add_data(address_);
+    request.add_data(topic_);
+    // nobody is there to hear what becomes of it
+    node_->request(unbindService_, request, "ignition.msgs.Empty", {});
+  }
+
+  void declare(Declaration& declaration) override {
+    declaration.is("Binds an address to a topic, so that messages for it come there.", Declaration::Place::kModel);
+    declaration.parameter("address", &address_, "", "what others send to").required();
+    declaration.parameter("topic", &topic_, "", "where messages for the address come").required();
+    declaration.element("broker",
+                        "names in place of the defaults: `<bind_service>` /broker/bind, `<unbind_service>` "
+                        "/broker/unbind");
+  }
+
+  void configure(const SystemContext& context) override {
+    Declaration names;
+    names.parameter("bind_service", &bindService_, "", "");
+    names.parameter("unbind_service", &unbindService_, "", "");
+    readGroup(context, "broker", names);
+    if (const std::optional<std::string> fault = topicNameError(topic_)) {
+      refuse(*context.sdf.child("topic"), "<topic> '" + topic_ + "' " + *fault);
+    }
+    node_ = &context.node;
+    log_ = &context.log;
+    request_.add_data(address_);
+    request_.add_data(context.model->scopedName());
+    request_.add_data(topic_);
+    bind();
+    if (!pending_) {
+      context.diagnostics.warning(
+          context.sdf.position,
+          "the address '" + address_ + "' is bound to nothing: no system before it has the service '" + bindService_ +
+              "'",
+          "add a broker to the world, ignition-gazebo-perfect-comms-system or ignition-gazebo-rf-comms-system");
+    }
+  }
+
+  void preUpdate(const StepInfo& info) override {
+    now_ = info.time;
+    if (isBound_ || pending_ || now_ < nextTry_) return;
+    nextTry_ = now_ + kPatience;
+    bind();
+  }
+
+  void reset() override {
+    now_ = nextTry_ = Time::zero();
+    isBound_ = hasWarned_ = false;
+    bind();
+  }
+
+  void transfer(StateArchive& archive) override {
+    bool isPending = static_cast<bool>(pending_);
+    archive(isBound_);
+    archive(nextTry_);
+    archive(isPending);
+    if (!archive.isGiving()) return;
+    pending_ = {};
+    // what is on its way is not in a state: it is sent again
+    if (isPending) bind();
+  }
+
+ private:
+  static constexpr std::chrono::seconds kPatience{1};
+
+  void bind() {
+    pending_ = node_->request(bindService_, request_, "ignition.msgs.Boolean",
+                              [this](const CallResult& result, const Message&) { note(result); });
+  }
+
+  void note(const CallResult& result) {
+    isBound_ = static_cast<bool>(result);
+    pending_ = {};
+    if (isBound_) return;
+    nextTry_ = now_ + kPatience;
+    // gone: the world ends
+    if (result.outcome == CallOutcome::kGone) return;
+    if (!std::exchange(hasWarned_, true)) log_->warning(result.error + "; it is asked again every second");
+  }
+
+  std::string address_;
+  std::string topic_;
+  std::string bindService_ = "/broker/bind";
+  std::string unbindService_ = "/broker/unbind";
+  Node* node_ = nullptr;
+  const Logger* log_ = nullptr;
+  ignition::msgs::StringMsg_V request_;
+  bool isBound_ = false;
+  bool hasWarned_ = false;
+  Time now_{0};
+  Time nextTry_{0};
+  PendingRequest pending_;
+};
+
+}  // namespace
+
+}  // namespace pongsim
+
+PONGSIM_EXPORT_SYSTEM(pongsim::CommsEndpoint, "ignition::gazebo::systems::CommsEndpoint",
+                      "gz::sim::systems::CommsEndpoint");

@@ -1,0 +1,45 @@
+#include "radio.hh"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace pongsim {
+
+namespace {
+
+constexpr std::chrono::seconds kEpoch{1};
+
+/// @return Watts.
+double powerOf(double dBm) { return 1e-3 * std::pow(10, dBm / 10); }
+
+}  // namespace
+
+double meanReceivedPower(const RadioSettings& settings, double distance) {
+  if (settings.maxRange > 0 && distance > settings.maxRange) return -std::numeric_limits<double>::infinity();
+  return settings.sendingPower - (settings.lossAtOneMetre + 10 * settings.fadingExponent * std::log10(distance));
+}
+
+double bitErrorRate(const RadioSettings& settings, double receivedPower) {
+  return std::erfc(std::sqrt(powerOf(receivedPower) / powerOf(settings.noiseFloor)));
+}
+
+double lossProbability(double bitErrorRate, std::uint64_t bytes) {
+  // also where no bit is right: 0 times infinity is no number
+  if (bytes == 0) return bitErrorRate < 1 ? 0 : 1;
+  return -std::expm1(static_cast<double>(bytes) * std::log1p(-bitErrorRate));
+}
+
+std::optional<double> RateWindow::add(Time now, std::uint64_t bytes, double capacity) {
+  while (!packets_.empty() && packets_.front().time <= now - kEpoch) {
+    bytes_ -= packets_.front().bytes;
+    packets_.pop_front();
+  }
+  const double bits = static_cast<double>(bytes_ + bytes) * 8;
+  if (bits > capacity * toSeconds(kEpoch)) return bits;
+  packets_.push_back({now, bytes});
+  bytes_ += bytes;
+  return std::nullopt;
+}
+
+}  // namespace pongsim

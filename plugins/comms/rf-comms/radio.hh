@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "pongsim/state_archive.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim {
+
+/// How radios send, and what becomes of it on its way.
+struct RadioSettings {
+  /// No message goes farther [m]; 0: no limit.
+  double maxRange = 50;
+  /// Of the distance, 2 in free space.
+  double fadingExponent = 2.5;
+  /// Loss at 1 m [dB].
+  double lossAtOneMetre = 40;
+  /// Standard deviation of the received power [dB].
+  double sigma = 10;
+  /// Bits that a radio sends, or receives, a second.
+  double capacity = 54e6;
+  /// [dBm]
+  double sendingPower = 27;
+  double noiseFloor = -90;
+};
+
+/// @return Power that is received on the average [dBm], by the log-distance path loss model (Rappaport, "Wireless
+/// Communications", 2nd ed., 4.9.1): the loss at one metre and 10 n log10(d) more. Minus infinity beyond the largest
+/// range.
+double meanReceivedPower(const RadioSettings& settings, double distance);
+
+/// @param receivedPower [dBm]
+/// @return Share of the bits that are wrong, of QPSK as Fortress reckons it: erfc(sqrt(P / N)), which is 1 without
+/// power.
+double bitErrorRate(const RadioSettings& settings, double receivedPower);
+
+/// @return Probability that a packet is lost. As Fortress, it counts the packet's bytes as if they were bits:
+/// 1 - (1 - rate)^bytes.
+double lossProbability(double bitErrorRate, std::uint64_t bytes);
+
+/// What has passed through one direction of a radio within the last second.
+class RateWindow {
+ public:
+  /// Adds a packet, unless that makes more than the capacity.
+  /// @return The bits of the second with the packet, where it is one too many; else nothing.
+  std::optional<double> add(Time now, std::uint64_t bytes, double capacity);
+
+  void transfer(StateArchive& archive) {
+    archive(packets_);
+    archive(bytes_);
+  }
+
+ private:
+  struct Packet {
+    Time time{0};
+    std::uint64_t bytes = 0;
+
+    void transfer(StateArchive& archive) {
+      archive(time);
+      archive(bytes);
+    }
+  };
+  std::deque<Packet> packets_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace pongsim

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "pongsim/appearance.hh"
+#include "support/fortress_worlds.hh"
+#include "support/running_world.hh"
+#include "support/working_folder.hh"
+
+namespace pongsim::collada_world_exporter_test {
+namespace {
+
+namespace fs = std::filesystem;
+using test::RunningWorld;
+using test::WorkingFolder;
+
+constexpr const char* kExporter =
+    "<plugin filename='ignition-gazebo-collada-world-exporter-system' "
+    "name='ignition::gazebo::systems::ColladaWorldExporter'/>";
+
+std::vector<VisiblePart> partsOf(RunningWorld& world) {
+  Diagnostics diagnostics;
+  const Appearance appearance(world.simulation().world(), diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty());
+  std::vector<VisiblePart> parts;
+  for (std::size_t i = 0; i < appearance.partCount(); ++i) parts.push_back(appearance.part(i));
+  return parts;
+}
+
+/// @return What a COLLADA file shows, as it is read by way of Assimp.
+std::vector<VisiblePart> partsOf(const fs::path& file) {
+  RunningWorld world("<model name='m'><static>true</static><link name='l'><visual name='v'><geometry><mesh><uri>" +
+                     file.string() + "</uri></mesh></geometry></visual></link></model>");
+  return partsOf(world);
+}
+
+std::vector<Vector3> cornersInWorld(const VisiblePart& part) {
+  std::vector<Vector3> corners;
+  for (const VisiblePart::Corner& corner : part.corners) {
+    corners.push_back(part.X_WorldPart * part.scale.cwiseProduct(corner.position.cast<double>()));
+  }
+  return corners;
+}
+
+/// @return The largest distance from a point of `from` to the next of `to` [m].
+double largestGap(const std::vector<Vector3>& from, const std::vector<Vector3>& to) {
+  double largest = 0;
+  for (const Vector3& point : from) {
+    double nearest = 1e9;
+    for (const Vector3& other : to) {
+      nearest = std::min(nearest, (other - point).norm());
+      if (nearest <= largest) break;
+    }
+    largest = std::max(largest, nearest);
+  }
+  return largest;
+}
+
+/// @return Volume that the triangles enclose, with their sense [m^3].
+double volumeOf(const VisiblePart& part) {
+  const std::vector<Vector3> corners = cornersInWorld(part);
+  double volume = 0;
+  for (std::size_t i = 0; i + 2 < part.triangles.size(); i += 3) {
+    const Vector3 &a = corners[part.triangles[i]], &b = corners[part.triangles[i + 1]],
+                  &c = corners[part.triangles[i + 2]];
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  return volume;
+}
+
+void expectSame(const std::vector<VisiblePart>& read, const std::vector<VisiblePart>& shown) {
+  ASSERT_EQ(read.size(), shown.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const std::vector<Vector3> one = cornersInWorld(read[i]), other = cornersInWorld(shown[i]);
+    EXPECT_EQ(read[i].triangles.size(), shown[i].triangles.size()) << shown[i].name;
+    EXPECT_LT(largestGap(one, other), 1e-5) << shown[i].name;
+    EXPECT_LT(largestGap(other, one), 1e-5) << shown[i].name;
+    EXPECT_NEAR(volumeOf(read[i]), volumeOf(shown[i]), 1e-4) << shown[i].name;
+    EXPECT_LT((read[i].diffuse - shown[i].diffuse).norm(), 1e-5F) << shown[i].name;
+    const Vector3 normal = read[i].X_WorldPart.rotation * read[i].corners[0].normal.cast<double>();
+    EXPECT_NEAR(normal.norm(), 1, 1e-5);
+  }
+}
+
+TEST(ColladaWorldExporter, WritesWhatIsReadBackWithTheSameVertices) {
+  const WorkingFolder folder;
+  RunningWorld world(test::projectFolder() / "plugins/tasks/collada-world-exporter/collada_world_exporter.sdf");
+  EXPECT_FALSE(fs::exists("collada_world_exporter"));
+  world.step(1);
+  const fs::path file = folder.path() / "collada_world_exporter/meshes/collada_world_exporter.dae";
+  ASSERT_TRUE(fs::exists(file));
+  const std::vector<VisiblePart> shown = partsOf(world);
+  ASSERT_EQ(shown.size(), 4U);
+  EXPECT_EQ(shown[0].name, "shapes::link::box");
+  EXPECT_NEAR(volumeOf(shown[0]), 0.75, 1e-6);
+  expectSame(partsOf(file), shown);
+}
+
+TEST(ColladaWorldExporter, WritesOnce) {
+  const WorkingFolder folder;
+  RunningWorld world(std::string{kExporter});
+  world.step(1);
+  EXPECT_TRUE(fs::exists("w/meshes/w.dae"));
+  fs::remove_all("w");
+  world.step(10);
+  Diagnostics diagnostics;
+  world.simulation().reset(diagnostics);
+  world.step(10);
+  EXPECT_FALSE(fs::exists("w"));
+}
+
+TEST(ColladaWorldExporter, SaysWhereItCantWriteAndTheRestRuns) {
+  const WorkingFolder folder;
+  std::ofstream("w") << "in the way";
+  RunningWorld world(std::string(kExporter) +
+                     "<model name='m'><link name='l'><inertial><mass>1</mass></inertial></link></model>");
+  testing::internal::CaptureStderr();
+  world.step(100);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("collada-world-exporter: the world could not be exported: "), std::string::npos) << said;
+  EXPECT_LT(world.model("m").pose().position.z(), -0.01);
+}
+
+TEST(ColladaWorldExporter, RefusesANameThatLeadsElsewhere) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      std::string("<sdf version='1.9'><world name='../up'>") + kExporter + "</world></sdf>", "w.sdf", {}, diagnostics);
+  const auto isRefused = [](const Diagnostic& each) {
+    return each.message == "collada-world-exporter is left out: the world's name '../up' can't be that of a folder";
+  };
+  EXPECT_TRUE(std::ranges::any_of(diagnostics.all(), isRefused) || simulation == nullptr);
+}
+
+/// As Fortress's own test of the system tells it: the file's two parts, and one of them once more.
+TEST(ColladaWorldExporter, OfFortressTestWorldWritesSubmeshes) {
+  const auto worlds = test::fortressWorlds();
+  if (!worlds) GTEST_SKIP() << "no worlds of Fortress here";
+  const WorkingFolder folder;
+  setenv("IGN_GAZEBO_RESOURCE_PATH", (*worlds / "test/models").c_str(), 1);
+  RunningWorld world(*worlds / "test/collada_world_exporter_submesh.sdf");
+  unsetenv("IGN_GAZEBO_RESOURCE_PATH");
+  world.step(1);
+  const std::vector<VisiblePart> shown = partsOf(world);
+  ASSERT_EQ(shown.size(), 3U);
+  const std::string name = "collada_world_exporter_submesh_test";
+  EXPECT_EQ(shown[2].texture.filename(), "cordless_drill.png");
+  EXPECT_TRUE(fs::exists(folder.path() / name / "materials/textures/cordless_drill.png"));
+  expectSame(partsOf(folder.path() / name / "meshes" / (name + ".dae")), shown);
+}
+
+TEST(ColladaWorldExporter, OfFortressTestWorldWritesShapes) {
+  const auto worlds = test::fortressWorlds();
+  if (!worlds) GTEST_SKIP() << "no worlds of Fortress here";
+  const WorkingFolder folder;
+  RunningWorld world(*worlds / "test/collada_world_exporter.sdf");
+  world.step(1);
+  const std::string name = "collada_world_exporter_box_test";
+  expectSame(partsOf(folder.path() / name / "meshes" / (name + ".dae")), partsOf(world));
+}
+
+}  // namespace
+}  // namespace pongsim::collada_world_exporter_test

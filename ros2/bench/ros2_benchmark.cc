@@ -1,0 +1,446 @@
+// What talking to ROS costs beside bare Fast DDS, and what it costs the simulation.
+//   pongsim_ros2_bench                       the whole of it
+//   pongsim_ros2_bench write KIND WAY        its other process: writes what a kind is, stamped
+//   pongsim_ros2_bench read KIND WAY         hears it, and prints the median age [us]
+//   pongsim_ros2_bench listen                five readers of the world's sensors, until it is killed
+
+#include <ignition/msgs/image.pb.h>
+#include <ignition/msgs/laserscan.pb.h>
+#include <ignition/msgs/twist.pb.h>
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "pongsim/simulation.hh"
+#include "ros2/bench/bare_pair.hh"
+#include "ros2/bridge/bridge.hh"
+#include "ros2/types/cdr.hh"
+#include "ros2/types/geometry_msgs.hh"
+#include "ros2/types/sensor_msgs.hh"
+#include "support/process.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim::ros2 {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using test::Process;
+using Way = BarePeer::Way;
+
+struct Kind {
+  const char* name;
+  const char* topic;
+  const char* type;
+  double rate;
+  int count;
+};
+constexpr Kind kKinds[] = {{"Twist", "/measured_twist", "geometry_msgs/msg/Twist", 500, 1500},
+                           {"LaserScan", "/measured_scan", "sensor_msgs/msg/LaserScan", 100, 500},
+                           {"Image", "/measured_image", "sensor_msgs/msg/Image", 30, 150}};
+enum { kTwist, kScan, kImage };
+constexpr int kRounds = 5;
+constexpr int kBeams = 640;
+constexpr unsigned kWidth = 640, kHeight = 480;
+
+/// Seconds of the steady clock, the same in all processes.
+double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+
+/// @return How old a payload is [us]: a Twist says it in its first number, the others in the stamp of their header.
+double age(int kind, std::span<const std::byte> payload) {
+  if (kind == kTwist) {
+    double at = 0;
+    std::memcpy(&at, &payload[kEncapsulation], sizeof at);
+    return (now() - at) * 1e6;
+  }
+  builtin_interfaces::Time at;
+  std::memcpy(&at.sec, &payload[kEncapsulation], 4);
+  std::memcpy(&at.nanosec, &payload[kEncapsulation + 4], 4);
+  return (now() - at.sec - at.nanosec * 1e-9) * 1e6;
+}
+
+builtin_interfaces::Time stamp() {
+  const double at = now();
+  return {static_cast<std::int32_t>(at), static_cast<std::uint32_t>((at - static_cast<std::int32_t>(at)) * 1e9)};
+}
+
+double median(std::vector<double> all) {
+  if (all.empty()) return 0;
+  std::ranges::sort(all);
+  return all[all.size() / 2];
+}
+
+/// Ages of what comes, until there are enough.
+class Ages {
+ public:
+  void add(double age) {
+    const std::lock_guard lock(mutex_);
+    ages_.push_back(age);
+    last_ = Clock::now();
+  }
+  /// Waits for so many, and no longer than a while after the last one.
+  std::vector<double> wait(int count) {
+    while (true) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      const std::lock_guard lock(mutex_);
+      const bool isSilent = !ages_.empty() && Clock::now() - last_ > std::chrono::seconds(2);
+      if (static_cast<int>(ages_.size()) >= count || isSilent) return ages_;
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> ages_;
+  Clock::time_point last_;
+};
+
+void atRate(const Kind& kind, const std::function<void()>& call) {
+  const auto start = Clock::now();
+  for (int i = 0; i < kind.count; ++i) {
+    std::this_thread::sleep_until(
+        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(i / kind.rate)));
+    call();
+  }
+}
+
+void waitFor(const std::function<bool()>& condition) {
+  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+sensor_msgs::LaserScan rosScan() {
+  sensor_msgs::LaserScan scan;
+  scan.header.frame_id = "rover/chassis/lidar";
+  scan.ranges.assign(kBeams, 1.5F);
+  scan.intensities.assign(kBeams, 0);
+  return scan;
+}
+
+sensor_msgs::Image rosImage() {
+  sensor_msgs::Image image;
+  image.header.frame_id = "rover/chassis/camera";
+  image.width = kWidth;
+  image.height = kHeight;
+  image.step = 3 * kWidth;
+  image.encoding = "rgb8";
+  image.data.assign(std::size_t{3} * kWidth * kHeight, 'x');
+  return image;
+}
+
+/// Writes a kind by bare Fast DDS: into the payload, and on.
+void writeBare(BarePeer& peer, int number) {
+  const Kind& kind = kKinds[number];
+  peer.openWriter(topicOnWire(kind.topic), ddsTypeName(kind.type));
+  waitFor([&] { return peer.matched() > 0; });
+  geometry_msgs::Twist twist;
+  sensor_msgs::LaserScan scan = rosScan();
+  sensor_msgs::Image image = rosImage();
+  std::vector<std::byte> payload(number == kTwist ? cdrSize(twist) : number == kScan ? cdrSize(scan) : cdrSize(image));
+  atRate(kind, [&] {
+    if (number == kTwist) {
+      twist.linear.x = now();
+      writeCdr(twist, payload);
+    } else if (number == kScan) {
+      scan.header.stamp = stamp();
+      writeCdr(scan, payload);
+    } else {
+      image.header.stamp = stamp();
+      writeCdr(image, payload);
+    }
+    peer.write(payload);
+  });
+}
+
+Way wayNamed(const std::string& name) { return name == "udp" ? Way::kUdp : Way::kDefault; }
+
+int writeProcess(int domain, int kind, Way way) {
+  BarePeer peer(domain, way);
+  writeBare(peer, kind);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  return 0;
+}
+
+int readProcess(int domain, int number, Way way) {
+  const Kind& kind = kKinds[number];
+  BarePeer peer(domain, way);
+  Ages ages;
+  peer.read(topicOnWire(kind.topic), ddsTypeName(kind.type),
+            [&](std::span<const std::byte> payload) { ages.add(age(number, payload)); });
+  waitFor([&] { return peer.matched() > 0; });
+  std::puts("ready");
+  std::fflush(stdout);
+  const std::vector<double> all = ages.wait(kind.count);
+  std::printf("%zu %f\n", all.size(), median(all));
+  return 0;
+}
+
+std::string own() { return "/proc/self/exe"; }
+
+/// @return The median age that a reading process tells.
+double toldBy(Process& reader) {
+  if (reader.wait() != 0) std::fprintf(stderr, "a reader failed: %s\n", reader.error().c_str());
+  std::size_t count = 0;
+  double result = 0;
+  const std::string output = reader.output();
+  std::sscanf(output.c_str() + output.find('\n') + 1, "%zu %lf", &count, &result);
+  return result;
+}
+
+double bareToReader(int domain, int kind, const std::string& way) {
+  Process reader({own(), "read", std::to_string(kind), way});
+  BarePeer writer(domain, wayNamed(way));
+  writeBare(writer, kind);
+  return toldBy(reader);
+}
+
+double bareFromWriter(int domain, int kind, const std::string& way) {
+  Ages ages;
+  BarePeer reader(domain, wayNamed(way));
+  reader.read(topicOnWire(kKinds[kind].topic), ddsTypeName(kKinds[kind].type),
+              [&](std::span<const std::byte> payload) { ages.add(age(kind, payload)); });
+  Process writer({own(), "write", std::to_string(kind), way});
+  return median(ages.wait(kKinds[kind].count));
+}
+
+/// A transport of the simulation with the bridge on it, without a world.
+struct Bridged {
+  explicit Bridged(int domain)
+      : transport({.network = false}),
+        participant({.domain = domain}),
+        ros(participant, {}),
+        bridge(transport.node(), ros, Settings()) {}
+  Transport transport;
+  Participant participant;
+  RosNode ros;
+  Bridge bridge;
+};
+
+double twistIn(int domain) {
+  Bridged bridged(domain);
+  Ages ages;
+  const Subscription heard = bridged.transport.node().subscribeAtOnce(
+      kKinds[kTwist].topic, "ignition.msgs.Twist", [&](const Message& message, const Bulk*) {
+        ages.add((now() - static_cast<const ignition::msgs::Twist&>(message).linear().x()) * 1e6);
+      });
+  bridged.bridge.update();
+  Process writer({own(), "write", std::to_string(kTwist), "default"});
+  return median(ages.wait(kKinds[kTwist].count));
+}
+
+double scanOut(int domain) {
+  Bridged bridged(domain);
+  ignition::msgs::LaserScan scan;
+  scan.set_frame("rover::chassis::lidar");
+  scan.set_count(kBeams);
+  for (int i = 0; i < kBeams; ++i) {
+    scan.add_ranges(1.5);
+    scan.add_intensities(0);
+  }
+  Publisher publisher = bridged.transport.node().advertise<ignition::msgs::LaserScan>(kKinds[kScan].topic);
+  bridged.bridge.update();
+  Process reader({own(), "read", std::to_string(kScan), "default"});
+  waitFor([&] {
+    bridged.bridge.update();
+    return publisher.hasSubscribers();
+  });
+  reader.waitForOutput("ready");
+  atRate(kKinds[kScan], [&] {
+    const builtin_interfaces::Time at = stamp();
+    scan.mutable_header()->mutable_stamp()->set_sec(at.sec);
+    scan.mutable_header()->mutable_stamp()->set_nsec(static_cast<int>(at.nanosec));
+    publisher.publish(scan);
+  });
+  return toldBy(reader);
+}
+
+/// @param copies How often a picture's bytes were copied on the way to the wire.
+double imageOut(int domain, double& copies) {
+  Bridged bridged(domain);
+  const std::string pixels(std::size_t{3} * kWidth * kHeight, 'x');
+  ignition::msgs::Image image;
+  image.set_width(kWidth);
+  image.set_height(kHeight);
+  image.set_pixel_format_type(ignition::msgs::RGB_INT8);
+  int written = 0;
+  const Bulk bulk{.size = pixels.size(), .write = [&](std::span<std::byte> to) {
+                    ++written;
+                    std::memcpy(to.data(), pixels.data(), to.size());
+                  }};
+  Publisher publisher = bridged.transport.node().advertise<ignition::msgs::Image>(kKinds[kImage].topic);
+  bridged.bridge.update();
+  Process reader({own(), "read", std::to_string(kImage), "default"});
+  waitFor([&] {
+    bridged.bridge.update();
+    return publisher.hasSubscribers();
+  });
+  reader.waitForOutput("ready");
+  atRate(kKinds[kImage], [&] {
+    const builtin_interfaces::Time at = stamp();
+    image.mutable_header()->mutable_stamp()->set_sec(at.sec);
+    image.mutable_header()->mutable_stamp()->set_nsec(static_cast<int>(at.nanosec));
+    publisher.publish(image, bulk);
+  });
+  copies = static_cast<double>(written) / kKinds[kImage].count;
+  return toldBy(reader);
+}
+
+constexpr const char* kWorld = R"(<?xml version="1.0"?>
+<sdf version="1.9"><world name="bench">
+  <physics name="p" type="ignored"><max_step_size>0.001</max_step_size><real_time_factor>0</real_time_factor></physics>
+  <plugin filename="ignition-gazebo-physics-system" name="ignition::gazebo::systems::Physics"/>
+  <plugin filename="ignition-gazebo-sensors-system" name="ignition::gazebo::systems::Sensors"/>
+  <plugin filename="ignition-gazebo-imu-system" name="ignition::gazebo::systems::Imu"/>
+  <light type="directional" name="sun"><pose>0 0 10 0 0 0</pose><direction>-0.5 0.1 -0.9</direction></light>
+  <model name="wall"><static>true</static><pose>5 0 1 0 0 0</pose><link name="l">
+    <visual name="v"><geometry><box><size>0.2 20 2</size></box></geometry></visual></link></model>
+  <model name="rover"><pose>0 0 1 0 0 0</pose><static>true</static><link name="l">
+    <sensor name="lidar" type="gpu_lidar"><topic>lidar</topic><update_rate>10</update_rate><lidar>
+      <scan><horizontal><samples>640</samples><min_angle>-1.4</min_angle><max_angle>1.4</max_angle></horizontal></scan>
+      <range><min>0.1</min><max>10</max></range></lidar></sensor>
+    <sensor name="camera" type="camera"><topic>camera</topic><update_rate>30</update_rate><camera>
+      <image><width>640</width><height>480</height><format>R8G8B8</format></image></camera></sensor>
+    <sensor name="imu" type="imu"><topic>imu</topic><update_rate>100</update_rate></sensor>
+  </link></model>
+</world></sdf>)";
+
+double cpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+std::unique_ptr<Simulation> load(bool withRos) {
+  SimulationOptions options;
+  if (withRos) {
+    Element plugin;
+    plugin.name = "plugin";
+    plugin.attributes = {{"filename", "pongsim-ros2-system", {}}, {"name", "pongsim::systems::Ros2", {}}};
+    options.systems.push_back(plugin);
+  }
+  Diagnostics diagnostics;
+  auto simulation = Simulation::fromText(kWorld, "bench.sdf", options, diagnostics);
+  for (const Diagnostic& each : diagnostics.all()) std::fprintf(stderr, "%s\n", format(each).c_str());
+  if (!simulation) std::exit(1);
+  return simulation;
+}
+
+int listenProcess(int domain) {
+  BarePeer peer(domain, Way::kDefault);
+  int heard[3] = {};
+  const std::pair<const char*, const char*> ways[] = {
+      {"/lidar", "sensor_msgs/msg/LaserScan"}, {"/camera", "sensor_msgs/msg/Image"}, {"/imu", "sensor_msgs/msg/Imu"}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    peer.read(topicOnWire(ways[i].first), ddsTypeName(ways[i].second),
+              [&heard, i](std::span<const std::byte>) { ++heard[i]; });
+  }
+  while (true) std::this_thread::sleep_for(std::chrono::seconds(1));
+}
+
+constexpr std::uint64_t kSensorSteps = 2000;
+constexpr std::uint64_t kQuietSteps = 20000;
+
+double costOf(Simulation& simulation, std::uint64_t steps) {
+  const double before = cpuSeconds();
+  simulation.step(steps);
+  return cpuSeconds() - before;
+}
+
+/// @return What five readers add to the processor time of the simulation's thread, as a share of it: medians of chunks
+/// with and without them, which take turns. The sensors measure in both, for somebody in the simulation listens.
+double shareOfReaders() {
+  const auto simulation = load(true);
+  Node node = simulation->transport().node();
+  const auto ignore = [](const Message&, const Bulk*) {};
+  std::vector<Subscription> kept;
+  kept.push_back(node.subscribeAtOnce("/lidar", "ignition.msgs.LaserScan", ignore));
+  kept.push_back(node.subscribeAtOnce("/camera", "ignition.msgs.Image", ignore));
+  kept.push_back(node.subscribeAtOnce("/imu", "ignition.msgs.IMU", ignore));
+  simulation->step(500);
+  std::vector<double> without, with;
+  for (int i = 0; i < kRounds; ++i) {
+    without.push_back(costOf(*simulation, kSensorSteps));
+    std::vector<std::unique_ptr<Process>> readers;
+    for (int j = 0; j < 5; ++j) readers.push_back(std::make_unique<Process>(std::vector<std::string>{own(), "listen"}));
+    // until they are met, each topic by five
+    const auto end = Clock::now() + std::chrono::seconds(4);
+    while (Clock::now() < end) simulation->step(20);
+    with.push_back(costOf(*simulation, kSensorSteps));
+    readers.clear();
+    // until they are forgotten
+    const auto quiet = Clock::now() + std::chrono::seconds(12);
+    while (Clock::now() < quiet) simulation->step(20);
+  }
+  return median(with) / median(without) - 1;
+}
+
+/// @return Microseconds that the system adds to a step while nobody listens.
+double costUnheard() {
+  const auto plain = load(false), withRos = load(true);
+  plain->step(500);
+  withRos->step(500);
+  std::vector<double> difference;
+  for (int i = 0; i < 3 * kRounds; ++i) {
+    const double base = costOf(*plain, kQuietSteps);
+    difference.push_back((costOf(*withRos, kQuietSteps) - base) / kQuietSteps * 1e6);
+  }
+  return median(difference);
+}
+
+void tell(const char* what, const std::function<double()>& ours, const std::function<double()>& udp,
+          const std::function<double()>& shared, double most) {
+  std::vector<double> a, b, c;
+  for (int i = 0; i < kRounds; ++i) {
+    a.push_back(ours());
+    b.push_back(udp());
+    c.push_back(shared());
+  }
+  std::printf(
+      "%-22s %7.0f us, bare Fast DDS by UDP %7.0f us: ratio %.2f (at most %.2f); by shared memory %7.0f us: %.2f\n",
+      what, median(a), median(b), median(a) / median(b), most, median(c), median(a) / median(c));
+  std::fflush(stdout);
+}
+
+int measure(int domain) {
+  double copies = 0;
+  tell(
+      "Twist in", [=] { return twistIn(domain); }, [=] { return bareFromWriter(domain, kTwist, "udp"); },
+      [=] { return bareFromWriter(domain, kTwist, "default"); }, 1.3);
+  tell(
+      "LaserScan out", [=] { return scanOut(domain); }, [=] { return bareToReader(domain, kScan, "udp"); },
+      [=] { return bareToReader(domain, kScan, "default"); }, 1.3);
+  tell(
+      "VGA image out, 30 Hz", [&] { return imageOut(domain, copies); },
+      [=] { return bareToReader(domain, kImage, "udp"); }, [=] { return bareToReader(domain, kImage, "default"); },
+      1.2);
+  std::printf("copies of a picture on its way to the wire: %.2f\n", copies);
+  std::printf("no readers: %.3f us a step (at most 1)\n", costUnheard());
+  std::printf("five readers of lidar, camera and IMU: %+.1f %% of the thread's time (at most 5)\n",
+              100 * shareOfReaders());
+  return 0;
+}
+
+}  // namespace
+}  // namespace pongsim::ros2
+
+int main(int argc, char** argv) {
+  using namespace pongsim::ros2;
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what.empty()) {
+    const int domain = pongsim::test::testDomain();
+    setenv("ROS_DOMAIN_ID", std::to_string(domain).c_str(), 1);
+    return measure(domain);
+  }
+  const int domain = std::atoi(std::getenv("ROS_DOMAIN_ID"));
+  if (what == "listen") return listenProcess(domain);
+  if (argc < 4) return 2;
+  const auto run = what == "write" ? writeProcess : readProcess;
+  return run(domain, std::atoi(argv[2]), wayNamed(argv[3]));
+}

@@ -1,0 +1,217 @@
+#include "ros2/bridge/bridge.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "ros2/pairs/pairs.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+// Names that mean the same in every namespace.
+constexpr std::string_view kGlobalNames[] = {"/clock", "/tf", "/tf_static"};
+constexpr std::size_t kTransformDepth = 100;
+
+}  // namespace
+
+struct Bridge::Entry {
+  TopicRule rule;
+  bool isLatched = false;
+  std::atomic<std::uint64_t> refused = 0;
+
+  ToRos toRos;
+  std::unique_ptr<RosPublisher> publisher;
+  ToIgnition toIgnition;
+  Publisher toSimulation;
+  // they end first, for they call the others
+  Subscription heard;
+  std::unique_ptr<RosSubscription> subscription;
+};
+
+Bridge::Bridge(const Node& simulation, RosNode& ros, const Settings& settings)
+    : simulation_(simulation), ros_(ros), settings_(settings), topicsVersion_(simulation_.ownTopicsVersion() - 1) {}
+
+Bridge::~Bridge() = default;
+
+void Bridge::update() {
+  // what is opened here makes another version too, after which nothing is left to do
+  if (const std::uint64_t version = simulation_.ownTopicsVersion(); version != topicsVersion_) {
+    topicsVersion_ = version;
+    followTopics();
+  }
+  if (readersVersion_.load(std::memory_order_relaxed) != knownReaders_) {
+    knownReaders_ = readersVersion_;
+    followReaders();
+  }
+}
+
+void Bridge::followTopics() {
+  const RosNode::Quiet quiet(ros_);
+  const std::vector<OwnTopic> topics = simulation_.ownTopics();
+  followRules(topics);
+  for (Entry& entry : entries_) {
+    if (entry.rule.position.file != nullptr) continue;
+    const bool isThere = std::ranges::any_of(topics, [&](const OwnTopic& topic) {
+      return topic.name == entry.rule.ignition && topic.type == entry.rule.pair->ignition;
+    });
+    if (!isThere) want(entry, {});
+  }
+  for (const OwnTopic& topic : topics) {
+    const bool hasRule = std::ranges::any_of(settings_.rules, [&](const TopicRule& rule) {
+      return rule.ignition == topic.name && (rule.pair == nullptr || rule.pair->ignition == topic.type);
+    });
+    const Pair* pair = defaultPair(topic.type);
+    if (hasRule || pair == nullptr || !settings_.bridgesAll) continue;
+    TopicRule rule;
+    rule.ignition = topic.name;
+    rule.ros = rosNameFor(topic.name);
+    if (std::ranges::find(kGlobalNames, rule.ros) == std::end(kGlobalNames)) {
+      rule.ros = absoluteName(settings_.nameSpace, rule.ros.substr(1));
+    }
+    rule.pair = pair;
+    if (reserved_.contains(rule.ros)) continue;
+    Entry* entry = entryFor(rule);
+    if (entry == nullptr) continue;
+    const int ownPublishers = entry->toSimulation ? 1 : 0, ownSubscriptions = entry->heard ? 1 : 0;
+    want(*entry, {topic.publishers > ownPublishers, topic.subscriptions > ownSubscriptions, topic.isLatched});
+  }
+}
+
+void Bridge::followRules(const std::vector<OwnTopic>& topics) {
+  for (const TopicRule& rule : settings_.rules) {
+    if (rule.pair == nullptr) continue;
+    Entry* entry = entryFor(rule);
+    if (entry == nullptr) continue;
+    const bool isLatched = std::ranges::any_of(topics, [&](const OwnTopic& topic) {
+      return topic.name == rule.ignition && topic.type == rule.pair->ignition && topic.isLatched;
+    });
+    want(*entry, {rule.direction != Direction::kFromRos, rule.direction != Direction::kToRos, isLatched});
+  }
+}
+
+/// @return Null where another topic has the name in ROS already.
+Bridge::Entry* Bridge::entryFor(const TopicRule& rule) {
+  const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
+    return entry.rule.ignition == rule.ignition && entry.rule.pair == rule.pair && entry.rule.ros == rule.ros;
+  });
+  if (found != entries_.end()) return &*found;
+  const auto other = std::ranges::find_if(entries_, [&](const Entry& entry) { return entry.rule.ros == rule.ros; });
+  const auto error = rosNameError(rule.ros);
+  if (error || (other != entries_.end() && other->rule.pair->ros != rule.pair->ros)) {
+    if (!refusedNames_.insert(rule.ignition + " " + rule.pair->ignition).second) return nullptr;
+    ros_.log().warning("topic '" + rule.ignition + "' is not bridged: " +
+                       (error ? "its name in ROS, '" + rule.ros + "', " + *error
+                              : "'" + rule.ros + "' is " + std::string(other->rule.pair->ros) +
+                                    " in ROS already, of '" + other->rule.ignition + "'"));
+    return nullptr;
+  }
+  Entry& entry = entries_.emplace_back();
+  entry.rule = rule;
+  return &entry;
+}
+
+void Bridge::want(Entry& entry, const Wanted& wanted) {
+  if (wanted.fromRos && !entry.subscription) openFromRos(entry);
+  if (!wanted.fromRos && entry.subscription) {
+    entry.subscription.reset();
+    entry.toSimulation = {};
+  }
+  if (wanted.toRos && !entry.publisher) openToRos(entry, wanted.isLatched);
+  if (!wanted.toRos && entry.publisher) {
+    entry.heard = {};
+    entry.publisher.reset();
+  }
+}
+
+Qos Bridge::writerQos(const TopicRule& rule, bool isLatched) const {
+  Qos qos = isLatched ? kLatchedQos : kDefaultQos;
+  qos.depth = rule.publisherQueue;
+  if (isLatched) qos.depth = 1;
+  if (rule.pair->ros == "tf2_msgs/msg/TFMessage") qos.depth = std::max(qos.depth, kTransformDepth);
+  qos.isReliable = rule.isReliable.value_or(qos.isReliable);
+  qos.isTransientLocal = rule.isTransientLocal.value_or(qos.isTransientLocal);
+  return qos;
+}
+
+Qos Bridge::readerQos(const TopicRule& rule) const {
+  Qos qos = kAnyWriterQos;
+  qos.depth = rule.subscriberQueue;
+  qos.isReliable = rule.isReliable.value_or(qos.isReliable);
+  qos.isTransientLocal = rule.isTransientLocal.value_or(qos.isTransientLocal);
+  return qos;
+}
+
+void Bridge::openToRos(Entry& entry, bool isLatched) {
+  const TopicRule& rule = entry.rule;
+  entry.isLatched = isLatched;
+  entry.toRos = rule.pair->toRos(settings_.frames);
+  entry.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), writerQos(rule, isLatched),
+                                                   [this] { ++readersVersion_; });
+  ++readersVersion_;
+}
+
+void Bridge::openFromRos(Entry& entry) {
+  const TopicRule& rule = entry.rule;
+  entry.toIgnition = rule.pair->toIgnition(settings_.frames);
+  entry.toSimulation = simulation_.advertise(rule.ignition, rule.pair->ignition);
+  // it would hear itself
+  if (entry.heard) listen(entry);
+  entry.subscription = std::make_unique<RosSubscription>(
+      ros_, rule.ros, rule.pair->type(), readerQos(rule), [this, &entry](const Sample& sample) {
+        std::string error;
+        if (const Message* message = entry.toIgnition(sample.payload, error)) {
+          entry.toSimulation.publish(*message);
+        } else {
+          ++entry.refused;
+          ros_.complainOf(entry.rule.ros, error);
+        }
+      });
+}
+
+void Bridge::followReaders() {
+  for (Entry& entry : entries_) {
+    if (!entry.publisher) continue;
+    const bool isAwaited = entry.isLatched || !entry.rule.isLazy || entry.publisher->hasReaders();
+    if (isAwaited && !entry.heard) listen(entry);
+    if (!isAwaited && entry.heard) entry.heard = {};
+  }
+}
+
+void Bridge::listen(Entry& entry) {
+  SubscriptionOptions options;
+  if (entry.toSimulation) options.except = &entry.toSimulation;
+  entry.heard = {};
+  entry.heard = simulation_.subscribeAtOnce(
+      entry.rule.ignition, entry.rule.pair->ignition,
+      [&entry](const Message& message, const Bulk* bulk) {
+        entry.toRos(message, bulk,
+                    [&entry](std::size_t size, const Fill& fill) { entry.publisher->writer().write(size, fill); });
+      },
+      options);
+}
+
+std::vector<Bridge::Topic> Bridge::topics() const {
+  std::vector<Topic> all;
+  for (const Entry& entry : entries_) {
+    Topic& topic = all.emplace_back();
+    topic.ros = entry.rule.ros;
+    topic.ignition = entry.rule.ignition;
+    topic.pair = entry.rule.pair;
+    if (entry.publisher) {
+      topic.isToRos = true;
+      topic.readers = entry.publisher->writer().readers();
+      topic.sent = entry.publisher->writer().sent();
+      topic.dropped = entry.publisher->writer().dropped();
+    }
+    if (entry.subscription) {
+      topic.isFromRos = true;
+      topic.writers = entry.subscription->reader().writers();
+      topic.received = entry.subscription->reader().received();
+      topic.refused = entry.refused;
+    }
+  }
+  return all;
+}
+
+}  // namespace pongsim::ros2

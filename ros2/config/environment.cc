@@ -1,0 +1,47 @@
+#include "ros2/config/environment.hh"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace pongsim::ros2 {
+
+namespace {
+
+constexpr std::string_view kOldDistros[] = {"dashing", "eloquent", "foxy", "galactic", "humble"};
+constexpr std::string_view kNewDistros[] = {"iron", "jazzy", "kilted", "lyrical", "rolling"};
+constexpr int kLastDomain = 232;
+
+std::string_view environment(const char* name) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? std::string_view() : std::string_view(text);
+}
+
+}  // namespace
+
+std::optional<Distro> distroNamed(std::string_view name) {
+  if (std::ranges::find(kOldDistros, name) != std::end(kOldDistros)) return Distro::kHumble;
+  if (std::ranges::find(kNewDistros, name) != std::end(kNewDistros)) return Distro::kJazzy;
+  return std::nullopt;
+}
+
+ParticipantOptions participantOptionsOfEnvironment() {
+  ParticipantOptions options;
+  if (const std::string_view text = environment("ROS_DOMAIN_ID"); !text.empty()) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), options.domain);
+    if (error != std::errc() || end != text.data() + text.size() || options.domain < 0 ||
+        options.domain > kLastDomain) {
+      throw std::invalid_argument("ROS_DOMAIN_ID is '" + std::string(text) + "', not an integer between 0 and 232");
+    }
+  }
+  options.isLoopbackOnly = environment("ROS_LOCALHOST_ONLY") == "1";
+  // a distribution that is not known is a later one
+  if (const std::string_view text = environment("ROS_DISTRO"); !text.empty()) {
+    options.distro = distroNamed(text).value_or(Distro::kJazzy);
+  }
+  if (const std::string_view text = environment("PONGSIM_NETWORK"); !text.empty()) options.interface = text;
+  return options;
+}
+
+}  // namespace pongsim::ros2

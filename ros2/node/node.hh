@@ -1,0 +1,156 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "pongsim/log.hh"
+#include "ros2/node/complaints.hh"
+#include "ros2/node/mailbox.hh"
+#include "ros2/node/names.hh"
+#include "ros2/types/cdr.hh"
+#include "ros2/types/type_info.hh"
+#include "ros2/wire/participant.hh"
+
+namespace pongsim::ros2 {
+
+class RosNode;
+
+/// A topic's way out. Ends when it is destroyed; must not outlive its node.
+class RosPublisher {
+ public:
+  RosPublisher(RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos,
+               std::function<void()> readersChanged);
+  ~RosPublisher();
+  RosPublisher(const RosPublisher&) = delete;
+  RosPublisher& operator=(const RosPublisher&) = delete;
+
+  bool hasReaders() const { return writer_->hasReaders(); }
+  /// Sends a message of the publisher's type; never waits.
+  template <Structure Message>
+  void publish(const Message& message) {
+    writer_->write(cdrSize(message), [&message](std::span<std::byte> place) { writeCdr(message, place); });
+  }
+  Writer& writer() { return *writer_; }
+  const Writer& writer() const { return *writer_; }
+
+ private:
+  RosNode& node_;
+  std::unique_ptr<Writer> writer_;
+};
+
+/// A topic's way in. Ends when it is destroyed; must not outlive its node.
+class RosSubscription {
+ public:
+  /// @param received Called from a DDS thread with each payload.
+  RosSubscription(RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos,
+                  Reader::Received received);
+  ~RosSubscription();
+  RosSubscription(const RosSubscription&) = delete;
+  RosSubscription& operator=(const RosSubscription&) = delete;
+
+  const Reader& reader() const { return *reader_; }
+
+ private:
+  RosNode& node_;
+  std::unique_ptr<Reader> reader_;
+};
+
+/// One node of ROS: its publishers, subscriptions and services, and that others know that they are its.
+class RosNode {
+ public:
+  struct Options {
+    std::string name = "pongsim";
+    /// "/" or "/robot".
+    std::string nameSpace = "/";
+  };
+
+  /// @throws std::invalid_argument where the names can be none; std::runtime_error where DDS refuses.
+  RosNode(Participant& participant, const Options& options);
+  ~RosNode();
+  RosNode(const RosNode&) = delete;
+  RosNode& operator=(const RosNode&) = delete;
+
+  Participant& participant() { return participant_; }
+  const Options& options() const { return options_; }
+  /// @return "/robot/pongsim".
+  std::string fullName() const { return absoluteName(options_.nameSpace, options_.name); }
+  const Logger& log() const { return log_; }
+  Complaints& complaints() { return complaints_; }
+
+  /// What waits for the thread that calls `mailbox().dispatch()`: requests to services, and what is posted.
+  Mailbox& mailbox() { return mailbox_; }
+
+  /// @param topic Relative names are within the node's namespace, and those that begin with "~/" within its own name;
+  /// likewise below.
+  /// @param readersChanged Called from a DDS thread when a reader comes or goes.
+  template <Structure Message>
+  std::unique_ptr<RosPublisher> advertise(const std::string& topic, const Qos& qos = kDefaultQos,
+                                          std::function<void()> readersChanged = {}) {
+    return std::make_unique<RosPublisher>(*this, topic, typeInfo<Message>(), qos, std::move(readersChanged));
+  }
+
+  /// @param received Called from a DDS thread with each message. What is none is dropped with a warning.
+  template <Structure Message>
+  std::unique_ptr<RosSubscription> subscribe(const std::string& topic, std::function<void(const Message&)> received,
+                                             const Qos& qos = kAnyWriterQos) {
+    return std::make_unique<RosSubscription>(
+        *this, topic, typeInfo<Message>(), qos,
+        [this, topic, received = std::move(received), message = Message()](const Sample& sample) mutable {
+          if (const auto error = readCdr(sample.payload, message)) {
+            complainOf(topic, *error);
+          } else {
+            received(message);
+          }
+        });
+  }
+
+  /// A payload that came is none of its topic's type.
+  void complainOf(std::string_view topic, std::string_view error);
+  /// @return How many such there were.
+  std::uint64_t malformed() const { return malformed_; }
+
+  /// @return The name in full.
+  std::string resolve(std::string_view name) const;
+
+  /// Tells others of an endpoint, or that it has gone.
+  void addWriter(const Guid& id);
+  void removeWriter(const Guid& id);
+  void addReader(const Guid& id);
+  void removeReader(const Guid& id);
+
+  /// While this lives nothing is told; then all at once. For who makes many endpoints.
+  class Quiet {
+   public:
+    explicit Quiet(RosNode& node);
+    ~Quiet();
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+
+   private:
+    RosNode& node_;
+  };
+
+ private:
+  template <std::size_t GidSize>
+  void tellAs();
+  void tell();
+
+  Participant& participant_;
+  Options options_;
+  Logger log_{"ros2"};
+  Complaints complaints_;
+  Mailbox mailbox_;
+  std::atomic<std::uint64_t> malformed_ = 0;
+  std::mutex mutex_;
+  int quiet_ = 0;
+  std::vector<Guid> writers_;
+  std::vector<Guid> readers_;
+  std::unique_ptr<Writer> discovery_;
+};
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,183 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ros2/node/node.hh"
+
+namespace pongsim::ros2 {
+
+/// A service of ROS is a struct with its name and two structs:
+///
+///     struct ControlWorld {
+///       static constexpr const char* kName = "ros_gz_interfaces/srv/ControlWorld";
+///       struct Request { static constexpr const char* kName = "ros_gz_interfaces/srv/ControlWorld_Request"; ... };
+///       struct Response { static constexpr const char* kName = "ros_gz_interfaces/srv/ControlWorld_Response"; ... };
+///     };
+template <class Type>
+concept ServiceType = Structure<typename Type::Request> && Structure<typename Type::Response>;
+
+namespace detail {
+
+/// The ends of a service on the wire, for any types.
+class ServerEnds {
+ public:
+  struct Types {
+    TypeInfo request;
+    TypeInfo response;
+  };
+  /// @param received Called from a DDS thread with each request.
+  ServerEnds(RosNode& node, const std::string& service, const Types& types, Reader::Received received);
+  ~ServerEnds();
+  ServerEnds(const ServerEnds&) = delete;
+  ServerEnds& operator=(const ServerEnds&) = delete;
+
+  const std::string& service() const { return service_; }
+  /// @return Who is to hear the reply to this request.
+  static SampleId callerOf(const Sample& request);
+  /// Sends a reply. Where the caller's reader is not met yet, it waits for it a while, for the caller would never hear.
+  void reply(const SampleId& caller, std::vector<std::byte> payload);
+
+ private:
+  struct Waiting {
+    SampleId caller;
+    std::vector<std::byte> payload;
+    std::chrono::steady_clock::time_point until;
+  };
+  void readersChanged();
+  bool send(const Waiting& reply);
+
+  RosNode& node_;
+  std::string service_;
+  std::mutex mutex_;
+  std::deque<Waiting> waiting_;
+  std::unique_ptr<Writer> writer_;
+  std::unique_ptr<Reader> reader_;
+};
+
+}  // namespace detail
+
+/// A request that is to be answered, once, now or later, from any thread. One that is let go of is never answered.
+template <ServiceType Service>
+class Responder {
+ public:
+  Responder(std::weak_ptr<detail::ServerEnds> ends, const SampleId& caller) : ends_(std::move(ends)), caller_(caller) {}
+
+  /// Does nothing where the service has ended.
+  void answer(const typename Service::Response& response) const {
+    if (const auto ends = ends_.lock()) ends->reply(caller_, toCdr(response));
+  }
+
+ private:
+  std::weak_ptr<detail::ServerEnds> ends_;
+  SampleId caller_;
+};
+
+/// A service that is offered for as long as this lives.
+class RosServer {
+ public:
+  explicit RosServer(std::shared_ptr<detail::ServerEnds> ends) : ends_(std::move(ends)) {}
+  const std::string& name() const { return ends_->service(); }
+
+ private:
+  std::shared_ptr<detail::ServerEnds> ends_;
+};
+
+/// Offers a service.
+/// @param handler Called from `RosNode::mailbox().dispatch()` with each request, and with what answers it.
+/// @throws std::invalid_argument for a bad name.
+template <ServiceType Service>
+std::unique_ptr<RosServer> serve(
+    RosNode& node, const std::string& service,
+    std::function<void(const typename Service::Request&, const Responder<Service>&)> handler) {
+  using Request = typename Service::Request;
+  const auto shared = std::make_shared<decltype(handler)>(std::move(handler));
+  const auto ends = std::make_shared<std::weak_ptr<detail::ServerEnds>>();
+  auto owned = std::make_shared<detail::ServerEnds>(
+      node, service, detail::ServerEnds::Types{typeInfo<Request>(), typeInfo<typename Service::Response>()},
+      [&node, service, shared, ends](const Sample& sample) {
+        Request request;
+        if (const auto error = readCdr(sample.payload, request)) {
+          node.complainOf(service, *error);
+          return;
+        }
+        const SampleId caller = detail::ServerEnds::callerOf(sample);
+        node.mailbox().post([shared, ends, caller, request = std::move(request)] {
+          if (ends->lock()) (*shared)(request, Responder<Service>(*ends, caller));
+        });
+      });
+  *ends = owned;
+  return std::make_unique<RosServer>(std::move(owned));
+}
+
+/// As above, for a handler that answers at once.
+template <ServiceType Service>
+std::unique_ptr<RosServer> serveAtOnce(
+    RosNode& node, const std::string& service,
+    std::function<typename Service::Response(const typename Service::Request&)> handler) {
+  return serve<Service>(
+      node, service,
+      [handler = std::move(handler)](const typename Service::Request& request, const Responder<Service>& responder) {
+        responder.answer(handler(request));
+      });
+}
+
+namespace detail {
+
+/// The ends of a client, for any types.
+class ClientEnds {
+ public:
+  ClientEnds(RosNode& node, const std::string& service, const ServerEnds::Types& types);
+  ~ClientEnds();
+  ClientEnds(const ClientEnds&) = delete;
+  ClientEnds& operator=(const ClientEnds&) = delete;
+
+  /// Waits for the server, then for its answer.
+  std::optional<std::vector<std::byte>> call(const std::vector<std::byte>& request, std::chrono::nanoseconds timeout);
+
+ private:
+  void received(const Sample& sample);
+
+  RosNode& node_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::int64_t nextNumber_ = 1;
+  std::int64_t awaited_ = 0;
+  std::optional<std::vector<std::byte>> answer_;
+  std::unique_ptr<Reader> reader_;
+  std::unique_ptr<Writer> writer_;
+};
+
+}  // namespace detail
+
+/// Calls a service. For one thread at a time, and not the one that the server of the same process answers on.
+template <ServiceType Service>
+class RosClient {
+ public:
+  RosClient(RosNode& node, const std::string& service)
+      : ends_(node, service, {typeInfo<typename Service::Request>(), typeInfo<typename Service::Response>()}) {}
+
+  /// @param timeout For finding the service and for the answer.
+  /// @return The answer; nothing where none came in time.
+  std::optional<typename Service::Response> call(const typename Service::Request& request,
+                                                 std::chrono::nanoseconds timeout) {
+    const auto payload = ends_.call(toCdr(request), timeout);
+    typename Service::Response response;
+    if (!payload || readCdr(*payload, response)) return std::nullopt;
+    return response;
+  }
+
+ private:
+  detail::ClientEnds ends_;
+};
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "pongsim/bulk.hh"
+#include "pongsim/message.hh"
+#include "ros2/pairs/frames.hh"
+#include "ros2/types/cdr.hh"
+#include "ros2/types/finite.hh"
+#include "ros2/types/type_info.hh"
+
+namespace pongsim::ros2 {
+
+/// Takes a payload of so many bytes, and has them written to their place at once.
+using Sink = std::function<void(std::size_t size, const Fill& fill)>;
+
+/// Turns the messages of one topic into payloads of ROS. It keeps what it works with, so that a steady flow allocates
+/// nothing; for one thread at a time.
+/// @param bulk What the message's field of bytes is to have, where it is not in there; else null.
+using ToRos = std::function<void(const Message& from, const Bulk* bulk, const Sink& to)>;
+
+/// Turns payloads of ROS into messages.
+/// @return The message, there until the next call; null where the payload is none, and `error` says why.
+using ToIgnition = std::function<const Message*(std::span<const std::byte> payload, std::string& error)>;
+
+/// Two types that go into each other.
+struct Pair {
+  /// "sensor_msgs/msg/LaserScan"
+  std::string_view ros;
+  /// "ignition.msgs.LaserScan"
+  std::string ignition;
+  /// Whether a topic of this ignition type is bridged as this pair where nobody says as which.
+  bool isDefault;
+  TypeInfo (*type)();
+  ToRos (*toRos)(const Frames& frames);
+  ToIgnition (*toIgnition)(const Frames& frames);
+};
+
+/// Whether the pair is what topics of its ignition type get where nobody chooses. One of those with the same ignition
+/// type is.
+enum class Choice { kDefault, kOnRequest };
+
+/// A pair is a struct of two functions, which replace all of `to`:
+///
+///     struct TwistPair {
+///       using Ros = geometry_msgs::Twist;
+///       using Ignition = ignition::msgs::Twist;
+///       static constexpr bool kMustBeFinite = true;   // a command: what has a NaN in it is refused
+///       static void convert(const Ignition& from, Ros& to, const Frames& frames);
+///       static void convert(const Ros& from, Ignition& to, const Frames& frames);
+///     };
+///
+/// and a line in its file's list: `pairOf<TwistPair>(Choice::kDefault)`. One with bulk bytes has `RosOut` too, the type
+/// with `BulkBytes` in a member `data`, and converts into that in place of `Ros`; the message's field is `data`, too.
+template <class P>
+concept HasBulk = requires {
+  typename P::RosOut;
+};
+
+namespace detail {
+
+template <class P>
+ToRos toRosOf(const Frames& frames) {
+  using Ignition = typename P::Ignition;
+  if constexpr (HasBulk<P>) {
+    return [frames, ros = typename P::RosOut()](const Message& from, const Bulk* bulk, const Sink& to) mutable {
+      const auto& message = static_cast<const Ignition&>(from);
+      P::convert(message, ros, frames);
+      const std::string& data = message.data();
+      if (bulk != nullptr) {
+        ros.data = {bulk->size, [bulk](std::span<std::byte> place) { bulk->write(place); }};
+      } else {
+        ros.data = {data.size(),
+                    [&data](std::span<std::byte> place) { std::memcpy(place.data(), data.data(), data.size()); }};
+      }
+      to(cdrSize(ros), [&ros](std::span<std::byte> place) { writeCdr(ros, place); });
+    };
+  } else {
+    return [frames, ros = typename P::Ros()](const Message& from, const Bulk*, const Sink& to) mutable {
+      P::convert(static_cast<const Ignition&>(from), ros, frames);
+      to(cdrSize(ros), [&ros](std::span<std::byte> place) { writeCdr(ros, place); });
+    };
+  }
+}
+
+template <class P>
+ToIgnition toIgnitionOf(const Frames& frames) {
+  return [frames, ros = typename P::Ros(), message = typename P::Ignition()](
+             std::span<const std::byte> payload, std::string& error) mutable -> const Message* {
+    if (const auto wrong = readCdr(payload, ros)) {
+      error = *wrong;
+      return nullptr;
+    }
+    if constexpr (requires { P::kMustBeFinite; }) {
+      if (!isFinite(ros)) {
+        error = "a number in it is not finite";
+        return nullptr;
+      }
+    }
+    P::convert(ros, message, frames);
+    return &message;
+  };
+}
+
+}  // namespace detail
+
+template <class P>
+Pair pairOf(Choice choice) {
+  return {P::Ros::kName,
+          P::Ignition::descriptor()->full_name(),
+          choice == Choice::kDefault,
+          typeInfo<typename P::Ros>,
+          detail::toRosOf<P>,
+          detail::toIgnitionOf<P>};
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ros2/pairs/pair.hh"
+
+namespace pongsim::ros2 {
+
+// A list for each file of pairs.
+std::vector<Pair> basicPairs();
+std::vector<Pair> geometryPairs();
+std::vector<Pair> gzPairs();
+std::vector<Pair> imagePairs();
+std::vector<Pair> motionPairs();
+std::vector<Pair> sensorPairs();
+std::vector<Pair> visionPairs();
+
+/// @return All pairs there are.
+std::span<const Pair> allPairs();
+
+/// @param ros "sensor_msgs/msg/LaserScan"; @param ignition "ignition.msgs.LaserScan", or as `messageTypeName` takes it.
+/// @return The pair, or null.
+const Pair* findPair(std::string_view ros, std::string_view ignition);
+/// @return The pair that a topic of this ignition type gets where nobody chooses, or null.
+const Pair* defaultPair(std::string_view ignition);
+/// @return The name of ROS's type that is spelt most like it; empty where none comes near.
+std::string nearestRosType(std::string_view name);
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,135 @@
+"""Nothing of another machine gets in, which a network namespace stands for, unless --network says so."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import peers
+
+WORLD = peers.ROOT / "ros2/test/drive.sdf"
+HERE, THERE = "198.51.100.1", "198.51.100.2"
+GROUP = "239.255.0.1"
+
+# In namespaces of its own, where it may make interfaces whoever it is.
+SET_UP = """
+set -e
+mount -t tmpfs none /run
+ip link set lo up
+ip netns add other
+ip link add here type veth peer name there netns other
+ip address add {here}/24 dev here
+ip link set here up
+ip netns exec other ip link set lo up
+ip netns exec other ip address add {there}/24 dev there
+ip netns exec other ip link set there up
+exec "$@"
+"""
+
+
+def inside(function):
+    """Runs a function of this file within the namespaces, and gives back what it says."""
+    for tool in ("ip", "unshare"):
+        assert shutil.which(tool) or pathlib.Path("/usr/sbin", tool).exists(), f"{tool} is not installed"
+    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}
+    result = subprocess.run(
+        ["unshare", "--user", "--map-root-user", "--net", "--mount", "bash", "-c",
+         SET_UP.format(here=HERE, there=THERE), "bash", sys.executable, __file__, function],
+        env=environment, capture_output=True, text=True, timeout=200)
+    assert result.returncode == 0, result.stderr[-3000:]
+    return json.loads(result.stdout.splitlines()[-1])
+
+
+def sockets(pid):
+    """The UDP sockets of a process: port, and packets that were dropped."""
+    inodes = set()
+    for handle in pathlib.Path(f"/proc/{pid}/fd").iterdir():
+        try:
+            target = os.readlink(handle)
+        except OSError:
+            continue
+        if target.startswith("socket:["):
+            inodes.add(target[8:-1])
+    found = []
+    for line in pathlib.Path(f"/proc/{pid}/net/udp").read_text().splitlines()[1:]:
+        words = line.split()
+        if words[9] in inodes:
+            found.append((words[1].split(":")[0], int(words[1].split(":")[1], 16), int(words[12])))
+    return found
+
+
+def elsewhere(program, *arguments):
+    return subprocess.Popen(["ip", "netns", "exec", "other", sys.executable, "-c", program, *map(str, arguments)],
+                            stdout=subprocess.PIPE, text=True)
+
+
+SEND = """
+import socket, sys
+sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 1)
+sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(sys.argv[1]))
+for port in sys.argv[3:]:
+    for _ in range(100):
+        sender.sendto(b"RTPS" + bytes(60), (sys.argv[2], int(port)))
+"""
+
+HEAR = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import peers
+peers.take_one(peers.Peer().reader("/clock", peers.Clock))
+print("heard")
+"""
+
+TEST_FOLDER = pathlib.Path(__file__).parent
+
+
+def packets_from_outside():
+    """Counts what the kernel drops of packets sent to each port of the simulation, and to the group."""
+    anywhere, here, group = "00000000", "016433C6", "0100FFEF"
+    with peers.running(WORLD) as simulation:
+        peers.take_one(peers.Peer().reader("/clock", peers.Clock))
+        reachable = [port for address, port, _ in sockets(simulation.pid) if address in (anywhere, here)]
+        groups = {port for address, port, _ in sockets(simulation.pid) if address == group}
+
+        def drops():
+            return sum(count for address, _, count in sockets(simulation.pid) if address in (anywhere, here, group))
+
+        before = drops()
+        assert elsewhere(SEND, THERE, HERE, *reachable).wait(60) == 0
+        assert elsewhere(SEND, THERE, GROUP, *groups).wait(60) == 0
+        sent = 100 * (len(reachable) + len(groups))
+        peers.until(lambda: drops() - before >= sent, f"{sent} drops at {reachable} and {groups}")
+        peers.take_one(peers.Peer().reader("/clock", peers.Clock))
+    print(json.dumps({"ports": len(reachable), "groups": len(groups)}))
+
+
+def nodes_outside():
+    """Whether a node elsewhere hears the clock of a closed simulation while one here does, and of an open one."""
+    with peers.running(WORLD):
+        node = elsewhere(HEAR, TEST_FOLDER)
+        # several meetings of nodes here are time enough for one that could be met
+        for _ in range(5):
+            peers.take_one(peers.Peer().reader("/clock", peers.Clock))
+        closed = node.poll() is None
+        node.kill()
+    with peers.running(WORLD, "--network", "here"):
+        node = elsewhere(HEAR, TEST_FOLDER)
+        opened = node.communicate(timeout=60)[0] == "heard\n"
+    print(json.dumps({"closed": closed, "opened": opened}))
+
+
+def test_no_packet_from_outside_gets_in():
+    result = inside("packets_from_outside")
+    # of discovery and of data, and the group
+    assert result["ports"] >= 2 and result["groups"] == 1
+
+
+def test_a_node_elsewhere_is_met_only_where_the_network_is_open():
+    assert inside("nodes_outside") == {"closed": True, "opened": True}
+
+
+if __name__ == "__main__":
+    globals()[sys.argv[1]]()

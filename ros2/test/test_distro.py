@@ -1,0 +1,95 @@
+"""What differs from Humble to Jazzy on the wire, and what says that it is ROS."""
+
+from dataclasses import dataclass, field
+
+import pytest
+from cyclonedds.builtin import BuiltinDataReader, BuiltinTopicDcpsParticipant, BuiltinTopicDcpsPublication
+from cyclonedds.core import Policy
+from cyclonedds.idl import IdlStruct
+from cyclonedds.idl.types import array, sequence, uint8
+from rosbags.typesys import Stores, get_typestore
+
+import peers
+
+WORLD = peers.ROOT / "ros2/test/drive.sdf"
+
+
+@dataclass
+class Gid16(IdlStruct, typename="rmw_dds_common::msg::dds_::Gid_"):
+    data: array[uint8, 16] = field(default_factory=lambda: [0] * 16)
+
+
+@dataclass
+class JazzyNode(IdlStruct, typename="rmw_dds_common::msg::dds_::NodeEntitiesInfo_"):
+    node_namespace: str = ""
+    node_name: str = ""
+    reader_gid_seq: sequence[Gid16] = field(default_factory=list)
+    writer_gid_seq: sequence[Gid16] = field(default_factory=list)
+
+
+@dataclass
+class JazzyInfo(IdlStruct, typename="rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_"):
+    gid: Gid16 = field(default_factory=Gid16)
+    node_entities_info_seq: sequence[JazzyNode] = field(default_factory=list)
+
+
+def publications(peer):
+    """What the simulation publishes: by topics of the wire, its type and its user data."""
+    reader = BuiltinDataReader(peer.participant, BuiltinTopicDcpsPublication)
+    found = {}
+
+    def complete():
+        for sample in reader.take(N=100):
+            if not sample.sample_info.valid_data:
+                continue
+            policy = sample.qos[Policy.Userdata] if sample.qos is not None and Policy.Userdata in sample.qos else None
+            found[sample.topic_name] = (sample.type_name, bytes(policy.data) if policy else b"", sample.key)
+        return {"rt/lidar", "rt/clock", "ros_discovery_info"} <= found.keys()
+
+    peers.until(complete, "the publications")
+    return found
+
+
+@pytest.mark.parametrize("distro, info, has_hashes", [("humble", peers.ParticipantEntitiesInfo, False),
+                                                      ("jazzy", JazzyInfo, True)])
+def test_the_wire_is_that_of_the_distribution(distro, info, has_hashes):
+    types = get_typestore(Stores.ROS2_JAZZY)
+    with peers.running(WORLD, "--ros2-distro", distro):
+        peer = peers.Peer()
+        found = publications(peer)
+        for topic, name in [("rt/lidar", "sensor_msgs/msg/LaserScan"), ("rt/clock", "rosgraph_msgs/msg/Clock")]:
+            expected = f"typehash={types.hash_rihs01(name)};".encode() if has_hashes else b""
+            assert found[topic][1] == expected, topic
+
+        # the node's endpoints are named by the ids that they have
+        infos = peer.reader("ros_discovery_info", info, peers.LATCHED)
+        lidar = list(found["rt/lidar"][2].bytes)
+
+        def names_lidar():
+            for sample in peers.take(infos):
+                for node in sample.node_entities_info_seq:
+                    if any(list(gid.data)[:16] == lidar for gid in node.writer_gid_seq):
+                        return (node.node_namespace, node.node_name)
+            return None
+
+        assert peers.until(names_lidar, "a node that has the lidar") == ("/", "pongsim")
+
+
+def test_its_participant_says_that_it_is_ros():
+    with peers.running(WORLD):
+        peer = peers.Peer()
+        reader = BuiltinDataReader(peer.participant, BuiltinTopicDcpsParticipant)
+
+        def says_so():
+            for sample in reader.take(N=100):
+                if sample.sample_info.valid_data and sample.qos is not None and Policy.Userdata in sample.qos:
+                    if bytes(sample.qos[Policy.Userdata].data) == b"enclave=/;\0":
+                        return True
+            return False
+
+        assert peers.until(says_so, "a participant of ROS")
+
+
+def test_ros_distro_counts_where_no_option_does():
+    with peers.running(WORLD, environment={"ROS_DISTRO": "kilted"}):
+        assert publications(peers.Peer())["rt/lidar"][1].startswith(b"typehash=RIHS01_")

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "ros2/wire/endpoint.hh"
+
+namespace pongsim::ros2 {
+
+/// What the participants of the domain offer and want, as they tell it. Any thread may use it.
+class Graph {
+ public:
+  enum class Role { kWriter, kReader };
+  struct Endpoint {
+    Guid id;
+    Role role = Role::kWriter;
+    Contract contract;
+    bool operator==(const Endpoint&) const = default;
+  };
+
+  void add(const Endpoint& endpoint);
+  void remove(const Guid& endpoint);
+  void addParticipant(const Guid& participant);
+  /// With all its endpoints.
+  void removeParticipant(const Guid& participant);
+
+  /// @return A number that is another one after each change.
+  std::uint64_t version() const;
+  /// @return In the order of topics, then of ids.
+  std::vector<Endpoint> endpoints() const;
+  std::vector<Guid> participants() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::uint64_t version_ = 0;
+  std::map<Guid, Endpoint> endpoints_;
+  std::vector<Guid> participants_;
+};
+
+}  // namespace pongsim::ros2

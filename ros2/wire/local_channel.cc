@@ -1,0 +1,62 @@
+#include "ros2/wire/local_channel.hh"
+
+#include <fastrtps/utils/IPLocator.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace pongsim::ros2 {
+
+LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, std::size_t largest)
+    : sockets_(std::move(sockets)),
+      at_(at),
+      receiver_(receiver),
+      packet_(largest),
+      wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  if (wake_ < 0) throw std::runtime_error("the system gives no more file handles");
+  thread_ = std::thread([this] { run(); });
+}
+
+LocalChannel::~LocalChannel() {
+  isOver_ = true;
+  eventfd_write(wake_, 1);
+  thread_.join();
+  close(wake_);
+}
+
+void LocalChannel::run() {
+  std::vector<pollfd> waited{{wake_, POLLIN, 0}};
+  for (const UdpSocket& socket : sockets_) waited.push_back({socket.handle(), POLLIN, 0});
+  while (!isOver_) {
+    if (poll(waited.data(), waited.size(), -1) < 0) continue;
+    for (std::size_t i = 0; i < sockets_.size(); ++i) {
+      if (waited[i + 1].revents != 0) drain(sockets_[i]);
+    }
+  }
+}
+
+void LocalChannel::drain(const UdpSocket& socket) {
+  namespace rtps = eprosima::fastrtps::rtps;
+  while (!isOver_) {
+    sockaddr_in sender{};
+    socklen_t length = sizeof sender;
+    const ssize_t size =
+        recvfrom(socket.handle(), packet_.data(), packet_.size(), 0, reinterpret_cast<sockaddr*>(&sender), &length);
+    // also where an error of an earlier packet is told of
+    if (size < 0) return;
+    if (size == 0) continue;
+    Locator from;
+    from.kind = LOCATOR_KIND_UDPv4;
+    from.port = ntohs(sender.sin_port);
+    std::memcpy(&from.address[12], &sender.sin_addr.s_addr, sizeof sender.sin_addr.s_addr);
+    receiver_.OnDataReceived(packet_.data(), static_cast<std::uint32_t>(size), at_, from);
+  }
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <fastdds/rtps/transport/TransportReceiverInterface.h>
+
+#include <atomic>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+#include "ros2/wire/local_sockets.hh"
+
+namespace pongsim::ros2 {
+
+/// Hands what comes in at some sockets to Fast DDS, from a thread of its own.
+class LocalChannel {
+ public:
+  using Locator = eprosima::fastrtps::rtps::Locator_t;
+  using Receiver = eprosima::fastdds::rtps::TransportReceiverInterface;
+
+  /// @param at What Fast DDS knows the sockets by.
+  LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, std::size_t largest);
+  /// `receiver` is not called from then on.
+  ~LocalChannel();
+  LocalChannel(const LocalChannel&) = delete;
+  LocalChannel& operator=(const LocalChannel&) = delete;
+
+ private:
+  void run();
+  void drain(const UdpSocket& socket);
+
+  std::vector<UdpSocket> sockets_;
+  Locator at_;
+  Receiver& receiver_;
+  std::vector<unsigned char> packet_;
+  int wake_;
+  std::atomic<bool> isOver_ = false;
+  std::thread thread_;
+};
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,61 @@
+#include "ros2/wire/outbox.hh"
+
+#include <sched.h>
+
+#include <algorithm>
+
+namespace pongsim::ros2 {
+
+Outbox::Outbox() : thread_([this] { run(); }) {}
+
+Outbox::~Outbox() {
+  {
+    const std::lock_guard lock(mutex_);
+    isOver_ = true;
+  }
+  added_.notify_one();
+  thread_.join();
+}
+
+void Outbox::add(Target& target, Buffer* buffer, const SampleId& related) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back({&target, buffer, related});
+    if (++target.pending_ > target.mostWaiting()) dropOldestOf(target);
+  }
+  added_.notify_one();
+}
+
+void Outbox::dropOldestOf(const Target& target) {
+  const auto oldest = std::ranges::find(waiting_, &target, &Entry::target);
+  // the one that is being sent is not among them
+  if (oldest == waiting_.end()) return;
+  buffers_.giveBack(oldest->buffer);
+  --oldest->target->pending_;
+  ++oldest->target->dropped_;
+  waiting_.erase(oldest);
+}
+
+void Outbox::flush(Target& target) {
+  std::unique_lock lock(mutex_);
+  sent_.wait(lock, [&target] { return target.pending_ == 0; });
+}
+
+void Outbox::run() {
+  // not to push away the thread that simulates
+  constexpr sched_param kNoPriority{};
+  sched_setscheduler(0, SCHED_BATCH, &kNoPriority);
+  std::unique_lock lock(mutex_);
+  while (true) {
+    added_.wait(lock, [this] { return isOver_ || !waiting_.empty(); });
+    if (isOver_) return;
+    const Entry entry = waiting_.front();
+    waiting_.pop_front();
+    lock.unlock();
+    entry.target->send(entry.buffer, entry.related);
+    lock.lock();
+    if (--entry.target->pending_ == 0) sent_.notify_all();
+  }
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,149 @@
+#include "ros2/wire/participant.hh"
+
+#include <fastdds/rtps/RTPSDomain.h>
+#include <fastdds/rtps/attributes/RTPSParticipantAttributes.h>
+#include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
+#include <fastdds/rtps/participant/RTPSParticipant.h>
+#include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
+#include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <fastdds/dds/log/Log.hpp>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "ros2/wire/fast_dds.hh"
+#include "ros2/wire/local_udp.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+using eprosima::fastrtps::Duration_t;
+
+constexpr int kLastDomain = 232;
+// How soon a process that died without a word is forgotten.
+const Duration_t kLease{10, 0};
+const Duration_t kAnnouncementPeriod{2, 0};
+// So many may find a port on this machine.
+constexpr std::uint32_t kParticipants = 115;
+// From it peers see that it is ROS; the zero at its end belongs to it.
+constexpr std::string_view kUserData("enclave=/;", 11);
+
+/// Settings that Fast DDS has once for the whole process; the same as those of pongsim's own transport.
+void setUpLibrary() {
+  static const bool once = [] {
+    eprosima::fastdds::dds::Log::ClearConsumers();
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+    return true;
+  }();
+  static_cast<void>(once);
+}
+
+rtps::Locator_t locatorOf(const char* address) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  locator.port = 0;
+  rtps::IPLocator::setIPv4(locator, address);
+  return locator;
+}
+
+rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
+                                             const std::shared_ptr<std::atomic<bool>>& isOpen) {
+  rtps::RTPSParticipantAttributes attributes;
+  attributes.useBuiltinTransports = false;
+  attributes.userTransports.push_back(
+      std::make_shared<LocalUdp>(reachOf(options.isLoopbackOnly, options.interface), isOpen));
+  // those who hear no group are looked for on 127.0.0.1
+  attributes.builtin.initialPeersList.push_back(locatorOf("239.255.0.1"));
+  attributes.builtin.initialPeersList.push_back(locatorOf("127.0.0.1"));
+  attributes.builtin.mutation_tries = kParticipants;
+  // as rmw names them: by the enclave
+  attributes.setName("/");
+  attributes.userData.assign(kUserData.begin(), kUserData.end());
+  attributes.builtin.use_WriterLivelinessProtocol = true;
+  attributes.builtin.discovery_config.leaseDuration = kLease;
+  attributes.builtin.discovery_config.leaseDuration_announcementperiod = kAnnouncementPeriod;
+  attributes.builtin.readerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  attributes.builtin.writerHistoryMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  return attributes;
+}
+
+}  // namespace
+
+Participant::Participant(const ParticipantOptions& options) : options_(options) {
+  if (options.domain < 0 || options.domain > kLastDomain) {
+    throw std::invalid_argument("ROS_DOMAIN_ID is " + std::to_string(options.domain) + ", not between 0 and 232");
+  }
+  setUpLibrary();
+  const auto isOpen = std::make_shared<std::atomic<bool>>(false);
+  participant_ = rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(options.domain), false,
+                                                     attributesOf(options, isOpen), this);
+  if (participant_ == nullptr) {
+    throw std::runtime_error("cannot open the ROS domain " + std::to_string(options.domain));
+  }
+  id_ = guidOf(participant_->getGuid());
+  participant_->enable();
+  *isOpen = true;
+  participant_->announceRTPSParticipantState();
+}
+
+Participant::~Participant() {
+  participant_->set_listener(nullptr);
+  rtps::RTPSDomain::removeRTPSParticipant(participant_);
+}
+
+std::unique_ptr<Writer> Participant::makeWriter(const Contract& contract, std::function<void()> readersChanged) {
+  return std::make_unique<Writer>(*participant_, outbox_, contract, distro() != Distro::kHumble,
+                                  std::move(readersChanged));
+}
+
+std::unique_ptr<Reader> Participant::makeReader(const Contract& contract, Reader::Received received) {
+  return std::make_unique<Reader>(*participant_, contract, distro() != Distro::kHumble, std::move(received));
+}
+
+void Participant::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDiscoveryInfo&& info) {
+  using Info = rtps::ParticipantDiscoveryInfo;
+  const Guid id = guidOf(info.info.m_guid);
+  if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
+    graph_.removeParticipant(id);
+  } else {
+    graph_.addParticipant(id);
+  }
+}
+
+template <class ProxyData>
+void Participant::endpointChanged(const ProxyData& data, Graph::Role role, bool isRemoved) {
+  namespace dds = eprosima::fastdds::dds;
+  const Guid id = guidOf(data.guid());
+  if (id.isOfSameParticipant(id_)) return;
+  if (isRemoved) {
+    graph_.remove(id);
+    return;
+  }
+  Contract contract;
+  contract.topic = data.topicName().c_str();
+  contract.type = data.typeName().c_str();
+  contract.qos.isReliable = data.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
+  contract.qos.isTransientLocal = data.m_qos.m_durability.kind == dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  const auto& userData = data.m_qos.m_userData;
+  const std::string text(userData.begin(), userData.end());
+  constexpr std::string_view kKey = "typehash=";
+  if (const std::size_t at = text.find(kKey); at != std::string::npos) {
+    contract.typeHash = text.substr(at + kKey.size(), text.find(';', at) - at - kKey.size());
+  }
+  graph_.add({id, role, std::move(contract)});
+}
+
+void Participant::onReaderDiscovery(rtps::RTPSParticipant*, rtps::ReaderDiscoveryInfo&& info) {
+  endpointChanged(info.info, Graph::Role::kReader, info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
+}
+
+void Participant::onWriterDiscovery(rtps::RTPSParticipant*, rtps::WriterDiscoveryInfo&& info) {
+  endpointChanged(info.info, Graph::Role::kWriter, info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <fastdds/rtps/participant/RTPSParticipantListener.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ros2/wire/endpoint.hh"
+#include "ros2/wire/graph.hh"
+#include "ros2/wire/outbox.hh"
+#include "ros2/wire/reader.hh"
+#include "ros2/wire/writer.hh"
+
+namespace pongsim::ros2 {
+
+/// What differs on the wire from one distribution of ROS 2 to another.
+enum class Distro {
+  /// Up to Humble.
+  kHumble,
+  /// From Iron on: types have hashes, and ids in `ros_discovery_info` are shorter.
+  kJazzy
+};
+
+struct ParticipantOptions {
+  /// 0 to 232.
+  int domain = 0;
+  Distro distro = Distro::kHumble;
+  /// Whether it keeps to 127.0.0.1, where nodes that do not are not met (ROS_LOCALHOST_ONLY).
+  bool isLoopbackOnly = false;
+  /// Name or address of the network interface by which other machines are talked to; unset: none is.
+  std::optional<std::string> interface = std::nullopt;
+};
+
+/// One participant of a DDS domain.
+class Participant final : private rtps::RTPSParticipantListener {
+ public:
+  /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain or interface.
+  explicit Participant(const ParticipantOptions& options);
+  ~Participant() override;
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  const Guid& id() const { return id_; }
+  Distro distro() const { return options_.distro; }
+  /// What the others offer.
+  const Graph& graph() const { return graph_; }
+
+  /// @param readersChanged Called from a DDS thread when a reader comes or goes.
+  std::unique_ptr<Writer> makeWriter(const Contract& contract, std::function<void()> readersChanged = {});
+  std::unique_ptr<Reader> makeReader(const Contract& contract, Reader::Received received);
+
+ private:
+  void onParticipantDiscovery(rtps::RTPSParticipant* participant, rtps::ParticipantDiscoveryInfo&& info) override;
+  void onReaderDiscovery(rtps::RTPSParticipant* participant, rtps::ReaderDiscoveryInfo&& info) override;
+  void onWriterDiscovery(rtps::RTPSParticipant* participant, rtps::WriterDiscoveryInfo&& info) override;
+  template <class ProxyData>
+  void endpointChanged(const ProxyData& data, Graph::Role role, bool isRemoved);
+
+  ParticipantOptions options_;
+  Graph graph_;
+  Outbox outbox_;
+  Guid id_;
+  rtps::RTPSParticipant* participant_ = nullptr;
+};
+
+}  // namespace pongsim::ros2

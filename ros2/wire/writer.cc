@@ -1,0 +1,169 @@
+#include "ros2/wire/writer.hh"
+
+#include <fastdds/rtps/RTPSDomain.h>
+#include <fastdds/rtps/attributes/WriterAttributes.h>
+#include <fastdds/rtps/writer/RTPSWriter.h>
+#include <fastdds/dds/publisher/qos/WriterQos.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "ros2/wire/fast_dds.hh"
+
+namespace pongsim::ros2 {
+
+/// Where the payloads of a writer are: in the outbox's buffers. For the writer's lock.
+class Writer::Payloads final : public rtps::IPayloadPool {
+ public:
+  explicit Payloads(Outbox& outbox) : outbox_(outbox) {}
+
+  /// The change that is made next has this buffer, which goes back to the outbox with it.
+  void setNext(Buffer* buffer) { next_ = buffer; }
+
+  bool get_payload(std::uint32_t, rtps::CacheChange_t& change) override {
+    if (next_ == nullptr) return false;
+    change.serializedPayload.data = reinterpret_cast<rtps::octet*>(next_->bytes.data());
+    change.serializedPayload.max_size = static_cast<std::uint32_t>(next_->bytes.size());
+    change.serializedPayload.pos = 0;
+    change.payload_owner(this);
+    kept_.push_back(std::exchange(next_, nullptr));
+    return true;
+  }
+  /// Only readers take what others have.
+  bool get_payload(rtps::SerializedPayload_t&, IPayloadPool*&, rtps::CacheChange_t&) override { return false; }
+
+  bool release_payload(rtps::CacheChange_t& change) override {
+    const auto* data = reinterpret_cast<const std::byte*>(change.serializedPayload.data);
+    const auto found = std::ranges::find(kept_, data, [](const Buffer* each) { return each->bytes.data(); });
+    if (found == kept_.end()) return false;
+    outbox_.buffers().giveBack(*found);
+    kept_.erase(found);
+    // the library frees what it finds there
+    change.serializedPayload.data = nullptr;
+    change.serializedPayload.length = 0;
+    change.serializedPayload.max_size = 0;
+    change.payload_owner(nullptr);
+    return true;
+  }
+
+ private:
+  Outbox& outbox_;
+  Buffer* next_ = nullptr;
+  std::deque<Buffer*> kept_;
+};
+
+namespace {
+
+rtps::HistoryAttributes writerHistory() { return {rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE, 256, 4, 0}; }
+
+}  // namespace
+
+Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract, bool tellsHash,
+               std::function<void()> readersChanged)
+    : outbox_(outbox),
+      keeps_(contract.qos.isTransientLocal),
+      depth_(std::max<std::size_t>(contract.qos.depth, 1)),
+      readersChanged_(std::move(readersChanged)),
+      payloads_(std::make_shared<Payloads>(outbox)),
+      history_(writerHistory()) {
+  rtps::WriterAttributes attributes;
+  attributes.endpoint.topicKind = rtps::NO_KEY;
+  attributes.endpoint.reliabilityKind = reliabilityOf(contract);
+  attributes.endpoint.durabilityKind = durabilityOf(contract);
+  // sends on the outbox's thread
+  attributes.mode = rtps::SYNCHRONOUS_WRITER;
+  attributes.times.initialHeartbeatDelay = kAtOnce;
+  attributes.times.heartbeatPeriod = kHeartbeatPeriod;
+  attributes.times.nackResponseDelay = kAtOnce;
+  attributes.times.nackSupressionDuration = kAtOnce;
+  writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, payloads_, &history_, this);
+  if (writer_ == nullptr) throw std::runtime_error("DDS makes no writer for '" + contract.topic + "'");
+  id_ = guidOf(writer_->getGuid());
+  namespace dds = eprosima::fastdds::dds;
+  if (!participant.registerWriter(writer_, topicAttributesOf(contract),
+                                  endpointQosOf<dds::WriterQos>(contract, tellsHash))) {
+    rtps::RTPSDomain::removeRTPSWriter(writer_);
+    throw std::runtime_error("DDS does not announce the writer of '" + contract.topic + "'");
+  }
+}
+
+Writer::~Writer() {
+  outbox_.flush(*this);
+  {
+    // Before the writer ends: Fast DDS 2.9 gives the samples back before it stops the heartbeats, and one that comes in
+    // between looks for the end of a history whose samples have lost their numbers, for ever.
+    const std::lock_guard lock(writer_->getMutex());
+    history_.remove_all_changes();
+  }
+  rtps::RTPSDomain::removeRTPSWriter(writer_);
+}
+
+bool Writer::hasReader(const Guid& reader) const {
+  const std::lock_guard lock(readersMutex_);
+  return std::ranges::find(readers_, reader) != readers_.end();
+}
+
+void Writer::write(std::size_t size, const Fill& fill, const SampleId& related) {
+  ++sent_;
+  Buffer* buffer = outbox_.buffers().take(size);
+  fill(buffer->bytes);
+  outbox_.add(*this, buffer, related);
+}
+
+void Writer::send(Buffer* buffer, const SampleId& related) {
+  const std::lock_guard lock(writer_->getMutex());
+  makeRoom();
+  const auto size = static_cast<std::uint32_t>(buffer->bytes.size());
+  payloads_->setNext(buffer);
+  rtps::CacheChange_t* change = writer_->new_change([size] { return size; }, rtps::ALIVE);
+  payloads_->setNext(nullptr);
+  if (change == nullptr) {
+    outbox_.buffers().giveBack(buffer);
+    return;
+  }
+  change->serializedPayload.encapsulation = CDR_LE;
+  change->serializedPayload.length = size;
+  rtps::WriteParams params;
+  if (related != SampleId{}) {
+    params.related_sample_identity().writer_guid(guidOf(related.writer));
+    params.related_sample_identity().sequence_number(
+        {static_cast<std::int32_t>(related.number >> 32), static_cast<std::uint32_t>(related.number)});
+  }
+  history_.add_change(change, params);
+}
+
+// Not when DDS tells that all have a sample: in Fast DDS 2.9 that may be in the middle of letting go of a reader, with
+// locks held that the sending thread takes the other way round (Fast-DDS pull request 3468).
+void Writer::makeRoom() {
+  rtps::CacheChange_t* oldest = nullptr;
+  while (history_.get_min_change(&oldest)) {
+    const bool isDelivered = writer_->is_acked_by_all(oldest);
+    const bool isFull = history_.getHistorySize() >= depth_;
+    if (!isFull && (keeps_ || !isDelivered)) return;
+    if (!keeps_ && !isDelivered) ++dropped_;
+    history_.remove_min_change();
+  }
+}
+
+bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
+  outbox_.flush(*this);
+  const auto bounded = std::min<std::chrono::nanoseconds>(timeout, std::chrono::hours(24));
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(bounded);
+  return writer_->wait_for_all_acked(
+      {static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((bounded - seconds).count())});
+}
+
+void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
+  const Guid reader = guidOf(info.remoteEndpointGuid);
+  if (reader.isOfSameParticipant(id_)) return;
+  {
+    const std::lock_guard lock(readersMutex_);
+    std::erase(readers_, reader);
+    if (info.status == rtps::MATCHED_MATCHING) readers_.push_back(reader);
+    readerCount_ = readers_.size();
+  }
+  if (readersChanged_) readersChanged_();
+}
+
+}  // namespace pongsim::ros2

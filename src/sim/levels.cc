@@ -1,0 +1,286 @@
+#include "sim/levels.hh"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "pongsim/log.hh"
+#include "sim/access.hh"
+#include "sim/editor.hh"
+#include "world/actor_motion.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+const Logger& levelLog() {
+  static const Logger log("levels");
+  return log;
+}
+
+Eigen::AlignedBox3d boxAround(const Vector3& center, const Vector3& size) {
+  return {center - size / 2, center + size / 2};
+}
+
+const world::ActorRecord* actorNamed(const world::Entities& entities, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      entities.actors(), [name](const world::ActorRecord& actor) { return actor.description->name == name; });
+  return found == entities.actors().end() ? nullptr : &*found;
+}
+
+/// @return Of each model, the first one of those that joints hold together with it, and which are held by none of the
+/// others; nested ones count as what holds them.
+std::vector<world::Slot> clustersOf(const world::Entities& entities) {
+  std::vector<world::Slot> parents(entities.models().size());
+  for (world::Slot slot = 0; slot < parents.size(); ++slot) {
+    const world::Slot outer = entities.models()[slot].parent;
+    parents[slot] = outer == world::kNoSlot ? slot : parents[outer];
+  }
+  const auto rootOf = [&parents](world::Slot slot) {
+    while (parents[slot] != slot) slot = parents[slot] = parents[parents[slot]];
+    return slot;
+  };
+  for (const world::JointRecord& joint : entities.joints()) {
+    world::Slot first = world::kNoSlot;
+    for (const world::Slot link : {joint.parentLink, joint.childLink, joint.referenceLink}) {
+      if (link == world::kNoSlot) continue;
+      const world::Slot root = rootOf(entities.links()[link].model);
+      if (first != world::kNoSlot) parents[std::max(first, root)] = std::min(first, root);
+      first = rootOf(root);
+    }
+  }
+  for (world::Slot slot = 0; slot < parents.size(); ++slot) parents[slot] = rootOf(slot);
+  return parents;
+}
+
+template <class Record>
+bool isAmong(const std::vector<std::uint64_t>& ids, const std::vector<Record>& records) {
+  return std::ranges::any_of(records,
+                             [&ids](const Record& record) { return std::ranges::binary_search(ids, record.id.value); });
+}
+
+}  // namespace
+
+void Levels::start(Access& access) {
+  readZones(access);
+  readPerformers(access);
+  awaited_.clear();
+  isHeld_ = false;
+  isNew_ = true;
+  changes_ = access.changes;
+}
+
+void Levels::readZones(const Access& access) {
+  zones_.clear();
+  members_.clear();
+  if (!areUsed_) return;
+  const world::Entities& entities = access.entities;
+  std::unordered_map<std::uint64_t, std::size_t> places;
+  const auto add = [&](Kind kind, std::uint64_t id) {
+    const auto [place, isNew] = places.emplace(id, members_.size());
+    if (isNew) members_.push_back({kind, id, {}});
+    members_[place->second].zones.push_back(zones_.size() - 1);
+  };
+  for (const description::Level& level : entities.description().levels.levels) {
+    zones_.push_back({&level, boxAround(level.center, level.size),
+                      boxAround(level.center, level.size + Vector3::Constant(2 * level.buffer))});
+    for (const description::Level::Member& member : level.members) {
+      if (const world::Slot model = entities.findModel(member.name); model != world::kNoSlot) {
+        add(Kind::kModel, entities.models()[model].id.value);
+      }
+      if (const world::Slot light = entities.findLight(world::kNoSlot, member.name); light != world::kNoSlot) {
+        add(Kind::kLight, entities.lights()[light].id.value);
+      }
+      if (const world::ActorRecord* actor = actorNamed(entities, member.name)) add(Kind::kActor, actor->id.value);
+    }
+  }
+}
+
+void Levels::readPerformers(Access& access) {
+  // after a reset they have their ids again
+  std::erase_if(performers_, [](const Part& performer) { return !performer.isOfFile; });
+  const std::vector<Part> before = std::exchange(performers_, {});
+  for (const description::Performer& performer : access.entities.description().levels.performers) {
+    Part part;
+    part.id = performers_.size() < before.size() ? before[performers_.size()].id : access.entities.nextId();
+    part.name = performer.name;
+    part.size = performer.size;
+    part.isOfFile = true;
+    const world::Slot model = access.entities.findModel(performer.ref);
+    const world::ActorRecord* actor = actorNamed(access.entities, performer.ref);
+    if (model != world::kNoSlot) part.model = access.entities.models()[model].id;
+    part.actor = model == world::kNoSlot && actor != nullptr ? actor->description : nullptr;
+    performers_.push_back(std::move(part));
+  }
+}
+
+std::optional<Pose> Levels::poseOf(const Access& access, const Part& performer) const {
+  if (performer.actor != nullptr) return world::actorPose(*performer.actor, access.state.time);
+  const world::Slot slot = access.entities.slot(performer.model);
+  if (slot == world::kNoSlot) return std::nullopt;
+  return world::modelPose(access.entities, access.state, slot);
+}
+
+bool Levels::isPerforming(ModelId model) const {
+  return std::ranges::any_of(performers_, [model](const Part& performer) { return performer.model == model; });
+}
+
+std::optional<std::string> Levels::add(Access& access, ModelId model, std::string name, const Vector3& size) {
+  const world::Slot slot = access.entities.slot(model);
+  if (slot == world::kNoSlot) return "the model is not there any more";
+  const world::ModelRecord& record = access.entities.models()[slot];
+  if (record.parent != world::kNoSlot) return "model '" + record.scopedName + "' is a part of another one";
+  if (isPerforming(model)) return "model '" + record.scopedName + "' is a performer already";
+  if (!size.allFinite() || !(size.minCoeff() > 0)) return "the size of a performer must be three numbers above zero";
+  if (name.empty()) name = "perf_" + record.scopedName;
+  performers_.push_back({access.entities.nextId(), std::move(name), model, nullptr, size, false});
+  return std::nullopt;
+}
+
+void Levels::addAwaited(Access& access) {
+  std::erase_if(awaited_, [&](const std::string& name) {
+    const world::Slot slot = access.entities.findModel(name);
+    if (slot == world::kNoSlot || access.entities.models()[slot].parent != world::kNoSlot) return false;
+    if (const auto refusal = add(access, access.entities.models()[slot].id, {}, kPerformerSize))
+      levelLog().warning(*refusal);
+    return true;
+  });
+}
+
+void Levels::listPerformers(const Access& access, std::vector<Performer>& performers) const {
+  performers.clear();
+  for (const Part& part : performers_) {
+    const std::optional<Pose> pose = poseOf(access, part);
+    if (!pose) continue;
+    performers.push_back(
+        {part.id, part.name, part.actor == nullptr ? std::optional(part.model) : std::nullopt, *pose, part.size});
+  }
+}
+
+std::vector<std::pair<std::string_view, bool>> Levels::list() const {
+  std::vector<std::pair<std::string_view, bool>> levels;
+  for (const Zone& zone : zones_) levels.emplace_back(zone.level->name, zone.isLoaded);
+  return levels;
+}
+
+void Levels::update(Access& access) {
+  if (!awaited_.empty()) addAwaited(access);
+  if (!areUsed_) return;
+  const bool isToBeSeen = isHeld_ && changes_ != access.changes;
+  if (switchZones(access) || isToBeSeen || isNew_) rearrange(access);
+  isNew_ = false;
+  changes_ = access.changes;
+}
+
+bool Levels::switchZones(const Access& access) {
+  boxes_.clear();
+  for (const Part& performer : performers_) {
+    const std::optional<Pose> pose = poseOf(access, performer);
+    if (pose) boxes_.push_back(boxAround(pose->position, performer.size));
+  }
+  bool hasSwitched = false;
+  for (Zone& zone : zones_) {
+    const Eigen::AlignedBox3d& box = zone.isLoaded ? zone.outer : zone.inner;
+    const bool isNear = std::ranges::any_of(boxes_, [&box](const auto& other) { return box.intersects(other); });
+    if (isNear == zone.isLoaded) continue;
+    zone.isLoaded = isNear;
+    hasSwitched = true;
+    levelLog().info("level '" + zone.level->name + (isNear ? "' is loaded" : "' is unloaded"));
+  }
+  return hasSwitched;
+}
+
+void Levels::rearrange(Access& access) {
+  std::vector<std::uint64_t> wanted;
+  for (const Member& member : members_) {
+    const bool isWanted = std::ranges::any_of(member.zones, [this](std::size_t zone) { return zones_[zone].isLoaded; });
+    if (isWanted) wanted.push_back(member.id);
+  }
+  std::ranges::sort(wanted);
+  bringBack(access, wanted);
+  setAside(access, wanted);
+}
+
+void Levels::bringBack(Access& access, const std::vector<std::uint64_t>& wanted) const {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < access.shelf.size(); ++i) {
+    const world::Records& records = access.shelf[i].entities;
+    if (isAmong(wanted, records.models) || isAmong(wanted, records.lights) || isAmong(wanted, records.actors)) {
+      places.push_back(i);
+    }
+  }
+  Editor(access).bringBack(places);
+}
+
+void Levels::setAside(Access& access, const std::vector<std::uint64_t>& wanted) {
+  const world::Entities& entities = access.entities;
+  std::vector<bool> goes(entities.models().size());
+  std::vector<world::Roots> groups;
+  for (const Member& member : members_) {
+    if (std::ranges::binary_search(wanted, member.id)) continue;
+    if (member.kind == Kind::kModel) {
+      const world::Slot slot = entities.slot(ModelId{member.id});
+      if (slot != world::kNoSlot && !isPerforming(ModelId{member.id})) goes[slot] = true;
+    } else if (member.kind == Kind::kLight) {
+      const world::Slot slot = entities.slot(LightId{member.id});
+      if (slot != world::kNoSlot) groups.push_back({{}, {slot}, {}});
+    } else {
+      const auto found = std::ranges::find(entities.actors(), ActorId{member.id}, &world::ActorRecord::id);
+      if (found == entities.actors().end()) continue;
+      groups.push_back({{}, {}, {static_cast<world::Slot>(found - entities.actors().begin())}});
+    }
+  }
+  // a cluster goes when all of it does
+  const std::vector<world::Slot> clusters = clustersOf(entities);
+  std::vector<bool> stays(goes.size());
+  for (const world::Slot slot : entities.topLevelModels()) {
+    if (!goes[slot]) stays[clusters[slot]] = true;
+  }
+  std::vector<std::size_t> groupOf(goes.size(), world::kNoSlot);
+  isHeld_ = false;
+  for (const world::Slot slot : entities.topLevelModels()) {
+    if (!goes[slot]) continue;
+    if (stays[clusters[slot]]) {
+      isHeld_ = true;
+      continue;
+    }
+    std::size_t& group = groupOf[clusters[slot]];
+    if (group == world::kNoSlot) {
+      group = groups.size();
+      groups.emplace_back();
+    }
+    groups[group].models.push_back(slot);
+  }
+  Editor(access).setAside(groups);
+}
+
+void Levels::transfer(StateArchive& archive, const Access& access) {
+  for (Zone& zone : zones_) archive(zone.isLoaded);
+  archive(awaited_);
+  // who is held is found out again
+  if (archive.isGiving()) isHeld_ = true;
+  std::vector<Part> made;
+  for (const Part& performer : performers_) {
+    if (!performer.isOfFile) made.push_back(performer);
+  }
+  std::size_t count = made.size();
+  archive(count);
+  if (archive.isGiving()) {
+    made.assign(std::min(count, archive.rest().size()), Part());
+    std::erase_if(performers_, [](const Part& performer) { return !performer.isOfFile; });
+  }
+  for (Part& performer : made) {
+    const world::Slot slot = access.entities.slot(performer.model);
+    std::string model = slot == world::kNoSlot ? std::string() : access.entities.models()[slot].scopedName;
+    archive(performer.id);
+    archive(performer.name);
+    archive(performer.size);
+    archive(model);
+    if (!archive.isGiving()) continue;
+    const world::Slot found = access.entities.findModel(model);
+    if (found != world::kNoSlot) performer.model = access.entities.models()[found].id;
+    performers_.push_back(performer);
+  }
+}
+
+}  // namespace pongsim::sim

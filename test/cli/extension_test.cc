@@ -1,0 +1,82 @@
+#include "cli/extension.hh"
+
+#include <gtest/gtest.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "support/temp_folder.hh"
+
+namespace pongsim::cli {
+namespace {
+
+constexpr const char* kDescriptor = R"({
+  "run": {
+    "system": {"filename": "pongsim-x-system", "name": "pongsim::systems::X"},
+    "options": [
+      {"option": "--x", "help": "Be X"},
+      {"option": "--x-file", "value": "FILE", "help": "From there", "element": "file", "file": true},
+      {"option": "--x-topic", "value": "TOPIC", "help": "That one", "element": "topic", "repeated": true}
+    ]
+  },
+  "command": {"name": "x", "help": "Look at X", "program": "pongsim-x",
+              "actions": [{"name": "topics", "help": "List them", "options": [{"option": "--all", "help": "All"}]}],
+              "examples": ["pongsim x topics"]}
+})";
+
+class ExtensionTest : public testing::Test {
+ protected:
+  Extension read(const std::string& text) {
+    std::ofstream(folder_.path() / "x.json") << text;
+    return readExtension(folder_.path() / "x.json");
+  }
+
+  std::vector<Element> systemsOf(const std::string& arguments) {
+    CLI::App command("", "run");
+    std::vector<Element> systems;
+    addRunOptions(command, read(kDescriptor), systems);
+    command.parse(arguments);
+    return systems;
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(ExtensionTest, IsReadFromItsDescriptor) {
+  const Extension extension = read(kDescriptor);
+  EXPECT_EQ(extension.systemFile, "pongsim-x-system");
+  ASSERT_EQ(extension.runOptions.size(), 3U);
+  EXPECT_TRUE(extension.runOptions[2].isRepeated);
+  ASSERT_TRUE(extension.command.has_value());
+  EXPECT_EQ(extension.command->actions.at(0).options.at(0).name, "--all");
+}
+
+TEST_F(ExtensionTest, ThatIsWrongSaysWhy) {
+  for (const char* text :
+       {"", "{", "[]", R"({"run": {}})", R"({"command": {"name": "x"}})",
+        R"({"command": {"name": "x", "help": "", "program": "/bin/sh"}})",
+        R"({"run": {"system": {"filename": "a", "name": "b"}, "options": [{"option": "x", "help": ""}]}})"}) {
+    EXPECT_THROW(read(text), std::runtime_error) << text;
+  }
+}
+
+TEST_F(ExtensionTest, AddsNoSystemUnlessAnOptionAsksForIt) { EXPECT_TRUE(systemsOf("").empty()); }
+
+TEST_F(ExtensionTest, AddsItsSystemOnceWithWhatTheOptionsSay) {
+  const std::vector<Element> systems = systemsOf("--x --x-topic /a --x-topic /b --x-file here.yaml");
+  ASSERT_EQ(systems.size(), 1U);
+  EXPECT_EQ(systems[0].attribute("filename")->value, "pongsim-x-system");
+  EXPECT_EQ(systems[0].attribute("name")->value, "pongsim::systems::X");
+  ASSERT_EQ(systems[0].childrenNamed("topic").size(), 2U);
+  EXPECT_EQ(systems[0].childrenNamed("topic")[1]->text, "/b");
+  EXPECT_EQ(systems[0].child("file")->text, std::filesystem::absolute("here.yaml").string());
+}
+
+TEST_F(ExtensionTest, AnOptionWithASettingAsksForItToo) { EXPECT_EQ(systemsOf("--x-topic /a").size(), 1U); }
+
+}  // namespace
+}  // namespace pongsim::cli

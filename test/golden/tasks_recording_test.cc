@@ -1,0 +1,59 @@
+// What Fortress's server recorded of batteries, breadcrumbs and performers beside what ours do.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "golden/recording.hh"
+
+namespace pongsim::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+// The server was of version 6.5.0, to which <start_draining> was unknown, and which told 1 of a battery before it
+// drained: the first battery, which is to drain from the start and begins with less than it holds, stood still there.
+TEST(TasksRecording, BatteryKeepsItsChargeUntilItDrains) {
+  if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
+  Replay replay("test/battery.sdf", {},
+                {{"linear_battery_demo_model", "linear_battery"},
+                 {"linear_battery_demo_model_with_topics", "linear_battery_topics"}});
+  replay.run();
+  EXPECT_TRUE(replay.missing().empty());
+  EXPECT_EQ(replay.of("battery linear_battery_topics").largest, 0);
+  const double atStart = 1.1665 / 1.2009;
+  EXPECT_GT(replay.of("battery linear_battery").last, 1 - atStart + 0.1);
+}
+
+TEST(TasksRecording, PerformerGoesOnItsWay) {
+  if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
+  Replay replay("test/performer_detector.sdf",
+                {{Time(0), "/model/vehicle_blue/cmd_vel", "ignition.msgs.Twist", "linear: {x: 0.5}"}});
+  replay.run();
+  EXPECT_TRUE(replay.missing().empty());
+  const Deviation& vehicle = replay.of("model vehicle_blue");
+  EXPECT_GT(vehicle.way, 2.5);
+  EXPECT_LT(vehicle.largest, std::max(0.02 * vehicle.way, 0.05));
+}
+
+TEST(TasksRecording, BreadcrumbsAreLeftWhereFortressLeavesThem) {
+  if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
+  Replay replay("test/breadcrumbs.sdf",
+                {{milliseconds(500), "/model/vehicle_blue/breadcrumbs/B1/deploy", "ignition.msgs.Empty", ""},
+                 {milliseconds(1000), "/rename_deploy", "ignition.msgs.Empty", ""}});
+  replay.run();
+  EXPECT_TRUE(replay.missing().empty());
+  for (const char* crumb : {"model B1_0", "model B1_0_1"}) EXPECT_LT(replay.of(crumb).largest, 0.05) << crumb;
+  EXPECT_LT(replay.of("model vehicle_blue").largest, 0.05);
+  std::vector<std::string> names;
+  for (const Model& model : replay.simulation().world().models()) {
+    if (model.name().starts_with("B1")) names.emplace_back(model.name());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"B1_0", "B1_0_1"}));
+}
+
+}  // namespace
+}  // namespace pongsim::test

@@ -1,0 +1,182 @@
+// What publishers and subscriptions of one transport give each other beside messages in a queue: hearing at once, bulk
+// bytes, and who is there.
+
+#include <gtest/gtest.h>
+#include <ignition/msgs/image.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pongsim/node.hh"
+
+namespace pongsim {
+
+namespace {
+
+using ignition::msgs::Image;
+using ignition::msgs::StringMsg;
+
+StringMsg textOf(const std::string& content) {
+  StringMsg message;
+  message.set_data(content);
+  return message;
+}
+
+class HearAtOnce : public testing::Test {
+ protected:
+  Subscription hear(std::vector<std::string>& heard, const SubscriptionOptions& options = {}) {
+    return node_.subscribeAtOnce(
+        "/chatter", "ignition.msgs.StringMsg",
+        [&heard](const Message& message, const Bulk*) {
+          heard.push_back(static_cast<const StringMsg&>(message).data());
+        },
+        options);
+  }
+
+  Transport transport_{{.network = false}};
+  Node node_ = transport_.node();
+};
+
+/// An image whose pixels are elsewhere, and how often they were written.
+struct BulkImage {
+  int written = 0;
+  Bulk bulk{.size = 6, .write = [this](std::span<std::byte> place) {
+              ++written;
+              std::ranges::fill(place, std::byte('x'));
+            }};
+};
+
+Image imageOf(std::uint32_t width) {
+  Image image;
+  image.set_width(width);
+  image.set_pixel_format_type(ignition::msgs::RGB_INT8);
+  return image;
+}
+
+}  // namespace
+
+TEST_F(HearAtOnce, IsCalledFromWithinPublish) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  std::vector<std::string> heard;
+  const Subscription subscription = hear(heard);
+  EXPECT_TRUE(publisher.hasSubscribers());
+  publisher.publish(textOf("hello"));
+  EXPECT_EQ(heard, std::vector<std::string>{"hello"});
+  EXPECT_EQ(transport_.dispatch(), 0U);
+  EXPECT_EQ(heard.size(), 1U);
+  EXPECT_EQ(publisher.sent(), 1U);
+}
+
+TEST_F(HearAtOnce, HearsBytesAsAMessage) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  std::vector<std::string> heard;
+  const Subscription subscription = hear(heard);
+  const std::string bytes = textOf("hello").SerializeAsString();
+  publisher.publishBytes(std::as_bytes(std::span(bytes)));
+  publisher.publishBytes(std::as_bytes(std::span("\xff\xff")));
+  EXPECT_EQ(heard, std::vector<std::string>{"hello"});
+}
+
+TEST_F(HearAtOnce, GetsWhatIsLatched) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter", {.latched = true});
+  publisher.publish(textOf("before"));
+  std::vector<std::string> heard;
+  const Subscription subscription = hear(heard);
+  transport_.dispatch();
+  publisher.publish(textOf("after"));
+  EXPECT_EQ(heard, (std::vector<std::string>{"before", "after"}));
+}
+
+TEST_F(HearAtOnce, HearsNothingFromItsEndOn) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  std::vector<std::string> heard;
+  hear(heard) = {};
+  publisher.publish(textOf("hello"));
+  EXPECT_TRUE(heard.empty());
+  EXPECT_FALSE(publisher.hasSubscribers());
+}
+
+TEST_F(HearAtOnce, LeavesOutThePublisherThatItIsToldToLeaveOut) {
+  Publisher own = node_.advertise<StringMsg>("/chatter"), other = node_.advertise<StringMsg>("/chatter");
+  std::vector<std::string> heard, queued;
+  const Subscription subscription = hear(heard, {.except = &own});
+  const Subscription inQueue = node_.subscribe<StringMsg>(
+      "/chatter", [&](const StringMsg& message) { queued.push_back(message.data()); }, {.except = &own});
+  own.publish(textOf("own"));
+  other.publish(textOf("other"));
+  transport_.dispatch();
+  EXPECT_EQ(heard, std::vector<std::string>{"other"});
+  EXPECT_EQ(queued, std::vector<std::string>{"other"});
+}
+
+TEST_F(HearAtOnce, MayPublishInTurn) {
+  Publisher chatter = node_.advertise<StringMsg>("/chatter"), answers = node_.advertise<StringMsg>("/answers");
+  std::vector<std::string> heard;
+  const Subscription first = node_.subscribeAtOnce(
+      "/chatter", "ignition.msgs.StringMsg", [&](const Message& message, const Bulk*) { answers.publish(message); });
+  const Subscription second =
+      node_.subscribe<StringMsg>("/answers", [&](const StringMsg& message) { heard.push_back(message.data()); });
+  chatter.publish(textOf("hello"));
+  transport_.dispatch();
+  EXPECT_EQ(heard, std::vector<std::string>{"hello"});
+}
+
+TEST_F(HearAtOnce, IsGivenTheBulkToWriteItWhereItWants) {
+  Publisher publisher = node_.advertise<Image>("/camera");
+  std::string pixels;
+  const Subscription subscription =
+      node_.subscribeAtOnce("/camera", "ignition.msgs.Image", [&](const Message& message, const Bulk* bulk) {
+        EXPECT_EQ(static_cast<const Image&>(message).data(), "");
+        ASSERT_NE(bulk, nullptr);
+        pixels.resize(bulk->size);
+        bulk->write(std::as_writable_bytes(std::span(pixels)));
+      });
+  BulkImage image;
+  publisher.publish(imageOf(2), image.bulk);
+  EXPECT_EQ(pixels, "xxxxxx");
+  // once: nobody else wants it
+  EXPECT_EQ(image.written, 1);
+}
+
+TEST_F(HearAtOnce, TheBulkIsInTheMessageForOthers) {
+  Publisher publisher = node_.advertise<Image>("/camera");
+  BulkImage image;
+  publisher.publish(imageOf(2), image.bulk);
+  EXPECT_EQ(image.written, 0);
+  Image got;
+  const Subscription subscription = node_.subscribe<Image>("/camera", [&](const Image& message) { got = message; });
+  publisher.publish(imageOf(2), image.bulk);
+  transport_.dispatch();
+  Image expected = imageOf(2);
+  expected.set_data("xxxxxx");
+  EXPECT_EQ(got.SerializeAsString(), expected.SerializeAsString());
+  EXPECT_EQ(image.written, 1);
+}
+
+TEST_F(HearAtOnce, ABulkOfNoFieldIsRefused) {
+  Publisher publisher = node_.advertise<Image>("/camera");
+  BulkImage image;
+  for (const char* field : {"no_such", "width"}) {
+    image.bulk.field = field;
+    EXPECT_THROW(publisher.publish(imageOf(2), image.bulk), std::invalid_argument) << field;
+  }
+}
+
+TEST_F(HearAtOnce, OwnTopicsAreWhatTheTransportHas) {
+  const std::uint64_t atFirst = node_.ownTopicsVersion();
+  Publisher publisher = node_.advertise<StringMsg>("/b", {.latched = true});
+  const Subscription subscription = node_.subscribe<StringMsg>("/a", [](const StringMsg&) {});
+  EXPECT_NE(node_.ownTopicsVersion(), atFirst);
+  EXPECT_EQ(node_.ownTopics(), (std::vector<OwnTopic>{{"/a", "ignition.msgs.StringMsg", 0, 1, false},
+                                                      {"/b", "ignition.msgs.StringMsg", 1, 0, true}}));
+  const std::uint64_t before = node_.ownTopicsVersion();
+  EXPECT_EQ(node_.ownTopicsVersion(), before);
+  publisher = {};
+  EXPECT_NE(node_.ownTopicsVersion(), before);
+  EXPECT_EQ(node_.ownTopics().size(), 1U);
+}
+
+}  // namespace pongsim
