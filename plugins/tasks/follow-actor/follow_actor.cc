@@ -33,8 +33,8 @@ class FollowActor : public System {
     findTarget(context.sdf);
     const std::vector<std::string> animations = actor_->animations();
     if (animation_.empty()) {
-      if (animations.empty()) refuse(context.sdf, "actor '" + std::string(actor_->name()) + "' has no <animation>");
-      animation_ = animations.front();
+      // one without limbs to move can follow, too
+      if (!animations.empty()) animation_ = animations.front();
     } else if (std::ranges::find(animations, animation_) == animations.end()) {
       context.diagnostics.warning(
           context.sdf.child("animation")->position,
