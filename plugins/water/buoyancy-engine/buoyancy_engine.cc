@@ -1,10 +1,10 @@
 #include <ignition/msgs/double.pb.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -28,7 +28,6 @@ class BuoyancyEngine : public System {
 
  private:
   void checkVolumes(const SystemContext& context);
-  void receive(double volume);
 
   std::string linkName_;
   std::string namespace_;
@@ -47,7 +46,6 @@ class BuoyancyEngine : public System {
   double volume_ = 0;
   double target_ = 0;
 
-  const Logger* log_ = nullptr;
   Subscription targets_;
   Publisher volumes_;
   ignition::msgs::Double message_;
@@ -76,7 +74,6 @@ void BuoyancyEngine::declare(Declaration& declaration) {
 }
 
 void BuoyancyEngine::configure(const SystemContext& context) {
-  log_ = &context.log;
   world_ = &context.world;
   link_ = requiredLink(context.sdf, "link_name", *context.model);
   checkVolumes(context);
@@ -84,7 +81,11 @@ void BuoyancyEngine::configure(const SystemContext& context) {
   volume_ = target_ = startVolume_;
   const std::string topic = (namespace_.empty() ? "" : "/model/" + namespace_) + "/buoyancy_engine";
   targets_ = context.node.subscribe<ignition::msgs::Double>(
-      cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); });
+      cleanTopic(topic),
+      [this](const ignition::msgs::Double& message) {
+        target_ = std::clamp(message.data(), leastVolume_, mostVolume_);
+      },
+      kCommands);
   volumes_ = context.node.advertise<ignition::msgs::Double>(cleanTopic(topic + "/current_volume"));
 }
 
@@ -97,14 +98,6 @@ void BuoyancyEngine::checkVolumes(const SystemContext& context) {
   if (defaultVolume_ && (*defaultVolume_ < leastVolume_ || *defaultVolume_ > mostVolume_)) {
     context.diagnostics.warning(sdf.child("default_volume")->position,
                                 "<default_volume> is not between <min_volume> and <max_volume>");
-  }
-}
-
-void BuoyancyEngine::receive(double volume) {
-  if (std::isfinite(volume)) {
-    target_ = std::clamp(volume, leastVolume_, mostVolume_);
-  } else {
-    log_->warning("a volume that is not finite was ignored");
   }
 }
 

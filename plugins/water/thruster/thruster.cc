@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pongsim/battery.hh"
+#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/pid.hh"
 #include "pongsim/system.hh"
@@ -147,17 +148,13 @@ void Thruster::listen(Node& node, const std::string& modelName) {
   const std::string prefix = "/model/" + robot + "/joint/" + std::string(joint_->name());
   const auto subscribe = [&](const std::string& topic) {
     return node.subscribe<ignition::msgs::Double>(
-        cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); });
+        cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); }, kForces);
   };
   thrusts_ = subscribe(topic_.empty() ? prefix + "/cmd_thrust" : robot + "/" + topic_);
   positions_ = subscribe(prefix + "/cmd_pos");
 }
 
 void Thruster::receive(double thrust) {
-  if (!std::isfinite(thrust)) {
-    log_->warning("a thrust that is not finite was ignored");
-    return;
-  }
   thrust_ = std::clamp(thrust, leastThrust_, mostThrust_);
   propeller_.turnFor(thrust_);
 }
