@@ -163,25 +163,28 @@ std::unique_ptr<Simulation> drivenByHand() {
   return simulation;
 }
 
-/// A hundred bodies of all shapes, far from each other, that stay where they are: without gravity, in a fluid that
-/// lifts nothing then, or across the surface of two.
+/// A hundred bodies of all shapes, far from each other: on a floor, or free, without gravity, so that they stay.
 /// @param fluid The parameters of Buoyancy, or empty: without it.
-std::string manyBodies(const std::string& fluid) {
+std::string manyBodies(const std::string& fluid, bool isOnFloor) {
   std::string text =
-      "<sdf version='1.9'><world name='w'><gravity>0 0 0</gravity>"
+      "<sdf version='1.9'><world name='w'>"
       "<plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>";
   if (!fluid.empty()) {
     text += "<plugin filename='ignition-gazebo-buoyancy-system' name='ignition::gazebo::systems::Buoyancy'>" + fluid +
             "</plugin>";
   }
+  text += isOnFloor ? "<model name='floor'><static>1</static><pose>0 0 -0.5 0 0 0</pose><link name='link'><collision "
+                      "name='collision'><geometry><plane/></geometry></collision></link></model>"
+                    : "<gravity>0 0 0</gravity>";
   const char* const shapes[] = {"<box><size>1 1 1</size></box>", "<sphere><radius>0.5</radius></sphere>",
                                 "<cylinder><radius>0.4</radius><length>1</length></cylinder>",
-                                "<capsule><radius>0.3</radius><length>0.6</length></capsule>"};
+                                "<capsule><radius>0.3</radius><length>0.4</length></capsule>"};
   for (int i = 0; i < kBodies; ++i) {
     text += "<model name='body" + std::to_string(i) + "'><pose>" + std::to_string(3 * (i % 10)) + " " +
-            std::to_string(3 * (i / 10)) +
-            " 0 0.3 0.2 0</pose><link name='link'><inertial><mass>500</mass></inertial>" +
-            "<collision name='collision'><geometry>" + shapes[i % 4] + "</geometry></collision></link></model>";
+            std::to_string(3 * (i / 10)) + (isOnFloor ? " 0 0 0 0" : " 0 0.3 0.2 0") +
+            "</pose><link name='link'><inertial><mass>1500</mass><inertia><ixx>200</ixx><iyy>200</iyy><izz>200</izz>"
+            "</inertia></inertial><collision name='collision'><geometry>" +
+            shapes[i % 4] + "</geometry></collision></link></model>";
   }
   return text + "</world></sdf>";
 }
@@ -191,14 +194,12 @@ constexpr const char* kSurface =
     "<graded_buoyancy><density_change><above_depth>0</above_depth><density>1</density></density_change>"
     "</graded_buoyancy>";
 
-void printBuoyancy(const Medians& medians) {
-  const double without = medians.of("100_bodies/physics");
-  for (const char* each : {"100_bodies/under_water", "100_bodies/at_the_surface"}) {
-    const double with = medians.of(each);
-    if (!(without > 0) || !(with > 0)) continue;
-    std::printf("%s: physics %.1f us, with Buoyancy %.1f us: %.1f %% more%s\n", each, without, with,
-                100 * (with / without - 1), with / without - 1 > kMostShare ? "  TOO MUCH" : "");
-  }
+/// @param without, with The names of two benchmarks.
+void printShare(const Medians& medians, const char* without, const char* with) {
+  const double before = medians.of(without), after = medians.of(with);
+  if (!(before > 0) || !(after > 0)) return;
+  std::printf("%s: physics %.1f us, with Buoyancy %.1f us: %.1f %% more%s\n", with, before, after,
+              100 * (after / before - 1), after / before - 1 > kMostShare ? "  TOO MUCH" : "");
 }
 
 /// Robots that stand there.
@@ -260,9 +261,12 @@ int run(int argc, char** argv) {
     };
     ::benchmark::RegisterBenchmark(name, step)->Unit(::benchmark::kMicrosecond);
   };
-  add("100_bodies/physics", stepWorld, manyBodies(""));
-  add("100_bodies/under_water", stepWorld, manyBodies(kWater));
-  add("100_bodies/at_the_surface", stepWorld, manyBodies(kSurface));
+  add("100_bodies/free", stepWorld, manyBodies("", false));
+  add("100_bodies/free_under_water", stepWorld, manyBodies(kWater, false));
+  add("100_bodies/free_at_the_surface", stepWorld, manyBodies(kSurface, false));
+  add("100_bodies/on_a_floor", stepWorld, manyBodies("", true));
+  add("100_bodies/on_a_floor_under_water", stepWorld, manyBodies(kWater, true));
+  add("100_bodies/on_a_floor_at_the_surface", stepWorld, manyBodies(kSurface, true));
   addDriven("50_robots/physics", drivenByHand);
   addDriven("50_robots/diff_drive", drivenBySystem);
   addDriven("levels/10_robots", [] { return standing(kRobotsALevel, false); });
@@ -271,7 +275,10 @@ int run(int argc, char** argv) {
   Medians medians;
   if (!medians.run(argc, argv)) return 2;
   printTable(medians, cases);
-  printBuoyancy(medians);
+  printShare(medians, "100_bodies/free", "100_bodies/free_under_water");
+  printShare(medians, "100_bodies/free", "100_bodies/free_at_the_surface");
+  printShare(medians, "100_bodies/on_a_floor", "100_bodies/on_a_floor_under_water");
+  printShare(medians, "100_bodies/on_a_floor", "100_bodies/on_a_floor_at_the_surface");
   printLevels(medians);
   return 0;
 }

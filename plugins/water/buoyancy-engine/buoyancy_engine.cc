@@ -1,7 +1,6 @@
 #include <ignition/msgs/double.pb.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -29,7 +28,6 @@ class BuoyancyEngine : public System {
 
  private:
   void checkVolumes(const SystemContext& context);
-  void receive(double volume);
 
   std::string linkName_;
   std::string namespace_;
@@ -83,7 +81,11 @@ void BuoyancyEngine::configure(const SystemContext& context) {
   volume_ = target_ = startVolume_;
   const std::string topic = (namespace_.empty() ? "" : "/model/" + namespace_) + "/buoyancy_engine";
   targets_ = context.node.subscribe<ignition::msgs::Double>(
-      cleanTopic(topic), [this](const ignition::msgs::Double& message) { receive(message.data()); }, kCommands);
+      cleanTopic(topic),
+      [this](const ignition::msgs::Double& message) {
+        target_ = std::clamp(message.data(), leastVolume_, mostVolume_);
+      },
+      kCommands);
   volumes_ = context.node.advertise<ignition::msgs::Double>(cleanTopic(topic + "/current_volume"));
 }
 
@@ -98,8 +100,6 @@ void BuoyancyEngine::checkVolumes(const SystemContext& context) {
                                 "<default_volume> is not between <min_volume> and <max_volume>");
   }
 }
-
-void BuoyancyEngine::receive(double volume) { target_ = std::clamp(volume, leastVolume_, mostVolume_); }
 
 void BuoyancyEngine::preUpdate(const StepInfo& info) {
   if (info.paused) return;

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "marine_craft.hh"
-#include "pongsim/commands.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -16,10 +15,10 @@ namespace pongsim {
 namespace {
 
 /// As the Society of Naval Architects and Marine Engineers names forces and torques, and velocities.
-constexpr std::string_view kForces = "xyzkmn";
-constexpr std::string_view kVelocities = "UVWPQR";
+constexpr std::string_view kForceLetters = "xyzkmn";
+constexpr std::string_view kVelocityLetters = "UVWPQR";
 /// No current is faster [m/s].
-constexpr double kFastestCurrent = 1e4;
+constexpr double kFastestCurrent = 100;
 
 /// Brakes a link as water does that it moves through, and lets it drag water along.
 class Hydrodynamics : public System {
@@ -44,7 +43,6 @@ class Hydrodynamics : public System {
 
  private:
   void declareDerivatives(Declaration& declaration);
-  void receive(const ignition::msgs::Vector3d& message);
   void warnOfDerivatives(const SystemContext& context) const;
   Vector6 velocityThroughWater(const Quaternion& R_WorldLink) const;
 
@@ -61,7 +59,6 @@ class Hydrodynamics : public System {
   /// In the last step, unless there was none.
   std::optional<Vector6> lastVelocity_;
 
-  const Logger* log_ = nullptr;
   Subscription currents_;
 };
 
@@ -87,14 +84,15 @@ void Hydrodynamics::declareDerivatives(Declaration& declaration) {
   };
   const auto addPairs = [&](const std::string& middle, Matrix6& matrix, const char* pattern, const char* text) {
     for (std::size_t i = 0; i < 6; ++i) {
-      for (std::size_t j = 0; j < 6; ++j) add(i, j, kForces[i] + middle + kVelocities[j], matrix, pattern, text);
+      for (std::size_t j = 0; j < 6; ++j)
+        add(i, j, kForceLetters[i] + middle + kVelocityLetters[j], matrix, pattern, text);
     }
   };
   const auto addTriples = [&](const std::string& middle, auto& matrices, const char* pattern, const char* text) {
     for (std::size_t i = 0; i < 36; ++i) {
-      const std::string name = {kForces[i / 6], kVelocities[i % 6]};
+      const std::string name = {kForceLetters[i / 6], kVelocityLetters[i % 6]};
       for (std::size_t k = 0; k < 6; ++k) {
-        add(i / 6, i % 6, name + middle + kVelocities[k], matrices[k], pattern, text);
+        add(i / 6, i % 6, name + middle + kVelocityLetters[k], matrices[k], pattern, text);
       }
     }
   };
@@ -109,7 +107,6 @@ void Hydrodynamics::declareDerivatives(Declaration& declaration) {
 }
 
 void Hydrodynamics::configure(const SystemContext& context) {
-  log_ = &context.log;
   link_ = requiredLink(context.sdf, "link_name", *context.model);
   if (defaultCurrent_.cwiseAbs().maxCoeff() > kFastestCurrent) {
     refuse(*context.sdf.child("default_current"), "<default_current> is faster than any water");
@@ -118,16 +115,11 @@ void Hydrodynamics::configure(const SystemContext& context) {
   current_ = defaultCurrent_;
   const std::string topic = namespace_.empty() ? "/ocean_current" : "/model/" + namespace_ + "/ocean_current";
   currents_ = context.node.subscribe<ignition::msgs::Vector3d>(
-      cleanTopic(topic), [this](const ignition::msgs::Vector3d& message) { receive(message); }, kCommands);
-}
-
-void Hydrodynamics::receive(const ignition::msgs::Vector3d& message) {
-  const Vector3 current(message.x(), message.y(), message.z());
-  if (current.cwiseAbs().maxCoeff() <= kFastestCurrent) {
-    current_ = current;
-  } else {
-    log_->warning("a current that is faster than any water was ignored");
-  }
+      cleanTopic(topic),
+      [this](const ignition::msgs::Vector3d& message) {
+        current_ = {message.x(), message.y(), message.z()};
+      },
+      SubscriptionOptions{.largestNumber = kFastestCurrent});
 }
 
 /// What makes a run go astray, and looks right.
@@ -136,14 +128,14 @@ void Hydrodynamics::warnOfDerivatives(const SystemContext& context) const {
   for (const Link& link : context.model->links()) mass += link.mass().mass;
   for (const Element& element : context.sdf.children) {
     const std::string& name = element.name;
-    if (name.size() == 3 && name[1] == name[2] && kVelocities.find(name[1]) == kForces.find(name[0])) {
+    if (name.size() == 3 && name[1] == name[2] && kVelocityLetters.find(name[1]) == kForceLetters.find(name[0])) {
       context.diagnostics.warning(element.position, "<" + name +
                                                         "> pushes one way whatever the direction: what brakes is <" +
                                                         name.substr(0, 2) + "abs" + name[2] + ">");
     }
   }
   for (std::size_t i = 0; i < 3 && !hasNoAddedMass_; ++i) {
-    const std::string name = std::string(1, kForces[i]) + "Dot" + kVelocities[i];
+    const std::string name = std::string(1, kForceLetters[i]) + "Dot" + kVelocityLetters[i];
     const Element* element = context.sdf.child(name);
     const auto index = static_cast<Eigen::Index>(i);
     if (element == nullptr || std::abs(craft_.addedMass(index, index)) < mass) continue;

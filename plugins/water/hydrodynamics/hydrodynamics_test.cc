@@ -2,7 +2,6 @@
 #include <ignition/msgs/vector3d.pb.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,16 +103,9 @@ TEST(Hydrodynamics, ListensInItsNamespace) {
   EXPECT_NEAR(hullOf(world).linearVelocity().x(), 1, 1e-4);
 }
 
-TEST(Hydrodynamics, IgnoresACurrentThatNoWaterHas) {
+TEST(Hydrodynamics, RefusesAbsurdCurrentsAndGoesOn) {
   RunningWorld world(worldWith(hull("<xUabsU>-40</xUabsU>"), "0 0 0"));
-  testing::internal::CaptureStderr();
-  world.tell("/ocean_current", current(1e5, 0, 0));
-  world.tell("/ocean_current", current(1e308, 0, 0));
-  world.tell("/ocean_current", current(0, std::numeric_limits<double>::quiet_NaN(), 0));
-  world.step(10);
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("faster than any water was ignored"), std::string::npos) << said;
-  EXPECT_NE(said.find("is refused"), std::string::npos) << said;
+  world.tellAbsurdities("/ocean_current", "ignition.msgs.Vector3d", "x: #", "100");
   EXPECT_EQ(hullOf(world).linearVelocity().norm(), 0);
   world.tell("/ocean_current", current(1, 0, 0));
   world.step(10);
@@ -148,7 +140,7 @@ TEST(HydrodynamicsParameters, AreWarnedOfWhereTheyMakeNoSense) {
            {"<link_name>hul</link_name>", left + "<link_name> 'hul' is no link of model 'm'"},
            {hull("<xU>slow</xU>"), left + "<xU> is 'slow', which is not a number"},
            {hull("<xU>nan</xU>"), left + "<xU> must be a finite number"},
-           {hull("<default_current>1e6 0 0</default_current>"), left + "<default_current> is faster than any water"},
+           {hull("<default_current>1e3 0 0</default_current>"), left + "<default_current> is faster than any water"},
            {hull("<xY>1</xY>"), "hydrodynamics of m does not know <xY>"},
            {hull("<yVV>-1</yVV>"), "<yVV> pushes one way whatever the direction: what brakes is <yVabsV>"},
            {hull("<zDotW>-12</zDotW>"), "<zDotW> is more than the mass of the model: its motion will swing up"}}) {
