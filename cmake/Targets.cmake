@@ -60,7 +60,8 @@ function(pongsim_test name)
   target_link_libraries(${name} PRIVATE ${arg_LINKS} pongsim_test_support pongsim_test_settings
                                         GTest::gtest_main ${arg_USES})
   target_precompile_headers(${name} REUSE_FROM pongsim_test_precompiled)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${arg_TIMEOUT})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+                       PROPERTIES TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test/cache")
 endfunction()
 
 # pongsim_plugin_test(NAME SOURCES ... [USES third-party targets ...])

@@ -43,9 +43,6 @@ DynamicsWorld::DynamicsWorld(const Settings& settings, GroupWork& work)
     : workers_(settings.threads),
       dispatcher_(configuration_, workers_),
       world_(dispatcher_, broadphase_, configuration_, makeSolvers(settings), workers_, work) {
-  // a body on a plane finds all its corners in one step instead of one a step
-  configuration_.setPlaneConvexMultipointIterations(4, 4);
-
   world_.setGravity(btVector3(0, 0, 0));
   world_.setForceUpdateAllAabbs(false);
 

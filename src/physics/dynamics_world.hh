@@ -1,10 +1,10 @@
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
-#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 
 #include <cstdint>
 
+#include "physics/collision_configuration.hh"
 #include "physics/dispatcher.hh"
 #include "physics/grouped_world.hh"
 #include "physics/settings.hh"
@@ -46,7 +46,7 @@ class DynamicsWorld {
  private:
   void forgetRolledContacts(double dt);
 
-  btDefaultCollisionConfiguration configuration_;
+  CollisionConfiguration configuration_;
   base::Workers workers_;
   Dispatcher dispatcher_;
   btDbvtBroadphase broadphase_;

@@ -12,6 +12,7 @@
 
 #include "benchmark/bare_bullet.hh"
 #include "benchmark/medians.hh"
+#include "benchmark/mesh_steps.hh"
 #include "benchmark/robots.hh"
 #include "physics/engine.hh"
 #include "pongsim/simulation.hh"
@@ -111,6 +112,20 @@ void printTable(const Medians& medians, const std::vector<Case>& all) {
   }
 }
 
+void addMeshes() {
+  using description::MeshOptimization;
+  const auto add = [](const char* name, MeshOptimization optimization, bool haveBalls) {
+    ::benchmark::RegisterBenchmark(name, stepBowls, optimization, haveBalls)->Unit(::benchmark::kMicrosecond);
+  };
+  add("bowls_x10/hulls", MeshOptimization::kConvexHull, false);
+  add("bowls_x10/pieces", MeshOptimization::kNone, false);
+  add("bowls_x10/pieces_and_balls", MeshOptimization::kNone, true);
+  for (const auto& [name, isWarm] :
+       {std::pair("start_of_meshes_x10/cold", false), std::pair("start_of_meshes_x10/warm", true)}) {
+    ::benchmark::RegisterBenchmark(name, startMeshes, isWarm)->Unit(::benchmark::kMillisecond)->UseRealTime();
+  }
+}
+
 int run(int argc, char** argv) {
   const std::vector<Case> all = cases();
   for (const Case& which : all) {
@@ -123,6 +138,7 @@ int run(int argc, char** argv) {
     add("engine", stepEngine);
     add("simulation", stepSimulation);
   }
+  addMeshes();
   Medians medians;
   if (!medians.run(argc, argv)) return 2;
   printTable(medians, all);
