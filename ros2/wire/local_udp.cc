@@ -106,7 +106,8 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
     return true;
   }
   bool getDefaultMetatrafficUnicastLocators(rtps::LocatorList_t& list, std::uint32_t port) const override {
-    list.push_back(locatorOf(INADDR_ANY, port));
+    // the library announces these as they are, and a peer of ours sends nothing to 0.0.0.0
+    for (const Locator_t& each : announced(port)) list.push_back(each);
     return true;
   }
   bool getDefaultUnicastLocators(rtps::LocatorList_t& list, std::uint32_t port) const override {
@@ -130,6 +131,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
   using Key = std::pair<bool, std::uint32_t>;
   static Key keyOf(const Locator_t& locator) { return {isMulticast(locator), locator.port}; }
 
+  rtps::LocatorList_t announced(std::uint32_t port) const;
   bool isOwn(std::uint32_t address) const {
     return isLoopback(address) || std::ranges::count(reach_.addresses, address, &LocalAddress::address) > 0;
   }
@@ -261,16 +263,19 @@ bool LocalUdpTransport::send(const rtps::octet* bytes, std::uint32_t size, rtps:
 
 /// Peers are told of the addresses of the interfaces, which those with default settings can reach, and of 127.0.0.1
 /// where there is no other.
-rtps::LocatorList_t LocalUdpTransport::NormalizeLocator(const Locator_t& locator) {
+rtps::LocatorList_t LocalUdpTransport::announced(std::uint32_t port) const {
   rtps::LocatorList_t list;
-  if (addressOf(locator) != INADDR_ANY) {
-    list.push_back(locator);
-    return list;
-  }
   for (const LocalAddress& each : reach_.addresses) {
     if (each.isLoopback && reach_.addresses.size() > 1) continue;
-    list.push_back(locatorOf(each.address, locator.port));
+    list.push_back(locatorOf(each.address, port));
   }
+  return list;
+}
+
+rtps::LocatorList_t LocalUdpTransport::NormalizeLocator(const Locator_t& locator) {
+  if (addressOf(locator) == INADDR_ANY) return announced(locator.port);
+  rtps::LocatorList_t list;
+  list.push_back(locator);
   return list;
 }
 
