@@ -37,7 +37,6 @@ EditServices::EditServices(Simulation& simulation) : simulation_(simulation) {
   serve("light_config", "ignition.msgs.Light", &EditServices::setLight);
   serve("set_physics", "ignition.msgs.Physics", &EditServices::setPhysics);
   serve("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", &EditServices::setWheelSlip);
-  wheelSlips_ = simulation.transport().node().advertise(nameOf("wheel_slip"), "ignition.msgs.WheelSlipParametersCmd");
   serve("level/set_performer", "ignition.msgs.StringMsg", &EditServices::setPerformer);
   lights_ = simulation.transport().node().subscribe(nameOf("light_config"), "ignition.msgs.Light",
                                                     [this](const Message& light) {
@@ -264,6 +263,11 @@ ServiceAnswer EditServices::setWheelSlip(const Message& request) {
   const auto isSound = [](double compliance) { return compliance >= 0 && std::isfinite(compliance); };
   if (!isSound(asked.lateral) || !isSound(asked.longitudinal)) {
     return ServiceAnswer::refused("slip compliances are finite numbers from zero up");
+  }
+  // on a topic that is there from the first request on only, for Fortress has none
+  if (!wheelSlips_) {
+    wheelSlips_ =
+        simulation_.transport().node().advertise(nameOf("wheel_slip"), "ignition.msgs.WheelSlipParametersCmd");
   }
   if (!wheelSlips_.hasSubscribers()) return ServiceAnswer::refused("no system here lets wheels slip: wheel-slip does");
   asked.entity = *entity;

@@ -39,7 +39,7 @@ TEST_F(LevelsCommand, LoadsWhatIsNearThePerformersOnly) {
   ASSERT_TRUE(run->waitForError("world 'halls': 1 model and 2 in levels not loaded, step")) << run->error();
   EXPECT_EQ(list(), "Available models:\n    - robot\n");
   const Outcome performs = call("level/set_performer", "data: 'robot'");
-  EXPECT_EQ(performs.output, "data: true\n") << performs.error;
+  EXPECT_EQ(performs.output, "data: true\n\n") << performs.error;
   ASSERT_TRUE(run->waitForError("level 'one' is loaded")) << run->error();
   EXPECT_EQ(list(), "Available models:\n    - robot\n    - near\n");
   const Outcome refused = call("remove", "name: 'far', type: MODEL");
@@ -65,7 +65,7 @@ TEST_F(LevelsCommand, SaysWhereAMistakeIs) {
       {"run", folder_.write("wrong.sdf", text).string(), "-z", "0", "--iterations", "1", "--strict", "--levels"});
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_NE(
-      outcome.error.find("wrong.sdf:6:105: error: level 'two' names 'fra', which is no model, light or actor of the "
+      outcome.error.find("wrong.sdf:6:101: error: level 'two' names 'fra', which is no model, light or actor of the "
                          "world"),
       std::string::npos)
       << outcome.error;

@@ -127,7 +127,7 @@ TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
   const std::vector<std::string> names = exportsOf(libraries / "libpongsim.so");
   for (const std::string& name : names) {
     // the program's own ways in
-    if (name == "pongsim_main" || name == "pongsim_write_manual") continue;
+    if (name == "pongsim_main" || name.starts_with("pongsim_write_")) continue;
     std::smatch found;
     ASSERT_TRUE(std::regex_search(name, found, ownName)) << name;
     const std::string member = found[2].str().substr(0, std::stoul(found[1]));

@@ -279,7 +279,7 @@ TEST_F(EditServicesTest, AreThoseThatThePagesTellOf) {
     // an empty request is understood, whether it can be met or not
     EXPECT_TRUE(outcome == CallOutcome::kDone || outcome == CallOutcome::kRefused) << name;
   }
-  EXPECT_EQ(services, 9);
+  EXPECT_EQ(services, 10);
 }
 
 TEST_F(EditServicesTest, ChangePhysicsOrNothingOfIt) {
