@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "description/link.hh"
-#include "physics/hull_store.hh"
+#include "physics/hulls/hull_store.hh"
 #include "physics/mesh_shape.hh"
 #include "pongsim/state_archive.hh"
 #include "pongsim/surface_motion.hh"

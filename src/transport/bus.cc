@@ -9,7 +9,6 @@
 #include "transport/deadline.hh"
 #include "transport/network.hh"
 #include "transport/payload.hh"
-#include "transport/service_name.hh"
 #include "transport/topic_name.hh"
 
 namespace pongsim::transport {
@@ -469,50 +468,6 @@ std::uint64_t Bus::dropped(const Inbox& inbox) const {
   return inbox.dropped() + lost;
 }
 
-/// What has passed through each channel.
-TrafficReport Bus::traffic() {
-  const std::lock_guard lock(setUp_);
-  TrafficReport report;
-  report.at = std::chrono::steady_clock::now().time_since_epoch();
-  for (const auto& [key, channel] : channels_) {
-    if (channel->publishers > 0) {
-      report.endpoints.push_back({channel->topic, channel->type, Role::kPublisher, channel->sent,
-                                  channel->writer ? channel->writer->dropped() : 0});
-    }
-    if (channel->subscriptions == 0) continue;
-    EndpointTraffic heard{channel->topic, channel->type, Role::kSubscriber, 0,
-                          channel->reader ? channel->reader->lost() : 0};
-    const std::lock_guard inboxesLock(mutex_);
-    for (const Inbox* inbox : channel->inboxes) {
-      heard.messages += inbox->received();
-      heard.dropped += inbox->dropped();
-    }
-    report.endpoints.push_back(std::move(heard));
-  }
-  return report;
-}
-
-std::vector<TopicInfo> Bus::discover(std::chrono::nanoseconds timeout) {
-  if (!network_) return {};
-  network_->discover(timeout);
-  return network_->directory().topics();
-}
-
-TopicInfo Bus::waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout) {
-  const std::string name = absoluteTopic(topic);
-  if (!network_) return {name, {}, {}};
-  network_->directory().waitForTopic(name, wantPublisher ? Role::kPublisher : Role::kSubscriber,
-                                     deadlineAfter(timeout));
-  return network_->directory().topic(name);
-}
-
-TopicInfo Bus::watchTopic(std::string_view topic, std::chrono::nanoseconds duration) {
-  const std::string name = absoluteTopic(topic);
-  if (!network_) return {name, {}, {}};
-  network_->watchTraffic(duration);
-  return network_->directory().topic(name);
-}
-
 Offer& Bus::addService(std::string_view service, std::string_view requestType, std::string_view replyType,
                        ServiceHandler handler) {
   const std::lock_guard lock(setUp_);
@@ -531,19 +486,6 @@ CallResult Bus::call(std::string_view service, const Message& request, Message& 
     throw std::logic_error("a service was called from a function that dispatch had called, which must not wait");
   }
   return client_.call(service, request, reply, deadlineAfter(timeout));
-}
-
-std::vector<ServiceInfo> Bus::discoverServices(std::chrono::nanoseconds timeout) {
-  if (!network_) return {};
-  network_->discover(timeout);
-  return network_->directory().services();
-}
-
-ServiceInfo Bus::waitForService(std::string_view service, std::chrono::nanoseconds timeout) {
-  const std::string name = absoluteService(service);
-  if (!network_) return {name, {}};
-  network_->directory().waitForTopic(requestTopic(name), Role::kSubscriber, deadlineAfter(timeout));
-  return network_->directory().service(name);
 }
 
 }  // namespace pongsim::transport

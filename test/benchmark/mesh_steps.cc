@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "physics/engine.hh"
-#include "physics/hull_store.hh"
+#include "physics/hulls/hull_store.hh"
 #include "physics/rig.hh"
 #include "support/solids.hh"
 #include "support/temp_folder.hh"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/hull_store.hh"
+#include "physics/hulls/hull_store.hh"
 #include "physics/rig.hh"
 
 namespace pongsim::physics {

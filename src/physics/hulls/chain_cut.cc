@@ -3,8 +3,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "physics/chain_cap.hh"
-#include "physics/triangle_chain.hh"
+#include "physics/hulls/chain_cap.hh"
+#include "physics/hulls/triangle_chain.hh"
 
 namespace pongsim::physics {
 

@@ -1,4 +1,4 @@
-#include "physics/hull.hh"
+#include "physics/hulls/hull.hh"
 
 #include <LinearMath/btConvexHullComputer.h>
 

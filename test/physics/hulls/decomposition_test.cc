@@ -1,10 +1,10 @@
-#include "physics/decomposition.hh"
+#include "physics/hulls/decomposition.hh"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "physics/hull.hh"
+#include "physics/hulls/hull.hh"
 #include "sdf/extrusion.hh"
 #include "support/solids.hh"
 

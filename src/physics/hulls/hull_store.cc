@@ -1,4 +1,4 @@
-#include "physics/hull_store.hh"
+#include "physics/hulls/hull_store.hh"
 
 #include <algorithm>
 #include <chrono>
@@ -12,10 +12,10 @@
 
 #include "base/hash.hh"
 #include "base/workers.hh"
-#include "physics/decomposition.hh"
-#include "physics/hull_code.hh"
+#include "physics/hulls/decomposition.hh"
+#include "physics/hulls/hull_code.hh"
 #include "physics/margin.hh"
-#include "physics/triangle_chain.hh"
+#include "physics/hulls/triangle_chain.hh"
 #include "pongsim/log.hh"
 
 namespace pongsim::physics {

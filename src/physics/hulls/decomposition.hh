@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "physics/triangle_chain.hh"
+#include "physics/hulls/triangle_chain.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::physics {

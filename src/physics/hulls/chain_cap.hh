@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "physics/chain_edges.hh"
+#include "physics/hulls/chain_edges.hh"
 
 namespace pongsim::physics {
 

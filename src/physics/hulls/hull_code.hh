@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physics/hull.hh"
+#include "physics/hulls/hull.hh"
 
 namespace pongsim::physics {
 

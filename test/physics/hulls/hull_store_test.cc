@@ -1,4 +1,4 @@
-#include "physics/hull_store.hh"
+#include "physics/hulls/hull_store.hh"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "physics/hull_code.hh"
+#include "physics/hulls/hull_code.hh"
 #include "physics/margin.hh"
 #include "support/solids.hh"
 #include "support/temp_folder.hh"

@@ -1,4 +1,4 @@
-#include "physics/chain_cap.hh"
+#include "physics/hulls/chain_cap.hh"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "physics/decomposition.hh"
+#include "physics/hulls/decomposition.hh"
 
 #include <algorithm>
 #include <utility>
 
-#include "physics/best_cut.hh"
-#include "physics/hull.hh"
-#include "physics/piece_union.hh"
+#include "physics/hulls/best_cut.hh"
+#include "physics/hulls/hull.hh"
+#include "physics/hulls/piece_union.hh"
 
 namespace pongsim::physics {
 

@@ -1,4 +1,4 @@
-#include "physics/chain_edges.hh"
+#include "physics/hulls/chain_edges.hh"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "physics/best_cut.hh"
+#include "physics/hulls/best_cut.hh"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "physics/chain_edges.hh"
+#include "physics/hulls/chain_edges.hh"
 
 namespace pongsim::physics {
 

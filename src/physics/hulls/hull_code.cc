@@ -1,4 +1,4 @@
-#include "physics/hull_code.hh"
+#include "physics/hulls/hull_code.hh"
 
 #include <bit>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "physics/piece_union.hh"
+#include "physics/hulls/piece_union.hh"
 
 #include <limits>
 #include <utility>

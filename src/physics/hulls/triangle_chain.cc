@@ -1,4 +1,4 @@
-#include "physics/triangle_chain.hh"
+#include "physics/hulls/triangle_chain.hh"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "physics/chain_edges.hh"
+#include "physics/hulls/chain_edges.hh"
 
 namespace pongsim::physics {
 

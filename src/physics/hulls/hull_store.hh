@@ -12,7 +12,7 @@
 #include "assets/file_cache.hh"
 #include "description/geometry.hh"
 #include "description/triangle_mesh.hh"
-#include "physics/hull.hh"
+#include "physics/hulls/hull.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::physics {

@@ -1,10 +1,10 @@
-#include "physics/triangle_chain.hh"
+#include "physics/hulls/triangle_chain.hh"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "physics/chain_edges.hh"
+#include "physics/hulls/chain_edges.hh"
 #include "support/solids.hh"
 
 namespace pongsim::physics {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/triangle_chain.hh"
+#include "physics/hulls/triangle_chain.hh"
 
 namespace pongsim::physics {
 

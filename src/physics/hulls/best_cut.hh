@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "physics/hull.hh"
-#include "physics/triangle_chain.hh"
+#include "physics/hulls/hull.hh"
+#include "physics/hulls/triangle_chain.hh"
 
 namespace pongsim::physics {
 
