@@ -51,6 +51,27 @@ btVector3 secondAxisOf(const description::Joint& joint) {
   return toBullet(Vector3(turnOf(joint).conjugate() * joint.axes[1].xyz));
 }
 
+// Below this turn in a step [rad] the end of an arm goes straight on. Above the others it does so more and more, and
+// then quite: what turns that far in a step has no orbit that could be told.
+constexpr double kSmallestTurn = 1e-4;
+constexpr double kLargeTurn = 0.5, kLargestTurn = 1;
+
+// What the end of an arm that turns at w for `dt` has of velocity on the mean beyond w x arm: with that, the ends of a
+// joint are together where the step ends, in place of each having gone straight on, out of its circle. It is
+// (exp(dt w x) - 1) / dt - w x, up to dt^4.
+btVector3 bend(const btVector3& arm, const btVector3& w, double dt) {
+  const double turn2 = w.length2() * dt * dt;
+  if (turn2 < kSmallestTurn * kSmallestTurn || turn2 > kLargestTurn * kLargestTurn) return {0, 0, 0};
+  btVector3 sum(0, 0, 0);
+  btVector3 term = w.cross(arm);
+  for (int k = 2; k <= 5; ++k) {
+    term = (dt / k) * w.cross(term);
+    sum += term;
+  }
+  if (turn2 <= kLargeTurn * kLargeTurn) return sum;
+  return (kLargestTurn - std::sqrt(turn2)) / (kLargestTurn - kLargeTurn) * sum;
+}
+
 // moment of inertia of the body about an axis through the joint's origin, the axis in the joint frame; infinite if it
 // can't move
 double inertiaAbout(const JointEnd& end, const btTransform& X_BodyJoint, const btVector3& axisOfJoint) {
@@ -333,7 +354,10 @@ void Joint::getInfo2(btConstraintInfo2* info) {
   Row row{info, point - m_rbA.getWorldTransform().getOrigin(), point - m_rbB.getWorldTransform().getOrigin()};
   const double errorRate = info->fps * info->erp;
   if (gearbox_) addGearRow(row, errorRate);
-  addLinearRows(row, now, errorRate);
+  const double dt = 1 / info->fps;
+  addLinearRows(
+      row, now, errorRate,
+      bend(row.parentArm, m_rbA.getAngularVelocity(), dt) - bend(row.childArm, m_rbB.getAngularVelocity(), dt));
   if (hasTwoAxes(type_)) {
     addCrossRow(row, now, errorRate);
   } else {
@@ -352,11 +376,11 @@ void Joint::addGearRow(Row& row, double errorRate) {
   if (gearbox_->part) gearbox_->part->setTorque(-first - second);
 }
 
-void Joint::addLinearRows(Row& row, const Frames& frames, double errorRate) const {
+void Joint::addLinearRows(Row& row, const Frames& frames, double errorRate, const btVector3& bent) const {
   const btVector3 gap = frames.X_WorldParent.getOrigin() - frames.X_WorldChild.getOrigin();
   for (int column = 3 - linearRows_; column < 3; ++column) {
     const btVector3 direction = frames.X_WorldParent.getBasis().getColumn(column);
-    row.linear(direction, errorRate * gap.dot(direction), -SIMD_INFINITY, SIMD_INFINITY);
+    row.linear(direction, errorRate * gap.dot(direction) + bent.dot(direction), -SIMD_INFINITY, SIMD_INFINITY);
   }
   if (type_ != JointType::kScrew) return;
   const double error = offset(frames) - lead_ * axes_[0].position;

@@ -125,7 +125,7 @@ class Joint final : public btTypedConstraint {
   void updateGears();
   void addGearRow(Row& row, double errorRate);
   void applyForce(const btVector3& force, const btVector3& point);
-  void addLinearRows(Row& row, const Frames& frames, double errorRate) const;
+  void addLinearRows(Row& row, const Frames& frames, double errorRate, const btVector3& bent) const;
   void addAngularRows(Row& row, const Frames& frames, double errorRate) const;
   void addCrossRow(Row& row, const Frames& frames, double errorRate) const;
   void addAxisRows(Row& row, const Axis& axis, const btVector3& along, double fps, double erp) const;

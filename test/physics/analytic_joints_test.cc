@@ -156,6 +156,29 @@ TEST(AnalyticJoints, TiltAFrameWhoseBladesTurnFast) {
   EXPECT_NEAR(rig.link("model::frame").w_WorldLink.x(), expected, 0.05 * expected);
 }
 
+TEST(AnalyticJoints, HoldABladeOnAShaftThatTurnsFast) {
+  // 0.3 rad a step: straight on for a step the blade would be 2 cm outside of its circle
+  description::Model model = test::makeModel("model", {test::makeLink("shaft", {0, 0, 0}, 1, {0.01, 0.01, 0.01}),
+                                                       test::makeLink("blade", {0.5, 0, 0}, 0.1, {1e-4, 1e-3, 1e-3})});
+  model.joints = {test::makeJoint("hinge", JointType::kRevolute, "world", "shaft", Pose(), Pose()),
+                  test::makeJoint("hold", JointType::kFixed, "shaft", "blade", test::at(0.5, 0, 0), Pose())};
+  description::World world;
+  world.gravity.setZero();
+  world.models = {model};
+  test::Rig rig(std::move(world));
+  rig.engine.setJointVelocityTarget(0, 300);
+  rig.step(500);
+  rig.engine.releaseJoint(0);
+  double gap = 0;
+  for (int i = 0; i < 1000; ++i) {
+    rig.step();
+    gap = std::max(gap, std::abs(rig.link("model::blade").X_WorldLink.position.norm() - 0.5));
+  }
+  note("gap", gap);
+  EXPECT_LT(gap, 1e-4);
+  EXPECT_NEAR(rig.link("model::shaft").w_WorldLink.z(), 300, 0.3);
+}
+
 TEST(AnalyticJoints, SwingOnASpringWithADamper) {
   description::Model model = test::makeModel("model", {test::makeLink("mass", {0, 0, 0}, 2, {1, 1, 1})});
   model.joints.push_back(
