@@ -58,7 +58,8 @@ class Filler {
 template <class Value>
 void differences(const Value& a, const Value& b, const std::string& name, std::set<std::string>& found) {
   if constexpr (Structure<Value>) {
-    std::vector<std::function<void()>> compare;
+    // its one field on the wire is nowhere in memory
+    if (isEmpty<Value>()) return;
     Value copy = b;
     std::vector<void*> others;
     visitFields(copy, [&](const char*, auto& field) { others.push_back(&field); });
