@@ -148,7 +148,8 @@ TEST_F(BridgeTest, RefusesACommandThatIsNoNumber) {
       simulation_.subscribe<ignition::msgs::Twist>("/cmd_vel", [&](const ignition::msgs::Twist&) { ++commands; });
   bridge();
   const auto writer = peer_.advertise<geometry_msgs::Twist>("/cmd_vel");
-  ASSERT_TRUE(updateUntil([&] { return writer->hasReaders(); }));
+  // both know of each other, which comes about one after the other
+  ASSERT_TRUE(updateUntil([&] { return writer->hasReaders() && bridge_->topics()[0].writers == 1; }));
   geometry_msgs::Twist twist;
   twist.angular.z = std::numeric_limits<double>::quiet_NaN();
   writer->publish(twist);
