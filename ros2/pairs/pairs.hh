@@ -26,7 +26,5 @@ std::span<const Pair> allPairs();
 const Pair* findPair(std::string_view ros, std::string_view ignition);
 /// @return The pair that a topic of this ignition type gets where nobody chooses, or null.
 const Pair* defaultPair(std::string_view ignition);
-/// @return The name of ROS's type that is spelt most like it; empty where none comes near.
-std::string nearestRosType(std::string_view name);
 
 }  // namespace pongsim::ros2
