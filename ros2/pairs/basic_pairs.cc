@@ -8,9 +8,8 @@
 #include <ignition/msgs/stringmsg.pb.h>
 #include <ignition/msgs/uint32.pb.h>
 
-#include "ros2/pairs/convert.hh"
 #include "ros2/pairs/pairs.hh"
-#include "ros2/pairs/parameter_value.hh"
+#include "ros2/pairs/part_pair.hh"
 #include "ros2/types/rosgraph_msgs.hh"
 
 namespace pongsim::ros2 {
@@ -34,13 +33,6 @@ struct EmptyPair {
   static void convert(const Ros&, Ignition&, const Frames&) {}
 };
 
-struct TimePair {
-  using Ros = builtin_interfaces::Time;
-  using Ignition = ignition::msgs::Time;
-  static void convert(const Ignition& from, Ros& to, const Frames&) { ros2::convert(from, to); }
-  static void convert(const Ros& from, Ignition& to, const Frames&) { ros2::convert(from, to); }
-};
-
 struct ClockPair {
   using Ros = rosgraph_msgs::Clock;
   using Ignition = ignition::msgs::Clock;
@@ -48,42 +40,21 @@ struct ClockPair {
   static void convert(const Ros& from, Ignition& to, const Frames&) { ros2::convert(from.clock, *to.mutable_sim()); }
 };
 
-struct ColorPair {
-  using Ros = std_msgs::ColorRGBA;
-  using Ignition = ignition::msgs::Color;
-  static void convert(const Ignition& from, Ros& to, const Frames&) { ros2::convert(from, to); }
-  static void convert(const Ros& from, Ignition& to, const Frames&) { ros2::convert(from, to); }
-};
-
-struct HeaderPair {
-  using Ros = std_msgs::Header;
-  using Ignition = ignition::msgs::Header;
-  static void convert(const Ignition& from, Ros& to, const Frames& frames) { ros2::convert(from, to, frames); }
-  static void convert(const Ros& from, Ignition& to, const Frames& frames) { ros2::convert(from, to, frames); }
-};
-
-struct ParameterValuePair {
-  using Ros = rcl_interfaces::ParameterValue;
-  using Ignition = ignition::msgs::Any;
-  static void convert(const Ignition& from, Ros& to, const Frames&) { ros2::convert(from, to); }
-  static void convert(const Ros& from, Ignition& to, const Frames&) { ros2::convert(from, to); }
-};
-
 }  // namespace
 
 std::vector<Pair> basicPairs() {
-  return {pairOf<TimePair>(Choice::kDefault),
+  return {pairOf<PartPair<builtin_interfaces::Time, ignition::msgs::Time>>(Choice::kDefault),
           pairOf<ClockPair>(Choice::kDefault),
           pairOf<DataPair<std_msgs::Bool, ignition::msgs::Boolean>>(Choice::kDefault),
-          pairOf<ColorPair>(Choice::kDefault),
+          pairOf<PartPair<std_msgs::ColorRGBA, ignition::msgs::Color>>(Choice::kDefault),
           pairOf<EmptyPair>(Choice::kDefault),
           pairOf<DataPair<std_msgs::Float32, ignition::msgs::Float>>(Choice::kDefault),
           pairOf<DataPair<std_msgs::Float64, ignition::msgs::Double>>(Choice::kDefault),
-          pairOf<HeaderPair>(Choice::kDefault),
+          pairOf<PartPair<std_msgs::Header, ignition::msgs::Header>>(Choice::kDefault),
           pairOf<DataPair<std_msgs::Int32, ignition::msgs::Int32>>(Choice::kDefault),
           pairOf<DataPair<std_msgs::UInt32, ignition::msgs::UInt32>>(Choice::kDefault),
           pairOf<DataPair<std_msgs::String, ignition::msgs::StringMsg>>(Choice::kDefault),
-          pairOf<ParameterValuePair>(Choice::kDefault)};
+          pairOf<PartPair<rcl_interfaces::ParameterValue, ignition::msgs::Any>>(Choice::kDefault)};
 }
 
 }  // namespace pongsim::ros2

@@ -3,28 +3,13 @@
 #include <ignition/msgs/pose_with_covariance.pb.h>
 #include <ignition/msgs/twist_with_covariance.pb.h>
 
-#include "ros2/pairs/convert.hh"
 #include "ros2/pairs/covariance.hh"
 #include "ros2/pairs/pairs.hh"
+#include "ros2/pairs/part_pair.hh"
 
 namespace pongsim::ros2 {
 
 namespace {
-
-/// Of two types that go into each other as parts of messages do (convert.hh).
-template <class RosType, class IgnitionType>
-struct PartPair {
-  using Ros = RosType;
-  using Ignition = IgnitionType;
-  static void convert(const Ignition& from, Ros& to, const Frames&) { ros2::convert(from, to); }
-  static void convert(const Ros& from, Ignition& to, const Frames&) { ros2::convert(from, to); }
-};
-
-/// The same of commands, in which all numbers must be finite.
-template <class RosType, class IgnitionType>
-struct CommandPair : PartPair<RosType, IgnitionType> {
-  static constexpr bool kMustBeFinite = true;
-};
 
 struct PoseArrayPair {
   using Ros = geometry_msgs::PoseArray;
@@ -52,13 +37,6 @@ struct PoseStampedPair {
     ros2::convert(from.header, *to.mutable_header(), frames);
     ros2::convert(from.pose, to);
   }
-};
-
-struct TransformStampedPair {
-  using Ros = geometry_msgs::TransformStamped;
-  using Ignition = ignition::msgs::Pose;
-  static void convert(const Ignition& from, Ros& to, const Frames& frames) { ros2::convert(from, to, frames); }
-  static void convert(const Ros& from, Ignition& to, const Frames& frames) { ros2::convert(from, to, frames); }
 };
 
 struct TwistStampedPair {
@@ -113,7 +91,7 @@ std::vector<Pair> geometryPairs() {
           pairOf<PoseStampedPair>(Choice::kDefault),
           pairOf<PartPair<geometry_msgs::Pose, ign::Pose>>(Choice::kOnRequest),
           pairOf<PartPair<Transform, ign::Pose>>(Choice::kOnRequest),
-          pairOf<TransformStampedPair>(Choice::kOnRequest),
+          pairOf<PartPair<TransformStamped, ign::Pose>>(Choice::kOnRequest),
           pairOf<PoseArrayPair>(Choice::kOnRequest),
           pairOf<PartPair<PoseWithCovariance, ign::PoseWithCovariance>>(Choice::kDefault),
           pairOf<CommandPair<geometry_msgs::Twist, ign::Twist>>(Choice::kDefault),

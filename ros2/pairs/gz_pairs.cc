@@ -15,9 +15,8 @@
 
 #include <charconv>
 
-#include "ros2/pairs/convert.hh"
-#include "ros2/pairs/gz_parts.hh"
 #include "ros2/pairs/pairs.hh"
+#include "ros2/pairs/part_pair.hh"
 
 namespace pongsim::ros2 {
 
@@ -40,27 +39,6 @@ struct AltimeterPair {
     to.set_vertical_velocity(from.vertical_velocity);
     to.set_vertical_reference(from.vertical_reference);
   }
-};
-
-struct EntityPair {
-  using Ros = gz::Entity;
-  using Ignition = ignition::msgs::Entity;
-  static void convert(const Ignition& from, Ros& to, const Frames&) { ros2::convert(from, to); }
-  static void convert(const Ros& from, Ignition& to, const Frames&) { ros2::convert(from, to); }
-};
-
-struct JointWrenchPair {
-  using Ros = gz::JointWrench;
-  using Ignition = ignition::msgs::JointWrench;
-  static void convert(const Ignition& from, Ros& to, const Frames& frames) { ros2::convert(from, to, frames); }
-  static void convert(const Ros& from, Ignition& to, const Frames& frames) { ros2::convert(from, to, frames); }
-};
-
-struct ContactPair {
-  using Ros = gz::Contact;
-  using Ignition = ignition::msgs::Contact;
-  static void convert(const Ignition& from, Ros& to, const Frames& frames) { ros2::convert(from, to, frames); }
-  static void convert(const Ros& from, Ignition& to, const Frames& frames) { ros2::convert(from, to, frames); }
 };
 
 struct ContactsPair {
@@ -130,13 +108,6 @@ struct Float32ArrayPair {
   }
 };
 
-struct TrackVisualPair {
-  using Ros = gz::TrackVisual;
-  using Ignition = ignition::msgs::TrackVisual;
-  static void convert(const Ignition& from, Ros& to, const Frames& frames) { ros2::convert(from, to, frames); }
-  static void convert(const Ros& from, Ignition& to, const Frames& frames) { ros2::convert(from, to, frames); }
-};
-
 struct GuiCameraPair {
   using Ros = gz::GuiCamera;
   using Ignition = ignition::msgs::GUICamera;
@@ -156,13 +127,6 @@ struct GuiCameraPair {
     ros2::convert(from.track, *to.mutable_track(), frames);
     to.set_projection_type(from.projection_type);
   }
-};
-
-struct LightPair {
-  using Ros = gz::Light;
-  using Ignition = ignition::msgs::Light;
-  static void convert(const Ignition& from, Ros& to, const Frames& frames) { ros2::convert(from, to, frames); }
-  static void convert(const Ros& from, Ignition& to, const Frames& frames) { ros2::convert(from, to, frames); }
 };
 
 struct ParamPair {
@@ -255,25 +219,27 @@ struct VideoRecordPair {
   }
 };
 
-struct WorldControlPair {
-  using Ros = gz::WorldControl;
-  using Ignition = ignition::msgs::WorldControl;
-  static void convert(const Ignition& from, Ros& to, const Frames&) { ros2::convert(from, to); }
-  static void convert(const Ros& from, Ignition& to, const Frames&) { ros2::convert(from, to); }
-};
-
 }  // namespace
 
 std::vector<Pair> gzPairs() {
-  return {pairOf<AltimeterPair>(Choice::kDefault),    pairOf<ContactPair>(Choice::kDefault),
-          pairOf<ContactsPair>(Choice::kDefault),     pairOf<DataframePair>(Choice::kDefault),
-          pairOf<EntityPair>(Choice::kDefault),       pairOf<EntityWrenchPair>(Choice::kDefault),
-          pairOf<Float32ArrayPair>(Choice::kDefault), pairOf<GuiCameraPair>(Choice::kDefault),
-          pairOf<JointWrenchPair>(Choice::kDefault),  pairOf<LightPair>(Choice::kDefault),
-          pairOf<ParamPair>(Choice::kDefault),        pairOf<ParamsPair>(Choice::kDefault),
-          pairOf<SensorNoisePair>(Choice::kDefault),  pairOf<StringVecPair>(Choice::kDefault),
-          pairOf<TrackVisualPair>(Choice::kDefault),  pairOf<VideoRecordPair>(Choice::kDefault),
-          pairOf<WorldControlPair>(Choice::kDefault)};
+  namespace ign = ignition::msgs;
+  return {pairOf<AltimeterPair>(Choice::kDefault),
+          pairOf<PartPair<gz::Contact, ign::Contact>>(Choice::kDefault),
+          pairOf<ContactsPair>(Choice::kDefault),
+          pairOf<DataframePair>(Choice::kDefault),
+          pairOf<PartPair<gz::Entity, ign::Entity>>(Choice::kDefault),
+          pairOf<EntityWrenchPair>(Choice::kDefault),
+          pairOf<Float32ArrayPair>(Choice::kDefault),
+          pairOf<GuiCameraPair>(Choice::kDefault),
+          pairOf<PartPair<gz::JointWrench, ign::JointWrench>>(Choice::kDefault),
+          pairOf<PartPair<gz::Light, ign::Light>>(Choice::kDefault),
+          pairOf<ParamPair>(Choice::kDefault),
+          pairOf<ParamsPair>(Choice::kDefault),
+          pairOf<SensorNoisePair>(Choice::kDefault),
+          pairOf<StringVecPair>(Choice::kDefault),
+          pairOf<PartPair<gz::TrackVisual, ign::TrackVisual>>(Choice::kDefault),
+          pairOf<VideoRecordPair>(Choice::kDefault),
+          pairOf<PartPair<gz::WorldControl, ign::WorldControl>>(Choice::kDefault)};
 }
 
 }  // namespace pongsim::ros2
