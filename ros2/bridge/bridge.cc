@@ -30,7 +30,11 @@ struct Bridge::Entry {
 };
 
 Bridge::Bridge(const Node& simulation, RosNode& ros, const Settings& settings)
-    : simulation_(simulation), ros_(ros), settings_(settings), topicsVersion_(simulation_.ownTopicsVersion() - 1) {}
+    : simulation_(simulation),
+      ros_(ros),
+      settings_(settings),
+      topicsVersion_(simulation_.ownTopicsVersion() - 1),
+      mismatches_(ros) {}
 
 Bridge::~Bridge() = default;
 
@@ -44,6 +48,7 @@ void Bridge::update() {
     knownReaders_ = readersVersion_;
     followReaders();
   }
+  mismatches_.update(topicsVersion_, [this] { return offers(); });
 }
 
 void Bridge::followTopics() {
@@ -189,6 +194,16 @@ void Bridge::listen(Entry& entry) {
                     [&entry](std::size_t size, const Fill& fill) { entry.publisher->writer().write(size, fill); });
       },
       options);
+}
+
+std::vector<Offer> Bridge::offers() const {
+  std::vector<Offer> all;
+  for (const Entry& entry : entries_) {
+    Offer& offer = all.emplace_back(Offer{entry.rule.ros, entry.rule.ignition, entry.rule.pair});
+    if (entry.publisher) offer.writer = writerQos(entry.rule, entry.isLatched);
+    if (entry.subscription) offer.reader = readerQos(entry.rule);
+  }
+  return all;
 }
 
 std::vector<Bridge::Topic> Bridge::topics() const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pongsim/node.hh"
+#include "ros2/bridge/mismatches.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 
@@ -47,7 +48,8 @@ class Bridge {
   /// so.
   void reserve(const std::string& rosName) { reserved_.insert(rosName); }
 
-  /// To be called in each step: follows topics and readers that have come or gone.
+  /// To be called in each step: follows topics and readers that have come or gone, and warns of nodes that never meet
+  /// what is bridged.
   void update();
 
   std::vector<Topic> topics() const;
@@ -70,6 +72,7 @@ class Bridge {
   void listen(Entry& entry);
   Qos writerQos(const TopicRule& rule, bool isLatched) const;
   Qos readerQos(const TopicRule& rule) const;
+  std::vector<Offer> offers() const;
 
   Node simulation_;
   RosNode& ros_;
@@ -81,6 +84,7 @@ class Bridge {
   std::atomic<std::uint64_t> readersVersion_ = 1;
   std::uint64_t knownReaders_ = 0;
   std::list<Entry> entries_;
+  Mismatches mismatches_;
 };
 
 }  // namespace pongsim::ros2
