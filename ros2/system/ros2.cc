@@ -41,6 +41,8 @@ class Ros2 final : public System {
     }
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
+    node_->log().info("node '" + node_->fullName() + "' in domain " + std::to_string(settings_.participant.domain) +
+                      (settings_.participant.distro == Distro::kHumble ? ", for Humble" : ", for Iron and later"));
     bridge_.emplace(context.node, *node_, settings_);
   }
 

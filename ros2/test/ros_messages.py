@@ -1,16 +1,17 @@
 """Message packages of ROS 2 Humble, as `from sensor_msgs.msg import LaserScan` finds them: classes for cyclonedds made from
-the definitions that rosbags has."""
+the definitions that rosbags has, and those of definitions.txt."""
 
 import dataclasses
 import functools
 import importlib.abc
 import importlib.machinery
+import pathlib
 import sys
 import types
 
 from cyclonedds.idl import IdlStruct
 from cyclonedds.idl import types as idl
-from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 # rosbags' definitions come without the defaults that a few fields have.
 DEFAULTS = {("geometry_msgs/msg/Quaternion", "w"): 1.0}
@@ -24,7 +25,14 @@ TYPES = {"bool": (bool, False), "string": (str, ""), "float32": (idl.float32, 0.
 
 @functools.cache
 def store():
-    return get_typestore(Stores.ROS2_HUMBLE)
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    added = {}
+    for block in pathlib.Path(__file__).with_name("definitions.txt").read_text().split("=== ")[1:]:
+        name, _, definition = block.partition("\n")
+        if "/msg/" in name and name not in store.fielddefs:
+            added.update(get_types_from_msg(definition, name))
+    store.register(added)
+    return store
 
 
 def field_of(kind, what):
@@ -65,9 +73,7 @@ def message(name):
 
 def check(value, where=""):
     """Refuses what rclpy refuses: a number of the wrong kind, as `twist.linear.x = 0`."""
-    constants, fields = store().fielddefs[name_of(type(value))]
-    del constants
-    for field, (kind, what) in fields:
+    for field, (kind, what) in store().fielddefs[name_of(type(value))][1]:
         _check_field(getattr(value, field), int(kind), what, f"{where}{field}")
 
 
