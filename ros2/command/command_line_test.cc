@@ -13,7 +13,7 @@ namespace {
 
 void addAction(CLI::App& program, Work& work) {
   CLI::App* action = program.add_subcommand("topics", "List topics");
-  action->add_flag("--json", std::string("Print JSON"))->disable_flag_override();
+  action->add_flag("--json")->disable_flag_override();
   action->callback([&work] { work = [] { return 42; }; });
 }
 
