@@ -76,7 +76,8 @@ int failWithout(const std::string& wanted, const std::vector<NodeInfo>& nodes) {
 }
 
 int showNodes(const NodesCommandLine& given) {
-  Participant participant(given.domain->participant());
+  const ParticipantOptions options = given.domain->participant();
+  Participant participant(options);
   const NodeWatch watch(participant);
   watch.settle(kDiscoveryTime);
   std::vector<NodeInfo> nodes = watch.nodes();
@@ -87,7 +88,7 @@ int showNodes(const NodesCommandLine& given) {
     if (nodes.empty()) return failWithout(wanted, all);
   }
   if (given.asJson) return print(jsonOf(nodes));
-  if (nodes.empty()) say("no nodes in this domain");
+  if (nodes.empty()) say("no nodes in domain " + std::to_string(options.domain));
   std::string text;
   for (const NodeInfo& node : nodes) {
     text += given.isVerbose || !given.node.empty() ? describe(node) : node.fullName() + "\n";
