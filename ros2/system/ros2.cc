@@ -3,6 +3,7 @@
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
+#include "ros2/bridge/topics_service.hh"
 #include "ros2/config/elements.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
@@ -18,6 +19,8 @@ class Ros2 final : public System {
     declaration.is("Makes the simulation a node of ROS 2: its topics are there under their own names.",
                    Declaration::Place::kWorld);
     elements_.declare(declaration);
+    declaration.serves("/world/W/ros2/topics", "ignition.msgs.Empty", "ignition.msgs.Param_V",
+                       "what is bridged, for pongsim ros2 topics");
   }
 
   void configure(const SystemContext& context) override {
@@ -28,6 +31,7 @@ class Ros2 final : public System {
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     bridge_.emplace(context.node, *node_, settings_);
+    topics_.emplace(context.node, context.world.name(), *bridge_);
   }
 
   void preUpdate(const StepInfo&) override {
@@ -42,6 +46,7 @@ class Ros2 final : public System {
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
   std::optional<Bridge> bridge_;
+  std::optional<TopicsService> topics_;
 };
 
 }  // namespace
