@@ -5,6 +5,7 @@
 #include "ros2/bridge/bridge.hh"
 #include "ros2/bridge/topics_service.hh"
 #include "ros2/config/elements.hh"
+#include "ros2/config/rules.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/wire/participant.hh"
@@ -28,6 +29,7 @@ class Ros2 final : public System {
     // the run does not begin
     if (!settings) return;
     settings_ = *settings;
+    warnOfOtherWorlds(settings_.services, context.world.name(), context.diagnostics);
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     bridge_.emplace(context.node, *node_, settings_);
