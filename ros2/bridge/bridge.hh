@@ -74,8 +74,6 @@ class Bridge {
   void openFromRos(Entry& entry);
   void read(Entry& entry);
   void listen(Entry& entry);
-  Qos writerQos(const TopicRule& rule, bool isLatched) const;
-  Qos readerQos(const TopicRule& rule) const;
   std::vector<Offer> offers() const;
   Frames framesOf(const TopicRule& rule) const;
 

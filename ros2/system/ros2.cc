@@ -3,7 +3,9 @@
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
+#include "ros2/bridge/topics_service.hh"
 #include "ros2/config/elements.hh"
+#include "ros2/config/rules.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/wire/participant.hh"
@@ -18,6 +20,8 @@ class Ros2 final : public System {
     declaration.is("Makes the simulation a node of ROS 2: its topics are there under their own names.",
                    Declaration::Place::kWorld);
     elements_.declare(declaration);
+    declaration.serves("/world/W/ros2/topics", "ignition.msgs.Empty", "ignition.msgs.Param_V",
+                       "what is bridged, for pongsim ros2 topics");
   }
 
   void configure(const SystemContext& context) override {
@@ -25,11 +29,13 @@ class Ros2 final : public System {
     // the run does not begin
     if (!settings) return;
     settings_ = *settings;
+    warnOfOtherWorlds(settings_.services, context.world.name(), context.diagnostics);
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     node_->log().info("node '" + node_->fullName() + "' in domain " + std::to_string(settings_.participant.domain) +
                       (settings_.participant.distro == Distro::kHumble ? ", for Humble" : ", for Iron and later"));
     bridge_.emplace(context.node, *node_, settings_);
+    topics_.emplace(context.node, context.world.name(), *bridge_);
   }
 
   void preUpdate(const StepInfo&) override {
@@ -44,6 +50,7 @@ class Ros2 final : public System {
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
   std::optional<Bridge> bridge_;
+  std::optional<TopicsService> topics_;
 };
 
 }  // namespace
