@@ -59,7 +59,12 @@ struct TransformsPair {
   static void convert(const Ignition& from, Ros& to, const Frames& frames) {
     to.transforms.resize(static_cast<std::size_t>(from.pose_size()));
     for (int i = 0; i < from.pose_size(); ++i) {
-      ros2::convert(from.pose(i), to.transforms[static_cast<std::size_t>(i)], frames);
+      const ignition::msgs::Pose& pose = from.pose(i);
+      geometry_msgs::TransformStamped& transform = to.transforms[static_cast<std::size_t>(i)];
+      ros2::convert(pose, transform, frames);
+      // poses of a world say who they are by names and have no headers; ros_gz leaves both empty
+      if (!pose.header().has_stamp()) ros2::convert(from.header().stamp(), transform.header.stamp);
+      if (transform.child_frame_id.empty()) frames.toRos(pose.name(), transform.child_frame_id);
     }
   }
   // the message has the header of the first transform, as ros_gz has it

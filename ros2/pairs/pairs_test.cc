@@ -321,6 +321,21 @@ TEST(Pairs, RefuseCommandsThatAreNotFinite) {
   EXPECT_NE(error.find("not finite"), std::string::npos) << error;
 }
 
+TEST(Pairs, NamePosesOfAWorldAndStampThem) {
+  const Pair* pair = findPair("tf2_msgs/msg/TFMessage", "ignition.msgs.Pose_V");
+  const MessagePointer poses = newMessage("ignition.msgs.Pose_V");
+  ASSERT_FALSE(parseMessage("header: {stamp: {sec: 7}}, pose: {name: 'car'}, pose: {name: 'wheel', header: {stamp: "
+                            "{sec: 8}, data: {key: 'child_frame_id', value: 'car::wheel'}}}",
+                            *poses)
+                   .has_value());
+  const auto heard = heardBy<tf2_msgs::TFMessage>(*pair, *poses);
+  ASSERT_EQ(heard.transforms.size(), 2U);
+  EXPECT_EQ(heard.transforms[0].child_frame_id, "car");
+  EXPECT_EQ(heard.transforms[0].header.stamp.sec, 7);
+  EXPECT_EQ(heard.transforms[1].child_frame_id, "car/wheel");
+  EXPECT_EQ(heard.transforms[1].header.stamp.sec, 8);
+}
+
 TEST(Pairs, GiveFramesOfRosSlashesAndThePrefix) {
   const Pair* pair = findPair("sensor_msgs/msg/LaserScan", "ignition.msgs.LaserScan");
   const MessagePointer scan = newMessage("ignition.msgs.LaserScan");

@@ -1,11 +1,11 @@
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
-#include "ros2/config/environment.hh"
+#include "ros2/bridge/topics_service.hh"
+#include "ros2/config/elements.hh"
+#include "ros2/config/rules.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/wire/participant.hh"
@@ -19,29 +19,23 @@ class Ros2 final : public System {
   void declare(Declaration& declaration) override {
     declaration.is("Makes the simulation a node of ROS 2: its topics are there under their own names.",
                    Declaration::Place::kWorld);
-    declaration.parameter("domain", &domain_, "", "number of the domain, 0 to 232; else what ROS_DOMAIN_ID says")
-        .otherwise("$ROS_DOMAIN_ID, else 0");
-    declaration.parameter("distro", &distro_, "", "distribution of ROS whose nodes are met, as humble or jazzy")
-        .otherwise("$ROS_DISTRO, else humble");
-    declaration.parameter("node_name", &settings_.nodeName, "", "name of the node");
-    declaration.parameter("namespace", &settings_.nameSpace, "", "in front of the names of node and topics, as /robot");
-    declaration.parameter("frame_prefix", &settings_.frames.prefix, "", "in front of all frames, as robot/");
-    declaration.parameter("bridge_all", &settings_.bridgesAll, "",
-                          "whether all topics that have a type in ROS are there, or those only that are named");
+    elements_.declare(declaration);
+    declaration.serves("/world/W/ros2/topics", "ignition.msgs.Empty", "ignition.msgs.Param_V",
+                       "what is bridged, for pongsim ros2 topics");
   }
 
   void configure(const SystemContext& context) override {
-    settings_.participant = participantOptionsOfEnvironment();
-    if (domain_) settings_.participant.domain = static_cast<int>(*domain_);
-    if (!distro_.empty()) {
-      const std::optional<Distro> known = distroNamed(distro_);
-      if (!known)
-        throw std::invalid_argument("'" + distro_ + "' is no distribution of ROS 2: humble or jazzy, for example");
-      settings_.participant.distro = *known;
-    }
+    const std::optional<Settings> settings = elements_.read(context.sdf, context.diagnostics);
+    // the run does not begin
+    if (!settings) return;
+    settings_ = *settings;
+    warnOfOtherWorlds(settings_.services, context.world.name(), context.diagnostics);
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
+    node_->log().info("node '" + node_->fullName() + "' in domain " + std::to_string(settings_.participant.domain) +
+                      (settings_.participant.distro == Distro::kHumble ? ", for Humble" : ", for Iron and later"));
     bridge_.emplace(context.node, *node_, settings_);
+    topics_.emplace(context.node, context.world.name(), *bridge_);
   }
 
   void preUpdate(const StepInfo&) override {
@@ -50,13 +44,13 @@ class Ros2 final : public System {
   }
 
  private:
+  SettingsElements elements_;
   Settings settings_;
-  std::optional<double> domain_;
-  std::string distro_;
   // each speaks by the one before it
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
   std::optional<Bridge> bridge_;
+  std::optional<TopicsService> topics_;
 };
 
 }  // namespace

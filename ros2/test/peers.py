@@ -7,7 +7,6 @@ import signal
 import subprocess
 import time
 from dataclasses import dataclass, field
-
 from cyclonedds.core import Policy, Qos
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.idl import IdlStruct
@@ -106,6 +105,16 @@ class NodeEntitiesInfo(IdlStruct, typename="rmw_dds_common::msg::dds_::NodeEntit
 class ParticipantEntitiesInfo(IdlStruct, typename="rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_"):
     gid: Gid24 = field(default_factory=Gid24)
     node_entities_info_seq: sequence[NodeEntitiesInfo] = field(default_factory=list)
+
+
+def fortress(name):
+    """A file of Fortress's unmodified worlds; without them the test is skipped."""
+    import pytest  # which nodes that share this file do without
+
+    folder = pathlib.Path(os.environ.get("PONGSIM_FORTRESS_WORLDS", ROOT.parent / "shared/fortress"))
+    if not (folder / name).exists():
+        pytest.skip(f"no worlds of Fortress at {folder}")
+    return folder / name
 
 
 def until(condition, what="the condition", patience=PATIENCE):

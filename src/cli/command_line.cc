@@ -118,6 +118,8 @@ std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work
   auto program =
       std::make_unique<CLI::App>("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
   program->set_help_flag("-h,--help", "Print this and end");
+  // behind a command its words are its own: "pongsim ros2 topic" is not "pongsim topic"
+  program->require_subcommand(0, 1);
   program->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"

@@ -68,6 +68,7 @@ const Case kWrong[] = {
     {{"run"}, "WORLD is required | pongsim run --help tells more"},
     {{"run", ""}, "no world file given | pongsim run WORLD"},
     {{"run", "a.sdf", "b.sdf"}, "unexpected argument 'b.sdf'"},
+    {{"run", "a.sdf", "topic"}, "unexpected argument 'topic'"},
     {{"run", "--iterations"}, "option '--iterations' needs a value"},
     {{"run", "--iterations", "-5", "x"}, "option '--iterations' takes a whole number from 0 to 2^64-1, not '-5'"},
     {{"run", "--seed", "1", "--seed", "2", "x"}, "option '--seed' is given twice"},

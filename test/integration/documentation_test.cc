@@ -34,7 +34,7 @@ TEST_P(Tour, GoesAsThePageSays) {
 
 INSTANTIATE_TEST_SUITE_P(Documentation, Tour,
                          testing::Values("README.md", "docs/ci.md", "docs/cli.md", "docs/installation.md",
-                                         "docs/plugins.md", "docs/sensors.md", "docs/tutorials.md"),
+                                         "docs/plugins.md", "docs/ros2.md", "docs/sensors.md", "docs/tutorials.md"),
                          [](const auto& page) {
                            std::string name;
                            for (const char letter : std::string(page.param)) {
@@ -63,6 +63,7 @@ TEST(TourItself, FailsWhereAPageIsWrong) {
   EXPECT_EQ(tourOf("    pongsim frobnicate\n<!-- tour: 1 exits 2 -->\n").exitCode, 0);
   EXPECT_EQ(tourOf("<!-- tour: needs no/such/world.sdf -->\n    false\n").exitCode, 77);
   EXPECT_EQ(tourOf("<!-- tour: skip it fails -->\n    false\n").exitCode, 0);
+  EXPECT_EQ(tourOf("    <world/>\n    false\n\nA file:\n\n    - false\n\nMore:\n\n    key: value\n").exitCode, 0);
 }
 
 /// A script, run with this build's pongsim found first.

@@ -1,0 +1,17 @@
+"""What goes wrong with parameters."""
+
+
+class ParameterException(Exception):
+    pass
+
+
+class InvalidParameterTypeException(ParameterException):
+    pass
+
+
+class ParameterAlreadyDeclaredException(ParameterException):
+    pass
+
+
+class ParameterNotDeclaredException(ParameterException):
+    pass

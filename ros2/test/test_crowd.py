@@ -1,0 +1,66 @@
+"""Many nodes at two simulations: each hears its own one, all of it, and nobody is in the way of another."""
+
+import peers
+import pytest
+import ros_messages
+
+ros_messages.install()
+
+from geometry_msgs.msg import Twist, Vector3  # noqa: E402
+from sensor_msgs.msg import LaserScan  # noqa: E402
+
+WORLD = peers.ROOT / "ros2/test/drive.sdf"
+NODES = 20
+DEEP = peers.Qos(peers.Policy.Reliability.Reliable(peers.duration(seconds=1)), peers.Policy.History.KeepLast(1000))
+
+
+def world_in(folder, name):
+    text = WORLD.read_text().replace(
+        'name="pongsim::systems::Ros2"/>',
+        f'name="pongsim::systems::Ros2"><namespace>/{name}</namespace><frame_prefix>{name}/</frame_prefix></plugin>')
+    file = folder / f"{name}.sdf"
+    file.write_text(text)
+    return file
+
+
+def test_twenty_nodes_hear_every_scan_of_the_simulation_in_their_namespace(tmp_path):
+    # the simulations' own topics have the same names
+    other = {"PONGSIM_DOMAIN": str(peers.DOMAIN + 100)}
+    # at half the pace: a writer keeps ten scans for who is slow, and so a second of them
+    pace = ["-z", "500"]
+    with (peers.running(world_in(tmp_path, "red"), *pace),
+          peers.running(world_in(tmp_path, "blue"), *pace, environment=other)):
+        nodes = [peers.Peer() for _ in range(NODES)]
+        names = ["red" if i % 2 == 0 else "blue" for i in range(NODES)]
+        # every fourth as sensors' readers usually are
+        qualities = [peers.BEST_EFFORT if i % 4 == 3 else DEEP for i in range(NODES)]
+        readers = [node.reader(f"/{name}/lidar", LaserScan, quality)
+                   for node, name, quality in zip(nodes, names, qualities)]
+        command = nodes[0].writer("/red/cmd_vel", Twist)
+        heard = [[] for _ in range(NODES)]
+
+        def all_have_enough():
+            command.write(Twist(linear=Vector3(x=0.3)))
+            for scans, reader in zip(heard, readers):
+                scans.extend(peers.take(reader))
+            return all(len(scans) > 30 for scans in heard)
+
+        peers.until(all_have_enough, "thirty scans for each")
+        step = 50_000_000
+        for scans, name, quality in zip(heard, names, qualities):
+            assert {scan.header.frame_id for scan in scans} == {f"{name}/rover/chassis/lidar"}
+            stamps = [scan.header.stamp.sec * 10**9 + scan.header.stamp.nanosec for scan in scans]
+            if quality is DEEP:
+                assert {b - a for a, b in zip(stamps, stamps[1:])} == {step}
+            else:
+                assert all(b > a for a, b in zip(stamps, stamps[1:]))
+        # what they have in common is the same
+        for name in ("red", "blue"):
+            by_stamp = {}
+            for scans, own in zip(heard, names):
+                for scan in scans if own == name else []:
+                    stamp = (scan.header.stamp.sec, scan.header.stamp.nanosec)
+                    assert by_stamp.setdefault(stamp, scan.ranges) == scan.ranges
+        # and the command was for one of them
+        assert heard[0][-1].ranges[30] < heard[0][0].ranges[30] - 0.2
+        assert heard[1][-1].ranges[30] == pytest.approx(heard[1][0].ranges[30], abs=1e-3)

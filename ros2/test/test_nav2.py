@@ -1,0 +1,180 @@
+"""worlds/ros2_nav2.sdf has what Nav2 asks for: topics, types, frames, rates; and where the lidar says that walls are, there
+they are."""
+
+import collections
+import math
+import xml.etree.ElementTree as xml
+
+import numpy as np
+import peers
+import pytest
+import ros_messages
+from tf_tree import TfTree, matrix, nanoseconds
+
+ros_messages.install()
+
+from geometry_msgs.msg import Twist, Vector3  # noqa: E402
+from nav_msgs.msg import Odometry  # noqa: E402
+from rosgraph_msgs.msg import Clock  # noqa: E402
+from sensor_msgs.msg import CameraInfo, Image, Imu, JointState, LaserScan  # noqa: E402
+from std_msgs.msg import String  # noqa: E402
+
+WORLD = peers.ROOT / "worlds/ros2_nav2.sdf"
+MANY = peers.Qos(peers.Policy.Reliability.Reliable(peers.duration(seconds=1)), peers.Policy.History.KeepLast(1000))
+
+
+def numbers(text):
+    return [float(word) for word in text.split()]
+
+
+class House:
+    """The walls, as the world's file has them, and where the robot starts."""
+
+    def __init__(self):
+        world = xml.parse(WORLD).getroot().find("world")
+        self.shapes = []
+        for link in world.find("model[@name='house']").findall("link"):
+            x, y, _, _, _, yaw = numbers(link.findtext("pose"))
+            geometry = link.find("visual/geometry")
+            size = geometry.findtext("box/size")
+            self.shapes.append((x, y, yaw, numbers(size)[:2] if size else None, geometry.findtext("cylinder/radius")))
+        x, y, _, _, _, yaw = numbers(world.findtext("include/pose"))
+        self.start = np.eye(4)
+        self.start[:2, :2] = [[math.cos(yaw), -math.sin(yaw)], [math.sin(yaw), math.cos(yaw)]]
+        self.start[:2, 3] = x, y
+
+    def distance(self, points):
+        """From points [n x 2] of the world to the nearest surface, seen from above [m]."""
+        nearest = np.full(len(points), np.inf)
+        for x, y, yaw, size, radius in self.shapes:
+            turned = (points - [x, y]) @ np.array([[math.cos(yaw), -math.sin(yaw)], [math.sin(yaw), math.cos(yaw)]])
+            if size is None:
+                distance = np.abs(np.linalg.norm(turned, axis=1) - float(radius))
+            else:
+                beyond = np.abs(turned) - np.array(size) / 2
+                outside = np.linalg.norm(np.maximum(beyond, 0), axis=1)
+                distance = np.where(outside > 0, outside, -beyond.max(axis=1))
+            nearest = np.minimum(nearest, distance)
+        return nearest
+
+
+def test_the_frames_of_the_robot_are_one_tree():
+    with peers.running(WORLD, "--ros2"):
+        peer = peers.Peer()
+        tree = TfTree(peer)
+
+        def connected():
+            tree.update()
+            return all(tree.chain(frame)[-1] == "odom"
+                       for frame in ("base_scan", "imu_link", "camera_optical_frame", "left_wheel", "right_wheel"))
+
+        peers.until(connected, "a tree below odom")
+        assert tree.chain("base_scan") == ["base_scan", "base_link", "base_footprint", "odom"]
+        # what the description has are the frames, and the joints are those of /joint_states
+        robot = xml.fromstring(peers.take_one(peer.reader("/robot_description", String, peers.LATCHED)).data)
+        links = {link.get("name") for link in robot.findall("link")}
+        assert links == tree.parents.keys()
+        joints = peers.take_one(peer.reader("/joint_states", JointState))
+        assert list(joints.name) == [joint.get("name") for joint in robot.findall("joint")
+                                     if joint.get("type") != "fixed"]
+        # an optical frame looks along z, which is ahead, and its x is to the right
+        peers.until(lambda: tree.update() or tree.moving, "a transform that moves")
+        time = tree.known_until("camera_optical_frame")
+        R = tree.lookup("camera_optical_frame", "base_link", time)[:3, :3]
+        assert R @ [0, 0, 1] == pytest.approx([1, 0, 0], abs=1e-6)
+        assert R @ [1, 0, 0] == pytest.approx([0, -1, 0], abs=1e-6)
+
+
+def test_a_node_that_comes_late_has_the_frames_that_do_not_move():
+    with peers.running(WORLD, "--ros2"):
+        peers.take_one(peers.Peer().reader("/clock", Clock), where=lambda each: each.clock.sec >= 1)
+        tree = TfTree(peers.Peer())
+        peers.until(lambda: tree.update() or "base_scan" in tree.static, "the lidar's frame")
+        assert {"base_link", "base_scan", "imu_link", "camera_link", "camera_optical_frame"} <= tree.static.keys()
+
+
+def test_messages_come_as_often_as_the_robot_says():
+    topics = {"/scan": (LaserScan, 10, "base_scan"), "/odom": (Odometry, 50, "odom"), "/imu": (Imu, 100, "imu_link"),
+              "/camera/image_raw": (Image, 10, "camera_optical_frame"),
+              "/camera/camera_info": (CameraInfo, 10, "camera_optical_frame")}
+    with peers.running(WORLD, "--ros2"):
+        peer = peers.Peer()
+        readers = {topic: peer.reader(topic, kind, MANY) for topic, (kind, _, _) in topics.items()}
+        stamps = collections.defaultdict(list)
+
+        def enough():
+            for topic, reader in readers.items():
+                for message in peers.take(reader):
+                    assert message.header.frame_id == topics[topic][2], topic
+                    stamps[topic].append(nanoseconds(message.header.stamp))
+            return all(len(stamps[topic]) > 10 for topic in topics)
+
+        peers.until(enough, "ten messages of each")
+        # by simulated time, whatever the pace is
+        for topic, (_, rate, _) in topics.items():
+            gaps = collections.Counter(np.diff(stamps[topic])).most_common(1)[0]
+            assert gaps[0] == 10**9 // rate, topic
+
+
+def test_what_the_lidar_sees_falls_on_the_walls_while_the_robot_drives_and_turns():
+    house = House()
+    # speeds as Nav2 commands them, for so many simulated seconds
+    plan = [(0.26, 0.0, 3), (0.0, 1.0, 4), (0.2, 0.6, 4), (0.26, -0.4, 4), (-0.15, 0.0, 2)]
+    with peers.running(WORLD, "--ros2", "-z", "2000"):
+        peer = peers.Peer()
+        tree = TfTree(peer)
+        scans, odometry = peer.reader("/scan", LaserScan, MANY), peer.reader("/odom", Odometry, MANY)
+        commands = peer.writer("/cmd_vel", Twist)
+        waiting, odometries, checked, farthest, path = [], [], 0, 0.0, []
+        for speed, turn, span in plan:
+            begin = None
+
+            def passed():
+                nonlocal begin, checked, farthest
+                commands.write(Twist(linear=Vector3(x=speed), angular=Vector3(z=turn)))
+                tree.update()
+                waiting.extend(peers.take(scans))
+                odometries.extend(peers.take(odometry))
+                known = tree.known_until("base_scan") if "base_scan" in tree.parents and tree.moving else None
+                first = tree.moving["base_footprint"][0][0] if "base_footprint" in tree.moving else None
+                while known and waiting and nanoseconds(waiting[0].header.stamp) <= known:
+                    scan = waiting.pop(0)
+                    time = nanoseconds(scan.header.stamp)
+                    if time < first:
+                        continue
+                    points = in_odom(scan, tree.lookup("base_scan", "odom", time))
+                    on_ground = (house.start @ points.T).T
+                    away = house.distance(on_ground[:, :2])
+                    assert len(away) > 300
+                    assert away.max() < 0.02, f"at {time * 1e-9} s, {points[away.argmax()]}"
+                    assert points[:, 2] == pytest.approx(0.18, abs=0.01)
+                    checked += 1
+                    path.append(tree.lookup("base_footprint", "odom", time))
+                if odometries and begin is None:
+                    begin = nanoseconds(odometries[-1].header.stamp)
+                return begin is not None and odometries and nanoseconds(
+                    odometries[-1].header.stamp) > begin + span * 10**9
+
+            peers.until(passed, f"{span} s of simulated time")
+    assert checked > 100
+    # it has been about, and turned all round
+    ways = np.array([each[:2, 3] for each in path])
+    assert np.linalg.norm(np.diff(ways, axis=0), axis=1).sum() > 2
+    # odometry and transforms are the same
+    times, transforms = tree.moving["base_footprint"]
+    told = {time: matrix(each.translation, each.rotation) for time, each in zip(times, transforms)}
+    same = [each for each in odometries if nanoseconds(each.header.stamp) in told]
+    assert len(same) > 100
+    for each in same:
+        assert each.child_frame_id == "base_footprint"
+        pose = matrix(each.pose.pose.position, each.pose.pose.orientation)
+        assert told[nanoseconds(each.header.stamp)] == pytest.approx(pose, abs=1e-9)
+
+
+def in_odom(scan, X_odom_scan):
+    """The points of a scan, [n x 4] with ones."""
+    ranges = np.array(scan.ranges)
+    angles = scan.angle_min + scan.angle_increment * np.arange(len(ranges))
+    met = np.isfinite(ranges)
+    points = np.stack([ranges * np.cos(angles), ranges * np.sin(angles), np.zeros(len(ranges)), np.ones(len(ranges))])
+    return (X_odom_scan @ points[:, met]).T

@@ -1,0 +1,235 @@
+"""The example ros2_wall_avoider: installed as ROS installs it, and run as it is on the stand-in for rclpy."""
+
+import contextlib
+import math
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+
+import peers
+import pytest
+import ros_messages
+
+ros_messages.install()
+
+from geometry_msgs.msg import Twist  # noqa: E402
+from rosgraph_msgs.msg import Clock  # noqa: E402
+from sensor_msgs.msg import LaserScan  # noqa: E402
+from std_msgs.msg import Bool  # noqa: E402
+from tf2_msgs.msg import TFMessage  # noqa: E402
+
+PACKAGE = peers.ROOT / "examples/ros2_wall_avoider"
+HERE = pathlib.Path(__file__).parent
+
+sys.path.insert(0, str(PACKAGE))
+from ros2_wall_avoider.steering import Steering  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory):
+    """The package where colcon puts it, by the same command."""
+    folder = tmp_path_factory.mktemp("workspace")
+    shutil.copytree(PACKAGE, folder / "source")
+    result = subprocess.run([sys.executable, "setup.py", "-q", "install", "--prefix", folder / "install",
+                             "--single-version-externally-managed", "--record", folder / "record"],
+                            cwd=folder / "source", capture_output=True, text=True)
+    assert result.returncode == 0, result.stderr
+    return folder / "install"
+
+
+@contextlib.contextmanager
+def node(installed, *arguments, log):
+    """The program of the package, which runs until the end."""
+    libraries = next(installed.glob("lib/python3*/site-packages"))
+    process = subprocess.Popen(
+        [installed / "lib/ros2_wall_avoider/wall_avoider", "--ros-args", *arguments], stderr=open(log, "w"),
+        env={**os.environ, "PYTHONPATH": f"{HERE / 'rclpy_stand_in'}:{HERE}:{libraries}"})
+    try:
+        yield process
+    finally:
+        process.send_signal(signal.SIGINT)
+        code = process.wait(20)
+    assert code == 0, pathlib.Path(log).read_text()
+
+
+def test_it_is_installed_as_ros_looks_for_it(installed):
+    share = installed / "share/ros2_wall_avoider"
+    assert (installed / "share/ament_index/resource_index/packages/ros2_wall_avoider").exists()
+    manifest = xml.parse(share / "package.xml").getroot()
+    assert manifest.findtext("name") == "ros2_wall_avoider"
+    assert manifest.findtext("export/build_type") == "ament_python"
+    metadata = next(installed.glob("lib/python3*/site-packages/*.egg-info/PKG-INFO")).read_text()
+    assert f"\nVersion: {manifest.findtext('version')}\n" in metadata
+    # what the launch file starts is there
+    launch = xml.parse(share / "launch/wall_avoider.launch.xml").getroot()
+    program = launch.find("node")
+    assert os.access(installed / "lib" / program.get("pkg") / program.get("exec"), os.X_OK)
+    assert program.find("param").attrib == {"name": "use_sim_time", "value": "true"}
+    assert launch.find("executable").get("cmd") == "pongsim run $(var world) --ros2"
+
+
+def corners(pose):
+    """Of the robot of both worlds: chassis and wheels, seen from above [m]."""
+    x, y = pose.translation.x, pose.translation.y
+    yaw = 2 * math.atan2(pose.rotation.z, pose.rotation.w)
+    outline = [(1.5, 0.5), (1.5, -0.5), (0.4, 0.7), (0.4, -0.7), (-0.4, 0.7), (-0.4, -0.7), (-0.5, 0.5), (-0.5, -0.5)]
+    for a, b in outline:
+        yield x + a * math.cos(yaw) - b * math.sin(yaw), y + a * math.sin(yaw) + b * math.cos(yaw)
+
+
+def room_in_tutorial(x, y):
+    """Distance to the wall of the tutorial, a box of 0.5 m x 10 m about (5, 0) [m]."""
+    return math.hypot(max(abs(x - 5) - 0.25, 0), max(abs(y) - 5, 0))
+
+
+def room_in_court(x, y):
+    """Distance to the nearest wall of the court, 20 m x 12 m inside [m]."""
+    return min(10 - abs(x), 6 - abs(y))
+
+
+def tutorial():
+    world = peers.fortress("tutorials/sensor_tutorial.sdf")
+    return world, "/world/sensor_world", "vehicle_blue", "/wall/touched", room_in_tutorial
+
+
+def court():
+    world = peers.ROOT / "worlds/pong_lidar.sdf"
+    return world, "/world/pong_lidar", "pong_bot", "/court/touched", room_in_court
+
+
+@pytest.mark.parametrize("place", [tutorial, court])
+def test_it_keeps_its_distance_for_a_minute(installed, tmp_path, place):
+    world, prefix, robot, touched, room = place()
+    log = tmp_path / "log"
+    # three times as fast as the clock of the wall: the node has 300 ms for what it is to do within a second
+    with peers.running(world, "--ros2", "-z", "3000"):
+        peer = peers.Peer()
+        poses = peer.reader(f"{prefix}/dynamic_pose/info", TFMessage)
+        touches = peer.reader(touched, Bool)
+        clock = peer.reader("/clock", Clock, peers.BEST_EFFORT)
+        path, end = [], None
+
+        with node(installed, "-p", "use_sim_time:=true", log=log):
+            peers.until(lambda: log.exists() and "[wall_avoider]" in log.read_text(), "a node that speaks")
+            begin = peers.take_one(clock).clock.sec
+
+            def a_minute_has_passed():
+                for message in peers.take(poses):
+                    path.extend((each.header.stamp.sec, each.transform) for each in message.transforms
+                                if each.child_frame_id == robot)
+                return bool(path) and path[-1][0] >= begin + 60
+
+            peers.until(a_minute_has_passed, "the end of the minute", patience=200)
+        assert not peers.take(touches), "it touched a wall"
+    nearest = min(room(*corner) for _, pose in path for corner in corners(pose))
+    assert nearest > 0.3
+    # it came near, so that there was something to avoid, and it drove on
+    ways = [pose.translation for _, pose in path]
+    assert nearest < 1.5
+    assert sum(math.dist((a.x, a.y), (b.x, b.y)) for a, b in zip(ways, ways[1:])) > 10
+    said = log.read_text()
+    assert "A wall is near: turning" in said
+    # by its clock the simulation has begun a moment ago
+    stamps = [float(line.split("[")[2].split("]")[0]) for line in said.splitlines() if "[wall_avoider]" in line]
+    assert all(stamp < begin + 90 for stamp in stamps), stamps
+
+
+class Simulation:
+    """What the node hears and says where the time is told by the test."""
+
+    def __init__(self):
+        peer = peers.Peer()
+        self.clock = peer.writer("/clock", Clock)
+        self.scans = peer.writer("/lidar", LaserScan, peers.BEST_EFFORT)
+        self.commands = peer.reader("/cmd_vel", Twist)
+        self.seconds = 100.0
+
+    def answer(self, *ranges):
+        """Sends that scan until a command comes."""
+        peers.take(self.commands)
+        scan = LaserScan(angle_min=-0.1, angle_increment=0.1, ranges=list(ranges))
+
+        def command():
+            self.scans.write(scan)
+            return peers.take(self.commands)
+
+        return peers.until(command, "a command")[-1]
+
+    def pass_time(self, seconds):
+        self.seconds += seconds
+        self.clock.write(Clock(clock=peers_time(self.seconds)))
+
+
+def peers_time(seconds):
+    return ros_messages.message("builtin_interfaces/msg/Time")(sec=int(seconds), nanosec=int(seconds % 1 * 1e9))
+
+
+def test_it_stops_when_no_scan_comes_for_a_while_of_simulated_time(installed, tmp_path):
+    with node(installed, "-p", "use_sim_time:=true", "-p", "speed:=0.25", log=tmp_path / "log"):
+        simulation = Simulation()
+        assert simulation.answer(9.0, 9.0, 9.0).linear.x == 0.25
+
+        def stopped():
+            simulation.pass_time(0.25)
+            return [command for command in peers.take(simulation.commands) if command.linear.x == 0]
+
+        peers.until(stopped, "a command to stop")
+        assert "No scan comes: stopping" in (tmp_path / "log").read_text()
+        # time has begun anew, as after a reset
+        simulation.seconds = 1.0
+        assert simulation.answer(9.0, 9.0, 9.0).linear.x == 0.25
+        peers.until(stopped, "a command to stop")
+        assert simulation.seconds > 1.9
+
+
+def test_parameters_and_names_are_those_of_the_command_line(installed, tmp_path):
+    with node(installed, "-p", "near:=3.0", "-p", "turn:=0.75", "-r", "/cmd_vel:=/left/cmd_vel",
+              log=tmp_path / "log"):
+        simulation = Simulation()
+        simulation.commands = peers.Peer().reader("/left/cmd_vel", Twist)
+        command = simulation.answer(9.0, 2.9, 2.8)
+        assert (command.linear.x, command.angular.z) == (0.0, -0.75)
+
+
+def test_a_parameter_of_another_type_is_refused_as_by_rclpy(installed, tmp_path):
+    with pytest.raises(AssertionError, match="InvalidParameterTypeException.*expecting type 'float'"):
+        with node(installed, "-p", "near:=3", log=tmp_path / "log") as process:
+            process.wait(20)
+
+
+def command(steering, *ranges):
+    return steering.command(ranges, -0.1 * (len(ranges) // 2), 0.1)
+
+
+def test_steering_is_ahead_where_nothing_is_met():
+    assert command(Steering(1.0, 1.8, 0.5, 0.4), math.inf, math.nan, math.inf) == (0.5, 0.0)
+
+
+def test_steering_is_slower_before_a_wall_and_turns_to_the_freer_side():
+    steering = Steering(1.0, 1.8, 0.5, 0.4)
+    assert command(steering, 1.5, 1.5, 1.5)[0] == pytest.approx(0.375, rel=0.01)
+    # beams go from the right to the left
+    assert command(steering, 0.9, 0.95, 1.2) == (0.0, 0.4)
+    # and on until there is room, though the other side is the freer one now
+    assert command(steering, 1.9, 1.5, 1.2) == (0.0, 0.4)
+    assert command(steering, 2.5, 2.5, 2.5) == (0.5, 0.0)
+    assert command(steering, 1.2, 0.95, 0.9) == (0.0, -0.4)
+
+
+def test_steering_leaves_aside_what_is_beside_the_way():
+    steering = Steering(1.0, 1.8, 0.5, 0.4)
+    # a wall 0.95 m to the left, all along
+    ranges = [0.95 / math.sin(0.1 * i) if i > 0 else math.inf for i in range(-15, 16)]
+    assert steering.command(ranges, -1.5, 0.1) == (0.5, 0.0)
+
+
+def test_the_stand_in_refuses_integers_for_floating_point_numbers_as_rclpy_does():
+    twist = Twist()
+    ros_messages.check(twist)
+    twist.linear.x = 0
+    with pytest.raises(AssertionError, match="'linear.x' field must be of type 'float'"):
+        ros_messages.check(twist)
