@@ -8,8 +8,11 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <span>
 #include <stdexcept>
 #include <utility>
+
+#include "ros2/wire/first_acknack.hh"
 
 namespace pongsim::ros2 {
 
@@ -55,6 +58,7 @@ void LocalChannel::drain(const UdpSocket& socket) {
     from.kind = LOCATOR_KIND_UDPv4;
     from.port = ntohs(sender.sin_port);
     std::memcpy(&from.address[12], &sender.sin_addr.s_addr, sizeof sender.sin_addr.s_addr);
+    hastenFirstAcknacks(std::span(packet_).first(static_cast<std::size_t>(size)));
     receiver_.OnDataReceived(packet_.data(), static_cast<std::uint32_t>(size), at_, from);
   }
 }

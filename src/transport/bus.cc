@@ -274,7 +274,8 @@ void Bus::publishBytes(PublisherState& publisher, std::span<const std::byte> byt
     }
   }
   if (!isWantedInBytes(publisher)) return;
-  send(publisher, bytes.size(), [bytes](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
+  send(publisher, bytes.size(),
+       [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); });
 }
 
 void Bus::send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill) {
@@ -298,7 +299,10 @@ void Bus::send(PublisherState& publisher, std::size_t size, const std::function<
   buffer->sender = kThisProcess;
   fill(buffer->bytes);
   if (elsewhere) {
-    const auto copy = [buffer](std::span<std::byte> place) { std::ranges::copy(buffer->bytes, place.begin()); };
+    // not the one of ranges, which GCC 12 makes a loop of single bytes of
+    const auto copy = [from = buffer->bytes](std::span<std::byte> place) {
+      std::copy(from.begin(), from.end(), place.begin());
+    };
     channel.writer->write(size, copy, keeping);
   }
   deliver(channel, buffer, latched, &publisher);

@@ -182,7 +182,14 @@ bool CameraSensor::isHeardElsewhere() const {
   return infos_.hasSubscribers() || isDepthHeard() || arePointsHeard() || settings_.savesPictures;
 }
 
+/// @return Whether the pixels are wanted as they are drawn, and by no more than one listener, as the last time.
+bool CameraSensor::isDrawnAsItIsSent() const {
+  return settings_.format == PixelFormat::kR8G8B8 && settings_.noise.type == NoiseSettings::Type::kNone &&
+         !distortion_ && !settings_.savesPictures && writes_ <= 1;
+}
+
 void CameraSensor::drawColors() {
+  drawing_ = Drawing::kDone;
   colors_.resize(std::size_t{3} * settings_.width * settings_.height);
   if (distortion_) {
     PictureView source = distortion_->source();
@@ -219,8 +226,14 @@ void CameraSensor::drawDepths() {
 void CameraSensor::measure(Message&, bool isHeard) {
   view_.X_WorldEye = depthView_.X_WorldEye = sensor_.pose() * settings_.X_SensorCamera;
   const bool ofDepths = kind_ == Kind::kDepths;
-  if ((isHeard && !ofDepths) || arePointsHeard() || settings_.savesPictures) drawColors();
-  if ((isHeard && ofDepths) || isDepthHeard() || arePointsHeard()) {
+  arePointsMeasured_ = arePointsHeard();
+  if (isHeard && !ofDepths && !arePointsMeasured_ && isDrawnAsItIsSent()) {
+    drawing_ = Drawing::kDue;
+  } else if ((isHeard && !ofDepths) || arePointsMeasured_ || settings_.savesPictures) {
+    drawColors();
+  }
+  writes_ = 0;
+  if ((isHeard && ofDepths) || isDepthHeard() || arePointsMeasured_) {
     drawDepths();
   }
 }
@@ -229,26 +242,38 @@ Bulk CameraSensor::depthBulk() const {
   return {.size = std::size_t{settings_.width} * settings_.height * sizeof(float),
           .write = [this](std::span<std::byte> to) {
             // who has come since they were measured gets those before, or none
-            if (depths_.empty()) std::ranges::fill(to, std::byte(0));
-            std::ranges::copy(std::as_bytes(std::span(depths_)), to.begin());
+            if (depths_.empty()) {
+              std::ranges::fill(to, std::byte(0));
+            } else {
+              std::memcpy(to.data(), depths_.data(), to.size());
+            }
           }};
 }
 
-Bulk CameraSensor::bulk() const {
+Bulk CameraSensor::bulk() {
   if (kind_ == Kind::kDepths) return depthBulk();
   return {.size = std::size_t{settings_.width} * settings_.height * imageFormat(settings_.format)->bytes,
           .write = [this](std::span<std::byte> to) { writeColors(to); }};
 }
 
-void CameraSensor::writeColors(std::span<std::byte> place) const {
+void CameraSensor::writeColors(std::span<std::byte> place) {
   auto* to = reinterpret_cast<std::uint8_t*>(place.data());
+  ++writes_;
+  if (drawing_ == Drawing::kDue) {
+    surroundings_.now().drawColors(view_, {to, place.size()});
+    drawing_ = Drawing::kSent;
+    return;
+  }
+  // somebody else wants it, too, and the first one's place may be another's already
+  if (drawing_ == Drawing::kSent) drawColors();
   // who has come since it was measured gets the picture before, or a black one
   if (colors_.empty()) {
     std::ranges::fill(place, std::byte(0));
     return;
   }
   if (settings_.format == PixelFormat::kR8G8B8) {
-    std::ranges::copy(colors_, to);
+    // std::ranges::copy becomes a loop of single bytes with GCC 12
+    std::memcpy(to, colors_.data(), colors_.size());
     return;
   }
   for (std::size_t i = 0; i < colors_.size(); i += 3) {
@@ -303,7 +328,7 @@ void CameraSensor::publishElsewhere(const Message& message) {
     *depthImage_.mutable_header() = message.header();
     depthImages_.publish(depthImage_, depthBulk());
   }
-  if (arePointsHeard()) {
+  if (arePointsMeasured_) {
     *cloud_.mutable_header() = message.header();
     cloud_.set_is_dense(std::ranges::all_of(depths_, [](float depth) { return std::isfinite(depth); }));
     points_.publish(

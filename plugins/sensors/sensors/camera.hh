@@ -49,8 +49,9 @@ class CameraSensor {
   bool isReady();
   /// @param isHeard Somebody listens to the images.
   void measure(Message& message, bool isHeard);
-  /// @return The pixels that were measured, as the message has them.
-  Bulk bulk() const;
+  /// @return The pixels that were measured, as the message has them. A picture that has no need of more is drawn where
+  /// the first listener wants it, when he does.
+  Bulk bulk();
   bool isHeardElsewhere() const;
   /// Publishes and saves what `measure` has measured.
   void publishElsewhere(const Message& message);
@@ -59,15 +60,19 @@ class CameraSensor {
 
  private:
   enum class Kind { kColors, kDepths, kBoth };
+  /// Of the picture of now: it is to be drawn; the first listener alone has it; it is in `colors_` where it is
+  /// anywhere.
+  enum class Drawing { kDue, kSent, kDone };
   static Kind kindOf(const Sensor& sensor);
 
   void beginMessages(Message& message);
   void listenToTrigger(Node& node);
   bool isDepthHeard() const { return depthImages_ && depthImages_.hasSubscribers(); }
   bool arePointsHeard() const { return points_ && points_.hasSubscribers(); }
+  bool isDrawnAsItIsSent() const;
   void drawColors();
   void drawDepths();
-  void writeColors(std::span<std::byte> to) const;
+  void writeColors(std::span<std::byte> to);
   Bulk depthBulk() const;
   /// @param right, down Slopes of the line of sight of the pixel.
   /// @return The point of the cloud; minus infinity where it is too near, infinity where nothing is.
@@ -87,6 +92,10 @@ class CameraSensor {
   PictureView depthView_;
   std::optional<Distortion> distortion_;
   std::vector<std::uint8_t> colors_;
+  Drawing drawing_ = Drawing::kDone;
+  /// How often the pixels of now have been written.
+  int writes_ = 0;
+  bool arePointsMeasured_ = false;
   /// Before it is distorted.
   std::vector<std::uint8_t> drawn_;
   std::vector<float> depths_;

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "pongsim/bulk.hh"
 #include "support/running_world.hh"
 #include "support/temp_folder.hh"
 
@@ -341,6 +343,44 @@ TEST_F(Cameras, LeaveTheStateAsItIs) {
     return world.simulation().stateHash();
   };
   EXPECT_EQ(hashAfter(true), hashAfter(false));
+}
+
+/// Who takes what of a picture: how often it was asked for its pixels, and what they were.
+struct Taken {
+  int asks = 0;
+  std::vector<std::vector<std::byte>> pictures;
+};
+
+Subscription take(RunningWorld& world, Taken& taken, int times) {
+  return world.simulation().transport().node().subscribeAtOnce("/cam/it", "ignition.msgs.Image",
+                                                               [&taken, times](const Message&, const Bulk* bulk) {
+                                                                 for (int i = 0; i < times; ++i, ++taken.asks)
+                                                                   bulk->write(taken.pictures.emplace_back(bulk->size));
+                                                               });
+}
+
+TEST_F(Cameras, DrawTheSameForOneWhoTakesItAndForMany) {
+  const std::string content = kSystem + camera("camera", "", "<update_rate>10</update_rate>") + kWall +
+                              "<model name='top'><pose>3 0 3 0.3 0.2 0</pose><link name='l'><visual name='v'>"
+                              "<geometry><box><size>1 1 1</size></box></geometry></visual></link></model>";
+  RunningWorld world(content);
+  Taken one, two, none;
+  {
+    const Subscription first = take(world, one, 1), second = take(world, two, 2), third = take(world, none, 0);
+    world.step(300);
+  }
+  ASSERT_EQ(one.asks, 4);
+  ASSERT_EQ(two.asks, 8);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(two.pictures[2 * i], one.pictures[i]);
+    EXPECT_EQ(two.pictures[2 * i + 1], one.pictures[i]);
+  }
+  RunningWorld again(content);
+  Taken alone;
+  const Subscription only = take(again, alone, 1);
+  again.step(300);
+  EXPECT_EQ(alone.pictures, one.pictures);
+  EXPECT_NE(alone.pictures.front(), alone.pictures.back());
 }
 
 TEST_F(Cameras, ThatCantBeAreLeftOutWithAWarning) {
