@@ -13,11 +13,20 @@ namespace {
 constexpr std::string_view kGlobalNames[] = {"/clock", "/tf", "/tf_static"};
 constexpr std::size_t kTransformDepth = 100;
 
+Qos withWishes(Qos qos, const WayRule& wishes) {
+  qos.depth = wishes.depth.value_or(qos.depth);
+  qos.isReliable = wishes.isReliable.value_or(qos.isReliable);
+  qos.isTransientLocal = wishes.isTransientLocal.value_or(qos.isTransientLocal);
+  return qos;
+}
+
 }  // namespace
 
 struct Bridge::Entry {
   TopicRule rule;
   bool isLatched = false;
+  /// Whether messages of ROS go to the simulation, now or as soon as somebody listens there.
+  bool isFromRosWanted = false;
   std::atomic<std::uint64_t> refused = 0;
 
   ToRos toRos;
@@ -44,6 +53,7 @@ void Bridge::update() {
     knownReaders_ = readersVersion_;
     followReaders();
   }
+  if (hasLazyReaders_) followListeners();
 }
 
 void Bridge::followTopics() {
@@ -70,12 +80,23 @@ void Bridge::followTopics() {
       rule.ros = absoluteName(settings_.nameSpace, rule.ros.substr(1));
     }
     rule.pair = pair;
-    if (reserved_.contains(rule.ros)) continue;
+    if (reserved_.contains(rule.ros) || isTakenByRule(rule)) continue;
     Entry* entry = entryFor(rule);
     if (entry == nullptr) continue;
     const int ownPublishers = entry->toSimulation ? 1 : 0, ownSubscriptions = entry->heard ? 1 : 0;
     want(*entry, {topic.publishers > ownPublishers, topic.subscriptions > ownSubscriptions, topic.isLatched});
   }
+}
+
+/// Whether a rule gives the name in ROS to another topic of the simulation.
+bool Bridge::isTakenByRule(const TopicRule& automatic) {
+  const auto found = std::ranges::find(settings_.rules, automatic.ros, &TopicRule::ros);
+  if (found == settings_.rules.end()) return false;
+  if (refusedNames_.insert(automatic.ignition + " " + automatic.pair->ignition).second) {
+    ros_.log().warning("topic '" + automatic.ignition + "' is not bridged: in ROS '" + automatic.ros + "' is '" +
+                       found->ignition + "', as a rule says");
+  }
+  return true;
 }
 
 void Bridge::followRules(const std::vector<OwnTopic>& topics) {
@@ -86,7 +107,7 @@ void Bridge::followRules(const std::vector<OwnTopic>& topics) {
     const bool isLatched = std::ranges::any_of(topics, [&](const OwnTopic& topic) {
       return topic.name == rule.ignition && topic.type == rule.pair->ignition && topic.isLatched;
     });
-    want(*entry, {rule.direction != Direction::kFromRos, rule.direction != Direction::kToRos, isLatched});
+    want(*entry, {rule.goesToRos(), rule.comesFromRos(), isLatched});
   }
 }
 
@@ -112,11 +133,12 @@ Bridge::Entry* Bridge::entryFor(const TopicRule& rule) {
 }
 
 void Bridge::want(Entry& entry, const Wanted& wanted) {
-  if (wanted.fromRos && !entry.subscription) openFromRos(entry);
-  if (!wanted.fromRos && entry.subscription) {
+  if (wanted.fromRos && !entry.isFromRosWanted) openFromRos(entry);
+  if (!wanted.fromRos && entry.isFromRosWanted) {
     entry.subscription.reset();
     entry.toSimulation = {};
   }
+  entry.isFromRosWanted = wanted.fromRos;
   if (wanted.toRos && !entry.publisher) openToRos(entry, wanted.isLatched);
   if (!wanted.toRos && entry.publisher) {
     entry.heard = {};
@@ -126,37 +148,44 @@ void Bridge::want(Entry& entry, const Wanted& wanted) {
 
 Qos Bridge::writerQos(const TopicRule& rule, bool isLatched) const {
   Qos qos = isLatched ? kLatchedQos : kDefaultQos;
-  qos.depth = rule.publisherQueue;
-  if (isLatched) qos.depth = 1;
-  if (rule.pair->ros == "tf2_msgs/msg/TFMessage") qos.depth = std::max(qos.depth, kTransformDepth);
-  qos.isReliable = rule.isReliable.value_or(qos.isReliable);
-  qos.isTransientLocal = rule.isTransientLocal.value_or(qos.isTransientLocal);
-  return qos;
+  if (rule.pair->ros == "tf2_msgs/msg/TFMessage" && !isLatched) qos.depth = kTransformDepth;
+  return withWishes(qos, rule.toRos);
 }
 
-Qos Bridge::readerQos(const TopicRule& rule) const {
-  Qos qos = kAnyWriterQos;
-  qos.depth = rule.subscriberQueue;
-  qos.isReliable = rule.isReliable.value_or(qos.isReliable);
-  qos.isTransientLocal = rule.isTransientLocal.value_or(qos.isTransientLocal);
-  return qos;
+Qos Bridge::readerQos(const TopicRule& rule) const { return withWishes(kAnyWriterQos, rule.fromRos); }
+
+Frames Bridge::framesOf(const TopicRule& rule) const {
+  Frames frames = settings_.frames;
+  frames.prefix = rule.framePrefix.value_or(frames.prefix);
+  frames.frameId = rule.frameId;
+  return frames;
 }
 
 void Bridge::openToRos(Entry& entry, bool isLatched) {
   const TopicRule& rule = entry.rule;
-  entry.isLatched = isLatched;
-  entry.toRos = rule.pair->toRos(settings_.frames);
-  entry.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), writerQos(rule, isLatched),
-                                                   [this] { ++readersVersion_; });
+  const Qos qos = writerQos(rule, isLatched);
+  // so that who comes late gets what was said before
+  entry.isLatched = qos.isTransientLocal;
+  entry.toRos = rule.pair->toRos(framesOf(rule));
+  entry.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), qos, [this] { ++readersVersion_; });
   ++readersVersion_;
 }
 
 void Bridge::openFromRos(Entry& entry) {
   const TopicRule& rule = entry.rule;
-  entry.toIgnition = rule.pair->toIgnition(settings_.frames);
+  entry.toIgnition = rule.pair->toIgnition(framesOf(rule));
   entry.toSimulation = simulation_.advertise(rule.ignition, rule.pair->ignition);
   // it would hear itself
   if (entry.heard) listen(entry);
+  if (rule.fromRos.isLazy.value_or(false)) {
+    hasLazyReaders_ = true;
+  } else {
+    read(entry);
+  }
+}
+
+void Bridge::read(Entry& entry) {
+  const TopicRule& rule = entry.rule;
   entry.subscription = std::make_unique<RosSubscription>(
       ros_, rule.ros, rule.pair->type(), readerQos(rule), [this, &entry](const Sample& sample) {
         std::string error;
@@ -172,9 +201,19 @@ void Bridge::openFromRos(Entry& entry) {
 void Bridge::followReaders() {
   for (Entry& entry : entries_) {
     if (!entry.publisher) continue;
-    const bool isAwaited = entry.isLatched || !entry.rule.isLazy || entry.publisher->hasReaders();
+    const bool isLazy = entry.rule.toRos.isLazy.value_or(!entry.isLatched);
+    const bool isAwaited = !isLazy || entry.publisher->hasReaders();
     if (isAwaited && !entry.heard) listen(entry);
     if (!isAwaited && entry.heard) entry.heard = {};
+  }
+}
+
+void Bridge::followListeners() {
+  for (Entry& entry : entries_) {
+    if (!entry.isFromRosWanted || !entry.rule.fromRos.isLazy.value_or(false)) continue;
+    const bool isAwaited = entry.toSimulation.hasSubscribers();
+    if (isAwaited && !entry.subscription) read(entry);
+    if (!isAwaited && entry.subscription) entry.subscription.reset();
   }
 }
 
@@ -204,7 +243,7 @@ void Bridge::setWallTime(bool isUsed) {
     if (!entry.publisher) continue;
     // nobody calls it while it changes
     entry.heard = {};
-    entry.toRos = entry.rule.pair->toRos(settings_.frames);
+    entry.toRos = entry.rule.pair->toRos(framesOf(entry.rule));
   }
   ++readersVersion_;
 }
@@ -222,11 +261,11 @@ std::vector<Bridge::Topic> Bridge::topics() const {
       topic.sent = entry.publisher->writer().sent();
       topic.dropped = entry.publisher->writer().dropped();
     }
+    topic.isFromRos = entry.isFromRosWanted;
+    topic.refused = entry.refused;
     if (entry.subscription) {
-      topic.isFromRos = true;
       topic.writers = entry.subscription->reader().writers();
       topic.received = entry.subscription->reader().received();
-      topic.refused = entry.refused;
     }
   }
   return all;

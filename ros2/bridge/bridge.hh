@@ -17,7 +17,8 @@ namespace pongsim::ros2 {
 
 /// Carries messages between the topics of the simulation and those of ROS: the ones that rules name as they say, all
 /// others that have a pair under their own names, each in the directions in which the simulation uses it. Nothing is
-/// listened to in the simulation before a node of ROS listens, so that nothing is made for nobody.
+/// listened to in the simulation before a node of ROS listens, so that nothing is made for nobody, unless a rule says
+/// otherwise.
 ///
 /// Messages to ROS are written to the wire from within the simulation's `publish`; those from ROS are read on DDS's
 /// thread and published from there. It is otherwise for the simulation's thread, and must not outlive the nodes.
@@ -70,13 +71,17 @@ class Bridge {
   void followTopics();
   void followRules(const std::vector<OwnTopic>& topics);
   void followReaders();
+  void followListeners();
+  bool isTakenByRule(const TopicRule& automatic);
   Entry* entryFor(const TopicRule& rule);
   void want(Entry& entry, const Wanted& wanted);
   void openToRos(Entry& entry, bool isLatched);
   void openFromRos(Entry& entry);
+  void read(Entry& entry);
   void listen(Entry& entry);
   Qos writerQos(const TopicRule& rule, bool isLatched) const;
   Qos readerQos(const TopicRule& rule) const;
+  Frames framesOf(const TopicRule& rule) const;
 
   Node simulation_;
   RosNode& ros_;
@@ -87,6 +92,8 @@ class Bridge {
   std::uint64_t topicsVersion_ = 0;
   std::atomic<std::uint64_t> readersVersion_ = 1;
   std::uint64_t knownReaders_ = 0;
+  /// Whether topics of ROS are read only while somebody listens in the simulation.
+  bool hasLazyReaders_ = false;
   std::list<Entry> entries_;
 };
 

@@ -9,8 +9,10 @@ namespace pongsim::ros2 {
 
 namespace {
 
-constexpr std::string_view kOldDistros[] = {"dashing", "eloquent", "foxy", "galactic", "humble"};
-constexpr std::string_view kNewDistros[] = {"iron", "jazzy", "kilted", "lyrical", "rolling"};
+constexpr std::string_view kDistros[] = {"dashing", "eloquent", "foxy",   "galactic", "humble",
+                                         "iron",    "jazzy",    "kilted", "lyrical",  "rolling"};
+// Those before it are as Humble.
+constexpr std::string_view kFirstNew = "iron";
 constexpr int kLastDomain = 232;
 
 std::string_view environment(const char* name) {
@@ -21,10 +23,12 @@ std::string_view environment(const char* name) {
 }  // namespace
 
 std::optional<Distro> distroNamed(std::string_view name) {
-  if (std::ranges::find(kOldDistros, name) != std::end(kOldDistros)) return Distro::kHumble;
-  if (std::ranges::find(kNewDistros, name) != std::end(kNewDistros)) return Distro::kJazzy;
-  return std::nullopt;
+  const auto found = std::ranges::find(kDistros, name);
+  if (found == std::end(kDistros)) return std::nullopt;
+  return found < std::ranges::find(kDistros, kFirstNew) ? Distro::kHumble : Distro::kJazzy;
 }
+
+std::span<const std::string_view> distroNames() { return kDistros; }
 
 ParticipantOptions participantOptionsOfEnvironment() {
   ParticipantOptions options;

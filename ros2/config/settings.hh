@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ros2/config/service_rule.hh"
 #include "ros2/config/topic_rule.hh"
 #include "ros2/wire/participant.hh"
 
@@ -21,6 +22,8 @@ struct Settings {
   bool bridgesAll = true;
   /// Topics that are bridged in a way of their own, or (without a pair) not at all.
   std::vector<TopicRule> rules;
+  /// Services of the simulation that have another name in ROS.
+  std::vector<ServiceRule> services;
 };
 
 }  // namespace pongsim::ros2

@@ -9,6 +9,8 @@ namespace pongsim::ros2 {
 struct Frames {
   /// In front of each frame of ROS: "robot1/".
   std::string prefix = {};
+  /// The frame of all messages with a header, as it is; empty: each has its own.
+  std::string frameId = {};
   /// Whether messages to ROS are stamped with the time of the wall, in place of the simulation's.
   bool usesWallTime = false;
 

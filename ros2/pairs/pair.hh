@@ -37,6 +37,8 @@ struct Pair {
   std::string ignition;
   /// Whether a topic of this ignition type is bridged as this pair where nobody says as which.
   bool isDefault;
+  /// Whether messages of the type of ROS have a header of their own, with a frame.
+  bool hasHeader;
   TypeInfo (*type)();
   ToRos (*toRos)(const Frames& frames);
   ToIgnition (*toIgnition)(const Frames& frames);
@@ -65,6 +67,18 @@ concept HasBulk = requires {
 
 namespace detail {
 
+template <class Ros>
+concept HasHeader = requires(Ros message) {
+  message.header.frame_id;
+};
+
+template <class Ros>
+void setFrame(Ros& message, const Frames& frames) {
+  if constexpr (HasHeader<Ros>) {
+    if (!frames.frameId.empty()) message.header.frame_id = frames.frameId;
+  }
+}
+
 template <class P>
 ToRos toRosOf(const Frames& frames) {
   using Ignition = typename P::Ignition;
@@ -72,6 +86,7 @@ ToRos toRosOf(const Frames& frames) {
     return [frames, ros = typename P::RosOut()](const Message& from, const Bulk* bulk, const Sink& to) mutable {
       const auto& message = static_cast<const Ignition&>(from);
       P::convert(message, ros, frames);
+      setFrame(ros, frames);
       const std::string& data = message.data();
       if (bulk != nullptr) {
         ros.data = {bulk->size, [bulk](std::span<std::byte> place) { bulk->write(place); }};
@@ -84,6 +99,7 @@ ToRos toRosOf(const Frames& frames) {
   } else {
     return [frames, ros = typename P::Ros()](const Message& from, const Bulk*, const Sink& to) mutable {
       P::convert(static_cast<const Ignition&>(from), ros, frames);
+      setFrame(ros, frames);
       to(cdrSize(ros), [&ros](std::span<std::byte> place) { writeCdr(ros, place); });
     };
   }
@@ -115,6 +131,7 @@ Pair pairOf(Choice choice) {
   return {P::Ros::kName,
           P::Ignition::descriptor()->full_name(),
           choice == Choice::kDefault,
+          detail::HasHeader<typename P::Ros>,
           typeInfo<typename P::Ros>,
           detail::toRosOf<P>,
           detail::toIgnitionOf<P>};

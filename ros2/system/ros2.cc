@@ -1,12 +1,10 @@
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
 #include "ros2/bridge/simulation_parameters.hh"
-#include "ros2/config/environment.hh"
+#include "ros2/config/elements.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/node/rosout.hh"
@@ -22,26 +20,14 @@ class Ros2 final : public System {
   void declare(Declaration& declaration) override {
     declaration.is("Makes the simulation a node of ROS 2: its topics are there under their own names.",
                    Declaration::Place::kWorld);
-    declaration.parameter("domain", &domain_, "", "number of the domain, 0 to 232; else what ROS_DOMAIN_ID says")
-        .otherwise("$ROS_DOMAIN_ID, else 0");
-    declaration.parameter("distro", &distro_, "", "distribution of ROS whose nodes are met, as humble or jazzy")
-        .otherwise("$ROS_DISTRO, else humble");
-    declaration.parameter("node_name", &settings_.nodeName, "", "name of the node");
-    declaration.parameter("namespace", &settings_.nameSpace, "", "in front of the names of node and topics, as /robot");
-    declaration.parameter("frame_prefix", &settings_.frames.prefix, "", "in front of all frames, as robot/");
-    declaration.parameter("bridge_all", &settings_.bridgesAll, "",
-                          "whether all topics that have a type in ROS are there, or those only that are named");
+    elements_.declare(declaration);
   }
 
   void configure(const SystemContext& context) override {
-    settings_.participant = participantOptionsOfEnvironment();
-    if (domain_) settings_.participant.domain = static_cast<int>(*domain_);
-    if (!distro_.empty()) {
-      const std::optional<Distro> known = distroNamed(distro_);
-      if (!known)
-        throw std::invalid_argument("'" + distro_ + "' is no distribution of ROS 2: humble or jazzy, for example");
-      settings_.participant.distro = *known;
-    }
+    const std::optional<Settings> settings = elements_.read(context.sdf, context.diagnostics);
+    // the run does not begin
+    if (!settings) return;
+    settings_ = *settings;
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     rosout_.emplace(*node_);
@@ -62,9 +48,8 @@ class Ros2 final : public System {
   void reset() override { steps_->reset(); }
 
  private:
+  SettingsElements elements_;
   Settings settings_;
-  std::optional<double> domain_;
-  std::string distro_;
   // each speaks by the one before it
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;

@@ -1,11 +1,11 @@
-#include "base/nearest_word.hh"
+#include "pongsim/nearest_word.hh"
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <vector>
 
-namespace pongsim::base {
+namespace pongsim {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::string didYouMean(std::string_view word, std::span<const std::string_view> 
   return nearest.empty() ? std::string() : "did you mean '" + std::string(nearest) + "'?";
 }
 
-}  // namespace pongsim::base
+}  // namespace pongsim

@@ -1,8 +1,8 @@
-#include "base/nearest_word.hh"
+#include "pongsim/nearest_word.hh"
 
 #include <gtest/gtest.h>
 
-namespace pongsim::base {
+namespace pongsim {
 namespace {
 
 constexpr std::string_view kJoints[] = {"left_wheel_joint", "right_wheel_joint", "caster_wheel", "x"};
@@ -29,4 +29,4 @@ TEST(DidYouMean, IsAQuestionOrNothing) {
 }
 
 }  // namespace
-}  // namespace pongsim::base
+}  // namespace pongsim

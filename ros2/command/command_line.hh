@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include "ros2/command/command.hh"
+
+namespace pongsim::ros2 {
+
+/// Adds an action, as those in `command.hh`.
+using AddAction = void (*)(CLI::App& program, Work& work);
+
+/// Reads a whole command line of `pongsim ros2`, of which the program's name is the first word, and does what it says.
+/// @param actions Those that it may name.
+/// @return The program's exit code: 0 done, 1 the work failed, 2 the command line was wrong.
+int run(int argc, char** argv, std::span<const AddAction> actions);
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,11 @@
+// pongsim-ros2, which `pongsim ros2` becomes.
+#include "ros2/command/command.hh"
+#include "ros2/command/command_line.hh"
+
+namespace {
+
+constexpr pongsim::ros2::AddAction kActions[] = {pongsim::ros2::addNodesAction};
+
+}  // namespace
+
+int main(int argc, char** argv) { return pongsim::ros2::run(argc, argv, kActions); }

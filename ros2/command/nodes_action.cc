@@ -1,0 +1,117 @@
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pongsim/nearest_word.hh"
+#include "ros2/command/command.hh"
+#include "ros2/command/console.hh"
+#include "ros2/command/domain_options.hh"
+#include "ros2/node/node_watch.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+// Whoever is there has told by then; on an idle machine it takes a second.
+constexpr std::chrono::seconds kDiscoveryTime{5};
+
+struct NodesCommandLine {
+  std::shared_ptr<DomainOptions> domain = std::make_shared<DomainOptions>();
+  std::string node;
+  bool isVerbose = false;
+  bool asJson = false;
+};
+
+using Ways = std::vector<NodeInfo::Way>;
+
+struct Part {
+  const char* title;
+  const char* key;
+  const Ways NodeInfo::*ways;
+};
+
+constexpr Part kParts[] = {{"Publishers", "publishers", &NodeInfo::publishes},
+                           {"Subscribers", "subscribers", &NodeInfo::subscribes},
+                           {"Services", "services", &NodeInfo::serves},
+                           {"Service clients", "service_clients", &NodeInfo::calls},
+                           {"Actions", "actions", &NodeInfo::servesActions},
+                           {"Action clients", "action_clients", &NodeInfo::callsActions}};
+
+std::string describe(const NodeInfo& node) {
+  std::string text = node.fullName() + "\n";
+  for (const Part& part : kParts) {
+    const Ways& ways = node.*part.ways;
+    if (ways.empty()) continue;
+    text += std::string("  ") + part.title + ":\n";
+    for (const NodeInfo::Way& way : ways) text += "    " + way.name + " [" + way.type + "]\n";
+  }
+  return text;
+}
+
+std::string jsonOf(const std::vector<NodeInfo>& nodes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const NodeInfo& node : nodes) {
+    nlohmann::ordered_json& added = list.emplace_back();
+    added = {{"name", node.fullName()}, {"namespace", node.nameSpace}};
+    for (const Part& part : kParts) {
+      added[part.key] = nlohmann::ordered_json::array();
+      for (const NodeInfo::Way& way : node.*part.ways) {
+        added[part.key].push_back({{"name", way.name}, {"type", way.type}});
+      }
+    }
+  }
+  return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+int failWithout(const std::string& wanted, const std::vector<NodeInfo>& nodes) {
+  std::vector<std::string> names;
+  for (const NodeInfo& node : nodes) names.push_back(node.fullName());
+  return fail("no node " + wanted, didYouMean(wanted, std::vector<std::string_view>(names.begin(), names.end())));
+}
+
+int showNodes(const NodesCommandLine& given) {
+  Participant participant(given.domain->participant());
+  const NodeWatch watch(participant);
+  watch.settle(kDiscoveryTime);
+  std::vector<NodeInfo> nodes = watch.nodes();
+  if (!given.node.empty()) {
+    const std::string wanted = given.node.starts_with('/') ? given.node : "/" + given.node;
+    const std::vector<NodeInfo> all = nodes;
+    std::erase_if(nodes, [&](const NodeInfo& node) { return node.fullName() != wanted; });
+    if (nodes.empty()) return failWithout(wanted, all);
+  }
+  if (given.asJson) return print(jsonOf(nodes));
+  if (nodes.empty()) say("no nodes in this domain");
+  std::string text;
+  for (const NodeInfo& node : nodes) {
+    text += given.isVerbose || !given.node.empty() ? describe(node) : node.fullName() + "\n";
+  }
+  return print(text);
+}
+
+}  // namespace
+
+void addNodesAction(CLI::App& program, Work& work) {
+  const auto given = std::make_shared<NodesCommandLine>();
+  CLI::App* action = program.add_subcommand("nodes", "List the nodes of the domain, tell of one");
+  action->set_help_flag("-h,--help", "Print this and end");
+  action->add_option("NODE", given->node, "Tell of that one: its topics, services and actions")->type_name("");
+  action->add_flag("-v,--verbose", given->isVerbose, "Tell of all")->disable_flag_override();
+  action->add_flag("--json", given->asJson, "Print JSON: an array with all that is known of each")
+      ->disable_flag_override();
+  addDomainOptions(*action, given->domain);
+  action->footer(
+      "Examples:\n"
+      "  pongsim ros2 nodes\n"
+      "  pongsim ros2 nodes /pongsim\n"
+      "  pongsim ros2 nodes --json --domain 5");
+  action->callback([given, &work] { work = [given] { return showNodes(*given); }; });
+}
+
+}  // namespace pongsim::ros2

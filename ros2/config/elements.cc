@@ -1,0 +1,130 @@
+#include "ros2/config/elements.hh"
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "pongsim/nearest_word.hh"
+#include "ros2/config/bridge_file.hh"
+#include "ros2/config/environment.hh"
+#include "ros2/config/rules.hh"
+#include "ros2/config/topic_argument.hh"
+#include "ros2/node/names.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+constexpr double kLastDomain = 232;
+
+/// Where the element stands, or the plugin where it was not given.
+const SourcePosition& positionOf(const Element& plugin, std::string_view name) {
+  const Element* found = plugin.child(name);
+  return found == nullptr ? plugin.position : found->position;
+}
+
+/// @return The file as it is to be opened, and named in messages.
+std::filesystem::path besideItsElement(const std::string& file, const SourcePosition& position) {
+  const std::filesystem::path path(file);
+  if (path.is_absolute() || position.file == nullptr) return path;
+  return std::filesystem::path(*position.file).parent_path() / path;
+}
+
+}  // namespace
+
+void SettingsElements::declare(Declaration& declaration) {
+  declaration.parameter("domain", &domain_, "", "number of the domain, 0 to 232; else what ROS_DOMAIN_ID says")
+      .otherwise("$ROS_DOMAIN_ID, else 0");
+  declaration.parameter("distro", &distro_, "", "distribution of ROS whose nodes are met, as humble or jazzy")
+      .otherwise("$ROS_DISTRO, else humble");
+  declaration.parameter("node_name", &nodeName_, "", "name of the node");
+  declaration.parameter("namespace", &nameSpace_, "", "in front of the names of node and topics, as /robot");
+  declaration.parameter("frame_prefix", &framePrefix_, "", "in front of all frames, as robot/");
+  declaration.parameter("bridge_all", &bridgesAll_, "",
+                        "whether all topics that have a type in ROS are there, or those only that are named");
+  declaration.parameter("config_file", &configFile_, "",
+                        "configuration in the YAML of ros_gz_bridge, named from the folder of the world");
+  declaration.parameter("topic", &topics_, "",
+                        "a topic or service as ros_gz's parameter_bridge takes it: NAME@ROS_TYPE@IGNITION_TYPE, with [ "
+                        "in place of the second @ for to ROS only, ] for from ROS only");
+  declaration.parameter("expand_gz_topic_names", &expandsIgnition_, "",
+                        "whether rules' names of the simulation's topics get the namespace, too");
+  declaration.parameter("override_timestamps_with_wall_time", &usesWallTime_, "",
+                        "whether messages to ROS are stamped with the time of the wall");
+}
+
+std::optional<ParticipantOptions> SettingsElements::readParticipant(const Element& plugin,
+                                                                    Diagnostics& diagnostics) const {
+  ParticipantOptions options;
+  bool isFine = true;
+  const auto refuse = [&](const SourcePosition& where, std::string why, std::string hint = {}) {
+    diagnostics.error(where, std::move(why), std::move(hint));
+    isFine = false;
+  };
+  try {
+    options = participantOptionsOfEnvironment();
+  } catch (const std::invalid_argument& error) {
+    // it may be said here in its place
+    if (!domain_) refuse(plugin.position, error.what());
+  }
+  if (domain_ && (*domain_ < 0 || *domain_ > kLastDomain || *domain_ != std::floor(*domain_))) {
+    refuse(positionOf(plugin, "domain"), "the domain of ROS must be an integer between 0 and 232");
+  } else if (domain_) {
+    options.domain = static_cast<int>(*domain_);
+  }
+  if (!distro_.empty()) {
+    if (const std::optional<Distro> known = distroNamed(distro_)) {
+      options.distro = *known;
+    } else {
+      const std::string hint = didYouMean(distro_, distroNames());
+      refuse(positionOf(plugin, "distro"), "'" + distro_ + "' is no distribution of ROS 2",
+             hint.empty() ? "humble or jazzy, for example" : hint);
+    }
+  }
+  return isFine ? std::optional(options) : std::nullopt;
+}
+
+std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostics& diagnostics) const {
+  Diagnostics found;
+  Settings settings;
+  if (const auto participant = readParticipant(plugin, found)) settings.participant = *participant;
+  settings.nodeName = nodeName_;
+  settings.nameSpace = absoluteName("/", nameSpace_.empty() ? "/" : nameSpace_);
+  settings.frames.prefix = framePrefix_;
+  settings.frames.usesWallTime = usesWallTime_;
+  settings.bridgesAll = bridgesAll_;
+  // each alone, so that the message is about what is wrong
+  if (const auto wrong = rosNameError("/" + nodeName_); wrong || nodeName_.find('/') != std::string::npos) {
+    found.error(positionOf(plugin, "node_name"),
+                "the name of the node, '" + nodeName_ + "', " + wrong.value_or("has a slash, which belongs in <namespace>"));
+  }
+  if (settings.nameSpace != "/") {
+    if (const auto wrong = rosNameError(settings.nameSpace)) {
+      found.error(positionOf(plugin, "namespace"), "the namespace '" + nameSpace_ + "' " + *wrong);
+    }
+  }
+
+  std::vector<RuleText> texts;
+  if (!configFile_.empty()) {
+    const SourcePosition& position = positionOf(plugin, "config_file");
+    texts = readBridgeFile(besideItsElement(configFile_, position), found);
+  }
+  for (const Element* element : plugin.childrenNamed("topic")) {
+    if (element->text.empty()) continue;
+    if (auto rule = readTopicArgument(element->text, element->position, found)) texts.push_back(std::move(*rule));
+  }
+  Rules rules = makeRules(texts, {settings.nameSpace, settings.nodeName, expandsIgnition_}, found);
+  settings.rules = std::move(rules.topics);
+  settings.services = std::move(rules.services);
+  if (expandsIgnition_ && texts.empty()) {
+    found.warning(positionOf(plugin, "expand_gz_topic_names"), "<expand_gz_topic_names> has no effect: no rules are given");
+  }
+  if (!bridgesAll_ && texts.empty()) {
+    found.warning(positionOf(plugin, "bridge_all"), "no topic is bridged: <bridge_all> is false, and none is named");
+  }
+  for (const Diagnostic& each : found.all()) diagnostics.add(each);
+  return found.hasErrors() ? std::nullopt : std::optional(std::move(settings));
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,147 @@
+#include "ros2/node/node_watch.hh"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "ros2/node/names.hh"
+#include "ros2/types/cdr.hh"
+#include "ros2/types/rmw_dds_common.hh"
+#include "ros2/types/type_info.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+constexpr const char* kDiscoveryTopic = "ros_discovery_info";
+constexpr std::string_view kActionPart = "/_action/", kGoal = "/_action/send_goal";
+constexpr std::string_view kRequestEnd = "_Request", kGoalEnd = "_SendGoal";
+constexpr std::chrono::milliseconds kBetweenLooks{50};
+// Participants answer within a few milliseconds, and repeat twice a second what was lost.
+constexpr std::chrono::milliseconds kQuiet{700};
+
+template <std::size_t GidSize>
+Guid guidOf(const rmw_dds_common::Gid<GidSize>& gid) {
+  Guid guid;
+  std::copy_n(gid.data.begin(), guid.bytes.size(), guid.bytes.begin());
+  return guid;
+}
+
+std::string without(std::string text, std::string_view end) {
+  if (text.ends_with(end)) text.resize(text.size() - end.size());
+  return text;
+}
+
+/// Adds a service that is offered or called; that of an action's goals stands for the action, and the others of an
+/// action for nothing.
+void addService(const std::string& name, std::string type, std::vector<NodeInfo::Way>& services,
+                std::vector<NodeInfo::Way>& actions) {
+  type = without(std::move(type), kRequestEnd);
+  if (name.ends_with(kGoal)) {
+    actions.push_back({without(name, kGoal), without(type, kGoalEnd)});
+  } else if (name.find(kActionPart) == std::string::npos) {
+    services.push_back({name, type});
+  }
+}
+
+void addEndpoint(const Graph::Endpoint& endpoint, NodeInfo& node) {
+  const bool isWriter = endpoint.role == Graph::Role::kWriter;
+  std::string type = rosTypeName(endpoint.contract.type);
+  if (const auto topic = topicFromWire(endpoint.contract.topic)) {
+    if (topic->find(kActionPart) != std::string::npos) return;
+    (isWriter ? node.publishes : node.subscribes).push_back({*topic, std::move(type)});
+  } else if (const auto service = serviceFromWire(endpoint.contract.topic)) {
+    // who reads the requests serves
+    addService(*service, std::move(type), isWriter ? node.calls : node.serves,
+               isWriter ? node.callsActions : node.servesActions);
+  }
+}
+
+void tidy(std::vector<NodeInfo::Way>& ways) {
+  std::ranges::sort(ways);
+  ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+}
+
+}  // namespace
+
+std::string NodeInfo::fullName() const { return absoluteName(nameSpace, name); }
+
+NodeWatch::NodeWatch(Participant& participant)
+    : participant_(participant),
+      reader_(participant.distro() == Distro::kHumble ? makeReader<24>() : makeReader<16>()) {}
+
+NodeWatch::~NodeWatch() = default;
+
+template <std::size_t GidSize>
+std::unique_ptr<Reader> NodeWatch::makeReader() {
+  using Info = rmw_dds_common::ParticipantEntitiesInfo<GidSize>;
+  const TypeInfo type = typeInfo<Info>();
+  const Contract contract{kDiscoveryTopic, ddsTypeName(type.name), type.hash, kLatchedQos};
+  return participant_.makeReader(contract, [this](const Sample& sample) {
+    Info info;
+    // of another distribution, or damaged
+    if (readCdr(sample.payload, info)) return;
+    std::vector<Told> nodes;
+    for (const auto& each : info.node_entities_info_seq) {
+      Told& node = nodes.emplace_back();
+      node.nameSpace = each.node_namespace;
+      node.name = each.node_name;
+      for (const auto* gids : {&each.reader_gid_seq, &each.writer_gid_seq}) {
+        for (const auto& gid : *gids) node.endpoints.push_back(guidOf(gid));
+      }
+    }
+    const std::lock_guard lock(mutex_);
+    told_[guidOf(info.gid)] = std::move(nodes);
+    ++version_;
+  });
+}
+
+void NodeWatch::settle(std::chrono::nanoseconds timeout) const {
+  using Clock = std::chrono::steady_clock;
+  const auto versions = [this] {
+    const std::lock_guard lock(mutex_);
+    return std::pair(version_, participant_.graph().version());
+  };
+  const Clock::time_point end = Clock::now() + timeout;
+  auto last = versions();
+  for (Clock::time_point since = Clock::now(); Clock::now() < end && Clock::now() - since < kQuiet;) {
+    std::this_thread::sleep_for(kBetweenLooks);
+    if (const auto now = versions(); now != last) {
+      last = now;
+      since = Clock::now();
+    }
+  }
+}
+
+std::vector<NodeInfo> NodeWatch::nodes() const {
+  std::map<Guid, Graph::Endpoint> endpoints;
+  for (Graph::Endpoint& each : participant_.graph().endpoints()) endpoints.emplace(each.id, std::move(each));
+  const std::vector<Guid> participants = participant_.graph().participants();
+  std::vector<NodeInfo> nodes;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [participant, all] : told_) {
+      if (std::ranges::find(participants, participant) == participants.end()) continue;
+      for (const Told& told : all) {
+        NodeInfo& node = nodes.emplace_back();
+        node.nameSpace = told.nameSpace;
+        node.name = told.name;
+        for (const Guid& id : told.endpoints) {
+          if (const auto found = endpoints.find(id); found != endpoints.end()) addEndpoint(found->second, node);
+        }
+      }
+    }
+  }
+  for (NodeInfo& node : nodes) {
+    for (auto* ways : {&node.publishes, &node.subscribes, &node.serves, &node.calls, &node.servesActions,
+                       &node.callsActions}) {
+      tidy(*ways);
+    }
+  }
+  std::ranges::sort(nodes, {}, &NodeInfo::fullName);
+  return nodes;
+}
+
+}  // namespace pongsim::ros2
