@@ -22,9 +22,11 @@ SimulationParameters::SimulationParameters(RosNode& node, const World& world, Br
   Parameters::Descriptor descriptor;
   descriptor.name = kRealTimeFactor;
   descriptor.description =
-      "simulated seconds a second that the world asks for; 0: as many as possible. A run that was given a rate of steps "
+      "simulated seconds a second that the world asks for; 0: as many as possible. A run that was given a rate of "
+      "steps "
       "keeps to that.";
-  descriptor.floating_point_range = std::vector{rcl_interfaces::FloatingPointRange{0, std::numeric_limits<double>::max(), 0}};
+  descriptor.floating_point_range =
+      std::vector{rcl_interfaces::FloatingPointRange{0, std::numeric_limits<double>::max(), 0}};
   parameters_.declare(descriptor, parameterOf(realTimeFactor_), [this](const Parameters::Value& value) {
     const auto error = world_.setRealTimeFactor(value.double_value);
     if (!error) realTimeFactor_ = value.double_value;
@@ -43,7 +45,8 @@ void SimulationParameters::declareSwitches(Bridge& bridge, const Settings& setti
     return std::nullopt;
   });
   descriptor.name = "override_timestamps_with_wall_time";
-  descriptor.description = "whether messages to ROS are stamped with the time of the wall, in place of the simulation's";
+  descriptor.description =
+      "whether messages to ROS are stamped with the time of the wall, in place of the simulation's";
   parameters_.declare(descriptor, parameterOf(settings.frames.usesWallTime), [&bridge](const Parameters::Value& value) {
     bridge.setWallTime(value.bool_value);
     return std::nullopt;
@@ -68,10 +71,10 @@ void SimulationParameters::declareReadOnly(const Settings& settings) {
   add("frame_prefix", "in front of all frames", parameterOf(settings.frames.prefix));
   // as rclcpp's nodes show that of the events
   const std::string events = "qos_overrides./parameter_events.publisher.";
-  for (const auto& [policy, value] :
-       {std::pair{"depth", parameterOf(std::int64_t{1000})}, std::pair{"durability", parameterOf(std::string("volatile"))},
-        std::pair{"history", parameterOf(std::string("keep_last"))},
-        std::pair{"reliability", parameterOf(std::string("reliable"))}}) {
+  for (const auto& [policy, value] : {std::pair{"depth", parameterOf(std::int64_t{1000})},
+                                      std::pair{"durability", parameterOf(std::string("volatile"))},
+                                      std::pair{"history", parameterOf(std::string("keep_last"))},
+                                      std::pair{"reliability", parameterOf(std::string("reliable"))}}) {
     add((events + policy).c_str(), "quality of service of /parameter_events", value);
   }
 }

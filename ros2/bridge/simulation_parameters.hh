@@ -9,7 +9,8 @@
 
 namespace pongsim::ros2 {
 
-/// The parameters of the simulation's node: what may be changed while it runs, and, read-only, what it was started with.
+/// The parameters of the simulation's node: what may be changed while it runs, and, read-only, what it was started
+/// with.
 class SimulationParameters {
  public:
   /// @param settings As the bridge was made with.

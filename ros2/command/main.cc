@@ -4,7 +4,7 @@
 
 namespace {
 
-constexpr pongsim::ros2::AddAction kActions[] = {pongsim::ros2::addNodesAction};
+constexpr pongsim::ros2::AddAction kActions[] = {pongsim::ros2::addCreateAction, pongsim::ros2::addNodesAction};
 
 }  // namespace
 

@@ -44,8 +44,8 @@ class ActionServer {
     const std::string base = name + "/_action/";
     feedback_ = node.advertise<FeedbackMessage<Action>>(base + "feedback");
     status_ = node.advertise<action_msgs::GoalStatusArray>(base + "status", kLatchedQos);
-    sendGoal_ = serve<SendGoal<Action>>(node, base + "send_goal",
-                                        [this](const auto& request, const auto& responder) { take(request, responder); });
+    sendGoal_ = serve<SendGoal<Action>>(
+        node, base + "send_goal", [this](const auto& request, const auto& responder) { take(request, responder); });
     cancelGoal_ = serve<action_msgs::srv::CancelGoal>(
         node, base + "cancel_goal",
         [this](const auto& request, const auto& responder) { cancel(request.goal_info, responder); });

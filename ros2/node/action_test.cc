@@ -44,11 +44,15 @@ using Cancel = action_msgs::srv::CancelGoal;
 class ActionTest : public testing::Test {
  protected:
   ActionTest() {
-    server_.emplace(node_, "~/fibonacci", [] { return builtin_interfaces::Time{5, 6}; },
-                    ActionServer<Fibonacci>::Handlers{
-                        .accepts = [](const Fibonacci::Goal& goal) { return goal.order <= 50; },
-                        .execute = [this](const Goals::Id& id, const Fibonacci::Goal& goal) { goals_[id.uuid[0]] = goal.order; },
-                        .cancels = [this](const Goals::Id& id) { return goals_.at(id.uuid[0]) != 13; }});
+    server_.emplace(
+        node_, "~/fibonacci",
+        [] {
+          return builtin_interfaces::Time{5, 6};
+        },
+        ActionServer<Fibonacci>::Handlers{
+            .accepts = [](const Fibonacci::Goal& goal) { return goal.order <= 50; },
+            .execute = [this](const Goals::Id& id, const Fibonacci::Goal& goal) { goals_[id.uuid[0]] = goal.order; },
+            .cancels = [this](const Goals::Id& id) { return goals_.at(id.uuid[0]) != 13; }});
   }
 
   static Goals::Id idOf(std::uint8_t number) {

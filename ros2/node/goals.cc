@@ -67,8 +67,8 @@ Goals::ToCancel Goals::toCancel(const action_msgs::GoalInfo& asked) const {
   }
   for (const Goal& goal : goals_) {
     const action_msgs::GoalInfo& info = goal.status.goal_info;
-    const bool isMeant =
-        (!hasId && !hasTime) || (hasId && info.goal_id == asked.goal_id) || (hasTime && isNotAfter(info.stamp, asked.stamp));
+    const bool isMeant = (!hasId && !hasTime) || (hasId && info.goal_id == asked.goal_id) ||
+                         (hasTime && isNotAfter(info.stamp, asked.stamp));
     if (isMeant && isCancelable(goal.status)) result.goals.push_back(info);
   }
   return result;

@@ -19,7 +19,7 @@ constexpr char kSeparator = '.';
 constexpr Qos kEventsQos{.depth = 1000};
 
 std::string typeName(std::uint8_t type) {
-  constexpr const char* kNames[] = {"not set", "bool",       "integer",       "double",       "string",
+  constexpr const char* kNames[] = {"not set",    "bool",       "integer",       "double",       "string",
                                     "byte_array", "bool_array", "integer_array", "double_array", "string_array"};
   return type < std::size(kNames) ? kNames[type] : "unknown type";
 }
@@ -108,15 +108,13 @@ Parameters::Parameters(RosNode& node, std::function<builtin_interfaces::Time()> 
       node, "~/describe_parameters", [this](const srv::DescribeParameters::Request& request) {
         return srv::DescribeParameters::Response{describe(request.names)};
       }));
-  servers_.push_back(serveAtOnce<srv::GetParameterTypes>(node, "~/get_parameter_types",
-                                                         [this](const srv::GetParameterTypes::Request& request) {
-                                                           return srv::GetParameterTypes::Response{
-                                                               types(request.names)};
-                                                         }));
-  servers_.push_back(
-      serveAtOnce<srv::GetParameters>(node, "~/get_parameters", [this](const srv::GetParameters::Request& request) {
-        return srv::GetParameters::Response{get(request.names)};
+  servers_.push_back(serveAtOnce<srv::GetParameterTypes>(
+      node, "~/get_parameter_types", [this](const srv::GetParameterTypes::Request& request) {
+        return srv::GetParameterTypes::Response{types(request.names)};
       }));
+  servers_.push_back(serveAtOnce<srv::GetParameters>(
+      node, "~/get_parameters",
+      [this](const srv::GetParameters::Request& request) { return srv::GetParameters::Response{get(request.names)}; }));
   servers_.push_back(
       serveAtOnce<srv::ListParameters>(node, "~/list_parameters", [this](const srv::ListParameters::Request& request) {
         return srv::ListParameters::Response{list(request.prefixes, request.depth)};
@@ -232,12 +230,11 @@ rcl_interfaces::ListParametersResult Parameters::list(const std::vector<std::str
                                                       std::uint64_t depth) const {
   rcl_interfaces::ListParametersResult result;
   for (const auto& [name, entry] : entries_) {
-    const bool isAsked = prefixes.empty()
-                             ? isWithinDepth(name, depth)
-                             : std::ranges::any_of(prefixes, [&](const std::string& prefix) {
-                                 return name == prefix || (isBelow(name, prefix) &&
-                                                           isWithinDepth(std::string_view(name).substr(prefix.size() + 1), depth));
-                               });
+    const bool isAsked =
+        prefixes.empty() ? isWithinDepth(name, depth) : std::ranges::any_of(prefixes, [&](const std::string& prefix) {
+          return name == prefix ||
+                 (isBelow(name, prefix) && isWithinDepth(std::string_view(name).substr(prefix.size() + 1), depth));
+        });
     if (!isAsked) continue;
     result.names.push_back(name);
     const std::size_t last = name.rfind(kSeparator);

@@ -68,9 +68,8 @@ class ParametersTest : public testing::Test {
 
   template <class Service>
   std::optional<typename Service::Response> call(const std::string& service, const typename Service::Request& request) {
-    auto answer = std::async(std::launch::async, [&] {
-      return RosClient<Service>(peer_, service).call(request, test::kDeadline);
-    });
+    auto answer = std::async(std::launch::async,
+                             [&] { return RosClient<Service>(peer_, service).call(request, test::kDeadline); });
     dispatchUntil([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
     return answer.get();
   }
@@ -135,8 +134,7 @@ TEST_F(ParametersTest, AtomicallyAllAreSetOrNone) {
   EXPECT_EQ(factor_, 2);
   // what is wrong with the second is seen before, or only when its turn comes
   for (const std::int64_t rate : {0, 13}) {
-    const auto result =
-        parameters_.setAtomically({{"factor", parameterOf(5.0)}, {"camera.rate", parameterOf(rate)}});
+    const auto result = parameters_.setAtomically({{"factor", parameterOf(5.0)}, {"camera.rate", parameterOf(rate)}});
     EXPECT_FALSE(result.successful);
     EXPECT_FALSE(result.reason.empty());
     EXPECT_EQ(factor_, 2);
@@ -209,26 +207,28 @@ TEST_F(ParametersTest, ServicesAnswerOtherNodes) {
 TEST_F(ParametersTest, EventsTellOfEachChange) {
   std::mutex mutex;
   std::vector<ParameterEvent> heard;
-  const auto subscription = peer_.subscribe<ParameterEvent>("/parameter_events", [&](const ParameterEvent& event) {
-    const std::lock_guard lock(mutex);
-    heard.push_back(event);
-  });
-  const auto count = [&] {
-    const std::lock_guard lock(mutex);
-    return heard.size();
-  };
+  const auto subscription = peer_.subscribe<ParameterEvent>("/parameter_events",
+                                                            [&](const ParameterEvent& event) {
+                                                              const std::lock_guard lock(mutex);
+                                                              heard.push_back(event);
+                                                            },
+                                                            {.depth = 1000});
   // until the reader is met nobody is told
   ASSERT_TRUE(dispatchUntil([&] {
     parameters_.update("factor", parameterOf(factor_ += 0.5));
-    return count() > 0;
+    const std::lock_guard lock(mutex);
+    return !heard.empty();
   }));
-  const std::size_t before = count();
   parameters_.update("factor", parameterOf(factor_));
   set("factor", parameterOf(true));
   set("factor", parameterOf(9.0));
+  set("factor", parameterOf(-1.0));
   parameters_.declare(named("late"), parameterOf(true));
-  ASSERT_TRUE(dispatchUntil([&] { return count() >= before + 2; }));
-  const ParameterEvent &changed = heard[before], &added = heard[before + 1];
+  ASSERT_TRUE(dispatchUntil([&] {
+    const std::lock_guard lock(mutex);
+    return !heard.back().new_parameters.empty();
+  }));
+  const ParameterEvent &changed = heard[heard.size() - 2], &added = heard.back();
   EXPECT_EQ(changed.node, "/robot/pongsim");
   EXPECT_EQ(changed.stamp, (builtin_interfaces::Time{7, 8}));
   EXPECT_EQ(changed.changed_parameters, (std::vector<Parameter>{{"factor", parameterOf(9.0)}}));

@@ -5,8 +5,8 @@
 #include <mutex>
 #include <thread>
 
-#include "ros2/types/rcl_interfaces.hh"
 #include "ros2/test/wait_until.hh"
+#include "ros2/types/rcl_interfaces.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
 
@@ -22,15 +22,13 @@ class RosoutTest : public testing::Test {
 
   /// A node that reads, with what it has heard.
   struct Listener {
-    Listener(int domain, bool wantsLast)
-        : participant({.domain = domain}), node(participant, {.name = "peer"}) {
-      subscription = node.subscribe<Log>(
-          "/rosout",
-          [this](const Log& log) {
-            const std::lock_guard lock(mutex);
-            heard.push_back(log);
-          },
-          {.isTransientLocal = wantsLast, .depth = 1000});
+    Listener(int domain, bool wantsLast) : participant({.domain = domain}), node(participant, {.name = "peer"}) {
+      subscription = node.subscribe<Log>("/rosout",
+                                         [this](const Log& log) {
+                                           const std::lock_guard lock(mutex);
+                                           heard.push_back(log);
+                                         },
+                                         {.isTransientLocal = wantsLast, .depth = 1000});
     }
     std::size_t count() {
       const std::lock_guard lock(mutex);
@@ -66,8 +64,8 @@ TEST_F(RosoutTest, ALateReaderGetsWhatWasWarnedOf) {
 }
 
 TEST_F(RosoutTest, ALateReaderDoesNotGetWhatIsTooOld) {
-  const auto publisher = node_.advertise<Log>(
-      "/rosout", {.isTransientLocal = true, .depth = 1000, .lifespan = std::chrono::seconds(1)});
+  const auto publisher =
+      node_.advertise<Log>("/rosout", {.isTransientLocal = true, .depth = 1000, .lifespan = std::chrono::seconds(1)});
   Log log;
   log.msg = "old";
   publisher->publish(log);

@@ -24,11 +24,12 @@ constexpr std::uint64_t kMostAtOnce = std::numeric_limits<std::uint32_t>::max();
 SimulateSteps::SimulateSteps(const Node& simulation, const std::string& control, RosNode& ros, const std::string& name)
     : simulation_(simulation),
       control_(control),
-      server_(ros, name, [this] { return stampOf(info_.time); },
-              ActionServer<Action>::Handlers{
-                  .accepts = {},
-                  .execute = [this](const Goals::Id& id, const Action::Goal& goal) { start(id, goal.steps); },
-                  .cancels = [this](const Goals::Id& id) { return running_ && running_->id == id; }}) {}
+      server_(
+          ros, name, [this] { return stampOf(info_.time); },
+          ActionServer<Action>::Handlers{
+              .accepts = {},
+              .execute = [this](const Goals::Id& id, const Action::Goal& goal) { start(id, goal.steps); },
+              .cancels = [this](const Goals::Id& id) { return running_ && running_->id == id; }}) {}
 
 void SimulateSteps::start(const Goals::Id& id, std::uint64_t steps) {
   const auto refuse = [&](const std::string& why) {

@@ -11,9 +11,9 @@
 
 namespace pongsim::ros2 {
 
-/// The action SimulateSteps of simulation_interfaces: a paused simulation makes so many steps, with feedback after each,
-/// and is paused again. It asks the run for them by the service `/world/W/control`, as anybody would. One goal at a
-/// time: a second one finds the simulation not paused.
+/// The action SimulateSteps of simulation_interfaces: a paused simulation makes so many steps, with feedback after
+/// each, and is paused again. It asks the run for them by the service `/world/W/control`, as anybody would. One goal at
+/// a time: a second one finds the simulation not paused.
 class SimulateSteps {
  public:
   using Action = simulation_interfaces::action::SimulateSteps;

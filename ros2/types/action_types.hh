@@ -18,8 +18,8 @@ namespace pongsim::ros2 {
 ///       struct Feedback { ... "_Feedback" ... };
 ///     };
 template <class Type>
-concept ActionType = Structure<typename Type::Goal> && Structure<typename Type::Result> &&
-                     Structure<typename Type::Feedback>;
+concept ActionType =
+    Structure<typename Type::Goal> && Structure<typename Type::Result> && Structure<typename Type::Feedback>;
 
 template <ActionType Action>
 struct SendGoal {

@@ -84,7 +84,9 @@ TEST_F(LogSinksTest, ManyThreadsSpeakWhileSinksComeAndGo) {
   }
   for (int i = 0; i < 200; ++i) {
     std::atomic<bool> isAlive = true;
-    { const LogSink sink(LogLevel::kInfo, [&](const LogRecord&) { EXPECT_TRUE(isAlive); }); }
+    {
+      const LogSink sink(LogLevel::kInfo, [&](const LogRecord&) { EXPECT_TRUE(isAlive); });
+    }
     isAlive = false;
   }
   threads.clear();
