@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ros2/config/quality.hh"
 #include "ros2/pairs/pairs.hh"
 
 namespace pongsim::ros2 {
@@ -11,14 +12,6 @@ namespace {
 
 // Names that mean the same in every namespace.
 constexpr std::string_view kGlobalNames[] = {"/clock", "/tf", "/tf_static"};
-constexpr std::size_t kTransformDepth = 100;
-
-Qos withWishes(Qos qos, const WayRule& wishes) {
-  qos.depth = wishes.depth.value_or(qos.depth);
-  qos.isReliable = wishes.isReliable.value_or(qos.isReliable);
-  qos.isTransientLocal = wishes.isTransientLocal.value_or(qos.isTransientLocal);
-  return qos;
-}
 
 }  // namespace
 
@@ -146,14 +139,6 @@ void Bridge::want(Entry& entry, const Wanted& wanted) {
   }
 }
 
-Qos Bridge::writerQos(const TopicRule& rule, bool isLatched) const {
-  Qos qos = isLatched ? kLatchedQos : kDefaultQos;
-  if (rule.pair->ros == "tf2_msgs/msg/TFMessage" && !isLatched) qos.depth = kTransformDepth;
-  return withWishes(qos, rule.toRos);
-}
-
-Qos Bridge::readerQos(const TopicRule& rule) const { return withWishes(kAnyWriterQos, rule.fromRos); }
-
 Frames Bridge::framesOf(const TopicRule& rule) const {
   Frames frames = settings_.frames;
   frames.prefix = rule.framePrefix.value_or(frames.prefix);
@@ -163,11 +148,10 @@ Frames Bridge::framesOf(const TopicRule& rule) const {
 
 void Bridge::openToRos(Entry& entry, bool isLatched) {
   const TopicRule& rule = entry.rule;
-  const Qos qos = writerQos(rule, isLatched);
-  // so that who comes late gets what was said before
-  entry.isLatched = qos.isTransientLocal;
+  entry.isLatched = isLatched;
   entry.toRos = rule.pair->toRos(framesOf(rule));
-  entry.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), qos, [this] { ++readersVersion_; });
+  entry.publisher = std::make_unique<RosPublisher>(ros_, rule.ros, rule.pair->type(), writerQos(rule, isLatched),
+                                                   [this] { ++readersVersion_; });
   ++readersVersion_;
 }
 
@@ -177,7 +161,7 @@ void Bridge::openFromRos(Entry& entry) {
   entry.toSimulation = simulation_.advertise(rule.ignition, rule.pair->ignition);
   // it would hear itself
   if (entry.heard) listen(entry);
-  if (rule.fromRos.isLazy.value_or(false)) {
+  if (isLazyFromRos(rule)) {
     hasLazyReaders_ = true;
   } else {
     read(entry);
@@ -201,8 +185,7 @@ void Bridge::read(Entry& entry) {
 void Bridge::followReaders() {
   for (Entry& entry : entries_) {
     if (!entry.publisher) continue;
-    const bool isLazy = entry.rule.toRos.isLazy.value_or(!entry.isLatched);
-    const bool isAwaited = !isLazy || entry.publisher->hasReaders();
+    const bool isAwaited = !isLazyToRos(entry.rule, entry.isLatched) || entry.publisher->hasReaders();
     if (isAwaited && !entry.heard) listen(entry);
     if (!isAwaited && entry.heard) entry.heard = {};
   }
@@ -210,7 +193,7 @@ void Bridge::followReaders() {
 
 void Bridge::followListeners() {
   for (Entry& entry : entries_) {
-    if (!entry.isFromRosWanted || !entry.rule.fromRos.isLazy.value_or(false)) continue;
+    if (!entry.isFromRosWanted || !isLazyFromRos(entry.rule)) continue;
     const bool isAwaited = entry.toSimulation.hasSubscribers();
     if (isAwaited && !entry.subscription) read(entry);
     if (!isAwaited && entry.subscription) entry.subscription.reset();

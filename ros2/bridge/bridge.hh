@@ -79,8 +79,6 @@ class Bridge {
   void openFromRos(Entry& entry);
   void read(Entry& entry);
   void listen(Entry& entry);
-  Qos writerQos(const TopicRule& rule, bool isLatched) const;
-  Qos readerQos(const TopicRule& rule) const;
   Frames framesOf(const TopicRule& rule) const;
 
   Node simulation_;

@@ -181,24 +181,95 @@ TEST_F(BridgeTest, WritesThePixelsOfAPictureOnceForAllReaders) {
   EXPECT_EQ(written, 1);
 }
 
-TEST_F(BridgeTest, FollowsARule) {
+/// Settings that bridge nothing but "/chatter", as "/talk" in ROS.
+Settings onlyChatter(Direction direction) {
   Settings settings;
   settings.bridgesAll = false;
-  TopicRule rule;
+  TopicRule& rule = settings.rules.emplace_back();
   rule.ros = "/talk";
   rule.ignition = "/chatter";
   rule.pair = findPair("std_msgs/msg/String", "ignition.msgs.StringMsg");
-  rule.direction = Direction::kToRos;
-  settings.rules.push_back(rule);
+  rule.direction = direction;
+  return settings;
+}
+
+TEST_F(BridgeTest, FollowsARule) {
   Publisher publisher = simulation_.advertise<StringMsg>("/chatter"),
             other = simulation_.advertise<StringMsg>("/other");
-  bridge(settings);
+  bridge(onlyChatter(Direction::kToRos));
   ASSERT_EQ(bridge_->topics().size(), 1U);
   Heard heard;
   const auto reader = hear("/talk", heard);
   ASSERT_TRUE(updateUntil([&] { return publisher.hasSubscribers(); }));
   publisher.publish(textOf("hello"));
   EXPECT_TRUE(updateUntil([&] { return heard.all() == std::vector<std::string>{"hello"}; }));
+}
+
+TEST_F(BridgeTest, ListensFromTheStartWhereARuleIsNotLazy) {
+  const Publisher publisher = simulation_.advertise<StringMsg>("/chatter");
+  Settings settings = onlyChatter(Direction::kToRos);
+  bridge(settings);
+  EXPECT_FALSE(publisher.hasSubscribers());
+  settings.rules[0].toRos.isLazy = false;
+  bridge(settings);
+  EXPECT_TRUE(publisher.hasSubscribers());
+}
+
+TEST_F(BridgeTest, KeepsForLateNodesWhatARuleSays) {
+  Settings settings = onlyChatter(Direction::kToRos);
+  settings.rules[0].toRos = {.depth = 2, .isTransientLocal = true};
+  Publisher publisher = simulation_.advertise<StringMsg>("/chatter");
+  bridge(settings);
+  for (const char* text : {"one", "two", "three"}) publisher.publish(textOf(text));
+  ASSERT_TRUE(updateUntil([&] { return bridge_->topics()[0].sent == 3; }));
+  Heard heard;
+  const auto reader = hear("/talk", heard, {.isTransientLocal = true, .depth = 10});
+  EXPECT_TRUE(updateUntil([&] { return heard.all() == std::vector<std::string>{"two", "three"}; }));
+}
+
+TEST_F(BridgeTest, ReadsLazilyWhileSomebodyListensInTheSimulation) {
+  Settings settings = onlyChatter(Direction::kFromRos);
+  settings.rules[0].fromRos.isLazy = true;
+  bridge(settings);
+  const auto writer = peer_.advertise<std_msgs::String>("/talk");
+  std::vector<std::string> inside;
+  {
+    const Subscription subscription = simulation_.subscribe<StringMsg>(
+        "/chatter", [&](const StringMsg& message) { inside.push_back(message.data()); });
+    ASSERT_TRUE(updateUntil([&] { return writer->hasReaders() && bridge_->topics()[0].writers == 1; }));
+    writer->publish(std_msgs::String{"heard"});
+    EXPECT_TRUE(updateUntil([&] { return inside == std::vector<std::string>{"heard"}; }));
+  }
+  EXPECT_TRUE(updateUntil([&] { return !writer->hasReaders(); }));
+}
+
+TEST_F(BridgeTest, PutsAFrameOfARuleIntoHeaders) {
+  Settings settings;
+  TopicRule& rule = settings.rules.emplace_back();
+  rule.ros = "/points";
+  rule.ignition = "/camera";
+  rule.pair = findPair("sensor_msgs/msg/Image", "ignition.msgs.Image");
+  rule.frameId = "optical";
+  settings.frames.prefix = "one/";
+  Publisher publisher = simulation_.advertise<ignition::msgs::Image>("/camera");
+  bridge(settings);
+  Heard frames;
+  const auto reader = peer_.subscribe<sensor_msgs::Image>(
+      "/points", [&](const sensor_msgs::Image& image) { frames.add(image.header.frame_id); }, kDefaultQos);
+  ASSERT_TRUE(updateUntil([&] { return publisher.hasSubscribers(); }));
+  publisher.publish(ignition::msgs::Image());
+  EXPECT_TRUE(updateUntil([&] { return frames.all() == std::vector<std::string>{"optical"}; }));
+}
+
+TEST_F(BridgeTest, BridgesNoTopicUnderANameThatARuleGivesToAnother) {
+  const Publisher publisher = simulation_.advertise<StringMsg>("/talk"),
+                  other = simulation_.advertise<StringMsg>("/other");
+  Settings settings = onlyChatter(Direction::kToRos);
+  settings.bridgesAll = true;
+  bridge(settings);
+  std::vector<std::string> names;
+  for (const Bridge::Topic& topic : bridge_->topics()) names.push_back(topic.ignition);
+  EXPECT_EQ(names, (std::vector<std::string>{"/chatter", "/other"}));
 }
 
 TEST_F(BridgeTest, LeavesOutWhatAnotherServes) {

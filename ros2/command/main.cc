@@ -4,7 +4,12 @@
 
 namespace {
 
-constexpr pongsim::ros2::AddAction kActions[] = {pongsim::ros2::addCreateAction, pongsim::ros2::addNodesAction};
+constexpr pongsim::ros2::AddAction kActions[] = {
+    pongsim::ros2::addTopicsAction,
+    pongsim::ros2::addNodesAction,
+    pongsim::ros2::addCreateAction,
+    pongsim::ros2::addCheckAction,
+};
 
 }  // namespace
 

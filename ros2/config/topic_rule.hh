@@ -13,7 +13,8 @@ enum class Direction { kBoth, kToRos, kFromRos };
 
 /// What somebody wishes of one way of a topic. Unset: as usual for what it is.
 struct WayRule {
-  /// Depth of the writer or the reader of ROS, 1 or more.
+  /// To ROS: so many messages the writer keeps for its readers, 1 or more. What comes from ROS is handed on at once, so
+  /// that there it means nothing.
   std::optional<std::size_t> depth = std::nullopt;
   /// To ROS: whether the simulation's topic is listened to only while a node of ROS listens in turn; one that is not
   /// lazy is listened to from the start. From ROS: whether the topic of ROS is read only while somebody in the

@@ -15,7 +15,7 @@
 namespace pongsim::ros2 {
 namespace {
 
-bool until(const std::function<bool()>& condition) {
+bool becomesTrue(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + test::kDeadline;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;
@@ -46,7 +46,7 @@ TEST_P(NodeWatchTest, SeesWhatNodesPublishSubscribeAndServe) {
   const auto subscription = node.subscribe<std_msgs::String>("/heard", [](const std_msgs::String&) {});
   const auto server =
       serveAtOnce<Service>(node, "features", [](const Service::Request&) { return Service::Response(); });
-  ASSERT_TRUE(until([&] {
+  ASSERT_TRUE(becomesTrue([&] {
     const NodeInfo info = infoOf("/robot/talker");
     return !info.publishes.empty() && !info.subscribes.empty() && !info.serves.empty();
   }));
@@ -62,9 +62,9 @@ TEST_P(NodeWatchTest, ForgetsTheNodesOfAParticipantThatHasGone) {
   {
     Participant gone({.domain = domain_, .distro = GetParam()});
     RosNode node(gone, {.name = "guest"});
-    ASSERT_TRUE(until([&] { return infoOf("/guest").name == "guest"; }));
+    ASSERT_TRUE(becomesTrue([&] { return infoOf("/guest").name == "guest"; }));
   }
-  EXPECT_TRUE(until([&] { return infoOf("/guest").name.empty(); }));
+  EXPECT_TRUE(becomesTrue([&] { return infoOf("/guest").name.empty(); }));
 }
 
 TEST_P(NodeWatchTest, SettlesWhenWhoIsThereHasTold) {

@@ -4,6 +4,7 @@
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
 #include "ros2/bridge/simulation_parameters.hh"
+#include "ros2/bridge/topics_service.hh"
 #include "ros2/config/elements.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
@@ -21,6 +22,8 @@ class Ros2 final : public System {
     declaration.is("Makes the simulation a node of ROS 2: its topics are there under their own names.",
                    Declaration::Place::kWorld);
     elements_.declare(declaration);
+    declaration.serves("/world/W/ros2/topics", "ignition.msgs.Empty", "ignition.msgs.Param_V",
+                       "what is bridged, for pongsim ros2 topics");
   }
 
   void configure(const SystemContext& context) override {
@@ -35,6 +38,7 @@ class Ros2 final : public System {
     parameters_.emplace(*node_, context.world, *bridge_, settings_);
     steps_.emplace(context.node, cleanTopic("/world/" + std::string(context.world.name()) + "/control"), *node_,
                    "~/simulate_steps");
+    topics_.emplace(context.node, context.world.name(), *bridge_);
   }
 
   void preUpdate(const StepInfo& info) override {
@@ -57,6 +61,7 @@ class Ros2 final : public System {
   std::optional<Bridge> bridge_;
   std::optional<SimulationParameters> parameters_;
   std::optional<SimulateSteps> steps_;
+  std::optional<TopicsService> topics_;
 };
 
 }  // namespace

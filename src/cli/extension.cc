@@ -23,8 +23,11 @@ Extension::Option readOption(const Descriptor& json) {
   option.help = json.at("help").get<std::string>();
   option.value = json.value("value", "");
   option.element = json.value("element", "");
+  option.fixed = json.value("sets", "");
   option.isRepeated = json.value("repeated", false);
   option.isFile = json.value("file", false);
+  if (!option.fixed.empty() && (option.element.empty() || !option.value.empty()))
+    throw std::runtime_error("option '" + option.name + "' sets something, but no element or one with a value");
   if (!option.name.starts_with("--")) throw std::runtime_error("option '" + option.name + "' begins with no '--'");
   return option;
 }
@@ -126,7 +129,12 @@ void addRunOptions(CLI::App& command, const Extension& extension, std::vector<El
     if (option.value.empty()) {
       command
           .add_flag_callback(
-              option.name, [shared, &systems] { pluginOf(*shared, systems); }, option.help)
+              option.name,
+              [shared, &option, &systems] {
+                pluginOf(*shared, systems);
+                if (!option.fixed.empty()) addValue(*shared, option, option.fixed, systems);
+              },
+              option.help)
           ->group(kExtensionGroup)
           ->disable_flag_override();
       continue;

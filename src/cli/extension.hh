@@ -25,6 +25,8 @@ struct Extension {
     std::string help;
     /// The element below the `<plugin>` that has the value; empty: none has.
     std::string element;
+    /// What stands in the element, of an option that takes no value.
+    std::string fixed;
     bool isRepeated = false;
     /// Whether the value is a file, which may be named from the folder that the user is in.
     bool isFile = false;

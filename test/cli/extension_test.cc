@@ -19,6 +19,7 @@ constexpr const char* kDescriptor = R"({
     "system": {"filename": "pongsim-x-system", "name": "pongsim::systems::X"},
     "options": [
       {"option": "--x", "help": "Be X"},
+      {"option": "--x-only", "help": "Nothing else", "element": "all", "sets": "false"},
       {"option": "--x-file", "value": "FILE", "help": "From there", "element": "file", "file": true},
       {"option": "--x-topic", "value": "TOPIC", "help": "That one", "element": "topic", "repeated": true}
     ]
@@ -49,8 +50,8 @@ class ExtensionTest : public testing::Test {
 TEST_F(ExtensionTest, IsReadFromItsDescriptor) {
   const Extension extension = read(kDescriptor);
   EXPECT_EQ(extension.systemFile, "pongsim-x-system");
-  ASSERT_EQ(extension.runOptions.size(), 3U);
-  EXPECT_TRUE(extension.runOptions[2].isRepeated);
+  ASSERT_EQ(extension.runOptions.size(), 4U);
+  EXPECT_TRUE(extension.runOptions[3].isRepeated);
   ASSERT_TRUE(extension.command.has_value());
   EXPECT_EQ(extension.command->actions.at(0).options.at(0).name, "--all");
 }
@@ -59,7 +60,9 @@ TEST_F(ExtensionTest, ThatIsWrongSaysWhy) {
   for (const char* text :
        {"", "{", "[]", R"({"run": {}})", R"({"command": {"name": "x"}})",
         R"({"command": {"name": "x", "help": "", "program": "/bin/sh"}})",
-        R"({"run": {"system": {"filename": "a", "name": "b"}, "options": [{"option": "x", "help": ""}]}})"}) {
+        R"({"run": {"system": {"filename": "a", "name": "b"}, "options": [{"option": "x", "help": ""}]}})",
+        R"({"run": {"system": {"filename": "a", "name": "b"},
+            "options": [{"option": "--x", "help": "", "sets": "true"}]}})"}) {
     EXPECT_THROW(read(text), std::runtime_error) << text;
   }
 }
@@ -74,6 +77,12 @@ TEST_F(ExtensionTest, AddsItsSystemOnceWithWhatTheOptionsSay) {
   ASSERT_EQ(systems[0].childrenNamed("topic").size(), 2U);
   EXPECT_EQ(systems[0].childrenNamed("topic")[1]->text, "/b");
   EXPECT_EQ(systems[0].child("file")->text, std::filesystem::absolute("here.yaml").string());
+}
+
+TEST_F(ExtensionTest, AnOptionWithoutAValueMaySetOne) {
+  const std::vector<Element> systems = systemsOf("--x-only");
+  ASSERT_EQ(systems.size(), 1U);
+  EXPECT_EQ(systems[0].child("all")->text, "false");
 }
 
 TEST_F(ExtensionTest, AnOptionWithASettingAsksForItToo) { EXPECT_EQ(systemsOf("--x-topic /a").size(), 1U); }

@@ -1,0 +1,244 @@
+#include <ignition/msgs/empty.pb.h>
+#include <ignition/msgs/param_v.pb.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "pongsim/log.hh"
+#include "pongsim/nearest_word.hh"
+#include "pongsim/node.hh"
+#include "ros2/bridge/topics_service.hh"
+#include "ros2/command/command.hh"
+#include "ros2/command/console.hh"
+#include "ros2/command/rows.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+using ignition::msgs::Param;
+using ignition::msgs::Param_V;
+using Clock = std::chrono::steady_clock;
+
+/// How long a look around waits for the other processes to tell of their services, at most.
+constexpr std::chrono::milliseconds kDiscoveryTime{5000};
+constexpr std::chrono::milliseconds kBetweenLooks{20};
+constexpr std::chrono::seconds kAnswerTime{5};
+constexpr double kLongestLook = 3600;
+constexpr std::string_view kWorldPrefix = "/world/", kTopicsSuffix = "/ros2/topics", kControlSuffix = "/control";
+
+struct TopicsCommandLine {
+  std::string world;
+  bool asJson = false;
+  /// How long rates are measured [s].
+  double duration = 1;
+  std::chrono::milliseconds timeout{1000};
+};
+
+/// What passed while it was looked at.
+struct Watched {
+  Param_V topics;
+  /// From the first look to the last [s].
+  double seconds = 0;
+  Param_V before;
+};
+
+/// @return The worlds that offer such a service, as they stand in its name.
+std::vector<std::string> worldsWith(const std::vector<ServiceInfo>& services, std::string_view suffix) {
+  std::vector<std::string> worlds;
+  for (const ServiceInfo& service : services) {
+    std::string_view name = service.name;
+    if (name.size() <= kWorldPrefix.size() + suffix.size() || !name.starts_with(kWorldPrefix) || !name.ends_with(suffix))
+      continue;
+    name.remove_prefix(kWorldPrefix.size());
+    name.remove_suffix(suffix.size());
+    if (name.find('/') == std::string_view::npos) worlds.emplace_back(name);
+  }
+  return worlds;
+}
+
+int failWithout(const std::string& wanted, const std::vector<std::string>& bridged,
+                const std::vector<std::string>& running) {
+  if (wanted.empty() && bridged.size() > 1) {
+    std::string names;
+    for (const std::string& world : bridged) names += (names.empty() ? "" : ", ") + world;
+    return fail("several worlds are bridged: " + names, "choose with -w WORLD");
+  }
+  if (!wanted.empty() && std::ranges::count(running, wanted) == 0) {
+    return fail("no world '" + wanted + "' runs",
+                didYouMean(wanted, std::vector<std::string_view>(running.begin(), running.end())));
+  }
+  if (running.empty()) return fail("no world runs", "start one with pongsim run WORLD --ros2");
+  return fail("world '" + (wanted.empty() ? running.front() : wanted) + "' is not bridged to ROS 2",
+              "start it with pongsim run WORLD --ros2");
+}
+
+/// @return The world to ask; nothing where there is none, which was said.
+std::optional<std::string> findWorld(Transport& transport, const TopicsCommandLine& given) {
+  const std::string wanted = cleanTopic(given.world);
+  const Clock::time_point deadline = Clock::now() + given.timeout;
+  while (true) {
+    const std::vector<ServiceInfo> services = transport.discoverServices(kDiscoveryTime);
+    std::vector<std::string> bridged = worldsWith(services, kTopicsSuffix);
+    if (wanted.empty() ? bridged.size() == 1 : std::ranges::count(bridged, wanted) > 0) {
+      return wanted.empty() ? bridged.front() : wanted;
+    }
+    if (Clock::now() >= deadline || bridged.size() > 1) {
+      failWithout(wanted, bridged, worldsWith(services, kControlSuffix));
+      return std::nullopt;
+    }
+    transport.dispatchFor(kBetweenLooks);
+  }
+}
+
+std::optional<Param_V> ask(Transport& transport, const std::string& world) {
+  Param_V reply;
+  const CallResult result = transport.node().call(topicsServiceOf(world), ignition::msgs::Empty(), reply, kAnswerTime);
+  if (result) return reply;
+  fail(result.error);
+  return std::nullopt;
+}
+
+std::optional<Watched> watch(Transport& transport, const TopicsCommandLine& given, const std::string& world) {
+  const auto before = ask(transport, world);
+  if (!before) return std::nullopt;
+  const Clock::time_point start = Clock::now();
+  std::this_thread::sleep_for(std::chrono::duration<double>(given.duration));
+  const auto after = ask(transport, world);
+  if (!after) return std::nullopt;
+  return Watched{*after, std::chrono::duration<double>(Clock::now() - start).count(), *before};
+}
+
+std::string text(const Param& topic, const char* name) {
+  const auto found = topic.params().find(name);
+  return found == topic.params().end() ? "" : found->second.string_value();
+}
+bool flag(const Param& topic, const char* name) {
+  const auto found = topic.params().find(name);
+  return found != topic.params().end() && found->second.bool_value();
+}
+double number(const Param& topic, const char* name) {
+  const auto found = topic.params().find(name);
+  return found == topic.params().end() ? 0 : found->second.double_value();
+}
+
+/// @return A second, while it was watched.
+double rateOf(const Watched& watched, const Param& topic, const char* counter) {
+  double before = 0;
+  for (const Param& each : watched.before.param()) {
+    if (text(each, "ros") == text(topic, "ros") && text(each, "ignition") == text(topic, "ignition"))
+      before = number(each, counter);
+  }
+  return watched.seconds > 0 ? std::max(0.0, number(topic, counter) - before) / watched.seconds : 0;
+}
+
+std::string counted(double count, const char* what) {
+  return std::to_string(static_cast<std::uint64_t>(count)) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string rateText(double rate) {
+  char words[32];
+  std::snprintf(words, sizeof words, "%.*f Hz", rate < 10 ? 1 : 0, rate);
+  return words;
+}
+
+std::string tableOf(const Watched& watched) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Param& topic : watched.topics.param()) {
+    const bool toRos = flag(topic, "to_ros"), fromRos = flag(topic, "from_ros");
+    std::string passed;
+    if (toRos) {
+      passed = "to ROS: " + counted(number(topic, "readers"), "reader") + ", " + rateText(rateOf(watched, topic, "sent")) +
+               ", " + counted(number(topic, "dropped"), "drop");
+    }
+    if (fromRos) {
+      passed += std::string(toRos ? "; " : "") + "from ROS: " + counted(number(topic, "writers"), "writer") + ", " +
+                rateText(rateOf(watched, topic, "received")) + ", " +
+                std::to_string(static_cast<std::uint64_t>(number(topic, "refused"))) + " refused";
+    }
+    rows.push_back({text(topic, "ros") + " [" + text(topic, "ros_type") + "]", toRos ? fromRos ? "<->" : "<-" : "->",
+                    text(topic, "ignition") + " [" + text(topic, "ignition_type") + "]", passed});
+  }
+  return alignedRows(rows);
+}
+
+std::string jsonOf(const Watched& watched) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Param& topic : watched.topics.param()) {
+    nlohmann::ordered_json& added = list.emplace_back();
+    for (const char* name : {"ros", "ros_type", "ignition", "ignition_type"}) added[name] = text(topic, name);
+    for (const char* name : {"to_ros", "from_ros"}) added[name] = flag(topic, name);
+    for (const char* name : {"readers", "writers", "sent", "received", "dropped", "refused"}) {
+      added[name] = static_cast<std::uint64_t>(number(topic, name));
+    }
+    added["hz_to_ros"] = rateOf(watched, topic, "sent");
+    added["hz_from_ros"] = rateOf(watched, topic, "received");
+  }
+  return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+int listTopics(const TopicsCommandLine& given) {
+  // types that do not fit are what this fails with
+  setLogLevel(LogLevel::kError);
+  Transport transport;
+  const std::optional<std::string> world = findWorld(transport, given);
+  if (!world) return kFailed;
+  std::optional<Watched> watched = watch(transport, given, *world);
+  if (!watched) return kFailed;
+  std::sort(watched->topics.mutable_param()->begin(), watched->topics.mutable_param()->end(),
+            [](const Param& a, const Param& b) { return text(a, "ros") < text(b, "ros"); });
+  if (given.asJson) return print(jsonOf(*watched));
+  if (watched->topics.param_size() == 0) say("no topics are bridged");
+  return print(tableOf(*watched));
+}
+
+/// @throws UsageError where it is no number from 0 to `most`.
+double numberOption(const char* option, const std::string& text, double most) {
+  double value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= 0) || value > most) {
+    throw UsageError(std::string("option '") + option + "' takes a number between 0 and " +
+                     std::to_string(static_cast<long>(most)) + ", not '" + text + "'");
+  }
+  return value;
+}
+
+}  // namespace
+
+void addTopicsAction(CLI::App& program, Work& work) {
+  const auto given = std::make_shared<TopicsCommandLine>();
+  CLI::App* action = program.add_subcommand("topics", "List what a running simulation bridges, and how much passes");
+  action->set_help_flag("-h,--help", "Print this and end");
+  const auto add = [action](const char* names, const char* value, const char* help, auto take) {
+    action->add_option_function<std::string>(names, take, help)->type_name(value);
+  };
+  add("-w,--world", "WORLD", "The world's name, where several run",
+      [given](const std::string& words) { given->world = words; });
+  add("-d,--duration", "S", "Measure for S seconds (1)",
+      [given](const std::string& words) { given->duration = numberOption("-d", words, kLongestLook); });
+  add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world", [given](const std::string& words) {
+    given->timeout = std::chrono::milliseconds(static_cast<std::int64_t>(numberOption("--timeout", words, 1e9)));
+  });
+  action->add_flag("--json", given->asJson, "Print JSON: an array of objects")->disable_flag_override();
+  add("--network", "INTERFACE", "Ask other machines too, by a network interface's name or address",
+      [](const std::string& words) { setenv("PONGSIM_NETWORK", words.c_str(), 1); });
+  action->footer(
+      "Each line has the topic in ROS, which way messages go, and the topic of the simulation.\n"
+      "Examples:\n"
+      "  pongsim ros2 topics\n"
+      "  pongsim ros2 topics -d 5 --json");
+  action->callback([given, &work] { work = [given] { return listTopics(*given); }; });
+}
+
+}  // namespace pongsim::ros2
