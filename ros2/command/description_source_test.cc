@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "ros2/node/parameters.hh"
-#include "ros2/test/wait_until.hh"
 #include "ros2/types/std_msgs.hh"
 #include "support/test_domain.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim::ros2 {
 namespace {

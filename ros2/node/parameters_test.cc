@@ -8,9 +8,9 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "ros2/test/wait_until.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim::ros2 {
 namespace {

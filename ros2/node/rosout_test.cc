@@ -5,10 +5,10 @@
 #include <mutex>
 #include <thread>
 
-#include "ros2/test/wait_until.hh"
 #include "ros2/types/rcl_interfaces.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim::ros2 {
 namespace {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "ros2/test/wait_until.hh"
 #include "support/test_domain.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim::ros2 {
 namespace {
