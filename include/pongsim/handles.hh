@@ -366,6 +366,12 @@ class PONGSIM_API World {
   /// Sets the velocity of the air, world frame [m/s].
   /// @return Why not (it is faster than `kFastestWind`), or nothing.
   std::optional<std::string> setWind(const Vector3& wind);
+  /// @return Simulated seconds a second that the world asks for, `<real_time_factor>` unless it was changed; 0 means as
+  /// many as possible.
+  double realTimeFactor() const;
+  /// Changes that until the world is reset.
+  /// @return Why not (it is not finite, or below 0), or nothing.
+  std::optional<std::string> setRealTimeFactor(double factor);
   /// Replaces `performers` by those that are there, whether levels are used or not.
   void performers(std::vector<Performer>& performers) const;
   /// Lets a model of the top level perform, until it is removed or the world is reset.

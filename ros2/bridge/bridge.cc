@@ -60,7 +60,7 @@ void Bridge::followTopics() {
   followRules(topics);
   for (Entry& entry : entries_) {
     if (entry.rule.position.file != nullptr) continue;
-    const bool isThere = std::ranges::any_of(topics, [&](const OwnTopic& topic) {
+    const bool isThere = settings_.bridgesAll && std::ranges::any_of(topics, [&](const OwnTopic& topic) {
       return topic.name == entry.rule.ignition && topic.type == entry.rule.pair->ignition;
     });
     if (!isThere) want(entry, {});
@@ -226,6 +226,24 @@ std::vector<Offer> Bridge::offers() const {
     if (entry.subscription) offer.reader = readerQos(entry.rule);
   }
   return all;
+}
+
+void Bridge::setBridgesAll(bool all) {
+  if (all == settings_.bridgesAll) return;
+  settings_.bridgesAll = all;
+  --topicsVersion_;
+}
+
+void Bridge::setWallTime(bool isUsed) {
+  if (isUsed == settings_.frames.usesWallTime) return;
+  settings_.frames.usesWallTime = isUsed;
+  for (Entry& entry : entries_) {
+    if (!entry.publisher) continue;
+    // nobody calls it while it changes
+    entry.heard = {};
+    entry.toRos = entry.rule.pair->toRos(framesOf(entry.rule));
+  }
+  ++readersVersion_;
 }
 
 std::vector<Bridge::Topic> Bridge::topics() const {

@@ -55,6 +55,13 @@ class Bridge {
 
   std::vector<Topic> topics() const;
 
+  // Settings that may change while it runs, from the next `update` on.
+
+  /// Whether topics without a rule are bridged.
+  void setBridgesAll(bool all);
+  /// Whether messages to ROS are stamped with the time of the wall. What is latched is told again.
+  void setWallTime(bool isUsed);
+
  private:
   struct Entry;
   struct Wanted {

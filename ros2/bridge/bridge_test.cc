@@ -280,5 +280,38 @@ TEST_F(BridgeTest, LeavesOutWhatAnotherServes) {
   EXPECT_TRUE(bridge_->topics().empty());
 }
 
+TEST_F(BridgeTest, WhetherAllTopicsAreBridgedMayChange) {
+  Publisher publisher = simulation_.advertise<StringMsg>("/chatter");
+  bridge();
+  Heard heard;
+  const auto reader = hear("/chatter", heard);
+  ASSERT_TRUE(updateUntil([&] { return publisher.hasSubscribers(); }));
+  bridge_->setBridgesAll(false);
+  bridge_->update();
+  EXPECT_FALSE(bridge_->topics().at(0).isToRos);
+  EXPECT_FALSE(publisher.hasSubscribers());
+  bridge_->setBridgesAll(true);
+  ASSERT_TRUE(updateUntil([&] { return publisher.hasSubscribers(); }));
+  publisher.publish(textOf("again"));
+  EXPECT_TRUE(updateUntil([&] { return heard.all() == std::vector<std::string>{"again"}; }));
+}
+
+TEST_F(BridgeTest, WhetherStampsAreWallTimeMayChange) {
+  Publisher publisher = simulation_.advertise<ignition::msgs::Image>("/picture");
+  bridge();
+  std::atomic<int> second = -1;
+  const auto reader = peer_.subscribe<sensor_msgs::Image>(
+      "/picture", [&](const sensor_msgs::Image& image) { second = image.header.stamp.sec; }, kDefaultQos);
+  ASSERT_TRUE(updateUntil([&] { return publisher.hasSubscribers(); }));
+  ignition::msgs::Image image;
+  image.mutable_header()->mutable_stamp()->set_sec(5);
+  for (const bool isWallTime : {true, false}) {
+    bridge_->setWallTime(isWallTime);
+    ASSERT_TRUE(updateUntil([&] { return publisher.hasSubscribers(); }));
+    publisher.publish(image);
+    EXPECT_TRUE(updateUntil([&] { return isWallTime ? second > 1'600'000'000 : second == 5; }));
+  }
+}
+
 }  // namespace
 }  // namespace pongsim::ros2

@@ -90,6 +90,7 @@ int workOf(int argc, char** argv, std::span<const AddAction> actions) {
   program.get_formatter()->label("SUBCOMMAND", "ACTION");
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   if (arguments.empty()) throw UsageError("no action given", helpFor(program) + " lists them");
+  if (arguments.front() == "create") arguments = wordsOfCreate(arguments);
   if (arguments.front() == "help") std::ranges::rotate(arguments, arguments.begin() + 1);
   if (arguments.back() == "help") arguments.back() = "--help";
   try {

@@ -7,6 +7,7 @@ namespace {
 constexpr pongsim::ros2::AddAction kActions[] = {
     pongsim::ros2::addTopicsAction,
     pongsim::ros2::addNodesAction,
+    pongsim::ros2::addCreateAction,
     pongsim::ros2::addCheckAction,
 };
 

@@ -3,11 +3,14 @@
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
+#include "ros2/bridge/simulation_parameters.hh"
 #include "ros2/bridge/topics_service.hh"
 #include "ros2/config/elements.hh"
 #include "ros2/config/rules.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
+#include "ros2/node/rosout.hh"
+#include "ros2/services/simulate_steps.hh"
 #include "ros2/wire/participant.hh"
 
 namespace pongsim::ros2 {
@@ -34,14 +37,23 @@ class Ros2 final : public System {
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     node_->log().info("node '" + node_->fullName() + "' in domain " + std::to_string(settings_.participant.domain) +
                       (settings_.participant.distro == Distro::kHumble ? ", for Humble" : ", for Iron and later"));
+    rosout_.emplace(*node_);
     bridge_.emplace(context.node, *node_, settings_);
+    parameters_.emplace(*node_, context.world, *bridge_, settings_);
+    steps_.emplace(context.node, cleanTopic("/world/" + std::string(context.world.name()) + "/control"), *node_,
+                   "~/simulate_steps");
     topics_.emplace(context.node, context.world.name(), *bridge_);
   }
 
-  void preUpdate(const StepInfo&) override {
+  void preUpdate(const StepInfo& info) override {
+    parameters_->preUpdate(info.time);
+    steps_->preUpdate(info);
     node_->mailbox().dispatch();
     bridge_->update();
   }
+
+  void postUpdate(const StepInfo& info) override { steps_->postUpdate(info); }
+  void reset() override { steps_->reset(); }
 
  private:
   SettingsElements elements_;
@@ -49,7 +61,10 @@ class Ros2 final : public System {
   // each speaks by the one before it
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
+  std::optional<Rosout> rosout_;
   std::optional<Bridge> bridge_;
+  std::optional<SimulationParameters> parameters_;
+  std::optional<SimulateSteps> steps_;
   std::optional<TopicsService> topics_;
 };
 

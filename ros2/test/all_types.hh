@@ -7,6 +7,7 @@
 #include "ros2/types/ros_gz_interfaces.hh"
 #include "ros2/types/rosgraph_msgs.hh"
 #include "ros2/types/sensor_msgs.hh"
+#include "ros2/types/simulation_actions.hh"
 #include "ros2/types/simulation_entity_services.hh"
 #include "ros2/types/simulation_world_services.hh"
 #include "ros2/types/tf2_msgs.hh"
@@ -73,12 +74,26 @@ using Services =
              simulation_interfaces::srv::ResetSimulation, simulation_interfaces::srv::SetSimulationState,
              simulation_interfaces::srv::StepSimulation, simulation_interfaces::srv::UnloadWorld>;
 
-/// Calls `each.template operator()<Type>()` with all messages, and with the requests and responses of all services.
+/// All actions.
+using Actions = TypeList<simulation_interfaces::action::SimulateSteps>;
+
+/// Calls `each.template operator()<Type>()` with all messages, with the requests and responses of all services, and
+/// with what goes over the wire for all actions.
 void forAllTypes(auto&& each) {
   Messages::forEach(each);
   Services::forEach([&each]<class Service>() {
     each.template operator()<typename Service::Request>();
     each.template operator()<typename Service::Response>();
+  });
+  Actions::forEach([&each]<class Action>() {
+    each.template operator()<typename Action::Goal>();
+    each.template operator()<typename Action::Result>();
+    each.template operator()<typename Action::Feedback>();
+    each.template operator()<typename SendGoal<Action>::Request>();
+    each.template operator()<typename SendGoal<Action>::Response>();
+    each.template operator()<typename GetResult<Action>::Request>();
+    each.template operator()<typename GetResult<Action>::Response>();
+    each.template operator()<FeedbackMessage<Action>>();
   });
 }
 

@@ -15,8 +15,8 @@ SINGLE, NAMED, ARRAY, SEQUENCE = 1, 2, 3, 4
 
 
 def known(name):
-    """rosbags knows messages only: a service's request is one for it under another name."""
-    return name.replace("/srv/", "/msg/Srv")
+    """rosbags knows messages only: a service's request, or an action's, is one for it under another name."""
+    return name.replace("/srv/", "/msg/Srv").replace("/action/", "/msg/Action")
 
 
 def all_types():
@@ -36,12 +36,16 @@ STORE = all_types()
 def ours():
     """The names of the types that the program has."""
     text = DEFINITIONS.with_name("all_types.hh").read_text()
-    messages, services = re.findall(r"TypeList<(.*?)>;", text, re.S)
+    messages, services, actions = re.findall(r"TypeList<(.*?)>;", text, re.S)
     for name in re.findall(r"(\w+)::(\w+)", messages):
         yield "/msg/".join(name)
     for package, name in re.findall(r"(\w+)::srv::(\w+)", services):
         yield f"{package}/srv/{name}_Request"
         yield f"{package}/srv/{name}_Response"
+    for package, name in re.findall(r"(\w+)::action::(\w+)", actions):
+        for part in ("Goal", "Result", "Feedback", "SendGoal_Request", "SendGoal_Response", "GetResult_Request",
+                     "GetResult_Response", "FeedbackMessage"):
+            yield f"{package}/action/{name}_{part}"
 
 
 @pytest.fixture(scope="module")

@@ -64,6 +64,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
     : outbox_(outbox),
       keeps_(contract.qos.isTransientLocal),
       depth_(std::max<std::size_t>(contract.qos.depth, 1)),
+      lifespan_(contract.qos.lifespan),
       readersChanged_(std::move(readersChanged)),
       payloads_(std::make_shared<Payloads>(outbox)),
       history_(writerHistory()) {
@@ -146,6 +147,16 @@ void Writer::makeRoom() {
   }
 }
 
+/// Before a late reader asks for them: DDS has promised them when it tells of him, and says then that they have gone.
+void Writer::dropOutlived() {
+  const std::lock_guard lock(writer_->getMutex());
+  rtps::Time_t now;
+  rtps::Time_t::now(now);
+  const rtps::Time_t lifespan(static_cast<std::int32_t>(lifespan_->count()), 0u);
+  rtps::CacheChange_t* oldest = nullptr;
+  while (history_.get_min_change(&oldest) && oldest->sourceTimestamp + lifespan < now) history_.remove_min_change();
+}
+
 bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
   outbox_.flush(*this);
   const auto bounded = std::min<std::chrono::nanoseconds>(timeout, std::chrono::hours(24));
@@ -157,6 +168,7 @@ bool Writer::waitForAcknowledgement(std::chrono::nanoseconds timeout) {
 void Writer::onWriterMatched(rtps::RTPSWriter*, rtps::MatchingInfo& info) {
   const Guid reader = guidOf(info.remoteEndpointGuid);
   if (reader.isOfSameParticipant(id_)) return;
+  if (lifespan_ && info.status == rtps::MATCHED_MATCHING) dropOutlived();
   {
     const std::lock_guard lock(readersMutex_);
     std::erase(readers_, reader);

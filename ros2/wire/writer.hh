@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "ros2/wire/endpoint.hh"
@@ -60,11 +61,13 @@ class Writer final : private rtps::WriterListener, private Outbox::Target {
   void send(Buffer* buffer, const SampleId& related) override;
   std::size_t mostWaiting() const override { return depth_; }
   void makeRoom();
+  void dropOutlived();
   using rtps::WriterListener::onWriterMatched;
 
   Outbox& outbox_;
   bool keeps_;
   std::size_t depth_;
+  std::optional<std::chrono::seconds> lifespan_;
   std::function<void()> readersChanged_;
   std::shared_ptr<Payloads> payloads_;
   rtps::WriterHistory history_;

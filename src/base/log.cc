@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "base/log_sinks.hh"
+
 namespace pongsim {
 
 namespace {
@@ -20,17 +22,18 @@ spdlog::logger& standardError() {
   return logger;
 }
 
-void say(spdlog::level::level_enum level, const std::string& speaker, std::string_view message) {
-  if (standardError().should_log(level)) standardError().log(level, "{}: {}", speaker, message);
+constexpr spdlog::level::level_enum kLevels[] = {spdlog::level::off, spdlog::level::err, spdlog::level::warn,
+                                                 spdlog::level::info, spdlog::level::debug};
+
+void say(LogLevel level, const std::string& speaker, std::string_view message) {
+  const spdlog::level::level_enum theirs = kLevels[static_cast<int>(level)];
+  if (standardError().should_log(theirs)) standardError().log(theirs, "{}: {}", speaker, message);
+  tellSinks({level, speaker, message});
 }
 
 }  // namespace
 
-void setLogLevel(LogLevel level) {
-  constexpr spdlog::level::level_enum kLevels[] = {spdlog::level::off, spdlog::level::err, spdlog::level::warn,
-                                                   spdlog::level::info, spdlog::level::debug};
-  standardError().set_level(kLevels[static_cast<int>(level)]);
-}
+void setLogLevel(LogLevel level) { standardError().set_level(kLevels[static_cast<int>(level)]); }
 
 LogLevel logLevel() {
   switch (standardError().level()) {
@@ -49,9 +52,9 @@ LogLevel logLevel() {
 
 Logger::Logger(std::string speaker) : speaker_(std::move(speaker)) {}
 
-void Logger::error(std::string_view message) const { say(spdlog::level::err, speaker_, message); }
-void Logger::warning(std::string_view message) const { say(spdlog::level::warn, speaker_, message); }
-void Logger::info(std::string_view message) const { say(spdlog::level::info, speaker_, message); }
-void Logger::debug(std::string_view message) const { say(spdlog::level::debug, speaker_, message); }
+void Logger::error(std::string_view message) const { say(LogLevel::kError, speaker_, message); }
+void Logger::warning(std::string_view message) const { say(LogLevel::kWarning, speaker_, message); }
+void Logger::info(std::string_view message) const { say(LogLevel::kInfo, speaker_, message); }
+void Logger::debug(std::string_view message) const { say(LogLevel::kDebug, speaker_, message); }
 
 }  // namespace pongsim

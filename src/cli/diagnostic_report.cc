@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/log_sinks.hh"
 #include "cli/console.hh"
 
 namespace pongsim::cli {
@@ -90,6 +91,8 @@ void say(const Diagnostics& diagnostics, Severity least, Severity leastWithLine)
   SourceLines lines;
   const bool hasColors = errorsHaveColors();
   for (const Diagnostic& diagnostic : diagnostics.all()) {
+    const LogLevel level = diagnostic.severity == Severity::kError ? LogLevel::kError : LogLevel::kWarning;
+    tellSinks({level, "world", format(diagnostic)});
     if (diagnostic.severity < least) continue;
     const SourceExcerpt source = diagnostic.severity < leastWithLine ? SourceExcerpt() : lines.at(diagnostic.position);
     std::fprintf(stderr, "%s\n", format(diagnostic, source, hasColors).c_str());

@@ -353,6 +353,14 @@ std::optional<std::string> World::setWind(const Vector3& wind) {
   return std::nullopt;
 }
 
+double World::realTimeFactor() const { return access_->state.realTimeFactor; }
+
+std::optional<std::string> World::setRealTimeFactor(double factor) {
+  if (!(factor >= 0) || !std::isfinite(factor)) return "a real-time factor must be a number from zero up";
+  access_->state.realTimeFactor = factor;
+  return std::nullopt;
+}
+
 void World::performers(std::vector<Performer>& performers) const {
   access_->levels.listPerformers(*access_, performers);
 }

@@ -204,7 +204,7 @@ std::uint64_t Simulation::iterations() const { return parts_->state.iterations; 
 
 Time Simulation::stepSize() const { return parts_->state.stepSize; }
 
-double Simulation::realTimeFactor() const { return parts_->state.realTimeFactor; }
+double Simulation::realTimeFactor() const { return World(parts_->access).realTimeFactor(); }
 
 std::optional<Model> Simulation::insertFile(const std::filesystem::path& file, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
@@ -294,9 +294,7 @@ std::optional<std::string> Simulation::setStepSize(Time size) {
 }
 
 std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
-  if (!(factor >= 0) || !std::isfinite(factor)) return "a real-time factor must be a number from zero up";
-  parts_->state.realTimeFactor = factor;
-  return std::nullopt;
+  return world().setRealTimeFactor(factor);
 }
 
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {

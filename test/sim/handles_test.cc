@@ -85,6 +85,17 @@ TEST_F(HandlesTest, CountOnlyAxesThatHaveAPosition) {
   EXPECT_EQ(arm().joint("knot")->position(), 0);
 }
 
+TEST_F(HandlesTest, ChangeTheRealTimeFactor) {
+  EXPECT_EQ(world().realTimeFactor(), 1);
+  EXPECT_FALSE(world().setRealTimeFactor(0));
+  EXPECT_EQ(simulation_->realTimeFactor(), 0);
+  EXPECT_FALSE(world().setRealTimeFactor(2.5));
+  for (const double factor : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(world().setRealTimeFactor(factor), "a real-time factor must be a number from zero up");
+  }
+  EXPECT_EQ(simulation_->realTimeFactor(), 2.5);
+}
+
 TEST_F(HandlesTest, ChangeTheWind) {
   EXPECT_EQ(world().wind(), Vector3(1, 2, 3));
   EXPECT_FALSE(world().setWind({-4, 5, 6}));

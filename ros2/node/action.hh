@@ -1,0 +1,143 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "ros2/node/goals.hh"
+#include "ros2/node/node.hh"
+#include "ros2/node/service.hh"
+#include "ros2/types/action_types.hh"
+
+namespace pongsim::ros2 {
+
+/// Offers an action for as long as it lives: its three services and two topics, with the quality of service that rcl
+/// gives them. Who executes goals is told of them, and says how they go on. For one thread, that of the node's mailbox.
+template <ActionType Action>
+class ActionServer {
+ public:
+  using Goal = typename Action::Goal;
+  using Result = typename Action::Result;
+  using Feedback = typename Action::Feedback;
+  using Id = Goals::Id;
+  using Status = action_msgs::GoalStatus;
+
+  struct Handlers {
+    /// @return Whether to take that goal; empty: each is taken. One whose id was used already is not asked for.
+    std::function<bool(const Goal&)> accepts;
+    /// Called with each goal that was taken, after its client has been told so. It ends with `end`, now or later.
+    std::function<void(const Id&, const Goal&)> execute;
+    /// @return Whether to cancel the goal; empty: none is. The goal goes on until `end` says that it is cancelled, or
+    /// what else has become of it meanwhile.
+    std::function<bool(const Id&)> cancels;
+  };
+
+  /// @param now What goals and cancelling are timed with.
+  /// @throws std::invalid_argument for a bad name.
+  ActionServer(RosNode& node, const std::string& name, std::function<builtin_interfaces::Time()> now, Handlers handlers)
+      : now_(std::move(now)), handlers_(std::move(handlers)) {
+    const RosNode::Quiet quiet(node);
+    const std::string base = name + "/_action/";
+    feedback_ = node.advertise<FeedbackMessage<Action>>(base + "feedback");
+    status_ = node.advertise<action_msgs::GoalStatusArray>(base + "status", kLatchedQos);
+    sendGoal_ = serve<SendGoal<Action>>(
+        node, base + "send_goal", [this](const auto& request, const auto& responder) { take(request, responder); });
+    cancelGoal_ = serve<action_msgs::srv::CancelGoal>(
+        node, base + "cancel_goal",
+        [this](const auto& request, const auto& responder) { cancel(request.goal_info, responder); });
+    getResult_ = serve<GetResult<Action>>(
+        node, base + "get_result",
+        [this](const auto& request, const auto& responder) { tellResult(request.goal_id, responder); });
+  }
+  ActionServer(const ActionServer&) = delete;
+  ActionServer& operator=(const ActionServer&) = delete;
+
+  /// @return Whether somebody has asked for the goal to be cancelled, and it was agreed to.
+  bool isCanceling(const Id& id) const { return goals_.status(id) == Status::kStatusCanceling; }
+
+  /// Tells how far a goal has come, if anybody listens.
+  void tell(const Id& id, const Feedback& feedback) {
+    if (feedback_->hasReaders()) feedback_->publish(FeedbackMessage<Action>{id, feedback});
+  }
+
+  /// Ends a goal. Nothing where it has ended.
+  /// @param status kStatusSucceeded, kStatusCanceled or kStatusAborted.
+  void end(const Id& id, std::int8_t status, const Result& result) {
+    const auto found = records_.find(id.uuid);
+    if (found == records_.end() || found->second.isOver) return;
+    goals_.end(id, status, Goals::Clock::now());
+    found->second.isOver = true;
+    found->second.result = result;
+    // what waits is taken out first: for many a goal there is none who asks later
+    for (const auto& each : std::exchange(found->second.waiting, {})) each.answer({status, result});
+    tellStatus();
+  }
+
+ private:
+  using ResultResponder = Responder<GetResult<Action>>;
+  struct Record {
+    bool isOver = false;
+    Result result;
+    std::deque<ResultResponder> waiting;
+  };
+  static constexpr std::size_t kMostWaiting = 100;
+
+  void take(const typename SendGoal<Action>::Request& request, const Responder<SendGoal<Action>>& responder) {
+    forget();
+    const builtin_interfaces::Time stamp = now_();
+    const bool isNew = goals_.status(request.goal_id) == Status::kStatusUnknown;
+    if (!isNew || (handlers_.accepts && !handlers_.accepts(request.goal))) return responder.answer({false, stamp});
+    goals_.accept(request.goal_id, stamp);
+    records_[request.goal_id.uuid];
+    responder.answer({true, stamp});
+    tellStatus();
+    handlers_.execute(request.goal_id, request.goal);
+  }
+
+  void cancel(const action_msgs::GoalInfo& asked, const Responder<action_msgs::srv::CancelGoal>& responder) {
+    using Response = action_msgs::srv::CancelGoal::Response;
+    const Goals::ToCancel meant = goals_.toCancel(asked);
+    Response response;
+    response.return_code = meant.code;
+    for (const action_msgs::GoalInfo& goal : meant.goals) {
+      if (!handlers_.cancels || !handlers_.cancels(goal.goal_id)) continue;
+      goals_.startCanceling(goal.goal_id);
+      response.goals_canceling.push_back(goal);
+    }
+    if (!meant.goals.empty() && response.goals_canceling.empty()) response.return_code = Response::kErrorRejected;
+    responder.answer(response);
+    if (!response.goals_canceling.empty()) tellStatus();
+  }
+
+  void tellResult(const Id& id, const ResultResponder& responder) {
+    forget();
+    const auto found = records_.find(id.uuid);
+    if (found == records_.end()) return responder.answer({Status::kStatusUnknown, {}});
+    Record& record = found->second;
+    if (record.isOver) return responder.answer({goals_.status(id), record.result});
+    record.waiting.push_back(responder);
+    if (record.waiting.size() > kMostWaiting) record.waiting.pop_front();
+  }
+
+  void forget() {
+    for (const Id& id : goals_.forget(Goals::Clock::now())) records_.erase(id.uuid);
+  }
+
+  void tellStatus() { status_->publish(goals_.statuses()); }
+
+  std::function<builtin_interfaces::Time()> now_;
+  Handlers handlers_;
+  Goals goals_;
+  std::map<std::array<std::uint8_t, 16>, Record> records_;
+  std::unique_ptr<RosPublisher> feedback_;
+  std::unique_ptr<RosPublisher> status_;
+  std::unique_ptr<RosServer> sendGoal_;
+  std::unique_ptr<RosServer> cancelGoal_;
+  std::unique_ptr<RosServer> getResult_;
+};
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <chrono>
+
+#include "pongsim/types.hh"
+#include "ros2/types/builtin_interfaces.hh"
+
+namespace pongsim::ros2 {
+
+/// @return A time of the simulation as ROS has it.
+inline builtin_interfaces::Time stampOf(Time time) {
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
+  return {static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((time - seconds).count())};
+}
+
+}  // namespace pongsim::ros2

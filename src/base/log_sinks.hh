@@ -1,0 +1,10 @@
+#pragma once
+
+#include "pongsim/log_sink.hh"
+
+namespace pongsim {
+
+/// Hands a message to the sinks that want it; next to nothing where there are none.
+void tellSinks(const LogRecord& record);
+
+}  // namespace pongsim
