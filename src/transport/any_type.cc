@@ -1,5 +1,5 @@
-// How the bus hears messages of any type on a topic. DDS matches readers with writers by type, so that there is a reader
-// for each type that somebody writes. DDS's threads tell of writers, and must not make readers: `dispatch` does.
+// How the bus hears messages of any type on a topic. DDS matches readers with writers by type, so that there is a
+// reader for each type that somebody writes. DDS's threads tell of writers, and must not make readers: `dispatch` does.
 #include "transport/any_type.hh"
 
 #include <algorithm>

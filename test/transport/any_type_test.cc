@@ -197,7 +197,8 @@ TEST_F(AnyTypeElsewhere, IsSeenAsASubscriberOfWhatItHasMet) {
   EXPECT_EQ(met.subscribers.size(), 2U);
 
   subscription = {};
-  EXPECT_TRUE(chatterWhere(other, [](const TopicInfo& topic) { return topic.subscribers.empty(); }).subscribers.empty());
+  EXPECT_TRUE(
+      chatterWhere(other, [](const TopicInfo& topic) { return topic.subscribers.empty(); }).subscribers.empty());
 }
 
 }  // namespace pongsim
