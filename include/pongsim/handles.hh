@@ -32,6 +32,7 @@ class BeamScene;
 class CameraScene;
 class Collision;
 class Link;
+class LinkGroup;
 class Scene;
 class Simulation;
 class Model;
@@ -386,6 +387,7 @@ class PONGSIM_API World {
   friend class Batteries;
   friend class BeamScene;
   friend class CameraScene;
+  friend class LinkGroup;
   friend class Scene;
   sim::Access* access_;
 };

@@ -56,6 +56,9 @@ struct SubscriptionOptions {
 /// returns.
 using HeardAtOnce = std::function<void(const Message& message, const Bulk* bulk)>;
 
+/// Called with a message in protobuf's binary form and the full name of its type. Both live until it returns.
+using ReceivedOfAnyType = std::function<void(std::string_view type, std::span<const std::byte> bytes)>;
+
 /// Publishes messages of one type on one topic, for as long as it lives. It must not outlive its `Transport`.
 class PONGSIM_API Publisher {
  public:
@@ -138,7 +141,7 @@ struct TopicInfo {
     bool operator==(const Traffic&) const = default;
   };
   struct Endpoint {
-    /// Full name of the message type.
+    /// Full name of the message type; "*" of a subscriber that takes any and has not met one yet.
     std::string type;
     /// Process that it belongs to, 0 where it is not known.
     int pid = 0;
@@ -215,6 +218,13 @@ class PONGSIM_API Node {
                               std::function<void(std::span<const std::byte>)> received,
                               const SubscriptionOptions& options = {});
 
+  /// As `subscribeBytes`, for messages of every type that is published on the topic, now or later. A publisher of
+  /// another process with a type that is new here is heard from the next `Transport::dispatch` on after it is known; who
+  /// waits for subscribers waits for that, too. Others see the subscription as one of each type that it has met. It
+  /// takes up to 64 types; the options are for each of them.
+  Subscription subscribeAnyType(std::string_view topic, ReceivedOfAnyType received,
+                                const SubscriptionOptions& options = {});
+
   /// As `subscribe`, but what the publishers of this transport send is handed over at once, from within their `publish`
   /// and on their thread, in no other form than theirs: nothing is copied, nothing waits. What other processes send,
   /// and what is latched when it is made, comes from within `Transport::dispatch` as ever. `heard` may be called by
@@ -223,7 +233,8 @@ class PONGSIM_API Node {
   Subscription subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
                                const SubscriptionOptions& options = {});
 
-  /// @return The topics of this transport's own publishers and subscriptions, sorted by name, then by type.
+  /// @return The topics of this transport's own publishers and subscriptions, sorted by name, then by type. A
+  /// subscription to any type counts for those that it has met.
   std::vector<OwnTopic> ownTopics() const;
   /// @return A number that is another one when a publisher or a subscription of this transport has come or gone. Cheap:
   /// for who watches the topics from step to step.

@@ -10,6 +10,9 @@ namespace pongsim {
 
 namespace {
 
+// Of forces [N] and torques [N m]: what a message may ask for, too (`kLargestForce` in pongsim/commands.hh).
+constexpr double kLargestForce = 1e8;
+
 std::string textOf(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   char text[32];
@@ -160,6 +163,10 @@ double Parameter::number(const Element& element) const {
   }
   if (atMost_ && !(value <= *atMost_)) refuseValue(element, "must be " + what + " of at most " + textOf(*atMost_));
   if (std::isnan(value) || (isFinite_ && std::isinf(value))) refuseValue(element, "must be a finite number");
+  const bool isForce = unit_ == "N" || unit_ == "N m";
+  if (isForce && std::abs(value) > kLargestForce && !std::isinf(value)) {
+    refuseValue(element, "must be from -" + textOf(kLargestForce) + " to " + textOf(kLargestForce) + " " + unit_);
+  }
   return value;
 }
 

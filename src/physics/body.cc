@@ -17,6 +17,16 @@ namespace {
 constexpr double kLargestPosition = 1e9;
 constexpr double kLargestVelocity = 1e9;
 
+// no link becomes faster than this [m/s], and so stays within the first bound for a while
+constexpr double kMostSpeed = 1e6;
+
+/// @return The vector with the length `most` where it is longer, and finite.
+btVector3 shortened(const btVector3& vector, double most) {
+  // squares of what is finite need not be
+  const double length = fromBullet(vector).stableNorm();
+  return length > most && std::isfinite(length) ? vector * (most / length) : vector;
+}
+
 PrincipalMass massOf(const world::Entities& entities, const world::LinkRecord& link) {
   if (!isMoving(link)) return {};
   try {
@@ -99,8 +109,12 @@ void Body::addForces(double dt, bool isHeld) {
 
 void Body::addWrench(const Vector3& force, const Vector3& torque) {
   if (!moves_) return;
-  const btVector3 comToLink = rigid_.getWorldTransform().getBasis() * toBullet(X_BodyLink_.position);
-  rigid_.applyForce(toBullet(force), comToLink);
+  if (X_BodyLink_.position.isZero(0)) {
+    rigid_.applyCentralForce(toBullet(force));
+  } else {
+    const btVector3 comToLink = rigid_.getWorldTransform().getBasis() * toBullet(X_BodyLink_.position);
+    rigid_.applyForce(toBullet(force), comToLink);
+  }
   rigid_.applyTorque(toBullet(torque));
 }
 
@@ -134,10 +148,11 @@ void Body::transfer(StateArchive& archive) {
 
 bool Body::slowDown(double dt) {
   constexpr double kMostTurn = 2 * std::numbers::pi;
-  const double turn = rigid_.getAngularVelocity().length() * dt;
-  if (!(turn > kMostTurn) || !std::isfinite(turn)) return false;
-  rigid_.setAngularVelocity(rigid_.getAngularVelocity() * (kMostTurn / turn));
-  return true;
+  const btVector3 linear = rigid_.getLinearVelocity(), angular = rigid_.getAngularVelocity();
+  if (linear.length2() <= kMostSpeed * kMostSpeed && angular.length2() * dt * dt <= kMostTurn * kMostTurn) return false;
+  rigid_.setLinearVelocity(shortened(linear, kMostSpeed));
+  rigid_.setAngularVelocity(shortened(angular, kMostTurn / dt));
+  return rigid_.getLinearVelocity() != linear || rigid_.getAngularVelocity() != angular;
 }
 
 bool Body::read(world::LinkState& state) const {

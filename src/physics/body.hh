@@ -57,7 +57,7 @@ class Body {
   void transfer(StateArchive& archive);
 
   /// Slows its turning down to once in a step of `dt` [s], where it turns faster: nothing can be told of what turns
-  /// farther, and errors would make it ever faster.
+  /// farther, and errors would make it ever faster. And its speed to 1e6 m/s, so that absurd forces do not end a run.
   /// @return Whether it did.
   bool slowDown(double dt);
 

@@ -11,6 +11,14 @@
 
 namespace pongsim::physics {
 
+namespace {
+
+// Penetration is taken back no faster than by that times the length of a step [m/s^2]: at about the speed that gravity
+// gives in a step, which is what the solver's own errors are of. Fortress's engine takes all back at 1 mm/s.
+constexpr double kFastestParting = 10;
+
+}  // namespace
+
 void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) {
   frictions_.clear();
   frictionsOfTurning_.clear();
@@ -25,6 +33,8 @@ void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count,
       row.m_rhs += row.m_rhsPenetration;
       row.m_rhsPenetration = 0;
     }
+    // what is deep was put there: it is not to leap out
+    row.m_rhsPenetration = std::min(row.m_rhsPenetration, kFastestParting * info.m_timeStep * row.m_jacDiagABInv);
     // no pointer, but the number of its friction and one
     const auto number = reinterpret_cast<std::uintptr_t>(point->m_userPersistentData);
     if (number == 0) continue;

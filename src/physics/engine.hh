@@ -108,7 +108,8 @@ class Engine {
   /// @throws std::runtime_error naming a link whose motion has become infinite or not a number.
   void step(Time dt, world::State& state);
 
-  /// @return The first link that was about to turn more than once in the last step, and has been slowed down to that;
+  /// @return The first link that was about to turn more than once in the last step, or to go faster than 1e6 m/s, and
+  /// has been slowed down to that;
   /// `world::kNoSlot` where there is none.
   world::Slot slowedDown() const;
 

@@ -6,6 +6,9 @@ namespace pongsim::sdf {
 
 namespace {
 
+/// That of the sun [kg]. Squares of larger ones would soon be infinite.
+constexpr double kLargestMass = 1e30;
+
 /// Of the trace: how far a tensor may be off and still be taken for one of a body, since files round.
 constexpr double kTolerance = 1e-4;
 
@@ -37,6 +40,10 @@ description::Inertial readInertial(const Element& link, const std::string& owner
   if (element == nullptr) return inertial;
   inertial.mass = isStatic ? readNumber(*element, "mass", inertial.mass, context)
                            : readPositive(*element, "mass", inertial.mass, context);
+
+  if (!isStatic && inertial.mass > kLargestMass) {
+    context.diagnostics.error(element->child("mass")->position, "the <mass> of " + owner + " is beyond 1e30 kg");
+  }
 
   inertial.X_LinkCom = readPose(*element, context).value;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "base/nearest_word.hh"
@@ -33,6 +34,9 @@ std::size_t axisCount(JointType type) {
       return 1;
   }
 }
+
+// farther than this the physics lets nothing go [rad or m]
+constexpr double kLargestPosition = 1e9;
 
 // below this sine of the angle between them, two axes are one
 constexpr double kSmallestSine = 1e-3;
@@ -70,6 +74,13 @@ void readLimits(const Element& element, const std::string& label, JointType type
   }
   axis.effort = readMaximum(element, "effort", context);
   axis.velocity = readMaximum(element, "velocity", context);
+  for (const auto& [name, value] : {std::pair("lower", axis.lower), std::pair("upper", axis.upper)}) {
+    // what is no limit is infinite, the other way
+    const bool isOut = name[0] == 'l' ? value > kLargestPosition : value < -kLargestPosition;
+    if (!isOut) continue;
+    context.diagnostics.error(element.child(name)->position, "the " + std::string(name) + " limit of " + label +
+                                                                 " is where nothing can be: beyond 1e9 rad or m");
+  }
   if (axis.lower > axis.upper) {
     context.diagnostics.error(element.position, "the lower limit of " + label + " is above its upper limit");
   }
@@ -90,6 +101,11 @@ JointAxis readAxis(const Element& element, const std::string& label, JointType t
     axis.damping = readNumber(*dynamics, "damping", axis.damping, context);
     axis.friction = readNumber(*dynamics, "friction", axis.friction, context);
     axis.springReference = readNumber(*dynamics, "spring_reference", axis.springReference, context);
+    if (!(std::abs(axis.springReference) <= kLargestPosition)) {
+      context.diagnostics.error(dynamics->child("spring_reference")->position,
+                                "the spring of " + label + " rests where nothing can be: beyond 1e9 rad or m");
+      axis.springReference = 0;
+    }
     axis.springStiffness = readNumber(*dynamics, "spring_stiffness", axis.springStiffness, context);
   }
   return axis;

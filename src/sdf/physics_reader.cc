@@ -8,6 +8,7 @@
 
 #include "base/nearest_word.hh"
 #include "description/world.hh"
+#include "sdf/value_check.hh"
 #include "sdf/values.hh"
 
 namespace pongsim::sdf {
@@ -156,7 +157,16 @@ description::PhysicsProfile chosenProfile(const std::vector<description::Physics
 }
 
 Vector3 readGravity(const Element& world, Context& context) {
-  return readVector(world, "gravity", description::World().gravity, context);
+  // far beyond any star's surface but a neutron star's, and far below where the physics gives up
+  constexpr double kMost = 1e6;
+  const Vector3 usual = description::World().gravity;
+  const Vector3 gravity = readVector(world, "gravity", usual, context);
+  if (gravity.cwiseAbs().maxCoeff() <= kMost) return gravity;
+  const Element& element = *world.child("gravity");
+  context.diagnostics.error(element.position,
+                            "<gravity> is '" + quoted(element.text) + "': none beyond 1e6 m/s^2 can be",
+                            "on earth it is 0 0 -9.8");
+  return usual;
 }
 
 }  // namespace pongsim::sdf

@@ -189,7 +189,9 @@ void Scope::resolvePoses(Context& context) {
     if (references[i] && references[i]->inside)
       X_ScopeReference = X_ScopeReference * references[i]->inside->X_ScopeFrame;
     const Pose X_ScopeFrame = X_ScopeReference * entries_[i].pose.value * placementOf(entries_[i], context);
-    if (X_ScopeFrame.position.allFinite() && X_ScopeFrame.rotation.coeffs().allFinite()) {
+    // a place that the physics lets something be in
+    constexpr double kLargestPosition = 1e9;
+    if (X_ScopeFrame.position.cwiseAbs().maxCoeff() <= kLargestPosition && X_ScopeFrame.rotation.coeffs().allFinite()) {
       resolved_[i].X_ScopeFrame = X_ScopeFrame;
     } else {
       context.diagnostics.error(entries_[i].pose.position, labelOf(entries_[i]) + " is too far away to have a pose");

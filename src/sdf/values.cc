@@ -101,9 +101,19 @@ std::optional<std::vector<double>> readEulerNumbers(const Element& element, Cont
   return values;
 }
 
+/// @return Whether the first three are a place that the physics lets something be in; else it has complained.
+bool isWithinReach(const std::vector<double>& values, const Element& element, Context& context) {
+  constexpr double kLargestPosition = 1e9;
+  if (std::all_of(values.begin(), values.begin() + 3, [](double x) { return std::abs(x) <= kLargestPosition; })) {
+    return true;
+  }
+  complain(element, "a place within 1e9 m", context);
+  return false;
+}
+
 Pose readEulerPose(const Element& element, Context& context) {
   const auto values = readEulerNumbers(element, context);
-  if (!values) return {};
+  if (!values || !isWithinReach(*values, element, context)) return {};
   const std::vector<double>& v = *values;
   double unit = 1;
   if (readFlagAttribute(element, "degrees", false, context)) unit = std::numbers::pi / 180;
@@ -112,7 +122,7 @@ Pose readEulerPose(const Element& element, Context& context) {
 
 Pose readQuaternionPose(const Element& element, Context& context) {
   const auto values = readNumbers(element, 7, "a pose: seven finite numbers, x y z and a quaternion x y z w", context);
-  if (!values) return {};
+  if (!values || !isWithinReach(*values, element, context)) return {};
   const std::vector<double>& v = *values;
   const Quaternion rotation(v[6], v[3], v[4], v[5]);
   const double norm = rotation.norm();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,18 @@
 #include "world/state.hh"
 
 namespace pongsim::sim {
+
+/// No command of a system may be larger: far more than is ever meant, and as much as the physics can follow without
+/// losing all meaning. Forces [N, N m], and velocities [m/s, rad/s].
+inline constexpr double kMostForce = 1e10;
+inline constexpr const char* kMostForceText = "1e10 N or N m";
+inline constexpr double kMostVelocity = 1e8;
+inline constexpr const char* kMostVelocityText = "1e8 m/s or rad/s";
+
+/// @return Whether all are within `most`, which what is not a number is not.
+inline bool isWithin(const Vector3& values, double most) {
+  return std::abs(values.x()) <= most && std::abs(values.y()) <= most && std::abs(values.z()) <= most;
+}
 
 /// A group of entities that is set aside: not there for anybody, and kept as it is until it comes back.
 struct Shelved {

@@ -27,13 +27,18 @@ const world::ModelRecord& record(const sim::Access& access, ModelId id) {
 }
 
 /// @return Whether the joint can take `value` for the axis; else it has warned.
-bool canCommand(sim::Access& access, const Joint& joint, double value, int axis) {
+/// @param most How large it may be, either way.
+bool canCommand(sim::Access& access, const Joint& joint, double value, int axis, double most, const char* limits) {
   if (axis < 0 || axis >= joint.axisCount()) {
     access.refuse("joint '" + std::string(joint.name()) + "' has no axis " + std::to_string(axis) + " to command");
     return false;
   }
   if (!std::isfinite(value)) {
     access.refuse("joint '" + std::string(joint.name()) + "' was given a command that is not a finite number");
+    return false;
+  }
+  if (std::abs(value) > most) {
+    access.refuse("joint '" + std::string(joint.name()) + "' was given a command beyond " + limits);
     return false;
   }
   return true;
@@ -54,16 +59,18 @@ Vector3 Link::linearVelocity() const { return access_->state.links[slotOf(*acces
 Vector3 Link::angularVelocity() const { return access_->state.links[slotOf(*access_, id_)].w_WorldLink; }
 
 void Link::addWrench(const Vector3& force, const Vector3& torque) {
-  if (!force.allFinite() || !torque.allFinite()) {
-    access_->refuse("link '" + std::string(name()) + "' was given a wrench that is not finite");
+  if (!sim::isWithin(force, sim::kMostForce) || !sim::isWithin(torque, sim::kMostForce)) {
+    access_->refuse("link '" + std::string(name()) + "' was given a wrench that is not finite or beyond " +
+                    sim::kMostForceText);
     return;
   }
   access_->engine.addLinkWrench(slotOf(*access_, id_), force, torque);
 }
 
 void Link::setVelocity(const Vector3& linear, const Vector3& angular) {
-  if (!linear.allFinite() || !angular.allFinite()) {
-    access_->refuse("link '" + std::string(name()) + "' was given a velocity that is not finite");
+  if (!sim::isWithin(linear, sim::kMostVelocity) || !sim::isWithin(angular, sim::kMostVelocity)) {
+    access_->refuse("link '" + std::string(name()) + "' was given a velocity that is not finite or beyond " +
+                    sim::kMostVelocityText);
     return;
   }
   const world::Slot slot = slotOf(*access_, id_);
@@ -109,12 +116,12 @@ double Joint::velocity(int axis) const {
 }
 
 void Joint::setVelocityTarget(double velocity, int axis) {
-  if (!canCommand(*access_, *this, velocity, axis)) return;
+  if (!canCommand(*access_, *this, velocity, axis, sim::kMostVelocity, sim::kMostVelocityText)) return;
   access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity, static_cast<std::size_t>(axis));
 }
 
 void Joint::addForce(double force, int axis) {
-  if (!canCommand(*access_, *this, force, axis)) return;
+  if (!canCommand(*access_, *this, force, axis, sim::kMostForce, sim::kMostForceText)) return;
   access_->engine.addJointForce(slotOf(*access_, id_), force, static_cast<std::size_t>(axis));
 }
 
@@ -219,8 +226,9 @@ std::optional<Model> Model::parent() const {
 void Model::setVelocity(const Vector3& linear, const Vector3& angular) {
   const std::optional<Link> canonical = canonicalLink();
   if (!canonical) return;
-  if (!linear.allFinite() || !angular.allFinite()) {
-    access_->refuse("model '" + scopedName() + "' was given a velocity that is not finite");
+  if (!sim::isWithin(linear, sim::kMostVelocity) || !sim::isWithin(angular, sim::kMostVelocity)) {
+    access_->refuse("model '" + scopedName() + "' was given a velocity that is not finite or beyond " +
+                    sim::kMostVelocityText);
     return;
   }
   const Vector3 origin = pose().position;

@@ -177,9 +177,10 @@ void Simulation::Parts::stepEngine(Time dt) {
   const world::Slot link = engine.slowedDown();
   if (link == world::kNoSlot || !slowedDown.insert(entities.links()[link].id).second) return;
   const world::LinkRecord& record = entities.links()[link];
-  Logger("physics").warning(
-      "link '" + entities.models()[record.model].scopedName + "::" + record.description->name +
-      "' would turn more than once in a step and is slowed down to that (a shorter step may help)");
+  Logger("physics").warning("link '" + entities.models()[record.model].scopedName + "::" + record.description->name +
+                            "' would turn more than once in a step, or go faster than 1e6 m/s, and is slowed down to "
+                            "that (a shorter step may "
+                            "help)");
 }
 
 void Simulation::advance(Time dt) {

@@ -25,6 +25,12 @@ description::Plugin defaultSceneBroadcaster() {
   return plugin;
 }
 
+/// @return " (world.sdf:41:9)", or nothing where no file has it.
+std::string inBrackets(const SourcePosition& position) {
+  if (!position.file || position.line <= 0) return {};
+  return " (" + *position.file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ")";
+}
+
 std::string attributeOf(const Element& element, const char* name) {
   const Element::Attribute* attribute = element.attribute(name);
   return attribute == nullptr ? std::string() : attribute->value;
@@ -163,7 +169,7 @@ void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnost
 
 void SystemSet::noteFailure(const SystemSlot& slot, const std::string& what) {
   if (!strict_) {
-    Logger(slot.name()).error(what + "; it is switched off");
+    Logger(slot.name()).error(what + "; it is switched off" + inBrackets(slot.position()));
   } else if (!failure_) {
     failure_ = slot.name() + " " + what;
   }

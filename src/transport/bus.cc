@@ -6,6 +6,7 @@
 
 #include "msgs/bytes.hh"
 #include "pongsim/log.hh"
+#include "transport/any_type.hh"
 #include "transport/deadline.hh"
 #include "transport/network.hh"
 #include "transport/payload.hh"
@@ -35,11 +36,15 @@ Bus::Bus(std::unique_ptr<Network> network)
           network_.get(), [this] { requestArrived(); },
           [this](std::uint64_t call, const auto& header, auto message) { client_.answerOwn(call, header, message); }),
       client_(network_.get(), server_) {
-  if (network_) network_->reportTraffic([this] { return traffic(); });
+  if (!network_) return;
+  network_->reportTraffic([this] { return traffic(); });
+  network_->directory().tellOfPublishers([this](const auto& topic, const auto& type) { publisherFound(topic, type); });
 }
 
 Bus::~Bus() {
-  if (network_) network_->reportTraffic({});
+  if (!network_) return;
+  network_->directory().tellOfPublishers({});
+  network_->reportTraffic({});
 }
 
 std::optional<Interface> Bus::interface() const { return network_ ? network_->interface() : std::nullopt; }
@@ -64,6 +69,9 @@ Channel& Bus::addPublisher(std::string_view topic, const std::string& type, bool
   ++channel.publishers;
   if (latched) ++channel.latchedPublishers;
   ++ownTopicsVersion_;
+  for (const auto& any : anyTypes_) {
+    if (any->topic == channel.topic) hear(*any, channel.type);
+  }
   return channel;
 }
 
@@ -396,6 +404,7 @@ std::size_t Bus::dispatch() {
   } const release{*this};
 
   std::size_t handedOver = 0;
+  hearFoundTypes();
   collectArrivals();
   for (const Arrival& arrival : arrivals_) {
     Inbox& inbox = *arrival.inbox;

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "pongsim/message.hh"
@@ -26,6 +27,7 @@
 
 namespace pongsim::transport {
 
+class AnyType;
 class Network;
 class PublisherState;
 class Reader;
@@ -96,6 +98,9 @@ class Bus {
   Inbox& addSubscription(std::string_view topic, const std::string& type, HeardAtOnce heard,
                          const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
+  /// Of one that takes messages of any type.
+  AnyType& addAnyType(std::string_view topic, ReceivedOfAnyType received, const SubscriptionOptions& options);
+  void endAnyType(AnyType& any);
 
   std::vector<OwnTopic> ownTopics();
   std::uint64_t ownTopicsVersion() const { return ownTopicsVersion_.load(std::memory_order_relaxed); }
@@ -109,6 +114,8 @@ class Bus {
   bool waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout);
   std::uint64_t received(const Inbox& inbox) const;
   std::uint64_t dropped(const Inbox& inbox) const;
+  std::uint64_t received(const AnyType& any) const;
+  std::uint64_t dropped(const AnyType& any) const;
 
   std::size_t dispatch();
   std::size_t dispatchFor(std::chrono::nanoseconds timeout);
@@ -138,6 +145,9 @@ class Bus {
   Channel& channelFor(std::string_view topic, const std::string& type);
   Inbox& addInbox(Channel& channel, std::unique_ptr<Inbox> inbox);
   void openReader(Channel& channel);
+  void hear(AnyType& any, const std::string& type);
+  void publisherFound(const std::string& topic, const std::string& type);
+  void hearFoundTypes();
   bool isAwaited(const PublisherState& publisher) const;
   bool isWantedInBytes(PublisherState& publisher);
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
@@ -169,6 +179,11 @@ class Bus {
   std::atomic<std::uint64_t> ownTopicsVersion_ = 0;
   std::mutex setUp_;
   std::map<std::pair<std::string, std::string>, std::unique_ptr<Channel>> channels_;
+
+  /// With their topics; changed with both `setUp_` and `mutex_` held.
+  std::vector<std::unique_ptr<AnyType>> anyTypes_;
+  /// Publishers that other processes turned out to have on such topics, guarded by `mutex_`: topic and type.
+  std::vector<std::pair<std::string, std::string>> foundTypes_;
 
   mutable std::mutex mutex_;
   std::condition_variable arrived_;
@@ -225,16 +240,21 @@ class RequestState {
   const std::uint64_t number;
 };
 
-/// A subscription's place to wait for messages.
+/// A subscription's place to wait for messages, or its places where it takes any type.
 class SubscriptionState {
  public:
-  SubscriptionState(Bus& owner, Inbox& place) : bus(owner), inbox(place) {}
-  ~SubscriptionState() { bus.endSubscription(inbox); }
+  SubscriptionState(Bus& bus, Inbox& inbox) : bus_(bus), place_(&inbox) {}
+  SubscriptionState(Bus& bus, AnyType& any) : bus_(bus), place_(&any) {}
+  ~SubscriptionState();
   SubscriptionState(const SubscriptionState&) = delete;
   SubscriptionState& operator=(const SubscriptionState&) = delete;
 
-  Bus& bus;
-  Inbox& inbox;
+  std::uint64_t received() const;
+  std::uint64_t dropped() const;
+
+ private:
+  Bus& bus_;
+  std::variant<Inbox*, AnyType*> place_;
 };
 
 }  // namespace pongsim::transport

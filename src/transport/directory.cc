@@ -4,6 +4,7 @@
 
 #include "pongsim/log.hh"
 #include "transport/service_name.hh"
+#include "transport/type_name.hh"
 
 namespace pongsim::transport {
 
@@ -57,7 +58,15 @@ void Directory::addEndpoint(const EndpointId& id, const Endpoint& endpoint) {
   endpoints_[id] = endpoint;
   const auto [begin, end] = own_.equal_range(endpoint.topic);
   for (auto own = begin; own != end; ++own) warnOfType(own->second, id, endpoint);
+  if (tell_ && endpoint.role == Role::kPublisher && endpoint.visible && endpoint.topic.starts_with('/')) {
+    tell_(endpoint.topic, endpoint.type);
+  }
   changed();
+}
+
+void Directory::tellOfPublishers(std::function<void(const std::string& topic, const std::string& type)> tell) {
+  const std::lock_guard lock(mutex_);
+  tell_ = std::move(tell);
 }
 
 void Directory::removeEndpoint(const EndpointId& id) {
@@ -104,15 +113,44 @@ void Directory::removeOwn(const Endpoint& endpoint) {
 
 void Directory::warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) {
   if (!isListed(otherId, other) || other.type == own.type || other.role == own.role) return;
+  const ParticipantId participant = participantOf(otherId);
+  if (other.role == Role::kPublisher ? takesAnyType(own.topic) : takesAnyType(participant, own.topic)) return;
   if (std::string& warned = warned_[own.topic]; warned == other.type) return;
   warned_[own.topic] = other.type;
-  const std::string process = std::to_string(pidOfLocked(participantOf(otherId)));
+  const std::string process = std::to_string(pidOfLocked(participant));
   static const Logger log("transport");
   log.warning(other.role == Role::kPublisher
                   ? "topic '" + own.topic + "': process " + process + " publishes " + other.type +
                         ", which this process, subscribed to " + own.type + ", does not get"
                   : "topic '" + own.topic + "': process " + process + " subscribes to " + other.type +
                         ", and does not get what this process publishes, " + own.type);
+}
+
+/// @return Whether a participant has a subscription to any type on the topic.
+bool Directory::takesAnyType(const ParticipantId& id, const std::string& topic) const {
+  for (auto each = endpoints_.lower_bound(firstOf(id)); each != endpoints_.end(); ++each) {
+    if (participantOf(each->first) != id) return false;
+    if (each->second.topic == topic && each->second.type == kAnyType) return true;
+  }
+  return false;
+}
+
+/// @return Whether this process has one.
+bool Directory::takesAnyType(const std::string& topic) const {
+  const auto [begin, end] = own_.equal_range(topic);
+  return std::any_of(begin, end, [](const auto& own) { return own.second.type == kAnyType; });
+}
+
+/// @return Whether it is a subscription to any type that is listed already, for it has met one.
+bool Directory::isDuplicate(const EndpointId& id, const Endpoint& endpoint) const {
+  if (endpoint.type != kAnyType) return false;
+  const ParticipantId participant = participantOf(id);
+  for (auto each = endpoints_.lower_bound(firstOf(participant)); each != endpoints_.end(); ++each) {
+    if (participantOf(each->first) != participant) return false;
+    const Endpoint& other = each->second;
+    if (each->first != id && other.topic == endpoint.topic && other.role == endpoint.role) return true;
+  }
+  return false;
 }
 
 int Directory::pidOfLocked(const ParticipantId& id) const {
@@ -129,7 +167,7 @@ std::vector<TopicInfo> Directory::topics() const {
   const std::lock_guard lock(mutex_);
   std::map<std::string, TopicInfo> byName;
   for (const auto& [id, endpoint] : endpoints_) {
-    if (!isListed(id, endpoint) || !endpoint.topic.starts_with('/')) continue;
+    if (!isListed(id, endpoint) || !endpoint.topic.starts_with('/') || isDuplicate(id, endpoint)) continue;
     TopicInfo& info = byName[endpoint.topic];
     auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
     side.push_back({endpoint.type, pidOfLocked(participantOf(id)), std::nullopt});
@@ -146,7 +184,7 @@ TopicInfo Directory::topic(std::string_view name) const {
   const std::lock_guard lock(mutex_);
   TopicInfo info{std::string(name), {}, {}};
   for (const auto& [id, endpoint] : endpoints_) {
-    if (endpoint.topic != name || !isListed(id, endpoint)) continue;
+    if (endpoint.topic != name || !isListed(id, endpoint) || isDuplicate(id, endpoint)) continue;
     const ParticipantId participant = participantOf(id);
     auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
     side.push_back({endpoint.type, pidOfLocked(participant), trafficOf(participant, endpoint)});

@@ -3,6 +3,7 @@
 #include <array>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -45,6 +46,10 @@ class Directory {
   void setTraffic(const ParticipantId& id, TrafficReport report);
   void forgetTraffic();
 
+  /// Has `tell` called with topic and type of each visible publisher of a topic that others tell of from now on, by the
+  /// thread that tells and with this directory locked; empty: nobody, and no call is under way any more.
+  void tellOfPublishers(std::function<void(const std::string& topic, const std::string& type)> tell);
+
   /// Says of an endpoint of ours that it is there or gone, to be warned of others that speak another type.
   void addOwn(const Endpoint& endpoint);
   void removeOwn(const Endpoint& endpoint);
@@ -83,6 +88,9 @@ class Directory {
   bool isListed(const EndpointId& id, const Endpoint& endpoint) const;
   std::optional<TopicInfo::Traffic> trafficOf(const ParticipantId& id, const Endpoint& endpoint) const;
   bool isComplete(std::span<const std::uint32_t> ports) const;
+  bool isDuplicate(const EndpointId& id, const Endpoint& endpoint) const;
+  bool takesAnyType(const ParticipantId& id, const std::string& topic) const;
+  bool takesAnyType(const std::string& topic) const;
   void warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other);
   void changed();
   int pidOfLocked(const ParticipantId& id) const;
@@ -93,6 +101,7 @@ class Directory {
   std::map<ParticipantId, Participant> participants_;
   std::map<EndpointId, Endpoint> endpoints_;
   std::multimap<std::string, Endpoint> own_;
+  std::function<void(const std::string& topic, const std::string& type)> tell_;
   /// Topic and foreign type of the warnings given.
   std::map<std::string, std::string> warned_;
 };

@@ -31,7 +31,7 @@ std::optional<std::string> refusal(const Message& message, double largest) {
 
 Inbox::Inbox(Channel& channel, const SubscriptionOptions& options)
     : channel_(channel), limit_(std::max<std::size_t>(options.queueLength, 1)) {
-  if (options.except != nullptr) except = options.except->state_.get();
+  except = excepted(options);
   if (!options.messagesPerSecond) return;
   const std::chrono::duration<double> period(1 / std::max(*options.messagesPerSecond, kLowestRate));
   period_ = std::chrono::duration_cast<Clock::duration>(period);
@@ -58,6 +58,10 @@ Inbox::Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions
 }
 
 Inbox::~Inbox() = default;
+
+const void* Inbox::excepted(const SubscriptionOptions& options) {
+  return options.except == nullptr ? nullptr : options.except->state_.get();
+}
 
 bool Inbox::wants() {
   if (!period_) return true;

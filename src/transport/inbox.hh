@@ -36,6 +36,9 @@ class Inbox {
   Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions& options);
   ~Inbox();
 
+  /// @return The publisher that a subscription with such options does not hear, or null.
+  static const void* excepted(const SubscriptionOptions& options);
+
   /// @return Whether the subscription wants a message that comes now, for it has not had as many as it may lately.
   bool wants();
 

@@ -16,13 +16,13 @@ namespace pongsim {
 namespace {
 
 /// @return `call`, with the guard around it where there is one.
-template <class Argument>
-std::function<void(Argument)> guarded(CallGuard* guard, std::function<void(Argument)> call) {
+template <class... Arguments>
+std::function<void(Arguments...)> guarded(CallGuard* guard, std::function<void(Arguments...)> call) {
   if (guard == nullptr) return call;
-  return [guard, inner = std::move(call)](Argument argument) {
+  return [guard, inner = std::move(call)](Arguments... arguments) {
     if (!guard->enter()) return;
     try {
-      inner(argument);
+      inner(arguments...);
     } catch (const std::exception& error) {
       guard->failed(error);
     }
@@ -77,9 +77,9 @@ Subscription::Subscription(Subscription&&) noexcept = default;
 Subscription& Subscription::operator=(Subscription&&) noexcept = default;
 Subscription::~Subscription() = default;
 
-std::uint64_t Subscription::received() const { return state_ ? state_->bus.received(state_->inbox) : 0; }
+std::uint64_t Subscription::received() const { return state_ ? state_->received() : 0; }
 
-std::uint64_t Subscription::dropped() const { return state_ ? state_->bus.dropped(state_->inbox) : 0; }
+std::uint64_t Subscription::dropped() const { return state_ ? state_->dropped() : 0; }
 
 CallGuard::~CallGuard() = default;
 
@@ -129,6 +129,13 @@ Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
   const std::string name = transport::anyType(type);
   return Subscription(std::make_unique<transport::SubscriptionState>(
       *bus_, bus_->addSubscription(fullName(topic), name, guarded(guard_, std::move(received)), options)));
+}
+
+Subscription Node::subscribeAnyType(std::string_view topic, ReceivedOfAnyType received,
+                                    const SubscriptionOptions& options) {
+  checkRate(options);
+  return Subscription(std::make_unique<transport::SubscriptionState>(
+      *bus_, bus_->addAnyType(fullName(topic), guarded(guard_, std::move(received)), options)));
 }
 
 Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,

@@ -5,6 +5,9 @@
 
 namespace pongsim::transport {
 
+/// What stands for a type where a subscription takes any: no type's name.
+inline constexpr std::string_view kAnyType = "*";
+
 /// @return The full name of a message type.
 /// @throws std::invalid_argument for an unknown one.
 std::string knownType(std::string_view name);

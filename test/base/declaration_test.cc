@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "pongsim/commands.hh"
+
 namespace pongsim {
 namespace {
 
@@ -117,6 +119,22 @@ TEST(Declaration, NamesThePlaceOfEachWrongValue) {
               std::vector<std::string>{"world.sdf:2:3: warning: test is left out: " + std::string(message)});
     EXPECT_FALSE(settings.isGood);
   }
+}
+
+TEST(Declaration, RefusesForcesThatCannotBeMeant) {
+  for (const char* unit : {"N", "N m"}) {
+    double force = 0;
+    Declaration declaration;
+    declaration.parameter("force", &force, unit, "a force");
+    Diagnostics good, bad;
+    EXPECT_TRUE(declaration.read(pluginWith({{"force", "-1e8"}}), "test", good));
+    EXPECT_EQ(force, -1e8);
+    EXPECT_FALSE(declaration.read(pluginWith({{"force", "1e308"}}), "test", bad));
+    EXPECT_EQ(format(bad.all().at(0)), std::string("world.sdf:2:3: warning: test is left out: <force> must be from "
+                                                   "-1e+08 to 1e+08 ") +
+                                           unit);
+  }
+  EXPECT_EQ(kLargestForce, 1e8) << "the bound of messages";
 }
 
 TEST(Declaration, SaysAllThatIsWrongAtOnce) {

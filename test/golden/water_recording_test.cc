@@ -40,7 +40,7 @@ TEST_F(WaterRecording, LiftDragTurnsItsBlades) {
   Replay replay("examples/lift_drag.sdf", {number(kRotorTopic, 0.7)});
   replay.run();
   EXPECT_TRUE(replay.missing().empty());
-  EXPECT_LT(replay.of(kRotorJoint).largest, 0.02 * 1136.5);
+  EXPECT_LT(replay.of(kRotorJoint).largest, 0.01 * 1136.5);
 }
 
 TEST_F(WaterRecording, LiftDragTurnsItsBladesAsItShouldInSmallSteps) {
@@ -103,9 +103,8 @@ TEST_F(WaterRecording, LiftDragDrivesAPlane) {
                 {number("/model/propeller_plane/joint/rod_1_joint/cmd_force", 70)});
   replay.run();
   EXPECT_TRUE(replay.missing().empty());
-  EXPECT_LT(replay.of("model propeller_plane").largest, 0.005 * 64.7);
-  // as the rotor above
-  EXPECT_LT(replay.of("joint propeller_plane::rod_1_joint").largest, 0.01 * 917);
+  EXPECT_LT(replay.of("model propeller_plane").largest, 0.001 * 64.7);
+  EXPECT_LT(replay.of("joint propeller_plane::rod_1_joint").largest, 0.001 * 917);
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST(Engine, PartsWhatBeginsInEachOtherWithoutThrowingIt) {
                   makeModel("c", {makeBox(0.05)})};
   Rig rig(std::move(world));
   double fastest = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 10000; ++i) {
     rig.step();
     for (const world::LinkState& link : rig.state.links) fastest = std::max(fastest, link.v_WorldLink.norm());
   }
@@ -150,6 +150,25 @@ TEST(Engine, PartsWhatBeginsInEachOtherWithoutThrowingIt) {
   for (const char* name : {"a::link", "b::link", "c::link"}) {
     EXPECT_GT(rig.link(name).X_WorldLink.position.z(), 0.095) << name;
     EXPECT_LT(rig.link(name).v_WorldLink.norm(), 1e-2) << name;
+  }
+}
+
+TEST(Engine, LetsWhatBeginsInTheGroundComeOutAtABoundedSpeed) {
+  // 10 m/s^2 times the step
+  for (const int milliseconds : {1, 2}) {
+    description::World world;
+    world.models = {test::makeGround(), makeModel("box", {makeBox(0.05)})};
+    Rig rig(std::move(world));
+    const auto run = [&](int duration) {
+      for (int i = 0; i < duration / milliseconds; ++i) {
+        rig.engine.step(std::chrono::milliseconds(milliseconds), rig.state);
+        ASSERT_LT(rig.link("box::link").v_WorldLink.norm(), 1e-3);
+      }
+    };
+    run(2000);
+    EXPECT_NEAR(rig.link("box::link").X_WorldLink.position.z(), 0.05 + 0.01 * milliseconds * 2, 1e-3);
+    run(4000);
+    EXPECT_NEAR(rig.link("box::link").X_WorldLink.position.z(), 0.1, 1e-4);
   }
 }
 
@@ -182,6 +201,21 @@ TEST(Engine, LetsARotorTurnNearlyOnceAStep) {
   rig.step(1);
   EXPECT_NEAR(rig.link("box::link").w_WorldLink.z(), 6283.2, 0.1);
   EXPECT_EQ(rig.engine.slowedDown(), 0U);
+}
+
+TEST(Engine, LetsNoForceMakeALinkFasterThanItMayBe) {
+  description::World world;
+  world.gravity = Vector3::Zero();
+  world.models = {makeModel("box", {makeBox(0.1)})};
+  Rig rig(std::move(world));
+  for (int i = 0; i < 100; ++i) {
+    rig.engine.addLinkWrench(0, {1e10, 1e10, 0}, {0, 0, 1e10});
+    rig.step(1);
+    ASSERT_LE(rig.link("box::link").v_WorldLink.norm(), 1.0001e6) << "step " << i;
+  }
+  EXPECT_EQ(rig.engine.slowedDown(), 0U);
+  // what is left is where it goes
+  EXPECT_NEAR(rig.link("box::link").v_WorldLink.x(), 1e6 / std::sqrt(2), 1);
 }
 
 TEST(Engine, MakesStepsOfAnyLength) {

@@ -31,6 +31,12 @@ TEST(Inertial, IsAUnitWhereThereIsNone) {
   EXPECT_EQ(inertial.moments, Matrix3(Matrix3::Identity()));
 }
 
+TEST(Inertial, RefusesAMassBeyondAllStars) {
+  const Messages messages = loadLink("<inertial><mass>1e31</mass></inertial>").messages;
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("is beyond 1e30 kg"), std::string::npos) << messages[0];
+}
+
 TEST(Inertial, NeedsAMass) {
   EXPECT_EQ(loadLink("<inertial><mass>0</mass></inertial>").messages,
             Messages{"t.sdf:4:11: error: <mass> is '0', which is not a finite number above zero"});

@@ -81,6 +81,23 @@ TEST(Joint, HasNoLimitWhereTheNumberIsHuge) {
   }
 }
 
+TEST(Joint, RefusesLimitsAndSpringsWhereNothingCanBe) {
+  const auto messagesOf = [](const std::string& axis) {
+    return loadJoint("<joint name='j' type='revolute'>" + kLinks + "<axis>" + axis + "</axis></joint>").messages;
+  };
+  for (const std::string name : {"lower", "upper"}) {
+    const std::string value = name == "lower" ? "1e16" : "-1e10";
+    const Messages messages = messagesOf("<limit><" + name + ">" + value + "</" + name + "></limit>");
+    ASSERT_FALSE(messages.empty());
+    EXPECT_NE(messages[0].find(": error: the " + name + " limit of joint 'j' is where nothing can be"),
+              std::string::npos)
+        << messages[0];
+  }
+  const Messages messages = messagesOf("<dynamics><spring_reference>1e308</spring_reference></dynamics>");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find(": error: the spring of joint 'j' rests where nothing can be"), std::string::npos);
+}
+
 TEST(Joint, OfContinuousTypeHasNoLimits) {
   const Loaded loaded = loadJoint("<joint name='j' type='continuous'>" + kLinks +
                                   "<axis><limit><lower>-1</lower><upper>1</upper></limit></axis></joint>");

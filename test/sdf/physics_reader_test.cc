@@ -57,6 +57,13 @@ TEST(Physics, KeepsAllProfilesWithWhatTheySayOfEngines) {
   EXPECT_EQ(profiles[1].dart.collisionDetector, "ode");
 }
 
+TEST(Physics, RefusesAGravityThatIsNone) {
+  const Loaded loaded = loadWorld("<gravity>0 0 -1e308</gravity>");
+  EXPECT_EQ(loaded.messages, Messages{"t.sdf:2:1: error: <gravity> is '0 0 -1e308': none beyond 1e6 m/s^2 can be | "
+                                      "on earth it is 0 0 -9.8"});
+  EXPECT_EQ(loadWorld("<gravity>0 0 -1e6</gravity>").messages, Messages());
+}
+
 TEST(Physics, RefusesStepsThatAreNone) {
   const auto messages = [](const std::string& content) {
     return loadWorld("<physics>" + content + "</physics>").messages;

@@ -166,5 +166,25 @@ TEST_F(HandlesTest, RefuseCommandsThatMakeNoSense) {
   EXPECT_EQ(simulation_->stateHash(), before);
 }
 
+TEST_F(HandlesTest, RefuseCommandsBeyondAllMeasure) {
+  simulation_->step(5);
+  const std::uint64_t before = simulation_->stateHash();
+  testing::internal::CaptureStderr();
+  arm().joint("elbow")->setVelocityTarget(1e9);
+  arm().joint("elbow")->addForce(-1e308);
+  arm().canonicalLink()->addWrench({0, 0, 1e11}, Vector3::Zero());
+  arm().canonicalLink()->setVelocity({0, 1e9, 0}, Vector3::Zero());
+  arm().setVelocity(Vector3::Zero(), {0, 1e9, 0});
+  const std::string said = testing::internal::GetCapturedStderr();
+  for (const char* part : {"joint 'elbow' was given a command beyond 1e8 m/s or rad/s",
+                           "joint 'elbow' was given a command beyond 1e10 N or N m",
+                           "link 'upper' was given a wrench that is not finite or beyond 1e10 N or N m",
+                           "link 'upper' was given a velocity that is not finite or beyond 1e8 m/s or rad/s",
+                           "model 'arm' was given a velocity that is not finite or beyond 1e8 m/s or rad/s"}) {
+    EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
+  }
+  EXPECT_EQ(simulation_->stateHash(), before);
+}
+
 }  // namespace
 }  // namespace pongsim

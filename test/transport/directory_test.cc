@@ -132,4 +132,43 @@ TEST(Directory, WarnsOfAnotherTypeThatWasThereBefore) {
   EXPECT_NE(testing::internal::GetCapturedStderr().find("ignition.msgs.Pose"), std::string::npos);
 }
 
+TEST(Directory, WarnsOfNoTypeWhereOneSideTakesAny) {
+  Directory directory;
+  directory.addParticipant(kFirst, 4711, {7410});
+  testing::internal::CaptureStderr();
+  // this process takes any type, and has met one
+  directory.addOwn({"/a", "*", Role::kSubscriber});
+  directory.addOwn({"/a", kTwist, Role::kSubscriber});
+  directory.addEndpoint(kFirstsPublisher, {"/a", "ignition.msgs.Pose", Role::kPublisher});
+  // the other one does
+  directory.addOwn({"/b", kTwist, Role::kPublisher});
+  directory.addEndpoint(kFirstsSubscriber, {"/b", "*", Role::kSubscriber});
+  directory.addEndpoint(EndpointId{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3}, {"/b", "a.Type", Role::kSubscriber});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Directory, ListsWhoTakesAnyTypeByTheTypesThatItHasMet) {
+  Directory directory;
+  directory.addParticipant(kFirst, 11, {7410});
+  directory.addEndpoint(kFirstsSubscriber, {"/a", "*", Role::kSubscriber});
+  EXPECT_EQ(directory.topic("/a").subscribers, (std::vector<TopicInfo::Endpoint>{{"*", 11}}));
+  directory.addEndpoint(EndpointId{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3}, {"/a", kTwist, Role::kSubscriber});
+  EXPECT_EQ(directory.topic("/a").subscribers, (std::vector<TopicInfo::Endpoint>{{kTwist, 11}}));
+  EXPECT_EQ(directory.topics().at(0).subscribers.size(), 1U);
+}
+
+TEST(Directory, TellsOfPublishersOfTopicsAsTheyCome) {
+  Directory directory;
+  std::vector<std::string> told;
+  directory.tellOfPublishers([&](const std::string& topic, const std::string& type) { told.push_back(topic + type); });
+  directory.addParticipant(kFirst, 11, {7410});
+  directory.addEndpoint(kFirstsPublisher, {"/a", "X", Role::kPublisher});
+  directory.addEndpoint(kFirstsSubscriber, {"/a", "Y", Role::kSubscriber});
+  directory.addEndpoint(kSecondsPublisher, {"/hidden", "Z", Role::kPublisher, false});
+  EXPECT_EQ(told, std::vector<std::string>{"/aX"});
+  directory.tellOfPublishers({});
+  directory.addEndpoint(kFirstsPublisher, {"/b", "X", Role::kPublisher});
+  EXPECT_EQ(told.size(), 1U);
+}
+
 }  // namespace pongsim::transport

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "airfoil.hh"
+#include "carried_link.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -49,12 +50,16 @@ class LiftDrag : public System {
     if (info.paused) return;
     const Quaternion R_WorldLink = link_->pose().rotation;
     const Vector3 arm = R_WorldLink * center_;
-    const Vector3 velocity = link_->linearVelocity() + link_->angularVelocity().cross(arm);
+    const Vector3 velocity = carried_->linearVelocity() + link_->angularVelocity().cross(arm);
     const double offset = joint_ ? liftOfJoint_ * joint_->position() : 0;
     const Vector3 force = R_WorldLink * airfoilForce(airfoil_, R_WorldLink.conjugate() * velocity, offset);
     // at speeds whose square is no number any more
     if (force.allFinite()) link_->addWrench(force, arm.cross(force));
   }
+
+  // joints may have come or gone
+  void worldChanged() override { carried_.emplace(*link_); }
+  void reset() override { carried_.emplace(*link_); }
 
  private:
   std::string linkName_;
@@ -64,6 +69,7 @@ class LiftDrag : public System {
   double liftOfJoint_ = 4;
 
   std::optional<Link> link_;
+  std::optional<CarriedLink> carried_;
   std::optional<Joint> joint_;
 };
 
@@ -103,6 +109,7 @@ T partOf(const SystemContext& context, std::string_view parameter, const char* k
 void LiftDrag::configure(const SystemContext& context) {
   const Element& sdf = context.sdf;
   link_ = partOf<Link>(context, "link_name", "link");
+  carried_.emplace(*link_);
   if (!jointName_.empty()) {
     joint_ = partOf<Joint>(context, "control_joint_name", "joint");
     if (joint_->axisCount() == 0) {

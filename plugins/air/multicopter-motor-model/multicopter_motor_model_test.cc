@@ -11,6 +11,7 @@
 
 #include "support/drone_world.hh"
 #include "support/fortress_worlds.hh"
+#include "support/going_on.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::multicopter_motor_model_test {
@@ -202,12 +203,8 @@ TEST(MulticopterMotorModel, GoesOnFromASavedState) {
   RunningWorld world(drone({}));
   command(world, {100, 200, 300, 400});
   world.step(15);
-  const std::vector<std::byte> state = world.simulation().saveState();
-  world.step(100);
   RunningWorld other(drone({}));
-  ASSERT_FALSE(other.simulation().restoreState(state));
-  other.step(100);
-  EXPECT_EQ(other.simulation().stateHash(), world.simulation().stateHash());
+  test::expectSameBitsFromSavedState(world, other, 100);
 }
 
 TEST(MulticopterMotorModel, SaysWhatIsWrongWithAMotor) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/example_world.hh"
+#include "support/going_on.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::track_controller_test {
@@ -174,16 +175,11 @@ TEST(TrackController, GoesOnWithTheSameBitsFromASavedState) {
   tellSpeed(world, 0.4);
   tellCenter(world, 0, 2, 0);
   world.step(200);
-  const std::vector<std::byte> state = world.simulation().saveState();
-  // through the end of the command's age
-  world.step(600);
-  const std::uint64_t hash = world.simulation().stateHash();
   RunningWorld other(conveyorWith("<max_command_age>0.5</max_command_age>"));
   tellSpeed(other, -0.2);
   other.step(30);
-  ASSERT_EQ(other.simulation().restoreState(state), std::nullopt);
-  other.step(600);
-  EXPECT_EQ(other.simulation().stateHash(), hash);
+  // through the end of the command's age
+  test::expectSameBitsFromSavedState(world, other, 600);
 }
 
 TEST(TrackControllerParameters, SayWhatIsWrong) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/example_world.hh"
+#include "support/going_on.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::tracked_vehicle_test {
@@ -211,18 +212,16 @@ TEST(TrackedVehicle, IgnoresCommandsThatMakeNoSense) {
 
 TEST(TrackedVehicle, BeginsAnewAfterAReset) {
   RunningWorld world(crawler());
-  drive(world, 0.5, 0.5);
-  world.step(300);
-  const std::uint64_t told = world.simulation().stateHash();
-  Diagnostics diagnostics;
-  world.simulation().reset(diagnostics);
-  setEfficiency(world, 0.7);
-  drive(world, -0.5, 0);
-  world.step(300);
-  world.simulation().reset(diagnostics);
-  drive(world, 0.5, 0.5);
-  world.step(300);
-  EXPECT_EQ(world.simulation().stateHash(), told);
+  const auto run = [&world](double linear, double angular) {
+    drive(world, linear, angular);
+    world.step(300);
+  };
+  test::expectToBeginAnewAfterReset(
+      world, [&] { run(0.5, 0.5); },
+      [&] {
+        setEfficiency(world, 0.7);
+        run(-0.5, 0);
+      });
 }
 
 TEST(TrackedVehicle, GoesOnWithTheSameBitsFromASavedState) {
@@ -230,19 +229,10 @@ TEST(TrackedVehicle, GoesOnWithTheSameBitsFromASavedState) {
   setEfficiency(world, 0.7);
   drive(world, 0.5, 0.5);
   world.step(100);
-  const std::vector<std::byte> state = world.simulation().saveState();
   RunningWorld other(crawler());
   drive(other, -0.5, 0);
   other.step(30);
-  std::vector<ignition::msgs::Odometry> here, there;
-  world.listen("/model/crawler/odometry", here);
-  other.listen("/model/crawler/odometry", there);
-  ASSERT_EQ(other.simulation().restoreState(state), std::nullopt);
-  world.step(500);
-  other.step(500);
-  EXPECT_EQ(other.simulation().stateHash(), world.simulation().stateHash());
-  ASSERT_EQ(here.size(), there.size());
-  EXPECT_EQ(here.back().SerializeAsString(), there.back().SerializeAsString());
+  test::expectSameBitsFromSavedState<ignition::msgs::Odometry>(world, other, 500, "/model/crawler/odometry");
 }
 
 TEST(TrackedVehicleParameters, SayWhatIsWrong) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/example_world.hh"
+#include "support/going_on.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::wheel_slip_test {
@@ -146,13 +147,9 @@ TEST(WheelSlip, GoesOnWithTheSameBitsFromASavedState) {
   setSlip(world, "cart", 0, 0.3, 2);
   drive(world, 0.6);
   world.step(300);
-  const std::vector<std::byte> state = world.simulation().saveState();
-  world.step(300);
   RunningWorld other(cart(-2));
   other.step(30);
-  ASSERT_EQ(other.simulation().restoreState(state), std::nullopt);
-  other.step(300);
-  EXPECT_EQ(other.simulation().stateHash(), world.simulation().stateHash());
+  test::expectSameBitsFromSavedState(world, other, 300);
 }
 
 TEST(WheelSlipParameters, WarnOfAWheelAndGoOnWithTheOthers) {

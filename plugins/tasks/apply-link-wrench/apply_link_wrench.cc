@@ -99,7 +99,11 @@ class ApplyLinkWrench : public System {
     const std::optional<Link> link = find(name, type == "model");
     if (!link) refuse(*element.child("entity_name"), "there is no " + type + " '" + name + "'");
     const Wrench wrench{element.get("force", Vector3(0, 0, 0)), element.get("torque", Vector3(0, 0, 0))};
-    if (!wrench.force.allFinite() || !wrench.torque.allFinite()) refuse(element, "a wrench must be finite");
+    for (const char* part : {"force", "torque"}) {
+      const Vector3 value = element.get(part, Vector3(0, 0, 0));
+      if (value.cwiseAbs().maxCoeff() <= kLargestForce && value.allFinite()) continue;
+      refuse(*element.child(part), "<" + std::string(part) + "> of a wrench must be finite and from -1e8 to 1e8");
+    }
     wrenches_.push_back({link->id(), wrench});
   }
 

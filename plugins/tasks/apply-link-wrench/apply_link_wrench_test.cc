@@ -36,6 +36,15 @@ TEST(ApplyLinkWrench, PushesModelsAndLinksInTheWorldFrame) {
   EXPECT_NEAR(world.model("n").canonicalLink()->angularVelocity().z(), 0.1, 1e-6);
 }
 
+TEST(ApplyLinkWrench, RefusesAWrenchThatCannotBeMeant) {
+  for (const char* part : {"force", "torque"}) {
+    const std::string element = std::string("<") + part + ">1e308 0 0</" + part + ">";
+    EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(persistent("m", "model", element))),
+              std::vector<std::string>{std::string("apply-link-wrench is left out: <") + part +
+                                       "> of a wrench must be finite and from -1e8 to 1e8"});
+  }
+}
+
 TEST(ApplyLinkWrench, EndsWhatIsCleared) {
   RunningWorld world(worldWith(persistent("m", "model", "<force>4 0 0</force>") +
                                persistent("n::body", "link", "<force>4 0 0</force>")));

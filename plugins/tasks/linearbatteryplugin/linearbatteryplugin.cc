@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -173,12 +172,7 @@ class LinearBatteryPlugin : public System {
 
   void listen(Node& node, const std::string& named, bool drains) {
     const std::string topic = cleanTopic(named);
-    // of each of these types: which one it is the file does not say
-    for (const char* type : {"Empty", "Boolean", "StringMsg", "Int32", "Double", "Float", "Twist"}) {
-      subscriptions_.push_back(
-          node.subscribeBytes(topic, std::string("ignition.msgs.") + type,
-                              [this, drains](std::span<const std::byte>) { isDraining_ = drains; }));
-    }
+    subscriptions_.push_back(node.subscribeAnyType(topic, [this, drains](auto, auto) { isDraining_ = drains; }));
   }
 
   Status::PowerSupplyStatus status() const {

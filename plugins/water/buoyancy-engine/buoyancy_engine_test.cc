@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/going_on.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::buoyancy_engine_test {
@@ -96,16 +97,10 @@ TEST(BuoyancyEngine, GoesOnWithTheSameBitsFromASavedStateAndAfterAReset) {
   RunningWorld world(text);
   world.tellNumber(kTopic, 0.003);
   world.step(50);
-  const auto state = world.simulation().saveState();
-  world.step(100);
-  const auto hash = world.simulation().stateHash();
   RunningWorld other(text);
-  ASSERT_FALSE(other.simulation().restoreState(state));
-  other.step(100);
-  EXPECT_EQ(other.simulation().stateHash(), hash);
+  test::expectSameBitsFromSavedState(world, other, 100);
 
-  Diagnostics diagnostics;
-  other.simulation().reset(diagnostics);
+  test::resetWorld(other);
   EXPECT_NEAR(forceIn(other), 0, 1e-9);
 }
 

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "fluid.hh"
+#include "pongsim/link_group.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/solid.hh"
 #include "pongsim/system.hh"
@@ -58,7 +61,9 @@ class Buoyancy : public System {
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     const Vector3 gravity = world_->gravity();
-    for (FloatingLink& each : links_) lift(each, gravity);
+    const std::span<const Pose* const> poses = group_->poses();
+    for (std::size_t i = 0; i < links_.size(); ++i) wrenches_[i] = lift(links_[i], *poses[i], gravity);
+    group_->addWrenches(wrenches_);
   }
 
   void worldChanged() override {
@@ -77,13 +82,16 @@ class Buoyancy : public System {
   void addLink(const Link& link, Diagnostics* diagnostics);
   void warnOfSurface(const Collision& collision, const Solid& solid, Diagnostics* diagnostics) const;
   Displaced displacedBy(const FloatingLink& each, const Vector3& up, double height) const;
-  void lift(FloatingLink& each, const Vector3& gravity) const;
+  Wrench lift(const FloatingLink& each, const Pose& X_WorldLink, const Vector3& gravity) const;
 
   std::optional<double> density_;
   std::vector<std::string> enabled_;
 
   Fluid fluid_;
   std::vector<FloatingLink> links_;
+  /// All of these, and what pushes them.
+  std::optional<LinkGroup> group_;
+  std::vector<Wrench> wrenches_;
   World* world_ = nullptr;
   const Logger* log_ = nullptr;
 };
@@ -145,6 +153,10 @@ bool Buoyancy::isEnabled(const Model& model) const {
 
 void Buoyancy::addLinks(Diagnostics* diagnostics) {
   for (const Model& model : world_->models()) addLinksOf(model, false, diagnostics);
+  std::vector<Link> all;
+  for (const FloatingLink& each : links_) all.push_back(each.link);
+  group_.emplace(*world_, all);
+  wrenches_.resize(all.size());
 }
 
 void Buoyancy::addLinksOf(const Model& model, bool isEnabledAbove, Diagnostics* diagnostics) {
@@ -225,20 +237,18 @@ Displaced Buoyancy::displacedBy(const FloatingLink& each, const Vector3& up, dou
 }
 
 /// Archimedes: against gravity, the weight of the fluid, at the centre of where it was.
-void Buoyancy::lift(FloatingLink& each, const Vector3& gravity) const {
-  const Pose X_WorldLink = each.link.pose();
+Wrench Buoyancy::lift(const FloatingLink& each, const Pose& X_WorldLink, const Vector3& gravity) const {
   const bool isCentred = each.volume.center.isZero(0);
   const Vector3 up = upIn(X_WorldLink.rotation);
   const double height = X_WorldLink.position.z() + (isCentred ? 0 : up.dot(each.volume.center));
   const std::optional<double> density = fluid_.densityBetween(height - each.radius, height + each.radius);
   if (density && isCentred) {
-    each.link.addWrench(-*density * each.volume.size * gravity, Vector3::Zero());
-    return;
+    return {-*density * each.volume.size * gravity, Vector3::Zero()};
   }
   Displaced displaced{density.value_or(0) * each.volume.size,
                       density.value_or(0) * each.volume.size * each.volume.center};
   if (!density) displaced = displacedBy(each, up, X_WorldLink.position.z());
-  each.link.addWrench(-displaced.mass * gravity, gravity.cross(X_WorldLink.rotation * displaced.first));
+  return {-displaced.mass * gravity, gravity.cross(X_WorldLink.rotation * displaced.first)};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/going_on.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::hydrodynamics_test {
@@ -117,16 +118,10 @@ TEST(Hydrodynamics, GoesOnWithTheSameBitsFromASavedStateAndAfterAReset) {
   RunningWorld world(text);
   world.tell("/ocean_current", current(0.3, 0, 0));
   world.step(100);
-  const auto state = world.simulation().saveState();
-  world.step(100);
-  const auto hash = world.simulation().stateHash();
   RunningWorld other(text);
-  ASSERT_FALSE(other.simulation().restoreState(state));
-  other.step(100);
-  EXPECT_EQ(other.simulation().stateHash(), hash);
+  test::expectSameBitsFromSavedState(world, other, 100);
 
-  Diagnostics diagnostics;
-  other.simulation().reset(diagnostics);
+  test::resetWorld(other);
   other.step(100);
   RunningWorld fresh(text);
   fresh.step(100);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pongsim/battery.hh"
+#include "support/going_on.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::thruster_test {
@@ -138,16 +139,10 @@ TEST(Thruster, GoesOnWithTheSameBitsFromASavedStateAndAfterAReset) {
   RunningWorld world(text);
   world.tellNumber(kTopic, 50);
   world.step(100);
-  const auto state = world.simulation().saveState();
-  world.step(100);
-  const auto hash = world.simulation().stateHash();
   RunningWorld other(text);
-  ASSERT_FALSE(other.simulation().restoreState(state));
-  other.step(100);
-  EXPECT_EQ(other.simulation().stateHash(), hash);
+  test::expectSameBitsFromSavedState(world, other, 100);
 
-  Diagnostics diagnostics;
-  other.simulation().reset(diagnostics);
+  test::resetWorld(other);
   other.step(100);
   EXPECT_EQ(speedOf(other), 0);
 }

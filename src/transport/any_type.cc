@@ -1,0 +1,161 @@
+// How the bus hears messages of any type on a topic. DDS matches readers with writers by type, so that there is a
+// reader for each type that somebody writes. DDS's threads tell of writers, and must not make readers: `dispatch` does.
+#include "transport/any_type.hh"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "pongsim/log.hh"
+#include "transport/bus.hh"
+#include "transport/network.hh"
+#include "transport/topic_name.hh"
+#include "transport/type_name.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+// A process that publishes ever new types must not make this one open readers without end.
+constexpr std::size_t kMostTypes = 64;
+
+const Logger& anyTypeLog() {
+  static const Logger logger("transport");
+  return logger;
+}
+
+}  // namespace
+
+AnyType& Bus::addAnyType(std::string_view topic, ReceivedOfAnyType received, const SubscriptionOptions& options) {
+  const std::lock_guard lock(setUp_);
+  auto owned = std::make_unique<AnyType>();
+  AnyType& any = *owned;
+  any.topic = absoluteTopic(topic);
+  any.received = std::make_shared<const ReceivedOfAnyType>(std::move(received));
+  any.options = options;
+  // now, for the publisher may have gone when the first inbox is made
+  any.except = Inbox::excepted(options);
+  any.options.except = nullptr;
+  if (network_) {
+    // before the readers of types, so that others know that these are not all it takes
+    any.announcement = network_->makeReader(any.topic, std::string(kAnyType), [](const ParticipantId&, Buffer&) {});
+    network_->directory().addOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
+  }
+  {
+    const std::lock_guard anyTypesLock(mutex_);
+    anyTypes_.push_back(std::move(owned));
+  }
+  std::vector<std::string> types;
+  for (const auto& [key, channel] : channels_) {
+    if (channel->topic == any.topic && channel->publishers > 0) types.push_back(channel->type);
+  }
+  if (network_) {
+    for (const auto& publisher : network_->directory().topic(any.topic).publishers) types.push_back(publisher.type);
+  }
+  for (const std::string& type : types) hear(any, type);
+  return any;
+}
+
+void Bus::endAnyType(AnyType& any) {
+  const std::lock_guard dispatchLock(dispatching_);
+  std::unique_ptr<AnyType> owned;
+  {
+    const std::lock_guard lock(setUp_);
+    const std::lock_guard anyTypesLock(mutex_);
+    const auto found = std::ranges::find(anyTypes_, &any, &std::unique_ptr<AnyType>::get);
+    owned = std::move(*found);
+    anyTypes_.erase(found);
+  }
+  for (Inbox* inbox : any.inboxes) endSubscription(*inbox);
+  if (!any.announcement) return;
+  const std::lock_guard lock(setUp_);
+  network_->directory().removeOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
+  network_->end(std::move(any.announcement));
+}
+
+/// Makes an inbox for a type, unless there is one. With the set-up mutex held.
+void Bus::hear(AnyType& any, const std::string& type) {
+  if (type == kAnyType) return;
+  const auto isOf = [&type](const Inbox* inbox) { return inbox->channel().type == type; };
+  if (std::ranges::any_of(any.inboxes, isOf)) return;
+  if (any.inboxes.size() >= kMostTypes) {
+    if (std::exchange(any.isFull, true)) return;
+    anyTypeLog().warning("topic '" + any.topic + "': more than " + std::to_string(kMostTypes) +
+                         " types are published; the others are not heard, '" + type + "' first");
+    return;
+  }
+  Channel& channel = channelFor(any.topic, type);
+  Inbox::ReceivedBytes received = [call = any.received, type](auto bytes) { (*call)(type, bytes); };
+  auto inbox = std::make_unique<Inbox>(channel, std::move(received), any.options);
+  inbox->except = any.except;
+  try {
+    Inbox& added = addInbox(channel, std::move(inbox));
+    const std::lock_guard inboxesLock(mutex_);
+    any.inboxes.push_back(&added);
+  } catch (const std::exception& error) {
+    eraseIfUnused(channel);
+    anyTypeLog().warning("topic '" + any.topic + "': messages of '" + type + "' are not heard: " + error.what());
+  }
+}
+
+/// Called by DDS.
+void Bus::publisherFound(const std::string& topic, const std::string& type) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto isMeant = [&topic](const auto& any) { return any->topic == topic; };
+    if (std::ranges::none_of(anyTypes_, isMeant)) return;
+    foundTypes_.emplace_back(topic, type);
+    waiting_ = true;
+  }
+  arrived_.notify_one();
+}
+
+void Bus::hearFoundTypes() {
+  const std::lock_guard lock(setUp_);
+  std::vector<std::pair<std::string, std::string>> found;
+  {
+    const std::lock_guard foundLock(mutex_);
+    found.swap(foundTypes_);
+  }
+  for (const auto& [topic, type] : found) {
+    for (const auto& any : anyTypes_) {
+      if (any->topic == topic) hear(*any, type);
+    }
+  }
+}
+
+std::uint64_t Bus::received(const AnyType& any) const {
+  const std::lock_guard lock(mutex_);
+  std::uint64_t sum = 0;
+  for (const Inbox* inbox : any.inboxes) sum += inbox->received();
+  return sum;
+}
+
+std::uint64_t Bus::dropped(const AnyType& any) const {
+  std::vector<Inbox*> inboxes;
+  {
+    const std::lock_guard lock(mutex_);
+    inboxes = any.inboxes;
+  }
+  std::uint64_t sum = 0;
+  for (const Inbox* inbox : inboxes) sum += dropped(*inbox);
+  return sum;
+}
+
+SubscriptionState::~SubscriptionState() {
+  if (AnyType** any = std::get_if<AnyType*>(&place_)) {
+    bus_.endAnyType(**any);
+  } else {
+    bus_.endSubscription(*std::get<Inbox*>(place_));
+  }
+}
+
+std::uint64_t SubscriptionState::received() const {
+  return std::visit([this](const auto* place) { return bus_.received(*place); }, place_);
+}
+
+std::uint64_t SubscriptionState::dropped() const {
+  return std::visit([this](const auto* place) { return bus_.dropped(*place); }, place_);
+}
+
+}  // namespace pongsim::transport
