@@ -246,6 +246,13 @@ class PONGSIM_API Joint {
   JointId id_;
 };
 
+/// A `<frame>` of the world, as it is now.
+struct WorldFrame {
+  std::string name;
+  /// In the world frame.
+  Pose pose;
+};
+
 /// A way to one model of a running world. A copy is the same model; it must not outlive its `Simulation`.
 class PONGSIM_API Model {
  public:
@@ -289,6 +296,8 @@ class PONGSIM_API Model {
   /// @return Whether it is not there because its levels are not loaded: it does not exist for anybody, and comes back
   /// as it is.
   bool isSetAside() const;
+  /// @return Whether it, or what it is nested in, came while the world ran: a reset takes it away.
+  bool isInserted() const;
 
  private:
   friend class Link;
@@ -349,6 +358,14 @@ class PONGSIM_API World {
   /// Removes a joint, one made by `attach` or one of the file.
   /// @return Why not, or nothing.
   std::optional<std::string> detach(const Joint& joint);
+  /// @return The `<frame>`s of the world in the order of the file. One that is attached to a link moves with it, and is
+  /// left out where that link is not there.
+  std::vector<WorldFrame> frames() const;
+  /// @return Whether a model or a light of that name could come: no other at the top level has it, nor one that is set
+  /// aside.
+  bool isNameFree(std::string_view name) const;
+  /// @return Where the file says it.
+  SourcePosition sourcePosition() const;
   /// @return Magnetic field in the world frame [T].
   Vector3 magneticField() const;
   /// @return `<heading_deg>` of the world's spherical coordinates, unless it was changed [rad].

@@ -16,6 +16,9 @@ struct InsertOptions {
   /// Where a model or a light has the name already, take the first of NAME_0, NAME_1 and so on that is free, as in
   /// Fortress, in place of refusing.
   bool allowRenaming = false;
+  /// "/robot1": in front of all names of topics and services that the model's systems and sensors have, of those that
+  /// begin with a slash too. Empty: none. Of no meaning for a light.
+  std::string nameSpace = {};
 };
 
 }  // namespace pongsim

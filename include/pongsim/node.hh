@@ -199,6 +199,9 @@ class PONGSIM_API Node {
   /// @throws std::invalid_argument where it can't be part of a name.
   Node within(std::string_view nameSpace) const;
 
+  /// @return As `within`, but absolute names stand for names within `nameSpace`, too, unless they are there already.
+  Node below(std::string_view nameSpace) const;
+
   /// @param topic Relative names get a leading slash, or the node's namespace.
   /// @throws std::invalid_argument for a bad name or an unknown type.
   Publisher advertise(std::string_view topic, std::string_view type, const PublisherOptions& options = {});
@@ -292,7 +295,7 @@ class PONGSIM_API Node {
 
   transport::Bus* bus_;
   CallGuard* guard_ = nullptr;
-  /// Begins with a slash, or is empty.
+  /// Begins with a slash, or is empty. Ends with one where absolute names are within it, too.
   std::string nameSpace_;
 };
 

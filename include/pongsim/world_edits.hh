@@ -64,6 +64,15 @@ class PONGSIM_API WorldEdits {
   /// too: do it in `configure`.
   /// @throws Error where it is wrong. All else that is to be said of it is added to `diagnostics`.
   ModelTemplate read(const Element& sdf, Diagnostics& diagnostics) const;
+  /// As `read`, of a text, which may be a URDF robot; `name` stands in the messages.
+  ModelTemplate readText(std::string_view text, std::string_view name, Diagnostics& diagnostics) const;
+  /// Likewise of a file.
+  ModelTemplate readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
+
+  /// @return Where models and what they name are looked for, in this order.
+  std::vector<std::filesystem::path> resourceFolders() const;
+  /// @return The file or folder that an address names, as "model://box"; nothing where there is none.
+  std::optional<std::filesystem::path> resolve(const std::string& address) const;
 
   /// Asks for a copy of the model, with the systems of its plugins.
   /// @param inserted Empty: only a refusal is told, as a warning.

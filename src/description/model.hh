@@ -33,6 +33,9 @@ struct Model {
   bool isInWind = false;
   /// Name of the link that the model frame is attached to, as this model sees it ("link" or "inner::link").
   std::string canonicalLink;
+  /// In front of the topics of its systems and sensors, as `InsertOptions::nameSpace`: of a model at the top level that
+  /// came while the world ran.
+  std::string nameSpace = {};
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<Frame> frames;

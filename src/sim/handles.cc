@@ -268,6 +268,13 @@ void Model::setActuators(std::span<const double> values) {
   access_->state.actuators[id_].assign(values.begin(), values.end());
 }
 
+bool Model::isInserted() const {
+  world::Slot slot = slotOf(*access_, id_);
+  const std::vector<world::ModelRecord>& models = access_->entities.models();
+  while (models[slot].parent != world::kNoSlot) slot = models[slot].parent;
+  return models[slot].owner != nullptr;
+}
+
 bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
 
 std::string_view World::name() const { return access_->entities.description().name; }
@@ -330,6 +337,29 @@ std::optional<std::string> World::detach(const Joint& joint) {
 }
 
 void World::contacts(std::vector<Contact>& contacts) const { access_->engine.contacts(contacts); }
+
+std::vector<WorldFrame> World::frames() const {
+  std::vector<WorldFrame> frames;
+  const world::Entities& entities = access_->entities;
+  for (const description::Frame& frame : entities.description().frames) {
+    if (frame.attachedLink == "world" || frame.attachedLink.empty()) {
+      frames.push_back({frame.name, frame.X_ModelFrame});
+      continue;
+    }
+    const world::Slot link = entities.findLink(frame.attachedLink);
+    // another model of that name is not what the file means
+    if (link == world::kNoSlot || Model(*access_, entities.models()[entities.links()[link].model].id).isInserted()) {
+      continue;
+    }
+    const Pose X_LinkFrame = entities.links()[link].X_WorldLinkStart.inverse() * frame.X_ModelFrame;
+    frames.push_back({frame.name, access_->state.links[link].X_WorldLink * X_LinkFrame});
+  }
+  return frames;
+}
+
+bool World::isNameFree(std::string_view name) const { return sim::Editor(*access_).isFree(name); }
+
+SourcePosition World::sourcePosition() const { return access_->entities.description().position; }
 
 Vector3 World::magneticField() const { return access_->entities.description().environment.magneticField; }
 

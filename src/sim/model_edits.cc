@@ -85,6 +85,7 @@ std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model>
                                              Diagnostics& diagnostics) {
   if (!options.name.empty()) model->name = options.name;
   if (options.pose) model->X_ParentModel = *options.pose;
+  if (!options.nameSpace.empty()) model->nameSpace = options.nameSpace;
   Editor editor(access_);
   if (options.allowRenaming) model->name = editor.freeName(model->name);
   const SourcePosition position = model->position;
@@ -94,6 +95,8 @@ std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model>
     diagnostics.error(position, "the name '" + model->name + "' has '::' in it, which stands between names");
   } else if (!isSound(model->X_ParentModel)) {
     diagnostics.error(position, "the pose of '" + model->name + "' is not finite");
+  } else if (const auto error = topicNameError(model->nameSpace); error && !model->nameSpace.empty()) {
+    diagnostics.error(position, "the namespace '" + model->nameSpace + "' " + *error);
   }
   if (diagnostics.hasErrors()) return std::nullopt;
   model->X_ParentModel.rotation.normalize();
@@ -134,6 +137,24 @@ std::shared_ptr<const description::Model> ModelEdits::read(const Element& sdf, D
   Diagnostics found;
   std::shared_ptr<const description::Model> model =
       firstModel(sdf::loadElement(sdf, found, assets::finderIn(places_)), found);
+  addAll(found, diagnostics);
+  return model;
+}
+
+std::shared_ptr<const description::Model> ModelEdits::readFile(const std::filesystem::path& file,
+                                                               Diagnostics& diagnostics) const {
+  Diagnostics found;
+  std::shared_ptr<const description::Model> model =
+      firstModel(sdf::loadFile(file, found, assets::finderIn(places_)), found);
+  addAll(found, diagnostics);
+  return model;
+}
+
+std::shared_ptr<const description::Model> ModelEdits::readText(std::string_view text, std::string_view name,
+                                                               Diagnostics& diagnostics) const {
+  Diagnostics found;
+  std::shared_ptr<const description::Model> model =
+      firstModel(sdf::loadText(text, name, found, assets::finderIn(places_)), found);
   addAll(found, diagnostics);
   return model;
 }

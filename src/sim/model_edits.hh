@@ -37,8 +37,14 @@ class ModelEdits {
   /// @return Why not, or nothing.
   std::optional<std::string> remove(ModelId model);
 
-  /// @return The first model of an `<sdf>` element; null where there was an error.
+  /// @return The first model of an `<sdf>` element; null where there was an error. Likewise below.
   std::shared_ptr<const description::Model> read(const Element& sdf, Diagnostics& diagnostics) const;
+  std::shared_ptr<const description::Model> readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
+  std::shared_ptr<const description::Model> readText(std::string_view text, std::string_view name,
+                                                     Diagnostics& diagnostics) const;
+
+  /// Where files that models name are looked for.
+  const assets::Places& places() const { return places_; }
 
  private:
   std::optional<Model> insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);

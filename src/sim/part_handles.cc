@@ -145,9 +145,15 @@ bool Sensor::hasMetrics() const { return record(*access_, id_).description->hasM
 
 std::string Sensor::topic(std::string_view suffix) const {
   const world::SensorRecord& sensor = record(*access_, id_);
-  if (!sensor.description->topic.empty()) return sensor.description->topic;
   const world::Entities& entities = access_->entities;
-  std::string topic = "/world/" + entities.description().name;
+  const world::Slot holder = sensor.joint != world::kNoSlot ? entities.joints()[sensor.joint].model
+                                                            : entities.links()[sensor.link].model;
+  const std::string& nameSpace = entities.nameSpace(holder);
+  if (!sensor.description->topic.empty()) {
+    const std::string& topic = sensor.description->topic;
+    return nameSpace.empty() ? topic : nameSpace + (topic.starts_with('/') ? "" : "/") + topic;
+  }
+  std::string topic = nameSpace + "/world/" + entities.description().name;
   if (sensor.joint != world::kNoSlot) {
     const world::JointRecord& joint = entities.joints()[sensor.joint];
     topic += modelTopic(entities, joint.model) + "/joint/" + joint.description->name;

@@ -139,10 +139,12 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
     actor = Actor(access_, holder.actor->id);
     name += " of " + holder.actor->description->name;
   }
+  const std::string& nameSpace = access_.entities.nameSpace(holder.model);
+  const Node node = nameSpace.empty() ? transport_.node() : transport_.node().below(nameSpace);
   std::vector<System*> before;
   for (SystemSlot& slot : slots_) before.push_back(&slot.system());
   SystemSlot& slot = slots_.emplace_back(
-      SystemSlot::Parts{model ? model->id() : ModelId(), number, name, plugin.sdf.position, transport_.node(),
+      SystemSlot::Parts{model ? model->id() : ModelId(), number, name, plugin.sdf.position, node,
                         Random(seed_, SystemSlot::streamOf(name, number)), std::move(system),
                         actor ? actor->id() : ActorId()},
       access_, queue_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });

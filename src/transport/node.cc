@@ -95,8 +95,19 @@ Node Node::within(std::string_view nameSpace) const {
   return node;
 }
 
+Node Node::below(std::string_view nameSpace) const {
+  Node node = within(nameSpace);
+  node.nameSpace_ += "/";
+  return node;
+}
+
 std::string Node::fullName(std::string_view name) const {
-  if (nameSpace_.empty() || name.empty() || name.starts_with('/')) return std::string(name);
+  if (nameSpace_.empty() || name.empty()) return std::string(name);
+  if (nameSpace_.ends_with('/')) {
+    if (name.starts_with(nameSpace_)) return std::string(name);
+    return nameSpace_ + std::string(name.starts_with('/') ? name.substr(1) : name);
+  }
+  if (name.starts_with('/')) return std::string(name);
   return nameSpace_ + "/" + std::string(name);
 }
 

@@ -325,6 +325,13 @@ Slot Entities::findModel(std::string_view scopedName) const {
   return found == modelOfName_.end() ? kNoSlot : found->second;
 }
 
+const std::string& Entities::nameSpace(Slot model) const {
+  static const std::string none;
+  if (model == kNoSlot) return none;
+  while (models_[model].parent != kNoSlot) model = models_[model].parent;
+  return models_[model].description->nameSpace;
+}
+
 Slot Entities::findLink(Slot model, std::string_view name) const {
   const ScopedName scoped(name);
   const Slot holder = findModel(join(model == kNoSlot ? "" : models_[model].scopedName, scoped.scope));

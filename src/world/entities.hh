@@ -228,6 +228,9 @@ class Entities {
 
   /// @param scopedName "outer::inner"
   Slot findModel(std::string_view scopedName) const;
+  /// @param model `kNoSlot`: the world itself.
+  /// @return What stands in front of the topics of its systems and sensors; mostly empty.
+  const std::string& nameSpace(Slot model) const;
   /// @param name Link as the model sees it: "link" or "inner::link"; where `model` is `kNoSlot`, as the world does.
   Slot findLink(Slot model, std::string_view name) const;
   /// @param name Joint as the model sees it, likewise.

@@ -7,8 +7,8 @@
 
 namespace pongsim::test {
 
-/// Edits the world as messages on /edit say, "template NAME", "text SDF", "file FILE", "copy MODEL", "remove MODEL", at
-/// once or, with "step " in front, in the next step's update; says on /edited what has come of it, but of what has
+/// Edits the world as messages on /edit say, "template NAME", "text SDF", "file FILE", "read SDF", "find ADDRESS",
+/// "copy MODEL", "remove MODEL", at once or, with "step " in front, in the next step's update; says on /edited what has come of it, but of what has
 /// "silent " in front.
 class Editing : public System {
  public:
@@ -59,10 +59,25 @@ class Editing : public System {
       edits_->insertText(rest, "text", {}, std::move(inserted));
     } else if (verb == "file") {
       edits_->insertFile(rest, {}, std::move(inserted));
+    } else if (verb == "read") {
+      read(rest, std::move(inserted));
+    } else if (verb == "find") {
+      tell(edits_->resolve(rest).value_or("nothing").string());
     } else if (verb == "copy") {
       edits_->insertCopy(*world_->model(rest), {.allowRenaming = true}, std::move(inserted));
     } else {
       edits_->remove(*world_->model(rest), std::move(removed));
+    }
+  }
+
+  void read(const std::string& text, WorldEdits::Inserted inserted) {
+    Diagnostics diagnostics;
+    try {
+      const ModelTemplate model = edits_->readText(text, "read", diagnostics);
+      tell("read " + model.name() + " with " + std::to_string(diagnostics.all().size()) + " warnings");
+      edits_->insert(model, {}, std::move(inserted));
+    } catch (const Error& error) {
+      tell(error.what());
     }
   }
 

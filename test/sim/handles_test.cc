@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "pongsim/sensor.hh"
 #include "pongsim/simulation.hh"
 
 namespace pongsim {
@@ -14,6 +17,8 @@ namespace {
 
 constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>
   <wind><linear_velocity>1 2 3</linear_velocity></wind>
+  <frame name="dock"><pose>4 0 0 0 0 0</pose></frame>
+  <frame name="hand" attached_to="arm::upper"><pose relative_to="arm::upper">0 0 5 0 0 0</pose></frame>
   <model name="base"><static>true</static><link name="ground"/></model>
   <model name="arm" canonical_link="upper"><pose>1 2 3 0 0 0</pose>
     <link name="upper"><enable_wind>true</enable_wind><pose>0 0 1 0 0 0</pose><inertial><mass>2</mass></inertial></link>
@@ -145,6 +150,60 @@ TEST_F(HandlesTest, PassWhatActuatorsAreTold) {
   EXPECT_FALSE(simulation_->remove(removed));
   EXPECT_EQ(removed.actuators(), nullptr);
   EXPECT_THROW(Model(removed).setActuators(speeds), Gone);
+}
+
+TEST_F(HandlesTest, TellWhereTheFramesOfTheWorldAre) {
+  const Model model = arm();
+  EXPECT_EQ(Model(model).setPose({{0, 0, 0}, fromRollPitchYaw(0, 0, 1)}), std::nullopt);
+  const std::vector<WorldFrame> frames = world().frames();
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].name, "dock");
+  EXPECT_TRUE(frames[0].pose.position.isApprox(Vector3(4, 0, 0)));
+  EXPECT_EQ(frames[1].name, "hand");
+  EXPECT_TRUE(frames[1].pose.position.isApprox(Vector3(0, 0, 6)));
+  EXPECT_NEAR(yawOf(frames[1].pose.rotation), 1, 1e-12);
+
+  // another model of that name is not what the frame is attached to
+  EXPECT_EQ(simulation_->remove(arm()), std::nullopt);
+  EXPECT_EQ(world().frames().size(), 1U);
+  Diagnostics diagnostics;
+  simulation_->insertText("<sdf version='1.9'><model name='arm'><link name='upper'/></model></sdf>", "arm", {},
+                          diagnostics);
+  EXPECT_EQ(world().frames().size(), 1U);
+}
+
+TEST_F(HandlesTest, TellWhatCameSinceTheStart) {
+  Diagnostics diagnostics;
+  const auto inserted = simulation_->insertText(
+      "<sdf version='1.9'><model name='new'><model name='in'><link name='l'/></model></model></sdf>", "new", {},
+      diagnostics);
+  ASSERT_TRUE(inserted.has_value());
+  EXPECT_TRUE(inserted->isInserted());
+  EXPECT_TRUE(world().model("new::in")->isInserted());
+  EXPECT_FALSE(arm().isInserted());
+  EXPECT_FALSE(world().isNameFree("new"));
+  EXPECT_FALSE(world().isNameFree("arm"));
+  EXPECT_TRUE(world().isNameFree("newer"));
+}
+
+TEST_F(HandlesTest, PutTopicsOfAnInsertedModelIntoItsNamespace) {
+  constexpr const char* kCar =
+      "<sdf version='1.9'><model name='car'><link name='l'>"
+      "<sensor name='a' type='imu'/><sensor name='b' type='imu'><topic>b</topic></sensor></link>"
+      "<plugin filename='ignition-gazebo-velocity-control-system' name='ignition::gazebo::systems::VelocityControl'>"
+      "<topic>/cmd_vel</topic></plugin></model></sdf>";
+  Diagnostics diagnostics;
+  const auto car = simulation_->insertText(kCar, "car", {.nameSpace = "/r1"}, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  ASSERT_TRUE(car.has_value());
+  const std::vector<Sensor> sensors = car->link("l")->sensors();
+  EXPECT_EQ(sensors[0].topic("/imu"), "/r1/world/w/model/car/link/l/sensor/a/imu");
+  EXPECT_EQ(sensors[1].topic("/imu"), "/r1/b");
+  const std::vector<OwnTopic> topics = simulation_->transport().node().ownTopics();
+  EXPECT_TRUE(std::ranges::any_of(topics, [](const OwnTopic& topic) { return topic.name == "/r1/cmd_vel"; }));
+
+  EXPECT_FALSE(simulation_->insertText(kCar, "car", {.name = "c", .nameSpace = "/a b"}, diagnostics).has_value());
+  EXPECT_NE(diagnostics.all().back().message.find("the namespace '/a b' "), std::string::npos);
 }
 
 TEST_F(HandlesTest, RefuseCommandsThatMakeNoSense) {

@@ -89,6 +89,24 @@ TEST_F(WorldEditsTest, InsertTextsFilesAndCopies) {
   EXPECT_EQ(world_.model("t_0").pose().position.x(), 7);
 }
 
+TEST_F(WorldEditsTest, ReadWhatIsInsertedLater) {
+  tell(
+      "read <sdf version='1.9'><model name='r'><static>1</static><link name='l'><collision name='c'><geometry><mesh>"
+      "<uri>model://no/such.dae</uri></mesh></geometry></collision></link></model></sdf>");
+  tell("read <sdf version='1.9'><model name='s'><lonk/>");
+  tell("find /no/such/folder");
+  tell("find /");
+  world_.simulation().step();
+  const Said all = said();
+  ASSERT_EQ(all.size(), 5U);
+  EXPECT_EQ(all[0], "read r with 1 warnings");
+  EXPECT_TRUE(all[1].starts_with("read:1:")) << all[1];
+  EXPECT_EQ(all[2], "nothing");
+  EXPECT_EQ(all[3], "/");
+  EXPECT_EQ(all[4], "there is r");
+  EXPECT_TRUE(has("r"));
+}
+
 TEST_F(WorldEditsTest, RemoveModels) {
   tell("template a");
   world_.simulation().step();

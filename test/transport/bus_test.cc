@@ -237,6 +237,23 @@ TEST_F(BusTest, PutsRelativeNamesIntoTheNodesNamespace) {
   EXPECT_THROW(robot.advertise<Int32>(""), std::invalid_argument);
 }
 
+TEST_F(BusTest, PutsAbsoluteNamesIntoANamespaceThatHoldsAll) {
+  Node robot = node_.below("robot");
+  Publisher relative = robot.advertise<Int32>("scan");
+  Publisher absolute = robot.advertise<Int32>("/cmd");
+  Publisher whole = robot.advertise<Int32>("/robot/odom");
+  EXPECT_EQ(node_.ownTopics().size(), 3U);
+  const Subscription scan = node_.subscribe<Int32>("/robot/scan", noteAs("s"));
+  const Subscription command = node_.subscribe<Int32>("/robot/cmd", noteAs("c"));
+  const Subscription odom = node_.subscribe<Int32>("/robot/odom", noteAs("o"));
+  relative.publish(number(1));
+  absolute.publish(number(2));
+  whole.publish(number(3));
+  transport_.dispatch();
+  EXPECT_EQ(heard_, (Words{"s1", "c2", "o3"}));
+  EXPECT_THROW(node_.below("a b"), std::invalid_argument);
+}
+
 TEST_F(BusTest, RefusesBadNamesAndUnknownTypes) {
   EXPECT_THROW(node_.advertise("/a b", "ignition.msgs.Int32"), std::invalid_argument);
   EXPECT_THROW(node_.subscribe("/a", "ignition.msgs.Nonsense", [](const Message&) {}), std::invalid_argument);
