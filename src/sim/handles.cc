@@ -142,6 +142,8 @@ Link Joint::child() const { return Link(*access_, access_->entities.links()[reco
 
 Pose Joint::poseInChild() const { return record(*access_, id_).description->X_ChildJoint; }
 
+Pose Joint::poseInParent() const { return record(*access_, id_).description->X_ParentJoint; }
+
 Wrench Joint::reaction() const {
   const physics::Engine::Reaction reaction = access_->engine.jointReaction(slotOf(*access_, id_));
   return {reaction.force, reaction.torque};
@@ -152,6 +154,10 @@ bool Joint::isDriven() const { return access_->engine.isJointDriven(slotOf(*acce
 JointAxisInfo Joint::axisInfo(int axis) const {
   const description::JointAxis& found = record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis));
   return {found.xyz, found.lower, found.upper, found.effort, found.velocity, found.damping};
+}
+
+double Joint::friction(int axis) const {
+  return record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis)).friction;
 }
 
 bool Model::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
@@ -259,6 +265,14 @@ void Model::setActuators(std::span<const double> values) {
   slotOf(*access_, id_);
   access_->state.actuators[id_].assign(values.begin(), values.end());
 }
+
+std::vector<const Element*> Model::plugins() const {
+  std::vector<const Element*> elements;
+  for (const description::Plugin& plugin : record(*access_, id_).description->plugins) elements.push_back(&plugin.sdf);
+  return elements;
+}
+
+const UrdfSource* Model::urdf() const { return record(*access_, id_).description->urdf.source.get(); }
 
 bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
 
