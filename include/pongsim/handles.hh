@@ -212,6 +212,8 @@ class PONGSIM_API Joint {
   /// Drives the axis at that velocity [rad/s or m/s] from the next step on, as far as its effort limit allows,
   /// until another command comes; 0 brakes. A value that is not finite is refused with a warning.
   void setVelocityTarget(double velocity, int axis = 0);
+  /// Ends what `setVelocityTarget` began: from the next step on the axis moves by forces alone.
+  void clearVelocityTarget(int axis = 0);
   /// Applies a force along the axis [N m or N] during the next step. Several calls add up. A value that is not
   /// finite is refused with a warning.
   void addForce(double force, int axis = 0);

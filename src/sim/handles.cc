@@ -113,6 +113,11 @@ void Joint::setVelocityTarget(double velocity, int axis) {
   access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity, static_cast<std::size_t>(axis));
 }
 
+void Joint::clearVelocityTarget(int axis) {
+  if (!canCommand(*access_, *this, 0, axis)) return;
+  access_->engine.clearJointVelocityTarget(slotOf(*access_, id_), static_cast<std::size_t>(axis));
+}
+
 void Joint::addForce(double force, int axis) {
   if (!canCommand(*access_, *this, force, axis)) return;
   access_->engine.addJointForce(slotOf(*access_, id_), force, static_cast<std::size_t>(axis));
