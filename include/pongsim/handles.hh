@@ -31,6 +31,7 @@ class Batteries;
 class BeamScene;
 class CameraScene;
 class Collision;
+class Element;
 class Link;
 class LinkGroup;
 class Scene;
@@ -38,6 +39,7 @@ class Simulation;
 class Model;
 class Sensor;
 class Visual;
+struct UrdfSource;
 
 /// What a file says of a link's mass.
 struct MassInfo {
@@ -145,6 +147,8 @@ class PONGSIM_API Collision {
   std::pair<double, double> slip() const;
   /// @return Its shape in the collision frame; never changes. `Solid` makes volume, centre and bounds of it.
   Shape shape() const;
+  /// @return The file that the shape is from, where it is a `<mesh>`.
+  std::optional<MeshFile> meshFile() const;
   /// @return Where the file says it.
   SourcePosition sourcePosition() const;
 
@@ -209,6 +213,8 @@ class PONGSIM_API Joint {
   /// Drives the axis at that velocity [rad/s or m/s] from the next step on, as far as its effort limit allows,
   /// until another command comes; 0 brakes. A value that is not finite is refused with a warning.
   void setVelocityTarget(double velocity, int axis = 0);
+  /// Ends what `setVelocityTarget` began: from the next step on the axis moves by forces alone.
+  void clearVelocityTarget(int axis = 0);
   /// Applies a force along the axis [N m or N] during the next step. Several calls add up. A value that is not
   /// finite is refused with a warning.
   void addForce(double force, int axis = 0);
@@ -226,8 +232,14 @@ class PONGSIM_API Joint {
   Link child() const;
   /// @return Pose of the joint frame in the child's frame; never changes.
   Pose poseInChild() const;
+  /// @return Pose of the joint frame in the frame of the parent, or of the world, while all axes are at zero; never
+  /// changes.
+  Pose poseInParent() const;
   /// @param axis Below `axisCount()`.
   JointAxisInfo axisInfo(int axis = 0) const;
+  /// @param axis Likewise.
+  /// @return What the axis has against any motion, as `<friction>` says [N m or N].
+  double friction(int axis = 0) const;
   std::vector<Sensor> sensors() const;
   /// @return What the joint does to its child, at the joint frame's origin, during the last step, world frame: the
   /// forces that hold the two together and those of motor, friction, limits and commands. Measured from the first call
@@ -293,6 +305,10 @@ class PONGSIM_API Model {
   /// Tells the model's actuators, in place of what they were told before; the systems that come later in this step read
   /// it already. Values that are not finite are refused with a warning.
   void setActuators(std::span<const double> values);
+  /// @return The `<plugin>` elements that stand in it, not those of nested models; there as long as the model is.
+  std::vector<const Element*> plugins() const;
+  /// @return The URDF that it was made from; null where that was SDF. There as long as the model is.
+  const UrdfSource* urdf() const;
   /// @return Whether it is not there because its levels are not loaded: it does not exist for anybody, and comes back
   /// as it is.
   bool isSetAside() const;

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <variant>
 
 #include "pongsim/types.hh"
@@ -57,6 +59,18 @@ struct TriangleShape {
   Vector3 scale{1, 1, 1};
   /// Keeps vertices and triangles.
   std::shared_ptr<const void> owner = nullptr;
+};
+
+/// Where the triangles of a mesh are from.
+struct MeshFile {
+  /// In full; empty where it was not found.
+  std::filesystem::path file;
+  /// The one part of the file that is meant; empty: all of it.
+  std::string submesh;
+  /// Whether the part's bounding box is moved to have its centre in the origin.
+  bool isCentered = false;
+  /// Along each axis; negative mirrors, never zero.
+  Vector3 scale{1, 1, 1};
 };
 
 using Shape = std::variant<NoShape, BoxShape, SphereShape, CylinderShape, CapsuleShape, EllipsoidShape, PlaneShape,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "description/plugin.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/types.hh"
+#include "pongsim/urdf_source.hh"
 
 namespace pongsim::description {
 
@@ -19,6 +21,16 @@ struct Frame {
   /// Link that the frame moves with, as the model names it.
   std::string attachedLink;
   bool operator==(const Frame&) const = default;
+};
+
+/// The URDF that a model was made from, shared by all copies; null where that was SDF.
+struct Urdf {
+  std::shared_ptr<const UrdfSource> source;
+  /// @return Whether the texts are the same.
+  bool operator==(const Urdf& other) const {
+    if (source == nullptr || other.source == nullptr) return source == other.source;
+    return *source == *other.source;
+  }
 };
 
 /// What a `<model>` says, frames resolved.
@@ -41,6 +53,7 @@ struct Model {
   std::vector<Frame> frames;
   std::vector<Model> models;
   std::vector<Plugin> plugins;
+  Urdf urdf;
   bool operator==(const Model&) const = default;
 };
 

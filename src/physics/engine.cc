@@ -290,6 +290,10 @@ void Engine::setJointVelocityTarget(world::Slot joint, double velocity, std::siz
   parts_->jointWithAxis(joint, axis).setVelocityTarget(velocity, axis);
 }
 
+void Engine::clearJointVelocityTarget(world::Slot joint, std::size_t axis) {
+  parts_->jointWithAxis(joint, axis).clearVelocityTarget(axis);
+}
+
 void Engine::addJointForce(world::Slot joint, double force, std::size_t axis) {
   parts_->jointWithAxis(joint, axis).addForce(force, axis);
 }

@@ -53,6 +53,10 @@ class Engine {
   /// @throws std::invalid_argument if the joint has no such axis.
   void setJointVelocityTarget(world::Slot joint, double velocity, std::size_t axis = 0);
 
+  /// Ends what `setJointVelocityTarget` began.
+  /// @throws std::invalid_argument if the joint has no such axis.
+  void clearJointVelocityTarget(world::Slot joint, std::size_t axis = 0);
+
   /// Adds a force along the joint's axis for the next step [N m or N], up to the joint's effort. The value must
   /// be finite.
   /// @throws std::invalid_argument if the joint has no such axis.

@@ -51,6 +51,7 @@ class Joint final : public btTypedConstraint {
   /// How many axes it has to command.
   std::size_t axisCount() const { return axisCount_; }
   void setVelocityTarget(double velocity, std::size_t axis);
+  void clearVelocityTarget(std::size_t axis) { axes_[axis].velocityTarget.reset(); }
   void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
   void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
   /// @return Whether a force or a velocity other than zero is asked of an axis.

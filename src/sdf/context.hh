@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "pongsim/diagnostic.hh"
+#include "pongsim/urdf_source.hh"
 
 namespace pongsim::sdf {
 
@@ -22,6 +24,8 @@ struct Context {
   int version = 9;
   /// The file's folder.
   std::filesystem::path folder = {};
+  /// What the file is, where it is URDF: its model, not one within that, was made from it.
+  std::shared_ptr<const UrdfSource> urdf = nullptr;
   /// What is read stands in a world or at the root, not in a model.
   bool isInWorld = false;
   /// Subjects of warnings that are given once a file.

@@ -132,12 +132,14 @@ void Includes::parse(const fs::path& path, const Name& name, File& file) {
   const std::optional<std::string> text = readFileText(path, name, diagnostics_);
   if (!text) return;
   file.size = text->size();
-  std::optional<Element> root = parseModelDocument(*text, name, diagnostics_);
-  if (!root) return;
-  file.context.version = readVersion(*root, diagnostics_);
-  checkElements(*root, file.context);
-  upgrade(*root, file.context);
-  file.content = contentOf(*root, diagnostics_);
+  std::optional<ModelDocument> document = parseModelDocument(*text, name, diagnostics_);
+  if (!document) return;
+  Element& root = document->sdf;
+  file.context.urdf = std::move(document->urdf);
+  file.context.version = readVersion(root, diagnostics_);
+  checkElements(root, file.context);
+  upgrade(root, file.context);
+  file.content = contentOf(root, diagnostics_);
 }
 
 bool Includes::isWithinBounds(const Element& include, const File& file) {

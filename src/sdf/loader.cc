@@ -29,15 +29,16 @@ struct Reading {
   std::vector<std::unique_ptr<Scope>> scopes;
 };
 
-Reading readRoot(Element& element, Includes& includes, const FileName& file, Diagnostics& diagnostics,
-                 Diagnostics& unsimulated) {
+Reading readRoot(Element& element, const std::shared_ptr<const UrdfSource>& urdf, Includes& includes,
+                 const FileName& file, Diagnostics& diagnostics, Diagnostics& unsimulated) {
   Reading reading;
   Root& root = reading.root;
   Context context{.diagnostics = diagnostics,
                   .unsimulated = unsimulated,
                   .includes = includes,
                   .version = readVersion(element, diagnostics),
-                  .folder = std::filesystem::path(*file).parent_path()};
+                  .folder = std::filesystem::path(*file).parent_path(),
+                  .urdf = urdf};
   checkElements(element, context);
   upgrade(element, context);
 
@@ -90,8 +91,11 @@ class Load {
   }
 
   Reading read(std::string_view text) {
-    element_ = parseModelDocument(text, name_, found_);
-    return element_ ? readElement() : Reading();
+    std::optional<ModelDocument> document = parseModelDocument(text, name_, found_);
+    if (!document) return Reading();
+    element_ = std::move(document->sdf);
+    urdf_ = std::move(document->urdf);
+    return readElement();
   }
 
   Reading read(const Element& sdf) {
@@ -118,7 +122,7 @@ class Load {
 
  private:
   Reading readElement() {
-    Reading reading = readRoot(*element_, includes_, name_, found_, unsimulated_);
+    Reading reading = readRoot(*element_, urdf_, includes_, name_, found_, unsimulated_);
     addSorted(unsimulated_, includes_, reading.root.unsimulated);
     return reading;
   }
@@ -128,6 +132,7 @@ class Load {
   Diagnostics unsimulated_;
   Includes includes_;
   std::optional<Element> element_;
+  std::shared_ptr<const UrdfSource> urdf_;
 };
 
 FileName nameOf(const std::filesystem::path& file) { return std::make_shared<const std::string>(file.string()); }

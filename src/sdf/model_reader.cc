@@ -56,6 +56,8 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   if (!context.includes.enterModel(element.position)) return draft;
   model.name = readName(element, owner, context);
   model.position = element.position;
+  // of what is nested in it no model is the file's
+  model.urdf = {std::exchange(context.urdf, nullptr)};
   model.isStatic = readFlag(element, "static", false, context);
   model.selfCollide = readFlag(element, "self_collide", false, context);
   model.isInWind = readFlag(element, "enable_wind", false, context);
@@ -81,6 +83,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   model.frames = parts.takeFrames();
   model.models = parts.takeModels();
   model.plugins = parts.takePlugins();
+  context.urdf = model.urdf.source;
   return draft;
 }
 

@@ -120,6 +120,11 @@ void Joint::setVelocityTarget(double velocity, int axis) {
   access_->engine.setJointVelocityTarget(slotOf(*access_, id_), velocity, static_cast<std::size_t>(axis));
 }
 
+void Joint::clearVelocityTarget(int axis) {
+  if (!canCommand(*access_, *this, 0, axis)) return;
+  access_->engine.clearJointVelocityTarget(slotOf(*access_, id_), static_cast<std::size_t>(axis));
+}
+
 void Joint::addForce(double force, int axis) {
   if (!canCommand(*access_, *this, force, axis, sim::kMostForce, sim::kMostForceText)) return;
   access_->engine.addJointForce(slotOf(*access_, id_), force, static_cast<std::size_t>(axis));
@@ -149,6 +154,8 @@ Link Joint::child() const { return Link(*access_, access_->entities.links()[reco
 
 Pose Joint::poseInChild() const { return record(*access_, id_).description->X_ChildJoint; }
 
+Pose Joint::poseInParent() const { return record(*access_, id_).description->X_ParentJoint; }
+
 Wrench Joint::reaction() const {
   const physics::Engine::Reaction reaction = access_->engine.jointReaction(slotOf(*access_, id_));
   return {reaction.force, reaction.torque};
@@ -159,6 +166,10 @@ bool Joint::isDriven() const { return access_->engine.isJointDriven(slotOf(*acce
 JointAxisInfo Joint::axisInfo(int axis) const {
   const description::JointAxis& found = record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis));
   return {found.xyz, found.lower, found.upper, found.effort, found.velocity, found.damping};
+}
+
+double Joint::friction(int axis) const {
+  return record(*access_, id_).description->axes.at(static_cast<std::size_t>(axis)).friction;
 }
 
 bool Model::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
@@ -274,6 +285,14 @@ bool Model::isInserted() const {
   while (models[slot].parent != world::kNoSlot) slot = models[slot].parent;
   return models[slot].owner != nullptr;
 }
+
+std::vector<const Element*> Model::plugins() const {
+  std::vector<const Element*> elements;
+  for (const description::Plugin& plugin : record(*access_, id_).description->plugins) elements.push_back(&plugin.sdf);
+  return elements;
+}
+
+const UrdfSource* Model::urdf() const { return record(*access_, id_).description->urdf.source.get(); }
 
 bool Model::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
 

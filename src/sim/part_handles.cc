@@ -94,6 +94,14 @@ std::pair<double, double> Collision::slip() const {
 
 Shape Collision::shape() const { return std::visit(ShapeOf(), record(*access_, id_).description->geometry); }
 
+std::optional<MeshFile> Collision::meshFile() const {
+  const auto* mesh = std::get_if<description::Mesh>(&record(*access_, id_).description->geometry);
+  if (mesh == nullptr) return std::nullopt;
+  const bool isThere = !mesh->file.empty();
+  return MeshFile{isThere ? std::filesystem::absolute(mesh->file).lexically_normal() : mesh->file, mesh->submesh,
+                  mesh->isCentered, mesh->scale};
+}
+
 SourcePosition Collision::sourcePosition() const { return record(*access_, id_).description->position; }
 
 bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }

@@ -28,6 +28,9 @@ TEST(ModelDocument, ReadsARobotAsAModel) {
   EXPECT_EQ(model.joints[0].parent, "base");
   expectPose(model.joints[0].X_ChildJoint, {0, 0, 0});
   EXPECT_EQ(model.joints[0].axes.at(0).xyz, Vector3(0, 0, 1));
+  ASSERT_NE(model.urdf.source, nullptr);
+  EXPECT_EQ(model.urdf.source->text, kRobot);
+  EXPECT_EQ(model.urdf.source->robot.children.at(2).position.line, 5);
 }
 
 TEST(ModelDocument, PointsIntoTheUrdfWhereTheModelIsWrong) {
@@ -58,6 +61,21 @@ TEST(ModelDocument, CanBeIncluded) {
   EXPECT_EQ(loaded.model().name, "first");
   expectPose(loaded.model().X_ParentModel, {0, 0, 1});
   EXPECT_EQ(loaded.world().models[1].name, "r");
+  ASSERT_NE(loaded.model().urdf.source, nullptr);
+  EXPECT_EQ(loaded.model().urdf, loaded.world().models[1].urdf);
+}
+
+TEST(ModelDocument, IsKeptAsUrdfByItsOwnModelAlone) {
+  const Loaded loaded = load(
+      "<robot name='r'><link name='base'><inertial><mass value='2'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' "
+      "izz='1'/></inertial></link><gazebo><model name='load'><link name='l'/></model></gazebo></robot>");
+  EXPECT_EQ(loaded.messages, Messages());
+  ASSERT_EQ(loaded.root.models.size(), 1U);
+  EXPECT_NE(loaded.root.models[0].urdf.source, nullptr);
+  ASSERT_EQ(loaded.root.models[0].models.size(), 1U);
+  EXPECT_EQ(loaded.root.models[0].models[0].urdf.source, nullptr);
+  EXPECT_EQ(load("<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>").root.models.at(0).urdf.source,
+            nullptr);
 }
 
 }  // namespace

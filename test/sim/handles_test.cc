@@ -130,6 +130,23 @@ TEST_F(HandlesTest, TellTheAxesOfAnInertia) {
   EXPECT_TRUE(world().model("kite")->link("sail")->mass().axes.isApprox(fromRollPitchYaw(0, 0, 1)));
 }
 
+TEST_F(HandlesTest, LetGoOfAVelocityTarget) {
+  Joint elbow = arm().joint("elbow").value();
+  const auto push = [&] {
+    for (int i = 0; i < 100; ++i) {
+      elbow.addForce(1);
+      simulation_->step();
+    }
+  };
+  elbow.setVelocityTarget(0);
+  push();
+  EXPECT_NEAR(elbow.velocity(), 0, 1e-6);
+  elbow.clearVelocityTarget();
+  push();
+  // 1 N m for 0.1 s between two links of 1 kg m^2
+  EXPECT_NEAR(elbow.velocity(), 0.2, 0.01);
+}
+
 TEST_F(HandlesTest, PassWhatActuatorsAreTold) {
   EXPECT_EQ(arm().actuators(), nullptr);
   const std::vector<double> speeds{1, -2, 3};

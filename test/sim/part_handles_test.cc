@@ -10,6 +10,7 @@
 
 #include "pongsim/sensor.hh"
 #include "pongsim/simulation.hh"
+#include "pongsim/urdf_source.hh"
 
 namespace pongsim {
 namespace {
@@ -25,7 +26,7 @@ constexpr const char* kWorldOfParts = R"(<sdf version="1.9"><world name="w"><gra
     <model name="inner"><pose>0 0 1 0 0 0</pose><link name="arm"><inertial><mass>2</mass></inertial></link>
       <joint name="hinge" type="revolute"><parent>world</parent><child>arm</child>
         <axis><xyz>0 1 0</xyz><limit><lower>-1</lower><upper>2</upper><effort>3</effort><velocity>4</velocity></limit>
-          <dynamics><damping>5</damping></dynamics></axis></joint></model>
+          <dynamics><damping>5</damping><friction>6</friction></dynamics></axis></joint></model>
     <joint name="shaft" type="revolute"><pose>0 0 1 0 0 0</pose><parent>base</parent><child>inner::arm</child>
       <axis><xyz>0 0 1</xyz></axis>
       <sensor name="load" type="imu"><topic>t</topic><ignition_frame_id>f</ignition_frame_id></sensor></joint>
@@ -56,12 +57,49 @@ TEST_F(PartHandlesTest, LeadFromALinkToItsPartsAndBack) {
   EXPECT_EQ(simulation_->world().collision(skin.id())->name(), "skin");
   EXPECT_FALSE(simulation_->world().collision(CollisionId{base().id().value}).has_value());
   EXPECT_EQ(std::get<SphereShape>(skin.shape()).radius, 0.1);
+  EXPECT_FALSE(skin.meshFile());
   EXPECT_EQ(skin.sourcePosition().line, 5);
   ASSERT_EQ(base().visuals().size(), 1U);
   EXPECT_EQ(base().visuals()[0].name(), "look");
   EXPECT_EQ(base().visuals()[0].poseInLink().position, Vector3(0, 0, 4));
   ASSERT_EQ(base().sensors().size(), 1U);
   EXPECT_EQ(base().sensors()[0].name(), "imu");
+}
+
+TEST_F(PartHandlesTest, TellWhereAJointIsInBothOfItsLinks) {
+  const Joint shaft = outer().joint("shaft").value(), hinge = outer().joint("inner::hinge").value();
+  EXPECT_EQ(shaft.poseInChild().position, Vector3(0, 0, 1));
+  EXPECT_EQ(shaft.poseInParent().position, Vector3(0, 0, 2));
+  // which is the world
+  EXPECT_EQ(hinge.poseInParent().position, Vector3(1, 2, 4));
+  EXPECT_EQ(hinge.friction(), 6);
+  EXPECT_EQ(shaft.friction(), 0);
+}
+
+TEST(PartHandles, LeadToThePluginsOfAModelAndToItsUrdf) {
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><model name='m'><link name='l'/><model name='inner'><link name='l'/>"
+      "<plugin filename='c' name='n'/></model><plugin filename='a' name='n'/><plugin filename='b' name='n'/></model>"
+      "</world></sdf>",
+      "w.sdf", {.loadSystems = false}, diagnostics);
+  ASSERT_NE(simulation, nullptr);
+  const Model model = simulation->world().model("m").value();
+  ASSERT_EQ(model.plugins().size(), 2U);
+  EXPECT_EQ(model.plugins()[1]->attributeOr("filename", ""), "b");
+  EXPECT_EQ(model.urdf(), nullptr);
+
+  const std::string text =
+      "<robot name='r'><link name='l'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' "
+      "iyz='0'/></inertial></link><other/></robot>";
+  const std::optional<Model> robot = simulation->insertText(text, "t", {}, diagnostics);
+  ASSERT_TRUE(robot);
+  ASSERT_NE(robot->urdf(), nullptr);
+  EXPECT_EQ(robot->urdf()->text, text);
+  EXPECT_NE(robot->urdf()->robot.child("other"), nullptr);
+  const std::optional<Model> copy = simulation->insertCopy(*robot, {.name = "copy"}, diagnostics);
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->urdf(), robot->urdf());
 }
 
 TEST_F(PartHandlesTest, LetASurfaceRunAlongAndSlip) {
