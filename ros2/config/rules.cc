@@ -252,6 +252,15 @@ Rules makeRules(std::span<const RuleText> texts, const NameScope& scope, Diagnos
   return maker.take();
 }
 
+void warnOfOtherWorlds(std::span<const ServiceRule> services, std::string_view world, Diagnostics& diagnostics) {
+  const std::string own = cleanTopic("/world/" + std::string(world) + "/");
+  for (const ServiceRule& rule : services) {
+    if (rule.ignition.starts_with(own)) continue;
+    diagnostics.warning(rule.position, "service '" + rule.ignition + "' is of another world, and is not bridged",
+                        "this world is '" + std::string(world) + "'");
+  }
+}
+
 std::string hintOfRosType(std::string_view name) {
   std::vector<std::string_view> known;
   for (const Pair& pair : allPairs()) known.push_back(pair.ros);

@@ -31,6 +31,9 @@ struct Rules {
 /// @return The rules with which nothing is wrong, in the order of the texts.
 Rules makeRules(std::span<const RuleText> texts, const NameScope& scope, Diagnostics& diagnostics);
 
+/// Warns of services that are not those of the world of that name.
+void warnOfOtherWorlds(std::span<const ServiceRule> services, std::string_view world, Diagnostics& diagnostics);
+
 /// @return The type of ROS that is spelt most like `name`, as a hint: "did you mean 'std_msgs/msg/String'?", or empty.
 std::string hintOfRosType(std::string_view name);
 

@@ -162,6 +162,28 @@ TEST(Rules, KnowTheServicesOfAWorld) {
   EXPECT_EQ(made.rules.services[1].type, "ros_gz_interfaces/srv/SpawnEntity");
 }
 
+TEST(Rules, WarnOfServicesOfAnotherWorld) {
+  const MadeRules made = ofArguments(
+      {"/world/w/control@ros_gz_interfaces/srv/ControlWorld", "/world/v/create@ros_gz_interfaces/srv/SpawnEntity"});
+  Diagnostics diagnostics;
+  warnOfOtherWorlds(made.rules.services, "w", diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(format(diagnostics.all()[0]),
+            "w:2:1: warning: service '/world/v/create' is of another world, and is not bridged\n"
+            "  hint: this world is 'w'");
+}
+
+TEST(Rules, TakeTheWordsOfHumble) {
+  const MadeRules made = ofFile(
+      "- {ros_topic_name: a, ign_topic_name: b, ros_type_name: std_msgs/msg/String, ign_type_name: "
+      "ignition.msgs.StringMsg, direction: ROS_TO_IGN, subscriber_queue: 5}\n"
+      "- {ros_topic_name: a, ign_topic_name: b, ros_type_name: std_msgs/msg/String, ign_type_name: "
+      "ignition.msgs.StringMsg, direction: IGN_TO_ROS, publisher_queue: 20}\n");
+  EXPECT_EQ(made.said, "");
+  ASSERT_EQ(made.rules.topics.size(), 1U);
+  EXPECT_EQ(made.rules.topics[0].direction, Direction::kBoth);
+}
+
 TEST(Rules, RefuseServicesThatAreNone) {
   EXPECT_EQ(ofArguments({"/world/w/control@ros_gz_interfaces/srv/ControlWord"}).said,
             "w:1:1: error: 'ros_gz_interfaces/srv/ControlWord' is no service that can be bridged\n"

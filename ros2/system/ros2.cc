@@ -6,6 +6,7 @@
 #include "ros2/bridge/simulation_parameters.hh"
 #include "ros2/bridge/topics_service.hh"
 #include "ros2/config/elements.hh"
+#include "ros2/config/rules.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/node/rosout.hh"
@@ -31,6 +32,7 @@ class Ros2 final : public System {
     // the run does not begin
     if (!settings) return;
     settings_ = *settings;
+    warnOfOtherWorlds(settings_.services, context.world.name(), context.diagnostics);
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     rosout_.emplace(*node_);
