@@ -59,10 +59,13 @@ void Bridge::followTopics() {
   const std::vector<OwnTopic> topics = simulation_.ownTopics();
   followRules(topics);
   for (Entry& entry : entries_) {
-    if (entry.rule.position.file != nullptr) continue;
-    const bool isThere = settings_.bridgesAll && std::ranges::any_of(topics, [&](const OwnTopic& topic) {
-      return topic.name == entry.rule.ignition && topic.type == entry.rule.pair->ignition;
+    const bool isOfRule = std::ranges::any_of(settings_.rules, [&](const TopicRule& rule) {
+      return rule.ignition == entry.rule.ignition && rule.pair == entry.rule.pair && rule.ros == entry.rule.ros;
     });
+    if (isOfRule) continue;
+    const bool isThere = settings_.bridgesAll && std::ranges::any_of(topics, [&](const OwnTopic& topic) {
+                           return topic.name == entry.rule.ignition && topic.type == entry.rule.pair->ignition;
+                         });
     if (!isThere) want(entry, {});
   }
   for (const OwnTopic& topic : topics) {

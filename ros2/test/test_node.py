@@ -330,9 +330,11 @@ def test_steps_are_cancelled_and_their_status_is_told():
         peers.take_one(steps.feedback)
         status = peers.take_one(peers.Peer().reader("/pongsim/simulate_steps/_action/status", GoalStatusArray,
                                                     peers.LATCHED))
-        assert [(each.goal_info.goal_id.uuid, each.status) for each in status.status_list] == [(goal.uuid, EXECUTING)]
+        told = [(bytes(each.goal_info.goal_id.uuid), each.status) for each in status.status_list]
+        assert told == [(bytes(goal.uuid), EXECUTING)]
         answer = steps.cancel(CancelGoalRequest())
-        assert answer.return_code == 0 and [each.goal_id.uuid for each in answer.goals_canceling] == [goal.uuid]
+        assert answer.return_code == 0 and [bytes(each.goal_id.uuid) for each in answer.goals_canceling] == [
+            bytes(goal.uuid)]
         answer = steps.result.answer()
         assert answer.status == CANCELED
         assert answer.result.result.error_message.startswith("cancelled after ")
@@ -364,7 +366,12 @@ SDF = "<sdf version='1.9'><model name='crate'><pose>9 9 9 0 0 0</pose><static>tr
 def test_create_inserts_as_ros_gz_sim_does(tmp_path):
     file = tmp_path / "crate.sdf"
     file.write_text(SDF)
-    with peers.running(WORLD):
+    # which tells where models are
+    world = tmp_path / "world.sdf"
+    world.write_text(WORLD.read_text().replace(
+        '<world name="drive">', '<world name="drive"><plugin filename="ignition-gazebo-scene-broadcaster-system" '
+                                'name="ignition::gazebo::systems::SceneBroadcaster"/>'))
+    with peers.running(world):
         done = create("-string", SDF, "-x", "-1.5", "-Y", "1.57")
         assert done.returncode == 0, done.stderr
         pose = subprocess.run([peers.PONGSIM, "model", "-m", "crate", "--pose", "--timeout", "20000"],
