@@ -13,7 +13,7 @@ from tf_tree import TfTree, matrix, nanoseconds
 
 ros_messages.install()
 
-from geometry_msgs.msg import Twist, Vector3  # noqa: E402
+from geometry_msgs.msg import Twist, TwistStamped, Vector3  # noqa: E402
 from nav_msgs.msg import Odometry  # noqa: E402
 from rosgraph_msgs.msg import Clock  # noqa: E402
 from sensor_msgs.msg import CameraInfo, Image, Imu, JointState, LaserScan  # noqa: E402
@@ -169,6 +169,32 @@ def test_what_the_lidar_sees_falls_on_the_walls_while_the_robot_drives_and_turns
         assert each.child_frame_id == "base_footprint"
         pose = matrix(each.pose.pose.position, each.pose.pose.orientation)
         assert told[nanoseconds(each.header.stamp)] == pytest.approx(pose, abs=1e-9)
+
+
+def test_nav2_of_kilted_drives_by_stamped_commands_where_a_rule_says_so():
+    rule = "/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist"
+    with peers.running(WORLD, "--ros2-topic", rule):
+        peer = peers.Peer()
+        commands, odometry = peer.writer("/cmd_vel", TwistStamped), peer.reader("/odom", Odometry)
+
+        def drives():
+            commands.write(TwistStamped(twist=Twist(linear=Vector3(x=0.2))))
+            return [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.19]
+
+        peers.until(drives, "a robot that drives")
+
+
+def test_nav2_of_kilted_drives_by_stamped_commands_where_a_rule_says_so():
+    rule = "/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist"
+    with peers.running(WORLD, "--ros2-topic", rule):
+        peer = peers.Peer()
+        commands, odometry = peer.writer("/cmd_vel", TwistStamped), peer.reader("/odom", Odometry)
+
+        def drives():
+            commands.write(TwistStamped(twist=Twist(linear=Vector3(x=0.2))))
+            return [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.19]
+
+        peers.until(drives, "a robot that drives")
 
 
 def in_odom(scan, X_odom_scan):
