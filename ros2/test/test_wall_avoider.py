@@ -220,6 +220,15 @@ def test_steering_is_slower_before_a_wall_and_turns_to_the_freer_side():
     assert command(steering, 1.2, 0.95, 0.9) == (0.0, -0.4)
 
 
+def test_steering_turns_out_of_a_corner():
+    # a wall 1 m ahead, nearer than the one 1.3 m to the left, and both are in view on the left
+    steering = Steering(1.01, 1.8, 0.5, 0.4)
+    angles = [-1.4 + 0.01 * i for i in range(281)]
+    ranges = [min(1.0 / math.cos(angle), 1.3 / math.sin(angle) if angle > 0 else math.inf) for angle in angles]
+    assert steering.command(ranges, -1.4, 0.01) == (0.0, -0.4)
+    assert Steering(1.01, 1.8, 0.5, 0.4).command(ranges[::-1], -1.4, 0.01) == (0.0, 0.4)
+
+
 def test_steering_leaves_aside_what_is_beside_the_way():
     steering = Steering(1.0, 1.8, 0.5, 0.4)
     # a wall 0.95 m to the left, all along
