@@ -2,60 +2,24 @@
 they are."""
 
 import collections
-import math
 import xml.etree.ElementTree as xml
 
 import numpy as np
 import peers
 import pytest
 import ros_messages
+from house import WORLD, House
 from tf_tree import TfTree, matrix, nanoseconds
 
 ros_messages.install()
 
-from geometry_msgs.msg import Twist, Vector3  # noqa: E402
+from geometry_msgs.msg import Twist, TwistStamped, Vector3  # noqa: E402
 from nav_msgs.msg import Odometry  # noqa: E402
 from rosgraph_msgs.msg import Clock  # noqa: E402
 from sensor_msgs.msg import CameraInfo, Image, Imu, JointState, LaserScan  # noqa: E402
 from std_msgs.msg import String  # noqa: E402
 
-WORLD = peers.ROOT / "worlds/ros2_nav2.sdf"
 MANY = peers.Qos(peers.Policy.Reliability.Reliable(peers.duration(seconds=1)), peers.Policy.History.KeepLast(1000))
-
-
-def numbers(text):
-    return [float(word) for word in text.split()]
-
-
-class House:
-    """The walls, as the world's file has them, and where the robot starts."""
-
-    def __init__(self):
-        world = xml.parse(WORLD).getroot().find("world")
-        self.shapes = []
-        for link in world.find("model[@name='house']").findall("link"):
-            x, y, _, _, _, yaw = numbers(link.findtext("pose"))
-            geometry = link.find("visual/geometry")
-            size = geometry.findtext("box/size")
-            self.shapes.append((x, y, yaw, numbers(size)[:2] if size else None, geometry.findtext("cylinder/radius")))
-        x, y, _, _, _, yaw = numbers(world.findtext("include/pose"))
-        self.start = np.eye(4)
-        self.start[:2, :2] = [[math.cos(yaw), -math.sin(yaw)], [math.sin(yaw), math.cos(yaw)]]
-        self.start[:2, 3] = x, y
-
-    def distance(self, points):
-        """From points [n x 2] of the world to the nearest surface, seen from above [m]."""
-        nearest = np.full(len(points), np.inf)
-        for x, y, yaw, size, radius in self.shapes:
-            turned = (points - [x, y]) @ np.array([[math.cos(yaw), -math.sin(yaw)], [math.sin(yaw), math.cos(yaw)]])
-            if size is None:
-                distance = np.abs(np.linalg.norm(turned, axis=1) - float(radius))
-            else:
-                beyond = np.abs(turned) - np.array(size) / 2
-                outside = np.linalg.norm(np.maximum(beyond, 0), axis=1)
-                distance = np.where(outside > 0, outside, -beyond.max(axis=1))
-            nearest = np.minimum(nearest, distance)
-        return nearest
 
 
 def test_the_frames_of_the_robot_are_one_tree():
@@ -169,6 +133,32 @@ def test_what_the_lidar_sees_falls_on_the_walls_while_the_robot_drives_and_turns
         assert each.child_frame_id == "base_footprint"
         pose = matrix(each.pose.pose.position, each.pose.pose.orientation)
         assert told[nanoseconds(each.header.stamp)] == pytest.approx(pose, abs=1e-9)
+
+
+def test_nav2_of_kilted_drives_by_stamped_commands_where_a_rule_says_so():
+    rule = "/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist"
+    with peers.running(WORLD, "--ros2-topic", rule):
+        peer = peers.Peer()
+        commands, odometry = peer.writer("/cmd_vel", TwistStamped), peer.reader("/odom", Odometry)
+
+        def drives():
+            commands.write(TwistStamped(twist=Twist(linear=Vector3(x=0.2))))
+            return [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.19]
+
+        peers.until(drives, "a robot that drives")
+
+
+def test_nav2_of_kilted_drives_by_stamped_commands_where_a_rule_says_so():
+    rule = "/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist"
+    with peers.running(WORLD, "--ros2-topic", rule):
+        peer = peers.Peer()
+        commands, odometry = peer.writer("/cmd_vel", TwistStamped), peer.reader("/odom", Odometry)
+
+        def drives():
+            commands.write(TwistStamped(twist=Twist(linear=Vector3(x=0.2))))
+            return [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.19]
+
+        peers.until(drives, "a robot that drives")
 
 
 def in_odom(scan, X_odom_scan):

@@ -1,6 +1,7 @@
 """The example ros2_wall_avoider: installed as ROS installs it, and run as it is on the stand-in for rclpy."""
 
 import contextlib
+import dataclasses
 import math
 import os
 import pathlib
@@ -9,10 +10,13 @@ import signal
 import subprocess
 import sys
 import xml.etree.ElementTree as xml
+from collections.abc import Callable
 
+import numpy as np
 import peers
 import pytest
 import ros_messages
+from house import House
 
 ros_messages.install()
 
@@ -72,65 +76,83 @@ def test_it_is_installed_as_ros_looks_for_it(installed):
     assert launch.find("executable").get("cmd") == "pongsim run $(var world) --ros2"
 
 
-def corners(pose):
-    """Of the robot of both worlds: chassis and wheels, seen from above [m]."""
-    x, y = pose.translation.x, pose.translation.y
-    yaw = 2 * math.atan2(pose.rotation.z, pose.rotation.w)
-    outline = [(1.5, 0.5), (1.5, -0.5), (0.4, 0.7), (0.4, -0.7), (-0.4, 0.7), (-0.4, -0.7), (-0.5, 0.5), (-0.5, -0.5)]
-    for a, b in outline:
-        yield x + a * math.cos(yaw) - b * math.sin(yaw), y + a * math.sin(yaw) + b * math.cos(yaw)
+BIG_ROBOT = [(1.5, 0.5), (1.5, -0.5), (0.4, 0.7), (0.4, -0.7), (-0.4, 0.7), (-0.4, -0.7), (-0.5, 0.5), (-0.5, -0.5)]
+SMALL_ROBOT = [(0.22 * math.cos(0.1 * i), 0.22 * math.sin(0.1 * i)) for i in range(63)]
 
 
-def room_in_tutorial(x, y):
-    """Distance to the wall of the tutorial, a box of 0.5 m x 10 m about (5, 0) [m]."""
-    return math.hypot(max(abs(x - 5) - 0.25, 0), max(abs(y) - 5, 0))
+@dataclasses.dataclass
+class Place:
+    """A world, and what is asked of the robot there."""
 
-
-def room_in_court(x, y):
-    """Distance to the nearest wall of the court, 20 m x 12 m inside [m]."""
-    return min(10 - abs(x), 6 - abs(y))
+    world: pathlib.Path
+    name: str
+    robot: str
+    # its outline from above, with the wheels [m]
+    outline: list
+    # distance of points [n x 2] to the nearest wall [m]
+    room: Callable
+    # how far it must stay away, and how near it must come so that there was something to avoid [m]
+    least: float = 0.3
+    most: float = 1.5
+    # where it is said that a wall was touched
+    touched: str = "/none"
+    arguments: tuple = ()
 
 
 def tutorial():
-    world = peers.fortress("tutorials/sensor_tutorial.sdf")
-    return world, "/world/sensor_world", "vehicle_blue", "/wall/touched", room_in_tutorial
+    # the wall is a box of 0.5 m x 10 m about (5, 0)
+    return Place(peers.fortress("tutorials/sensor_tutorial.sdf"), "sensor_world", "vehicle_blue", BIG_ROBOT,
+                 lambda points: np.linalg.norm(np.maximum(np.abs(points - [5, 0]) - [0.25, 5], 0), axis=1),
+                 touched="/wall/touched")
 
 
 def court():
-    world = peers.ROOT / "worlds/pong_lidar.sdf"
-    return world, "/world/pong_lidar", "pong_bot", "/court/touched", room_in_court
+    # 20 m x 12 m
+    return Place(peers.ROOT / "worlds/pong_lidar.sdf", "pong_lidar", "pong_bot", BIG_ROBOT,
+                 lambda points: ([10, 6] - np.abs(points)).min(axis=1), touched="/court/touched")
 
 
-@pytest.mark.parametrize("place", [tutorial, court])
-def test_it_keeps_its_distance_for_a_minute(installed, tmp_path, place):
-    world, prefix, robot, touched, room = place()
+def house():
+    # another robot: by its names and measures
+    return Place(peers.ROOT / "worlds/ros2_nav2.sdf", "ros2_nav2", "robot", SMALL_ROBOT, House().distance, least=0.1,
+                 most=0.5, arguments=("-r", "/lidar:=/scan", "-p", "near:=0.4", "-p", "width:=0.7", "-p", "speed:=0.26"))
+
+
+def outline_at(transform, outline):
+    yaw = 2 * math.atan2(transform.rotation.z, transform.rotation.w)
+    turn = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
+    return np.array(outline) @ turn + [transform.translation.x, transform.translation.y]
+
+
+@pytest.mark.parametrize("where", [tutorial, court, house])
+def test_it_keeps_its_distance_for_a_minute(installed, tmp_path, where):
+    place = where()
     log = tmp_path / "log"
     # three times as fast as the clock of the wall: the node has 300 ms for what it is to do within a second
-    with peers.running(world, "--ros2", "-z", "3000"):
+    with peers.running(place.world, "--ros2", "-z", "3000"):
         peer = peers.Peer()
-        poses = peer.reader(f"{prefix}/dynamic_pose/info", TFMessage)
-        touches = peer.reader(touched, Bool)
+        poses = peer.reader(f"/world/{place.name}/dynamic_pose/info", TFMessage)
+        touches = peer.reader(place.touched, Bool)
         clock = peer.reader("/clock", Clock, peers.BEST_EFFORT)
-        path, end = [], None
+        path = []
 
-        with node(installed, "-p", "use_sim_time:=true", log=log):
+        with node(installed, "-p", "use_sim_time:=true", *place.arguments, log=log):
             peers.until(lambda: log.exists() and "[wall_avoider]" in log.read_text(), "a node that speaks")
             begin = peers.take_one(clock).clock.sec
 
             def a_minute_has_passed():
                 for message in peers.take(poses):
                     path.extend((each.header.stamp.sec, each.transform) for each in message.transforms
-                                if each.child_frame_id == robot)
+                                if each.child_frame_id == place.robot)
                 return bool(path) and path[-1][0] >= begin + 60
 
             peers.until(a_minute_has_passed, "the end of the minute", patience=200)
         assert not peers.take(touches), "it touched a wall"
-    nearest = min(room(*corner) for _, pose in path for corner in corners(pose))
-    assert nearest > 0.3
-    # it came near, so that there was something to avoid, and it drove on
-    ways = [pose.translation for _, pose in path]
-    assert nearest < 1.5
-    assert sum(math.dist((a.x, a.y), (b.x, b.y)) for a, b in zip(ways, ways[1:])) > 10
+    nearest = min(place.room(outline_at(pose, place.outline)).min() for _, pose in path)
+    assert place.least < nearest < place.most
+    # it drove all the while
+    ways = np.array([(pose.translation.x, pose.translation.y) for _, pose in path])
+    assert np.linalg.norm(np.diff(ways, axis=0), axis=1).sum() > 8
     said = log.read_text()
     assert "A wall is near: turning" in said
     # by its clock the simulation has begun a moment ago
@@ -218,6 +240,15 @@ def test_steering_is_slower_before_a_wall_and_turns_to_the_freer_side():
     assert command(steering, 1.9, 1.5, 1.2) == (0.0, 0.4)
     assert command(steering, 2.5, 2.5, 2.5) == (0.5, 0.0)
     assert command(steering, 1.2, 0.95, 0.9) == (0.0, -0.4)
+
+
+def test_steering_turns_out_of_a_corner():
+    # a wall 1 m ahead, nearer than the one 1.3 m to the left, and both are in view on the left
+    steering = Steering(1.01, 1.8, 0.5, 0.4)
+    angles = [-1.4 + 0.01 * i for i in range(281)]
+    ranges = [min(1.0 / math.cos(angle), 1.3 / math.sin(angle) if angle > 0 else math.inf) for angle in angles]
+    assert steering.command(ranges, -1.4, 0.01) == (0.0, -0.4)
+    assert Steering(1.01, 1.8, 0.5, 0.4).command(ranges[::-1], -1.4, 0.01) == (0.0, 0.4)
 
 
 def test_steering_leaves_aside_what_is_beside_the_way():

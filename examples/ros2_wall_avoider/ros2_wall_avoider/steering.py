@@ -31,18 +31,22 @@ class Steering:
         :param angle_increment: from one beam to the next [rad]
         :return: linear speed [m/s] and angular speed [rad/s]
         """
-        ahead = left = right = math.inf
+        ahead = math.inf
+        left = right = 0.0
+        far = 4.0 * self.near
         for i, distance in enumerate(ranges):
-            if not math.isfinite(distance):
-                continue
             angle = angle_min + i * angle_increment
-            x, y = distance * math.cos(angle), distance * math.sin(angle)
-            if x > 0.0 and abs(y) < self.width / 2.0:
-                ahead = min(ahead, x)
-            if y > 0.0:
-                left = min(left, distance)
-            else:
-                right = min(right, distance)
+            if math.isfinite(distance):
+                x, y = distance * math.cos(angle), distance * math.sin(angle)
+                if x > 0.0 and abs(y) < self.width / 2.0:
+                    ahead = min(ahead, x)
+
+            # how much room each side has; what is far away does not matter
+            room = far if math.isnan(distance) else min(distance, far)
+            if angle > 0.0:
+                left += room
+            elif angle < 0.0:
+                right += room
 
         # who has begun to turn goes on until there is room, and to the same side
         if self.turning != 0 and ahead > 2.0 * self.near:

@@ -17,7 +17,7 @@ class WallAvoider(Node):
         super().__init__('wall_avoider')
         self.steering = Steering(
             near=self.declare_parameter('near', 1.0).value,
-            width=self.declare_parameter('width', 1.8).value,
+            width=self.declare_parameter('width', 2.4).value,
             speed=self.declare_parameter('speed', 0.5).value,
             turn=self.declare_parameter('turn', 0.5).value)
         self.patience = Duration(seconds=self.declare_parameter('patience', 1.0).value)
