@@ -4,6 +4,8 @@ import json
 import os
 import pathlib
 import shutil
+import socket
+import struct
 import subprocess
 import sys
 
@@ -31,11 +33,11 @@ exec "$@"
 """
 
 
-def inside(function):
-    """Runs a function of this file within the namespaces, and gives back what it says."""
+def inside(function, distro="humble"):
+    """Runs a function of this file within the namespaces, for a distribution, and gives back what it says."""
     for tool in ("ip", "unshare"):
         assert shutil.which(tool) or pathlib.Path("/usr/sbin", tool).exists(), f"{tool} is not installed"
-    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}
+    environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin", "ROS_DISTRO": distro}
     # not in a chroot, and not in every container
     may = subprocess.run([*NAMESPACES, "true"], env=environment, capture_output=True, text=True, timeout=60)
     if may.returncode != 0:
@@ -111,6 +113,89 @@ def packets_from_outside():
     print(json.dumps({"ports": len(reachable), "groups": len(groups)}))
 
 
+def announcement(prefix, port):
+    """What a participant that listens here at the port announces itself with (RTPS 8.5.3, 9.6.2.2)."""
+    locator = struct.pack("<iI12x4s", 1, port, socket.inet_aton(HERE))
+    parameters = [(0x15, bytes([2, 3, 0, 0])), (0x16, bytes([1, 16, 0, 0])), (0x50, prefix + bytes([0, 0, 1, 0xC1])),
+                  (0x32, locator), (0x31, locator), (0x02, struct.pack("<iI", 100, 0)), (0x58, struct.pack("<I", 0x3F)),
+                  (0x01, b"")]
+    content = bytes([0, 3, 0, 0]) + b"".join(struct.pack("<HH", key, len(value)) + value for key, value in parameters)
+    data = struct.pack("<HH", 0, 16) + bytes([0, 1, 0, 0xC7, 0, 1, 0, 0xC2]) + struct.pack("<iI", 0, 1) + content
+    return b"RTPS" + bytes([2, 3, 1, 16]) + prefix + struct.pack("<BBH", 0x15, 5, len(data)) + data
+
+
+# Sends packets with source addresses that are not the sender's.
+FORGE = """
+import json, socket, struct, sys
+packets = json.load(sys.stdin)
+raw = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_RAW)
+raw.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(sys.argv[1]))
+for source, to, port, payload in packets:
+    payload = bytes.fromhex(payload)
+    udp = struct.pack(">HHHH", 40000, port, 8 + len(payload), 0) + payload
+    ip = struct.pack(">BBHHHBBH4s4s", 0x45, 0, 20 + len(udp), 0, 0, 1, 17, 0, socket.inet_aton(source), socket.inet_aton(to))
+    raw.sendto(ip + udp, (to, port))
+"""
+
+
+def heard_at(listener):
+    """How many packets wait at a socket."""
+    count = 0
+    while True:
+        try:
+            listener.recv(65536)
+            count += 1
+        except BlockingIOError:
+            return count
+
+
+def forged_packets():
+    """Whether announcements with this machine's own addresses, sent from another one, are answered as its own are."""
+    listeners = []
+    for _ in range(2):
+        listener = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        listener.setblocking(False)
+        listener.bind(("0.0.0.0", 0))
+        listeners.append(listener)
+    outside, own = (announcement(bytes([1, 16]) + bytes([number] * 10), listener.getsockname()[1])
+                    for number, listener in enumerate(listeners, 1))
+    wire = socket.socket(socket.AF_PACKET, socket.SOCK_DGRAM, socket.htons(0x0800))
+    wire.bind(("here", 0x0800))
+    wire.setblocking(False)
+    with peers.running(WORLD) as simulation:
+        peers.take_one(peers.Peer().reader("/clock", peers.Clock))
+        ports = [port for address, port, _ in sockets(simulation.pid) if address in ("00000000", "016433C6")]
+        groups = {port for address, port, _ in sockets(simulation.pid) if address == "0100FFEF"}
+        ways = [(HERE, port) for port in ports] + [(GROUP, port) for port in groups]
+        packets = [(source, to, port, outside.hex()) for source in (HERE, "127.0.0.1", "127.0.0.2", THERE)
+                   for to, port in ways]
+        forger = subprocess.run(["ip", "netns", "exec", "other", sys.executable, "-c", FORGE, THERE],
+                                input=json.dumps(packets), text=True, timeout=60)
+        assert forger.returncode == 0
+        arrived = 0
+
+        def all_arrived():
+            nonlocal arrived
+            while True:
+                try:
+                    packet, address = wire.recvfrom(65536)
+                except BlockingIOError:
+                    return arrived >= len(packets)
+                arrived += outside in packet and address[2] != socket.PACKET_OUTGOING
+
+        peers.until(all_arrived, "the packets at the interface")
+        # behind them, so that they would have been answered before
+        sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+
+        def answered():
+            for port in ports:
+                sender.sendto(own, (HERE, port))
+            return heard_at(listeners[1])
+
+        peers.until(answered, "an answer to this machine's own")
+        print(json.dumps({"sent": len(packets), "answered": heard_at(listeners[0])}))
+
+
 def nodes_outside():
     """Whether a node elsewhere hears the clock of a closed simulation while one here does, and of an open one."""
     with peers.running(WORLD):
@@ -126,14 +211,21 @@ def nodes_outside():
     print(json.dumps({"closed": closed, "opened": opened}))
 
 
-def test_no_packet_from_outside_gets_in():
-    result = inside("packets_from_outside")
+@pytest.mark.parametrize("distro", ["humble", "jazzy"])
+def test_no_packet_from_outside_gets_in(distro):
+    result = inside("packets_from_outside", distro)
     # of discovery and of data, and the group
     assert result["ports"] >= 2 and result["groups"] == 1
 
 
-def test_a_node_elsewhere_is_met_only_where_the_network_is_open():
-    assert inside("nodes_outside") == {"closed": True, "opened": True}
+def test_no_packet_with_a_forged_source_gets_in():
+    result = inside("forged_packets")
+    assert result["sent"] >= 12 and result["answered"] == 0
+
+
+@pytest.mark.parametrize("distro", ["humble", "jazzy"])
+def test_a_node_elsewhere_is_met_only_where_the_network_is_open(distro):
+    assert inside("nodes_outside", distro) == {"closed": True, "opened": True}
 
 
 if __name__ == "__main__":

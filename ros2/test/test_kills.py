@@ -1,0 +1,134 @@
+"""Nodes that are killed and nodes that send rubbish leave nothing behind: memory, handles and pace stay as they are."""
+
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import dataclass, field
+
+from cyclonedds.idl import IdlStruct
+from cyclonedds.idl.types import array, uint8
+
+import peers
+
+WORLD = peers.ROOT / "ros2/test/drive.sdf"
+ROUNDS, NODES = 20, 20
+
+# A process that forks into so many nodes, each of which hears the clock and the scans and commands the robot.
+PROGRAM = """
+import os, signal, sys, time
+sys.path.insert(0, sys.argv[1])
+import peers
+children = []
+for _ in range(int(sys.argv[2])):
+    child = os.fork()
+    if child == 0:
+        peer = peers.Peer()
+        reader = peer.reader("/clock", peers.Clock)
+        scans = peer.reader("/lidar", peers.LaserScan)
+        command = peer.writer("/cmd_vel", peers.Twist)
+        peers.take_one(reader)
+        command.write(peers.Twist())
+        os.write(1, b"x")
+        while True:
+            time.sleep(60)
+    children.append(child)
+sys.stdin.read()
+for child in children:
+    os.kill(child, signal.SIGKILL)
+"""
+
+
+class Usage:
+    """What a process holds."""
+
+    def __init__(self, pid):
+        process = pathlib.Path("/proc", str(pid))
+        status = (process / "status").read_text()
+        self.handles = len(list((process / "fd").iterdir()))
+        self.threads = int(re.search(r"Threads:\s+(\d+)", status).group(1))
+        self.kilobytes = int(re.search(r"VmRSS:\s+(\d+)", status).group(1))
+
+
+def round_of_nodes():
+    """Starts the nodes, waits until each has heard the clock, and kills them as they are."""
+    nodes = subprocess.Popen([sys.executable, "-c", PROGRAM, str(peers.ROOT / "ros2/test"), str(NODES)],
+                             stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    heard = b""
+    while len(heard) < NODES:
+        more = os.read(nodes.stdout.fileno(), NODES)
+        assert more, "the nodes ended"
+        heard += more
+    nodes.stdin.close()
+    nodes.wait()
+    nodes.stdout.close()
+
+
+def test_nodes_that_are_killed_leave_nothing_behind():
+    with peers.running(WORLD) as simulation:
+        peer = peers.Peer()
+        clock = peer.reader("/clock", peers.Clock, peers.BEST_EFFORT)
+
+        def heard():
+            samples = peers.take(clock)
+            return samples[-1].clock.sec + samples[-1].clock.nanosec * 1e-9 if samples else None
+
+        peers.until(heard, "the clock")
+        usages = []
+        for _ in range(ROUNDS):
+            round_of_nodes()
+            before = peers.until(heard, "the clock beside killed nodes")
+            assert peers.until(lambda: (heard() or 0) > before, "time that goes on")
+            usages.append(Usage(simulation.pid))
+        # the dead are forgotten after their lease, so that some rounds are there at once
+        peers.until(lambda: Usage(simulation.pid).handles <= usages[0].handles, "handles as at first")
+        assert max(usage.threads for usage in usages) <= usages[0].threads
+        middle = max(usage.kilobytes for usage in usages[ROUNDS // 2:ROUNDS * 3 // 4])
+        assert max(usage.kilobytes for usage in usages[ROUNDS * 3 // 4:]) < middle + 8_000, [u.kilobytes for u in usages]
+
+
+@dataclass
+class Rubbish(IdlStruct, typename="rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_"):
+    """Has the name of what nodes tell of themselves, and is none."""
+    some: array[uint8, 61] = field(default_factory=lambda: [255] * 61)
+
+
+@dataclass
+class RubbishTwist(IdlStruct, typename="geometry_msgs::msg::dds_::Twist_"):
+    some: array[uint8, 5] = field(default_factory=lambda: [255] * 5)
+
+
+def test_rubbish_takes_no_memory_and_few_words(tmp_path):
+    with open(tmp_path / "log", "w") as log, peers.running(WORLD, log=log) as simulation:
+        peer, other = peers.Peer(), peers.Peer()
+        clock = peer.reader("/clock", peers.Clock)
+        peers.take_one(clock)
+        nodes, commands = other.writer("ros_discovery_info", Rubbish, peers.LATCHED), other.writer("/cmd_vel", RubbishTwist)
+
+        def said():
+            commands.write(RubbishTwist())
+            return "a message on '/cmd_vel' is damaged" in (tmp_path / "log").read_text()
+
+        peers.until(said, "the warning")
+
+        def send(count):
+            for _ in range(count):
+                nodes.write(Rubbish())
+                commands.write(RubbishTwist())
+
+        begin = time.monotonic()
+        send(2_000)
+        first = Usage(simulation.pid).kilobytes
+        send(20_000)
+        assert Usage(simulation.pid).kilobytes < first + 4_000
+        peers.take_one(clock)
+        lines = (tmp_path / "log").read_text().splitlines()
+        damaged = [line for line in lines if "is damaged" in line]
+        assert len(damaged) <= time.monotonic() - begin + 3
+        # none was lost count of
+        assert "such before it" in damaged[-1]
+        simulation.send_signal(signal.SIGINT)
+        assert simulation.wait(20) == 0
