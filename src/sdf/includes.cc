@@ -5,7 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "sdf/addresses.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/include_overrides.hh"
@@ -134,6 +133,7 @@ void Includes::parse(const fs::path& path, const Name& name, File& file) {
   file.size = text->size();
   std::optional<Element> root = parseModelDocument(*text, name, diagnostics_);
   if (!root) return;
+  bring(*root);
   file.context.version = readVersion(*root, diagnostics_);
   checkElements(*root, file.context);
   upgrade(*root, file.context);
