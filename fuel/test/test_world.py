@@ -108,6 +108,12 @@ class World(unittest.TestCase):
         self.assertIn(f"{world}:4:10: error: ", result.stderr)
         self.assertIn("2 errors", result.stderr)
 
+    def test_who_wants_to_hear_nothing_hears_nothing(self):
+        url = self.server.add("o", "m", model_files("m"))
+        result = self.run_steps(self.write(f"<include><uri>{url}</uri></include>"), "-v", "1")
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+        self.assertNotIn("download", result.stderr)
+
     def test_offline_only_the_cache_counts(self):
         url = self.server.add("o", "m", model_files("m"))
         world = self.write(f"<include><uri>{url}</uri></include>")

@@ -16,6 +16,7 @@
 
 #include "base/shared_library.hh"
 #include "pongsim/fuel_address.hh"
+#include "pongsim/log.hh"
 
 namespace pongsim::assets {
 
@@ -96,8 +97,10 @@ int spawn(const fs::path& program, int input, int output, ::pid_t& child) {
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &ending);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  std::string name = program.string(), action = "fetch";
-  char* const arguments[] = {name.data(), action.data(), nullptr};
+  std::string name = program.string(), action = "fetch", option = "-v";
+  // progress is for who wants to hear of anything
+  std::string level = logLevel() < LogLevel::kWarning ? "1" : "3";
+  char* const arguments[] = {name.data(), action.data(), option.data(), level.data(), nullptr};
   const int error = ::posix_spawn(&child, name.c_str(), &files, &attributes, arguments, environ);
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&files);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "pongsim/log.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::assets {
@@ -41,6 +42,15 @@ TEST_F(FuelFetchTest, AsksOnceForAllThatIsMissing) {
   EXPECT_EQ(asked(), model_ + "/tip\n" + model_ + "/3\n");
   fetch.bring({model_});
   EXPECT_EQ(asked(), model_ + "/tip\n" + model_ + "/3\n");
+}
+
+TEST_F(FuelFetchTest, PassesOnHowMuchIsToBeSaid) {
+  const std::string script = "echo $* >>" + (folder_.path() / "asked").string();
+  fetchBy(script).bring({model_});
+  setLogLevel(LogLevel::kError);
+  fetchBy(script).bring({model_});
+  setLogLevel(LogLevel::kWarning);
+  EXPECT_EQ(asked(), "fetch -v 3\nfetch -v 1\n");
 }
 
 TEST_F(FuelFetchTest, TellsWhatTheProgramSays) {
