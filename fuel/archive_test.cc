@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <random>
 
 #include "fuel/failure.hh"
 #include "support/temp_folder.hh"
@@ -69,6 +70,32 @@ TEST_F(Archive, HasLimits) {
   EXPECT_NE(unpacked({{"a", std::string(1'000'000, 'x')}}, {.ratio = 10, .free = 0}).find("would become 1000000"),
             std::string::npos);
   EXPECT_EQ(unpacked({{"a", std::string(1'000'000, 'x')}}, {.ratio = 10, .free = 1'000'000}), "");
+}
+
+TEST_F(Archive, OutlivesWhatIsDamaged) {
+  const fs::path file = zipOf({{"model.config", "<model/>"}, {"a/b.txt", std::string(500, 'x')}, {"c", "some text"}});
+  std::ifstream stream(file, std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+  std::mt19937 random(1);
+  const auto below = [&](std::size_t size) { return random() % size; };
+  int refused = 0;
+  for (int i = 0; i < 500; ++i) {
+    std::string text = whole;
+    for (std::size_t count = 1 + below(4); count > 0; --count) text[below(text.size())] = static_cast<char>(random());
+    if (i % 5 == 0) text.resize(below(text.size()));
+    const fs::path damaged = folder_.write("damaged.zip", text);
+    fs::remove_all(target_);
+    fs::create_directories(target_);
+    try {
+      unpack(damaged, target_);
+    } catch (const Failure&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 250);
+  // and nothing has come out elsewhere
+  const auto count = std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
+  EXPECT_EQ(count, 3);
 }
 
 TEST_F(Archive, SaysWhereItIsNone) {

@@ -390,6 +390,8 @@ CLI::App* addAction(CLI::App& program, const char* name, const char* help, Actio
       ->add_option_function<std::string>(
           "-v,--verbose",
           [&options](const std::string& text) {
+            // "-v" alone, as in Fortress
+            if (text.empty()) return;
             if (text.size() != 1 || text[0] < '0' || text[0] > '4') {
               throw UsageError("option '-v' takes a level from 0 to 4, not '" + text + "'");
             }
@@ -397,8 +399,7 @@ CLI::App* addAction(CLI::App& program, const char* name, const char* help, Actio
           },
           "How much is said: 1 errors, 2 warnings, 3 progress (3)")
       ->type_name("LEVEL")
-      ->expected(0, 1)
-      ->default_str("3");
+      ->expected(0, 1);
   command->callback([action, &chosen] { chosen = action; });
   return command;
 }
@@ -497,15 +498,21 @@ int run(int argc, char** argv) {
                    "pongsim fuel");
   program.set_help_flag("-h,--help", "Print this and end");
   program.require_subcommand(0, 1);
+  addActions(program, options, chosen);
   program.footer(
       "Examples:\n"
       "  pongsim fuel list -t model -o OpenRobotics\n"
       "  pongsim fuel download -u https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ambulance\n"
       "  pongsim fuel check");
-  addActions(program, options, chosen);
   if (argc > 1) {
     if (const auto instead = insteadOf(argv[1]))
       throw UsageError("'" + std::string(argv[1]) + "' is not done here", *instead);
+  }
+  const auto isNamed = [&](const CLI::App* action) { return argc > 1 && action->get_name() == argv[1]; };
+  const bool isAction = std::ranges::any_of(program.get_subcommands([](const CLI::App*) { return true; }), isNamed);
+  if (argc > 1 && argv[1][0] != '-' && !isAction) {
+    throw UsageError("'" + std::string(argv[1]) + "' is no action",
+                     "the actions are list, info, download, delete, update and check");
   }
   try {
     program.parse(argc, argv);
@@ -515,11 +522,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what(), "pongsim fuel --help lists what there is");
   }
-  if (chosen == nullptr) {
-    if (argc > 1)
-      throw UsageError("'" + std::string(argv[1]) + "' is no action", "pongsim fuel --help lists what there is");
-    throw UsageError("no action given", "pongsim fuel --help lists what there is");
-  }
+  if (chosen == nullptr) throw UsageError("no action given", "pongsim fuel --help lists what there is");
   checkHeaders(options.headers);
   if (options.offline) setenv("PONGSIM_OFFLINE", "1", 1);
   return chosen(options);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace pongsim::fuel {
 namespace {
 
@@ -28,6 +30,20 @@ TEST(XmlTexts, EndWhereTheFileIsNoXml) {
   std::string deep;
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
   EXPECT_EQ(pathsOf(deep), "");
+}
+
+TEST(XmlTexts, OutliveWhatIsDamaged) {
+  const std::string whole = "<?xml version='1.0'?><!-- x --><a b='c'><d>&amp;e</d><![CDATA[f]]><g/><h> i </h></a>";
+  std::mt19937 random(1);
+  for (int i = 0; i < 5000; ++i) {
+    std::string text = whole;
+    for (int count = 0; count < 3; ++count) text[random() % text.size()] = whole[random() % whole.size()];
+    text.resize(random() % (text.size() + 1));
+    for (const XmlText& each : xmlTexts(text)) {
+      ASSERT_LT(each.begin, each.end) << text;
+      ASSERT_LE(each.end, text.size()) << text;
+    }
+  }
 }
 
 TEST(FuelAddresses, AreFoundInFiles) {

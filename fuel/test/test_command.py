@@ -124,7 +124,7 @@ class Command(unittest.TestCase):
         self.assertIn("can't be read", self.fuel("download", url, "-c", "no.yaml", code=1))
 
     def test_a_wrong_command_line_is_said(self):
-        for words, said in (([], "no action given"), (["lst"], "lst"), (["list"], "no type given"),
+        for words, said in (([], "no action given"), (["lst"], "'lst' is no action\n  hint: the actions are list, "), (["list"], "no type given"),
                             (["list", "-t", "x"], "'x' is no type"), (["download"], "no address given"),
                             (["download", "x"], "'x' is not the address of a model"), (["download", "-j", "17", "x"], "1 to 16"),
                             (["download", "x", "-v", "9"], "level from 0 to 4"), (["info"], "no address given"),
@@ -133,6 +133,7 @@ class Command(unittest.TestCase):
             self.assertIn(said, self.fuel(*words, code=2), words)
         self.assertIn("download", self.fuel("--help"))
         self.assertIn("--jobs", self.fuel("download", "--help"))
+        self.assertEqual(self.fuel("list", "-t", "model", "-v", "-o", "Nobody", "-r"), "")
         self.assertEqual(self.fuel("download", "https://fuel.gazebosim.org/1.0/o/models/m", "-v", "0", code=1).count("\n"), 2)
 
 
