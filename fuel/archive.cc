@@ -136,7 +136,7 @@ void unpackFile(zip_t* zip, zip_uint64_t index, const zip_stat_t& stat, const fs
 
 void unpack(const fs::path& zipFile, const fs::path& folder, const ArchiveLimits& limits) {
   int error = 0;
-  const std::unique_ptr<zip_t, Closer> zip(zip_open(zipFile.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &error));
+  const std::unique_ptr<zip_t, Closer> zip(zip_open(zipFile.c_str(), ZIP_RDONLY, &error));
   if (zip == nullptr) {
     zip_error_t text;
     zip_error_init_with_code(&text, error);

@@ -79,7 +79,7 @@ TEST_F(Archive, OutlivesWhatIsDamaged) {
   std::mt19937 random(1);
   const auto below = [&](std::size_t size) { return random() % size; };
   int refused = 0;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < 200; ++i) {
     std::string text = whole;
     for (std::size_t count = 1 + below(4); count > 0; --count) text[below(text.size())] = static_cast<char>(random());
     if (i % 5 == 0) text.resize(below(text.size()));
@@ -92,7 +92,7 @@ TEST_F(Archive, OutlivesWhatIsDamaged) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, 250);
+  EXPECT_GT(refused, 100);
   // and nothing has come out elsewhere
   const auto count = std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
   EXPECT_EQ(count, 3);

@@ -65,6 +65,26 @@ def zip_of(files):
     return out.getvalue()
 
 
+def streamed_zip_of(files):
+    """As a server that writes while it sends: sizes and sums come after each file, as those of Go do."""
+    class Pipe:
+        def __init__(self):
+            self.data = b""
+
+        def write(self, data):
+            self.data += data
+            return len(data)
+
+        def flush(self):
+            pass
+
+    pipe = Pipe()
+    with zipfile.ZipFile(pipe, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+    return pipe.data
+
+
 def special(name, kind=stat.S_IFLNK):
     info = zipfile.ZipInfo(name)
     info.create_system = 3

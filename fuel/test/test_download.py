@@ -5,7 +5,7 @@ import signal
 import subprocess
 import unittest
 
-from fuel_server import FUEL, Place, Server, model_files
+from fuel_server import FUEL, Place, Server, model_files, streamed_zip_of
 
 BIG = {"meshes/big.bin": os.urandom(400_000)}
 
@@ -43,6 +43,12 @@ class Download(unittest.TestCase):
         self.assertIn("it is in the cache, and the newest", self.download(url.replace(" ", "%20")))
         self.assertEqual(len(self.server.zips()), count)
         self.assertTrue(all(headers["User-Agent"].startswith("pongsim/") for _, headers in self.server.requests))
+
+    def test_an_archive_that_was_written_on_the_way(self):
+        url = self.server.add("o", "m", streamed_zip_of(model_files("m") | BIG))
+        self.download(url)
+        self.assertEqual((self.place.cache / "fuel.gazebosim.org/o/models/m/1/meshes/big.bin").read_bytes(),
+                         BIG["meshes/big.bin"])
 
     def test_versions_and_tip(self):
         url = self.server.add("o", "m", model_files("m"), 1)
