@@ -61,7 +61,8 @@ function(pongsim_test name)
                                         GTest::gtest_main ${arg_USES})
   target_precompile_headers(${name} REUSE_FROM pongsim_test_precompiled)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
-                       PROPERTIES TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test/cache")
+                       PROPERTIES TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test/cache"
+                       ENVIRONMENT_MODIFICATION "PONGSIM_OFFLINE=set:1")
 endfunction()
 
 # pongsim_plugin_test(NAME SOURCES ... [USES third-party targets ...])

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "assets/fuel_address.hh"
+#include "pongsim/fuel_address.hh"
 
 namespace pongsim::assets {
 
@@ -29,6 +29,11 @@ std::string listOf(const std::vector<fs::path>& places) {
   return text;
 }
 
+fs::path placeOf(const FuelAddress& address, const fs::path& cache) {
+  const fs::path folder = fuelFolder(address, cache);
+  return address.version ? folder / std::to_string(*address.version) : folder;
+}
+
 /// One search, in one place after the other.
 class Search {
  public:
@@ -47,27 +52,35 @@ class Search {
     return std::nullopt;
   }
 
-  /// The cache knows the same servers under an old and a new name.
-  std::optional<fs::path> inFuelCache(const fs::path& cache) {
+  std::optional<fs::path> inFuelCache(const fs::path& cache, FuelFetch* fetch) {
     const std::optional<FuelAddress> address = parseFuelAddress(uri_);
     if (!address) {
-      return fail("'" + uri_ + "' is not the address of a Fuel model",
+      return fail("'" + uri_ + "' is not the address of a Fuel model or world",
                   "it should read https://fuel.gazebosim.org/1.0/OWNER/models/NAME or .../NAME/VERSION");
     }
     if (cache.empty()) return fail("there is no Fuel cache to find '" + uri_ + "' in", "set IGN_FUEL_CACHE_PATH");
-    const bool isOld = address->host == "fuel.ignitionrobotics.org";
-    std::vector<fs::path> places;
-    for (const std::string& host :
-         {address->host, std::string(isOld ? "fuel.gazebosim.org" : "fuel.ignitionrobotics.org")}) {
-      const fs::path folder = cacheFolder(*address, host, cache);
-      places.push_back(address->version ? folder / std::to_string(*address->version) : folder);
-      const std::optional<fs::path> version = address->version ? std::optional(places.back()) : newestVersion(folder);
-      if (!version) continue;
-      const fs::path found = address->file.empty() ? *version : *version / address->file;
-      if (isThere(found)) return found;
+    if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return found;
+    if (fetch != nullptr) {
+      fetch->bring({uri_});
+      if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return found;
+    }
+    // a file of a model that is there: no download will bring it
+    FuelAddress whole = *address;
+    whole.file.clear();
+    const std::optional<fs::path> model = address->file.empty() ? std::nullopt : findInFuelCache(whole, cache);
+    if (model) {
+      return fail("'" + uri_ + "' is not found", "there is no '" + address->file.string() + "' in " + model->string());
+    }
+    if (fetch != nullptr) {
+      Problem problem = fetch->whyNot(uri_);
+      return fail(std::move(problem.text), std::move(problem.hint));
+    }
+    std::vector<fs::path> places{placeOf(*address, cache)};
+    if (FuelAddress other = *address; !(other.host = otherFuelHost(address->host)).empty()) {
+      places.push_back(placeOf(other, cache));
     }
     return fail("'" + uri_ + "' is not in the local Fuel cache",
-                "it was looked for at " + listOf(places) + "; 'ign fuel download -u ADDRESS' puts it there");
+                "it was looked for at " + listOf(places) + "; 'pongsim fuel download -u ADDRESS' puts it there");
   }
 
  private:
@@ -86,10 +99,15 @@ std::vector<fs::path> candidates(const fs::path& path, const fs::path* first, co
   return all;
 }
 
-std::optional<fs::path> find(const Places& places, std::string_view uri, const fs::path& folder,
-                             const SourcePosition& position, Diagnostics& diagnostics) {
+}  // namespace
+
+Finder::Finder(Places places, std::shared_ptr<FuelFetch> fetch)
+    : places_(std::move(places)), fetch_(std::move(fetch)) {}
+
+std::optional<fs::path> Finder::operator()(std::string_view uri, const fs::path& folder, const SourcePosition& position,
+                                           Diagnostics& diagnostics) const {
   Search search(uri, position, diagnostics);
-  if (isFuelAddress(uri)) return search.inFuelCache(places.fuelCache);
+  if (isFuelAddress(uri)) return search.inFuelCache(places_.fuelCache, fetch_.get());
 
   const std::size_t mark = uri.find("://");
   const std::string_view scheme = uri.substr(0, mark == uri.npos ? 0 : mark);
@@ -101,19 +119,19 @@ std::optional<fs::path> find(const Places& places, std::string_view uri, const f
     return search.fail("'" + std::string(uri) + "' is an address of an unknown kind",
                        "model://NAME, package://NAME/FILE, file://PATH, paths and addresses of Fuel models are known");
   }
-  const std::string advice = places.folders.empty() ? "; PONGSIM_RESOURCE_PATH can name folders to look in" : "";
-  return search.in(candidates(path, isModel ? nullptr : &folder, places), advice);
+  const std::string advice = places_.folders.empty() ? "; PONGSIM_RESOURCE_PATH can name folders to look in" : "";
+  return search.in(candidates(path, isModel ? nullptr : &folder, places_), advice);
 }
 
-}  // namespace
-
-Finder finderIn(Places places) {
-  return [places = std::move(places)](std::string_view uri, const fs::path& folder, const SourcePosition& position,
-                                      Diagnostics& diagnostics) {
-    return find(places, uri, folder, position, diagnostics);
-  };
+void Finder::bring(const std::vector<std::string>& addresses) const {
+  if (fetch_ != nullptr) fetch_->bring(addresses);
 }
 
-Finder finderFromEnvironment() { return finderIn(Places::fromEnvironment()); }
+Finder finderIn(Places places) { return Finder(std::move(places)); }
+
+Finder finderFromEnvironment() {
+  const Places places = Places::fromEnvironment();
+  return Finder(places, std::make_shared<FuelFetch>(places));
+}
 
 }  // namespace pongsim::assets

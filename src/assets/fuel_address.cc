@@ -1,27 +1,22 @@
-#include "assets/fuel_address.hh"
+#include "pongsim/fuel_address.hh"
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <system_error>
 #include <vector>
 
 #include "base/parse_number.hh"
 
-namespace pongsim::assets {
+namespace pongsim {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kServers[] = {"fuel.ignitionrobotics.org", "fuel.gazebosim.org"};
-
-/// @return What stands behind "https://" or "http://"; nothing where the text begins with neither.
-std::optional<std::string_view> withoutScheme(std::string_view uri) {
-  for (const std::string_view scheme : {std::string_view("https://"), std::string_view("http://")}) {
-    if (uri.starts_with(scheme)) return uri.substr(scheme.size());
-  }
-  return std::nullopt;
-}
+constexpr std::string_view kOldServer = "fuel.ignitionrobotics.org", kNewServer = "fuel.gazebosim.org";
+constexpr std::string_view kSchemes[] = {"https://", "http://"};
 
 std::string lowerCase(std::string_view text) {
   std::string lower(text);
@@ -72,20 +67,65 @@ std::optional<int> versionFrom(std::string_view text) {
   return static_cast<int>(*number);
 }
 
+/// @return Whether a part is the version of a server's interface: "1.0".
+bool isApiVersion(std::string_view text) {
+  const std::size_t dot = text.find('.');
+  const auto isNumber = [](std::string_view digits) {
+    return !digits.empty() && std::ranges::all_of(digits, [](char each) { return each >= '0' && each <= '9'; });
+  };
+  return dot != text.npos && isNumber(text.substr(0, dot)) && isNumber(text.substr(dot + 1));
+}
+
+/// @return Whether it is a server's name or number, with a port or without.
+bool isHost(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-:[]_") == text.npos &&
+         text != "." && text != "..";
+}
+
+/// Writes all but letters, digits and "-._~" as "%20" and so on: RFC 3986, 2.1.
+std::string encoded(std::string_view text) {
+  std::string safe;
+  for (const char each : text) {
+    const bool isPlain = (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') || (each >= '0' && each <= '9') ||
+                         std::string_view("-._~").find(each) != std::string_view::npos;
+    char code[4] = {each, 0};
+    if (!isPlain) std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(each)));
+    safe += code;
+  }
+  return safe;
+}
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
 }  // namespace
 
+std::string FuelAddress::url() const {
+  return scheme + "://" + host + "/" + apiVersion + "/" + encoded(owner) + (isWorld ? "/worlds/" : "/models/") +
+         encoded(name);
+}
+
 bool isFuelAddress(std::string_view uri) {
-  const std::optional<std::string_view> rest = withoutScheme(uri);
-  return rest && std::ranges::find(kServers, lowerCase(rest->substr(0, rest->find('/')))) != std::end(kServers);
+  return std::ranges::any_of(kSchemes, [&](std::string_view scheme) { return uri.starts_with(scheme); });
 }
 
 std::optional<FuelAddress> parseFuelAddress(std::string_view uri) {
   if (!isFuelAddress(uri)) return std::nullopt;
-  const auto parts = partsOf(*withoutScheme(uri));
-  // HOST / 1.0 / OWNER / models / NAME [ / VERSION [ / files / PATH ] ]
-  if (!parts || parts->size() < 5 || (*parts)[1] != "1.0" || (*parts)[3] != "models") return std::nullopt;
-  FuelAddress address{lowerCase((*parts)[0]), (*parts)[2], (*parts)[4], {}, {}};
-  std::size_t next = 5;
+  const std::size_t mark = uri.find("://");
+  const auto parts = partsOf(uri.substr(mark + 3));
+  // HOST [ / 1.0 ] / OWNER / models|worlds / NAME [ / VERSION ] [ / files / PATH ]
+  if (!parts || parts->size() < 4 || !isHost(lowerCase((*parts)[0]))) return std::nullopt;
+  std::size_t next = 1;
+  FuelAddress address{.scheme = std::string(uri.substr(0, mark)), .host = lowerCase((*parts)[0])};
+  if (isApiVersion((*parts)[next])) address.apiVersion = (*parts)[next++];
+  if (parts->size() < next + 3) return std::nullopt;
+  address.owner = (*parts)[next++];
+  const std::string& kind = (*parts)[next++];
+  if (kind != "models" && kind != "worlds") return std::nullopt;
+  address.isWorld = kind == "worlds";
+  address.name = (*parts)[next++];
   if (next < parts->size() && (*parts)[next] != "files") {
     address.version = versionFrom((*parts)[next]);
     if (!address.version && (*parts)[next] != "tip") return std::nullopt;
@@ -97,20 +137,58 @@ std::optional<FuelAddress> parseFuelAddress(std::string_view uri) {
   return address;
 }
 
-fs::path cacheFolder(const FuelAddress& address, std::string_view host, const fs::path& cache) {
-  return cache / host / lowerCase(address.owner) / "models" / lowerCase(address.model);
+fs::path fuelCacheFolder() {
+  if (const std::string cache = variable("IGN_FUEL_CACHE_PATH"); !cache.empty()) return cache;
+  const std::string home = variable("HOME");
+  return home.empty() ? fs::path() : fs::path(home) / ".ignition" / "fuel";
 }
 
-std::optional<fs::path> newestVersion(const fs::path& folder) {
+fs::path fuelFolder(const FuelAddress& address, const fs::path& cache) {
+  return cache / address.host / lowerCase(address.owner) / (address.isWorld ? "worlds" : "models") /
+         lowerCase(address.name);
+}
+
+bool isWholeFuelVersion(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path zip = folder.parent_path().filename().string() + ".zip";
+  return fs::is_directory(folder, ignored) && !fs::exists(folder / zip, ignored);
+}
+
+std::optional<int> newestFuelVersion(const fs::path& folder) {
   int newest = 0;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    std::error_code ignored;
     const std::optional<int> version = versionFrom(entry->path().filename().string());
-    if (version && entry->is_directory(ignored)) newest = std::max(newest, *version);
+    if (version && *version > newest && isWholeFuelVersion(entry->path())) newest = *version;
   }
-  if (newest == 0) return std::nullopt;
-  return folder / std::to_string(newest);
+  return newest == 0 ? std::nullopt : std::optional(newest);
 }
 
-}  // namespace pongsim::assets
+std::optional<fs::path> findInFuelCache(const FuelAddress& address, const fs::path& cache) {
+  if (cache.empty()) return std::nullopt;
+  for (const std::string& host : {address.host, otherFuelHost(address.host)}) {
+    if (host.empty()) continue;
+    FuelAddress there = address;
+    there.host = host;
+    const fs::path folder = fuelFolder(there, cache);
+    const std::optional<int> version = address.version ? address.version : newestFuelVersion(folder);
+    if (!version || !isWholeFuelVersion(folder / std::to_string(*version))) continue;
+    const fs::path found = folder / std::to_string(*version) / address.file;
+    std::error_code ignored;
+    if (address.file.empty()) return folder / std::to_string(*version);
+    if (fs::exists(found, ignored)) return found;
+  }
+  return std::nullopt;
+}
+
+std::string otherFuelHost(std::string_view host) {
+  if (host == kOldServer) return std::string(kNewServer);
+  return host == kNewServer ? std::string(kOldServer) : std::string();
+}
+
+bool isFuelOffline() {
+  const std::string value = variable("PONGSIM_OFFLINE");
+  return !value.empty() && value != "0";
+}
+
+}  // namespace pongsim

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "pongsim/fuel_address.hh"
+
 namespace pongsim::assets {
 
 namespace {
@@ -29,10 +31,7 @@ Places Places::fromEnvironment() {
       rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
     }
   }
-  places.fuelCache = variable("IGN_FUEL_CACHE_PATH");
-  if (const std::string_view home = variable("HOME"); places.fuelCache.empty() && !home.empty()) {
-    places.fuelCache = std::filesystem::path(home) / ".ignition" / "fuel";
-  }
+  places.fuelCache = fuelCacheFolder();
   return places;
 }
 

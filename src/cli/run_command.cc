@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include "cli/extension.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
+#include "cli/offline_option.hh"
 #include "cli/readiness.hh"
 #include "cli/stop_signal.hh"
 #include "cli/world_file.hh"
@@ -71,14 +73,16 @@ int runWorld(const RunCommandOptions& options) {
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(findWorldFile(options.world),
-                                                                      {.seed = options.seed,
-                                                                       .strict = options.strict,
-                                                                       .threads = options.threads,
-                                                                       .levels = options.levels,
-                                                                       .transport = &transport,
-                                                                       .systems = options.systems},
-                                                                      diagnostics);
+  const std::optional<std::filesystem::path> file = fetchWorldFile(options.world, diagnostics);
+  const std::unique_ptr<Simulation> simulation = !file ? nullptr
+                                                       : Simulation::fromFile(*file,
+                                                                              {.seed = options.seed,
+                                                                               .strict = options.strict,
+                                                                               .threads = options.threads,
+                                                                               .levels = options.levels,
+                                                                               .transport = &transport,
+                                                                               .systems = options.systems},
+                                                                              diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) {
@@ -118,7 +122,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       ->add_option("WORLD", options->world,
                    "World file, or one with a model: a path, or a name in the folders of\n"
                    "PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH\n"
-                   "or in pongsim's own")
+                   "or in pongsim's own; or the address of one on a Fuel server")
       ->type_name("")
       ->required();
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
@@ -153,6 +157,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
           "Load what is in a <level> only while a <performer> is near; without it all is loaded");
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
   addNetworkOption(*command);
+  addOfflineOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"

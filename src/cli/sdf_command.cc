@@ -1,5 +1,6 @@
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,7 +10,10 @@
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/offline_option.hh"
 #include "cli/sdf_describe.hh"
+#include "cli/world_file.hh"
+#include "pongsim/fuel_address.hh"
 #include "sdf/loader.hh"
 #include "sdf/print.hh"
 
@@ -27,10 +31,16 @@ struct SdfOptions {
   std::optional<std::string> element;
 };
 
+/// @return The file, which may be the address of one on a Fuel server; nothing, and an error added, where that leads
+/// nowhere.
+std::optional<std::filesystem::path> localFile(const std::string& file, Diagnostics& diagnostics) {
+  return isFuelAddress(file) ? fetchWorldFile(file, diagnostics) : file;
+}
+
 /// @return What is wrong with the file, with warnings as errors if the user wants that.
 Diagnostics diagnosticsOf(const std::string& file, bool strict) {
   Diagnostics found;
-  sdf::loadFile(file, found);
+  if (const auto local = localFile(file, found)) sdf::loadFile(*local, found);
   return strict ? asErrors(found) : found;
 }
 
@@ -56,14 +66,16 @@ int check(const SdfOptions& options) {
 
 int printResolved(const std::string& file) {
   Diagnostics diagnostics;
-  const std::optional<Element> resolved = sdf::resolveFile(file, diagnostics);
+  const auto local = localFile(file, diagnostics);
+  const std::optional<Element> resolved = local ? sdf::resolveFile(*local, diagnostics) : std::nullopt;
   say(diagnostics, Severity::kWarning, Severity::kWarning);
   return resolved && print(sdf::printDocument(*resolved)) ? kDone : kFailed;
 }
 
 int printGraph(const std::string& file, sdf::FrameGraphKind kind) {
   Diagnostics diagnostics;
-  const std::optional<std::string> graphs = sdf::frameGraphs(file, kind, diagnostics);
+  const auto local = localFile(file, diagnostics);
+  const std::optional<std::string> graphs = local ? sdf::frameGraphs(*local, kind, diagnostics) : std::nullopt;
   say(diagnostics, Severity::kWarning, Severity::kWarning);
   return graphs && print(*graphs) ? kDone : kFailed;
 }
@@ -122,6 +134,7 @@ void addSdfCommand(CLI::App& program, Work& work) {
           "-d,--describe", [options](const std::string& text) { options->element = text; },
           "Print what the format says of an element or attribute: joint, joint/axis/limit, joint/@type")
       ->type_name("ELEMENT");
+  CLI::Option* offline = addOfflineOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim sdf --check worlds/pong_world.sdf\n"
@@ -129,7 +142,10 @@ void addSdfCommand(CLI::App& program, Work& work) {
       "  pongsim sdf --graph pose worlds/pong_world.sdf | dot -Tsvg > frames.svg\n"
       "  pongsim sdf --describe joint/axis/limit\n"
       "  pongsim sdf --check --strict --json worlds/*.sdf");
-  command->callback([options, &work] { work = workFor(*options); });
+  command->callback([options, offline, &work] {
+    if (options->element && offline->count() > 0) throw UsageError("--offline goes with a file");
+    work = workFor(*options);
+  });
 }
 
 }  // namespace pongsim::cli

@@ -18,6 +18,7 @@
 #include "cli/labels.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
+#include "cli/offline_option.hh"
 #include "cli/picture_plot.hh"
 #include "cli/shrink.hh"
 #include "cli/sixel.hh"
@@ -129,6 +130,7 @@ int viewWorld(const ViewOptions& options) {
 /// What goes with a file, or with a running world, and was given.
 struct ViewSource {
   std::optional<std::string> file, at, world, timeout;
+  bool offline = false;
 };
 
 /// Reads what there is to be drawn.
@@ -141,6 +143,7 @@ void readSource(const ViewSource& given, ViewOptions& options) {
   constexpr const char* kOfRunning = "it goes with a running world, which is drawn where no file is named";
   if (given.file && given.world) refuse("-w", kOfRunning);
   if (given.file && given.timeout) refuse("--timeout", kOfRunning);
+  if (!given.file && given.offline) refuse("--offline", "it goes with a world file");
   if (!given.file && given.at) refuse("--at", "it goes with a world file: a running world is drawn as it is now");
   options.file = given.file.value_or("");
   options.world = given.world.value_or("");
@@ -191,6 +194,7 @@ void addViewCommand(CLI::App& program, Work& work) {
           "Draw it in the terminal: by sixels if it says that it can, else with blocks of\n24-bit colour");
   addFlag("--sixel", options->sixel, "Draw it in the terminal by sixels, whatever it says");
   addNetworkOption(*command);
+  CLI::Option* offline = addOfflineOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim view worlds/pong_world.sdf -o court.png\n"
@@ -198,7 +202,8 @@ void addViewCommand(CLI::App& program, Work& work) {
       "  pongsim view worlds/pong_world.sdf --camera '-6 -4 3 0 0.4 0.6' --grid --terminal\n"
       "  pongsim view --names -o now.png\n"
       "  pongsim view -w pong_world --camera pong_bot --terminal");
-  command->callback([options, source, &work] {
+  command->callback([options, source, offline, &work] {
+    source->offline = offline->count() > 0;
     readSource(*source, *options);
     work = [options] { return viewWorld(*options); };
   });

@@ -52,7 +52,7 @@ class FileSearch {
 
  private:
   Diagnostics& diagnostics_;
-  const assets::Finder find_ = assets::finderFromEnvironment();
+  const assets::Finder find_ = assets::finderIn(assets::Places::fromEnvironment());
   std::set<std::string> said_;
 };
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "pongsim/fuel_address.hh"
+
 namespace pongsim::sdf {
 
 namespace fs = std::filesystem;
@@ -29,6 +31,16 @@ void makeAddressesAbsolute(Element& element, const fs::path& folder) {
     element.text = fs::absolute(folder / path, error).lexically_normal().string();
   }
   for (Element& child : element.children) makeAddressesAbsolute(child, folder);
+}
+
+std::vector<std::string> fuelAddressesIn(const Element& element) {
+  std::vector<std::string> addresses;
+  const auto collect = [&](const Element& each, const auto& self) -> void {
+    if (isAddress(each.name) && isFuelAddress(each.text)) addresses.push_back(each.text);
+    for (const Element& child : each.children) self(child, self);
+  };
+  collect(element, collect);
+  return addresses;
 }
 
 }  // namespace pongsim::sdf

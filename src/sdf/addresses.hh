@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "pongsim/element.hh"
 
@@ -10,5 +12,8 @@ namespace pongsim::sdf {
 /// file. What is in a plugin, and what names no file, stays as it is.
 /// @param folder That of the element's file.
 void makeAddressesAbsolute(Element& element, const std::filesystem::path& folder);
+
+/// @return The addresses of Fuel servers that stand in an element or anywhere below, in plugins too.
+std::vector<std::string> fuelAddressesIn(const Element& element);
 
 }  // namespace pongsim::sdf

@@ -5,7 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "sdf/addresses.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/include_overrides.hh"
@@ -135,6 +134,7 @@ void Includes::parse(const fs::path& path, const Name& name, File& file) {
   std::optional<ModelDocument> document = parseModelDocument(*text, name, diagnostics_);
   if (!document) return;
   Element& root = document->sdf;
+  bring(root);
   file.context.urdf = std::move(document->urdf);
   file.context.version = readVersion(root, diagnostics_);
   checkElements(root, file.context);

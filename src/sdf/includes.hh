@@ -13,6 +13,7 @@
 #include "assets/finder.hh"
 #include "assets/mesh_store.hh"
 #include "pongsim/element.hh"
+#include "sdf/addresses.hh"
 #include "sdf/context.hh"
 
 namespace pongsim::sdf {
@@ -30,6 +31,9 @@ class Includes {
 
   /// Where the load begins: a file that includes this one includes itself.
   void begin(const std::filesystem::path& file);
+
+  /// Downloads what is on a Fuel server and named anywhere in a file, all of it at once.
+  void bring(const Element& root) const { finder_.bring(fuelAddressesIn(root)); }
 
   /// Called with what an `<include>` stands for: a `<model>`, `<light>` or `<actor>` with what the `<include>` says of
   /// it in place of its own, to keep or change; and the context of its file.
@@ -53,7 +57,7 @@ class Includes {
   /// Finds another file that one names, as a mesh: see `assets::Finder`.
   std::optional<std::filesystem::path> findAsset(std::string_view uri, const std::filesystem::path& folder,
                                                  const SourcePosition& position, Diagnostics& diagnostics) const {
-    return finder_ ? finder_(uri, folder, position, diagnostics) : std::nullopt;
+    return finder_(uri, folder, position, diagnostics);
   }
   assets::MeshStore& meshes() { return meshes_; }
 

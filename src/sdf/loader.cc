@@ -122,6 +122,7 @@ class Load {
 
  private:
   Reading readElement() {
+    includes_.bring(*element_);
     Reading reading = readRoot(*element_, urdf_, includes_, name_, found_, unsimulated_);
     addSorted(unsimulated_, includes_, reading.root.unsimulated);
     return reading;

@@ -80,7 +80,10 @@ TEST_F(FinderTest, TakesTheVersionOfAFuelModelThatIsAskedForOrTheNewest) {
             "w.sdf:3:4: error: '" + address + "/4' is not in the local Fuel cache\n  hint: it was looked for at " +
                 (model / "4").string() + ", " +
                 (cache_.path() / "fuel.ignitionrobotics.org/openrobotics/models/coke can/4").string() +
-                "; 'ign fuel download -u ADDRESS' puts it there");
+                "; 'pongsim fuel download -u ADDRESS' puts it there");
+  EXPECT_EQ(find(address + "/2/files/meshes/c.dae"),
+            "w.sdf:3:4: error: '" + address +
+                "/2/files/meshes/c.dae' is not found\n  hint: there is no 'meshes/c.dae' in " + (model / "2").string());
   // the same server by its old name
   EXPECT_EQ(find("https://fuel.ignitionrobotics.org/1.0/OpenRobotics/models/Coke Can/2"), model / "2");
 }
@@ -91,7 +94,7 @@ TEST_F(FinderTest, SaysWhatIsWrongWithAnAddress) {
   EXPECT_TRUE(find("ftp://x").starts_with("w.sdf:3:4: error: 'ftp://x' is an address of an unknown kind"));
   EXPECT_TRUE(find("https://fuel.gazebosim.org/x")
                   .starts_with("w.sdf:3:4: error: 'https://fuel.gazebosim.org/x' is "
-                               "not the address of a Fuel model"));
+                               "not the address of a Fuel model or world"));
   EXPECT_TRUE(find(std::string_view("a\0b", 3)).starts_with("w.sdf:3:4: error: there is a zero byte"));
 }
 

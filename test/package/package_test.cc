@@ -66,6 +66,16 @@ TEST_F(PackageTest, RunsWorldsWithItsOwnSystems) {
             std::string::npos);
 }
 
+TEST_F(PackageTest, HasTheProgramThatDownloads) {
+  EXPECT_EQ(run("IGN_FUEL_CACHE_PATH=$PWD/cache pongsim fuel check"), "0 models, 0 worlds: all whole\n");
+  // the loader finds it too: that it is not one to ask is what it says
+  const std::string said = run(
+      "echo '<sdf version=\"1.9\"><world name=\"w\"><include><uri>https://example.invalid/o/models/m</uri></include>"
+      "</world></sdf>' >w.sdf\n"
+      "env -u PONGSIM_OFFLINE IGN_FUEL_CACHE_PATH=$PWD/cache HOME=$PWD pongsim run w.sdf 2>&1 && exit 1 || true");
+  EXPECT_NE(said.find("the server example.invalid is not one to download from"), std::string::npos) << said;
+}
+
 TEST_F(PackageTest, BuildsASystemOfOnesOwn) {
   build(example("custom_system"), "custom");
   run("ctest --test-dir custom --output-on-failure");

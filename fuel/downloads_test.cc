@@ -1,0 +1,36 @@
+#include "fuel/downloads.hh"
+
+#include <gtest/gtest.h>
+
+#include "support/temp_folder.hh"
+
+namespace pongsim::fuel {
+namespace {
+
+// Downloads themselves: test/test_download.py and test/test_faults.py.
+
+std::string keyOf(const std::string& address) { return fuel::keyOf(*parseFuelAddress(address)); }
+
+TEST(Downloads, KnowAModelByAllItsAddresses) {
+  const std::string key = keyOf("https://fuel.gazebosim.org/1.0/Owner/models/A Model");
+  EXPECT_EQ(keyOf("http://fuel.ignitionrobotics.org/owner/models/a%20model/tip/files/x"), key);
+  EXPECT_NE(keyOf("https://fuel.gazebosim.org/1.0/owner/models/a model/1"), key);
+  EXPECT_NE(keyOf("https://fuel.gazebosim.org/1.0/owner/worlds/a model"), key);
+  EXPECT_NE(keyOf("https://example.org/1.0/owner/models/a model"), key);
+}
+
+TEST(Downloads, SeeWhatAModelNeeds) {
+  const test::TempFolder folder;
+  folder.write("model.sdf",
+               "<sdf><model><include><uri>https://h/1.0/o/models/a/2</uri></include><link><visual><geometry><mesh>"
+               "<uri>https://h/1.0/o/models/a/2/files/m.dae</uri></mesh></geometry></visual></link></model></sdf>");
+  folder.write("model.config", "<model><depend><model><uri>https://h/o/models/b</uri></model></depend></model>");
+  folder.write("metadata.pbtxt", "dependencies { uri: \"https://h/1.0/o/models/c\" }");
+  folder.write("meshes/other.sdf", "<uri>https://h/1.0/o/models/d</uri>");
+  std::string names;
+  for (const FuelAddress& each : neededBy(folder.path())) names += nameOf(each) + ";";
+  EXPECT_EQ(names, "o/a version 2;o/b;o/c;");
+}
+
+}  // namespace
+}  // namespace pongsim::fuel

@@ -1,0 +1,135 @@
+#include "fuel/settings.hh"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "fuel/failure.hh"
+#include "fuel/http.hh"
+
+namespace pongsim::fuel {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string hostOf(const Server& server) { return server.url.substr(server.url.find("://") + 3); }
+
+/// The file's position and words as all of pongsim writes them.
+[[noreturn]] void fail(const fs::path& file, const YAML::Mark& mark, const std::string& message,
+                       std::string hint = {}) {
+  std::string place = file.string();
+  if (mark.line >= 0) place += ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1);
+  throw Failure(place + ": " + message, std::move(hint));
+}
+
+std::string textOf(const YAML::Node& node, const std::string& name, const fs::path& file) {
+  if (!node.IsScalar() || node.Scalar().empty()) fail(file, node.Mark(), "'" + name + "' wants a text");
+  return node.Scalar();
+}
+
+Server readServer(const YAML::Node& node, const fs::path& file, std::vector<std::string>& warnings) {
+  if (!node.IsMap()) fail(file, node.Mark(), "a server is no map with 'url'", "write - url: https://HOST");
+  Server server;
+  for (const auto& entry : node) {
+    const std::string key = entry.first.Scalar();
+    if (key == "url") {
+      server.url = textOf(entry.second, key, file);
+    } else if (key == "private-token") {
+      server.token = textOf(entry.second, key, file);
+    } else if (key != "name") {
+      warnings.push_back(file.string() + ":" + std::to_string(entry.first.Mark().line + 1) + ": '" + key +
+                         "' of a server is not known: url, name and private-token are");
+    }
+  }
+  while (server.url.ends_with('/')) server.url.pop_back();
+  if (server.url.empty()) fail(file, node.Mark(), "a server has no 'url'", "write - url: https://HOST");
+  const bool isWeb = server.url.starts_with("https://") || server.url.starts_with("http://");
+  if (!isWeb || originOf(server.url).size() != server.url.size() || server.url.ends_with("://")) {
+    fail(file, node.Mark(), "'" + server.url + "' is not the address of a server",
+         "write https://HOST or https://HOST:PORT");
+  }
+  if (server.token.find_first_of("\r\n") != std::string::npos)
+    fail(file, node.Mark(), "'private-token' has a line's end in it");
+  server.url = originOf(server.url);
+  return server;
+}
+
+/// A server of the file goes before a known one of the same address, whose token it may bring.
+void add(const Server& server, std::vector<Server>& servers) {
+  const auto same = std::ranges::find(servers, hostOf(server), hostOf);
+  if (same == servers.end()) {
+    servers.push_back(server);
+  } else {
+    *same = server;
+  }
+}
+
+void readFile(const fs::path& file, bool isNamed, Settings& settings, std::vector<std::string>& warnings) {
+  YAML::Node root;
+  try {
+    root = YAML::LoadFile(file.string());
+  } catch (const YAML::BadFile&) {
+    throw Failure("the configuration '" + file.string() + "' can't be read");
+  } catch (const YAML::Exception& error) {
+    fail(file, error.mark, error.msg);
+  }
+  if (root.IsNull()) return;
+  if (!root.IsMap()) fail(file, root.Mark(), "this is no map with 'servers' and 'cache'");
+  for (const auto& entry : root) {
+    const std::string key = entry.first.Scalar();
+    if (key == "servers") {
+      if (!entry.second.IsSequence() && !entry.second.IsNull()) fail(file, entry.second.Mark(), "'servers' is no list");
+      for (const YAML::Node& each : entry.second) settings.listed.push_back(readServer(each, file, warnings));
+    } else if (key == "cache") {
+      if (!entry.second.IsMap() || !entry.second["path"]) fail(file, entry.first.Mark(), "'cache' has no 'path'");
+      const fs::path path = textOf(entry.second["path"], "path", file);
+      const char* variable = std::getenv("IGN_FUEL_CACHE_PATH");
+      if (variable != nullptr && *variable != '\0') {
+        warnings.push_back(file.string() + ": the path of the cache does not count, for IGN_FUEL_CACHE_PATH is set");
+      } else if (!isNamed) {
+        warnings.push_back(file.string() + ": the path of the cache does not count; IGN_FUEL_CACHE_PATH can name it");
+      } else {
+        settings.cache = path;
+      }
+    } else {
+      warnings.push_back(file.string() + ":" + std::to_string(entry.first.Mark().line + 1) + ": '" + key +
+                         "' is not known: servers and cache are");
+    }
+  }
+}
+
+}  // namespace
+
+Settings readSettings(const std::optional<fs::path>& file, std::vector<std::string>& warnings) {
+  Settings settings;
+  settings.cache = fuelCacheFolder();
+  settings.servers = {{"https://fuel.gazebosim.org"}, {"https://fuel.ignitionrobotics.org"}};
+  std::error_code ignored;
+  const char* home = std::getenv("HOME");
+  const fs::path usual = home != nullptr && *home != '\0' ? fs::path(home) / ".ignition/fuel/config.yaml" : fs::path();
+  if (file) {
+    readFile(*file, true, settings, warnings);
+  } else if (!usual.empty() && fs::exists(usual, ignored)) {
+    readFile(usual, false, settings, warnings);
+  }
+  for (const Server& server : settings.listed) add(server, settings.servers);
+  if (settings.listed.empty()) settings.listed.push_back(settings.servers.front());
+  if (settings.cache.empty())
+    throw Failure("there is no folder for what is downloaded", "set HOME or IGN_FUEL_CACHE_PATH");
+  return settings;
+}
+
+const Server& serverOf(const FuelAddress& address, const Settings& settings) {
+  const auto found = std::ranges::find(settings.servers, address.host, hostOf);
+  if (found == settings.servers.end()) {
+    throw Failure(
+        "the server " + address.host + " is not one to download from",
+        "name it in ~/.ignition/fuel/config.yaml, under servers: - url: " + address.scheme + "://" + address.host);
+  }
+  return *found;
+}
+
+}  // namespace pongsim::fuel
