@@ -121,7 +121,7 @@ void Joint::setVelocityTarget(double velocity, int axis) {
 }
 
 void Joint::clearVelocityTarget(int axis) {
-  if (!canCommand(*access_, *this, 0, axis)) return;
+  if (!canCommand(*access_, *this, 0, axis, sim::kMostVelocity, sim::kMostVelocityText)) return;
   access_->engine.clearJointVelocityTarget(slotOf(*access_, id_), static_cast<std::size_t>(axis));
 }
 
