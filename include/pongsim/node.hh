@@ -222,8 +222,8 @@ class PONGSIM_API Node {
                               const SubscriptionOptions& options = {});
 
   /// As `subscribeBytes`, for messages of every type that is published on the topic, now or later. A publisher of
-  /// another process with a type that is new here is heard from the next `Transport::dispatch` on after it is known; who
-  /// waits for subscribers waits for that, too. Others see the subscription as one of each type that it has met. It
+  /// another process with a type that is new here is heard from the next `Transport::dispatch` on after it is known;
+  /// who waits for subscribers waits for that, too. Others see the subscription as one of each type that it has met. It
   /// takes up to 64 types; the options are for each of them.
   Subscription subscribeAnyType(std::string_view topic, ReceivedOfAnyType received,
                                 const SubscriptionOptions& options = {});
