@@ -360,7 +360,7 @@ int listenProcess(int domain) {
 constexpr std::uint64_t kQuietSteps = 5000;
 /// A slice has three pictures, ten measurements of the IMU and one scan.
 constexpr std::uint64_t kSliceSteps = 100;
-constexpr int kSlices = 200;
+constexpr int kSlices = 100;
 
 double costOf(Simulation& simulation, std::uint64_t steps) {
   const double before = cpuSeconds();

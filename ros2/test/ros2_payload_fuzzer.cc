@@ -1,0 +1,61 @@
+// Any bytes as what comes from other participants: the first two choose a type, the rest is a payload of it, and a
+// packet of RTPS. Whatever they are, the readers end, keep within the bytes and within a small multiple of their
+// memory, and what is taken is written as the same again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "ros2/test/all_types.hh"
+#include "ros2/types/cdr.hh"
+#include "ros2/types/rmw_dds_common.hh"
+#include "ros2/wire/first_acknack.hh"
+
+namespace pongsim::ros2::test {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+constexpr std::size_t kChoice = 2;
+// The smallest element of a list is a byte, the largest structure that may stand for one of few bytes has many texts.
+constexpr std::size_t kMostGrowth = 64;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+template <class Type>
+void readAs(Bytes payload) {
+  Type value;
+  const bool isRead = !readCdr(payload, value).has_value();
+  const std::vector<std::byte> written = toCdr(value);
+  require(written.size() == cdrSize(value));
+  if (!isRead) return;
+  require(written.size() <= kMostGrowth * payload.size());
+  Type again;
+  require(!readCdr(written, again).has_value());
+  require(toCdr(again) == written);
+}
+
+std::vector<void (*)(Bytes)> readers() {
+  std::vector<void (*)(Bytes)> all;
+  forAllTypes([&all]<class Type>() { all.push_back(readAs<Type>); });
+  all.push_back(readAs<rmw_dds_common::ParticipantEntitiesInfo<24>>);
+  all.push_back(readAs<rmw_dds_common::ParticipantEntitiesInfo<16>>);
+  return all;
+}
+
+}  // namespace
+}  // namespace pongsim::ros2::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace pongsim::ros2;
+  std::vector<unsigned char> packet(data, data + size);
+  test::require(hastenFirstAcknacks(packet) <= size / 24);
+  if (size < test::kChoice) return 0;
+  static const auto all = test::readers();
+  const std::size_t choice = data[0] | static_cast<std::size_t>(data[1]) << 8;
+  all[choice % all.size()](std::as_bytes(std::span(data, size).subspan(test::kChoice)));
+  return 0;
+}
