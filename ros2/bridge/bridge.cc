@@ -103,12 +103,27 @@ bool Bridge::isTakenByRule(const TopicRule& automatic) {
 void Bridge::followRules(const std::vector<OwnTopic>& topics) {
   for (const TopicRule& rule : settings_.rules) {
     if (rule.pair == nullptr) continue;
+    warnOfOtherTypes(rule, topics);
     Entry* entry = entryFor(rule);
     if (entry == nullptr) continue;
     const bool isLatched = std::ranges::any_of(topics, [&](const OwnTopic& topic) {
       return topic.name == rule.ignition && topic.type == rule.pair->ignition && topic.isLatched;
     });
     want(*entry, {rule.goesToRos(), rule.comesFromRos(), isLatched});
+  }
+}
+
+/// A rule for messages that the simulation does not have does nothing, which its user would look for long.
+void Bridge::warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>& topics) {
+  for (const OwnTopic& topic : topics) {
+    if (topic.name != rule.ignition || topic.type == rule.pair->ignition) continue;
+    if (!refusedNames_.insert(topic.name + " " + topic.type).second) continue;
+    const SourcePosition& place = rule.position;
+    const std::string where =
+        place.line > 0 ? *place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": "
+                       : "";
+    ros_.log().warning(where + "topic '" + topic.name + "' of the simulation has " + topic.type +
+                       ", which the rule for " + rule.pair->ignition + " leaves out");
   }
 }
 

@@ -74,6 +74,7 @@ class Bridge {
   void followRules(const std::vector<OwnTopic>& topics);
   void followReaders();
   void followListeners();
+  void warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>& topics);
   bool isTakenByRule(const TopicRule& automatic);
   Entry* entryFor(const TopicRule& rule);
   void want(Entry& entry, const Wanted& wanted);

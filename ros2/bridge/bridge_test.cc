@@ -261,6 +261,18 @@ TEST_F(BridgeTest, PutsAFrameOfARuleIntoHeaders) {
   EXPECT_TRUE(updateUntil([&] { return frames.all() == std::vector<std::string>{"optical"}; }));
 }
 
+TEST_F(BridgeTest, SaysThatARuleIsForAnotherType) {
+  const Publisher publisher = simulation_.advertise<ignition::msgs::Twist>("/chatter");
+  Settings settings = onlyChatter(Direction::kToRos);
+  settings.rules[0].position = {std::make_shared<const std::string>("bridge.yaml"), 4, 3};
+  testing::internal::CaptureStderr();
+  bridge(settings).update();
+  EXPECT_EQ(
+      testing::internal::GetCapturedStderr(),
+      "warning: ros2: bridge.yaml:4:3: topic '/chatter' of the simulation has ignition.msgs.Twist, which the rule "
+      "for ignition.msgs.StringMsg leaves out\n");
+}
+
 TEST_F(BridgeTest, BridgesNoTopicUnderANameThatARuleGivesToAnother) {
   const Publisher publisher = simulation_.advertise<StringMsg>("/talk"),
                   other = simulation_.advertise<StringMsg>("/other");

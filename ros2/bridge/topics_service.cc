@@ -29,7 +29,9 @@ void setNumber(ignition::msgs::Param& param, const char* name, std::uint64_t num
 
 }  // namespace
 
-std::string topicsServiceOf(std::string_view world) { return cleanTopic("/world/" + std::string(world) + "/ros2/topics"); }
+std::string topicsServiceOf(std::string_view world) {
+  return cleanTopic("/world/" + std::string(world) + "/ros2/topics");
+}
 
 TopicsService::TopicsService(Node& simulation, std::string_view world, const Bridge& bridge)
     : service_(simulation.serve<ignition::msgs::Empty, ignition::msgs::Param_V>(

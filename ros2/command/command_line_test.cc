@@ -36,8 +36,7 @@ TEST(Ros2CommandLine, DoesWhatTheActionDoes) { EXPECT_EQ(outcomeOf({"topics", "-
 
 TEST(Ros2CommandLine, NamesTheNearestActionAndOption) {
   EXPECT_EQ(outcomeOf({"topcs"}).code, kWrongUsage);
-  EXPECT_EQ(outcomeOf({"topcs"}).said,
-            "pongsim: error: unknown action 'topcs'\n  hint: did you mean 'topics'?\n");
+  EXPECT_EQ(outcomeOf({"topcs"}).said, "pongsim: error: unknown action 'topcs'\n  hint: did you mean 'topics'?\n");
   EXPECT_EQ(outcomeOf({"topics", "--jso"}).said,
             "pongsim: error: unknown option '--jso'\n  hint: did you mean '--json'?\n");
 }

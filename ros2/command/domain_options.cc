@@ -44,14 +44,15 @@ ParticipantOptions DomainOptions::participant() const {
 
 void addDomainOptions(CLI::App& action, const std::shared_ptr<DomainOptions>& given) {
   const auto add = [&](const char* name, const char* value, const char* help, std::optional<std::string>& target) {
-    action.add_option_function<std::string>(name, [given, &target](const std::string& text) { target = text; }, help)
+    action
+        .add_option_function<std::string>(
+            name, [given, &target](const std::string& text) { target = text; }, help)
         ->type_name(value);
   };
   add("--domain", "N", "Domain of ROS, 0 to 232 (what ROS_DOMAIN_ID says, else 0)", given->domain);
   add("--distro", "NAME", "Distribution of the nodes, as humble or jazzy (what ROS_DISTRO says, else humble)",
       given->distro);
-  add("--network", "INTERFACE", "Look at other machines too, by a network interface's name or address",
-      given->network);
+  add("--network", "INTERFACE", "Look at other machines too, by a network interface's name or address", given->network);
 }
 
 }  // namespace pongsim::ros2

@@ -36,12 +36,10 @@ struct Part {
   const Ways NodeInfo::*ways;
 };
 
-constexpr Part kParts[] = {{"Publishers", "publishers", &NodeInfo::publishes},
-                           {"Subscribers", "subscribers", &NodeInfo::subscribes},
-                           {"Services", "services", &NodeInfo::serves},
-                           {"Service clients", "service_clients", &NodeInfo::calls},
-                           {"Actions", "actions", &NodeInfo::servesActions},
-                           {"Action clients", "action_clients", &NodeInfo::callsActions}};
+constexpr Part kParts[] = {
+    {"Publishers", "publishers", &NodeInfo::publishes}, {"Subscribers", "subscribers", &NodeInfo::subscribes},
+    {"Services", "services", &NodeInfo::serves},        {"Service clients", "service_clients", &NodeInfo::calls},
+    {"Actions", "actions", &NodeInfo::servesActions},   {"Action clients", "action_clients", &NodeInfo::callsActions}};
 
 std::string describe(const NodeInfo& node) {
   std::string text = node.fullName() + "\n";

@@ -59,7 +59,8 @@ std::vector<std::string> worldsWith(const std::vector<ServiceInfo>& services, st
   std::vector<std::string> worlds;
   for (const ServiceInfo& service : services) {
     std::string_view name = service.name;
-    if (name.size() <= kWorldPrefix.size() + suffix.size() || !name.starts_with(kWorldPrefix) || !name.ends_with(suffix))
+    if (name.size() <= kWorldPrefix.size() + suffix.size() || !name.starts_with(kWorldPrefix) ||
+        !name.ends_with(suffix))
       continue;
     name.remove_prefix(kWorldPrefix.size());
     name.remove_suffix(suffix.size());
@@ -159,8 +160,8 @@ std::string tableOf(const Watched& watched) {
     const bool toRos = flag(topic, "to_ros"), fromRos = flag(topic, "from_ros");
     std::string passed;
     if (toRos) {
-      passed = "to ROS: " + counted(number(topic, "readers"), "reader") + ", " + rateText(rateOf(watched, topic, "sent")) +
-               ", " + counted(number(topic, "dropped"), "drop");
+      passed = "to ROS: " + counted(number(topic, "readers"), "reader") + ", " +
+               rateText(rateOf(watched, topic, "sent")) + ", " + counted(number(topic, "dropped"), "drop");
     }
     if (fromRos) {
       passed += std::string(toRos ? "; " : "") + "from ROS: " + counted(number(topic, "writers"), "writer") + ", " +

@@ -1,5 +1,6 @@
 #include "ros2/config/bridge_file.hh"
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <iterator>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -42,9 +44,11 @@ struct Word {
   std::string_view word;
   Value value;
 };
-constexpr Word<Direction> kDirections[] = {
-    {"BIDIRECTIONAL", Direction::kBoth}, {"GZ_TO_ROS", Direction::kToRos},  {"ROS_TO_GZ", Direction::kFromRos},
-    {"IGN_TO_ROS", Direction::kToRos},   {"ROS_TO_IGN", Direction::kFromRos}};
+constexpr Word<Direction> kDirections[] = {{"BIDIRECTIONAL", Direction::kBoth},
+                                           {"GZ_TO_ROS", Direction::kToRos},
+                                           {"ROS_TO_GZ", Direction::kFromRos},
+                                           {"IGN_TO_ROS", Direction::kToRos},
+                                           {"ROS_TO_IGN", Direction::kFromRos}};
 constexpr Word<bool> kReliabilities[] = {{"reliable", true}, {"best_effort", false}};
 constexpr Word<bool> kDurabilities[] = {{"transient_local", true}, {"volatile", false}};
 
@@ -127,7 +131,9 @@ class Entry {
   void takeLazy(std::string_view key, const YAML::Node& value);
   void takeProfile(std::string_view key, const YAML::Node& value);
   void takeQos(std::string_view key, const YAML::Node& value);
-  void takeReliability(std::string_view key, const YAML::Node& value) { isReliable_ = word(key, value, kReliabilities); }
+  void takeReliability(std::string_view key, const YAML::Node& value) {
+    isReliable_ = word(key, value, kReliabilities);
+  }
   void takeDurability(std::string_view key, const YAML::Node& value) {
     isTransientLocal_ = word(key, value, kDurabilities);
   }
@@ -212,7 +218,8 @@ std::optional<Said> Entry::text(std::string_view key, const YAML::Node& value) {
 void Entry::text(std::string_view key, const YAML::Node& value, std::optional<Said>& to) {
   const std::optional<Said> said = text(key, value);
   if (said && to && said->text != to->text) {
-    fail(said->position, "'" + std::string(key) + "' is '" + said->text + "', and '" + to->text + "' by its other name");
+    fail(said->position,
+         "'" + std::string(key) + "' is '" + said->text + "', and '" + to->text + "' by its other name");
   }
   if (said && !to) to = said;
 }
@@ -297,8 +304,7 @@ void Entry::takeNames() {
   const std::optional<Said>& ros = isService ? rosService_ : rosTopic_;
   const std::optional<Said>& ignition = isService ? ignitionService_ : ignitionTopic_;
   exclude(both, isService ? "service_name" : "topic_name", ros, isService ? "ros_service_name" : "ros_topic_name");
-  exclude(both, isService ? "service_name" : "topic_name", ignition,
-          isService ? "gz_service_name" : "gz_topic_name");
+  exclude(both, isService ? "service_name" : "topic_name", ignition, isService ? "gz_service_name" : "gz_topic_name");
   rule_.ros = both ? both : ros ? ros : ignition;
   rule_.ignition = both ? both : ignition ? ignition : ros;
   if (!rule_.ros && isFine_) {
@@ -316,8 +322,8 @@ void Entry::takeNames() {
     }
     return;
   }
-  for (const auto& word : {topic_, rosTopic_, ignitionTopic_, rule_.ignitionType, rule_.frameId, rule_.framePrefix,
-                           direction_}) {
+  for (const auto& word :
+       {topic_, rosTopic_, ignitionTopic_, rule_.ignitionType, rule_.frameId, rule_.framePrefix, direction_}) {
     if (word) fail(word->position, "a service has no topic, direction or frame");
   }
   if (rule_.requestType.has_value() != rule_.replyType.has_value()) {
@@ -337,11 +343,40 @@ void Entry::takeQuality() {
                                          std::tuple(subscriberQueue_, &rule_.fromRos, "subscriber_queue")}) {
     if (!queue) continue;
     if (depth_ && *depth_ != *queue) {
-      fail(depthPosition_, "the depth is " + std::to_string(*depth_) + ", and " + std::to_string(*queue) + " by '" +
-                               name + "'");
+      fail(depthPosition_,
+           "the depth is " + std::to_string(*depth_) + ", and " + std::to_string(*queue) + " by '" + name + "'");
     }
     way->depth = queue;
   }
+}
+
+/// Hears where a document begins.
+class DocumentStart final : public YAML::EventHandler {
+ public:
+  const YAML::Mark& mark() const { return mark_; }
+
+  void OnDocumentStart(const YAML::Mark& mark) override { mark_ = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+ private:
+  YAML::Mark mark_;
+};
+
+/// @return Where something stands that `YAML::Load` has left out: another document, or a line that is no part of the
+/// first. `YAML::LoadAll` would find the latter again and again, without end.
+std::optional<YAML::Mark> behindTheFirstDocument(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  YAML::Parser parser(stream);
+  DocumentStart start;
+  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return std::nullopt;
+  return start.mark();
 }
 
 }  // namespace
@@ -350,9 +385,11 @@ std::vector<RuleText> readBridgeText(std::string_view text, const std::string& n
   Reading reading(name, diagnostics);
   std::vector<RuleText> rules;
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(std::string(text));
-    const YAML::Node list = documents.empty() ? YAML::Node() : documents.front();
-    if (documents.size() > 1) reading.error(reading.at(documents[1]), "there is more than one document");
+    const YAML::Node list = YAML::Load(std::string(text));
+    if (const auto rest = behindTheFirstDocument(text)) {
+      reading.error(reading.at(*rest), "what begins here belongs to nothing before it",
+                    "the file is one list; look at the line's first letters");
+    }
     if (!list.IsDefined() || list.IsNull()) {
       reading.error(reading.whole(), "the file is empty", "each topic is an item of a list: - topic_name: NAME");
       return rules;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -68,8 +69,9 @@ TEST(BridgeFile, TakesAllKeysOfATopic) {
 
 TEST(BridgeFile, GivesAMissingNameThatOfTheOtherSide) {
   for (const char* key : {"topic_name", "ros_topic_name", "gz_topic_name", "ign_topic_name"}) {
-    const FileRead result = fileOf(std::string("- ") + key +
-                             ": chatter\n  ros_type_name: std_msgs/msg/String\n  ign_type_name: ignition.msgs.StringMsg\n");
+    const FileRead result =
+        fileOf(std::string("- ") + key +
+               ": chatter\n  ros_type_name: std_msgs/msg/String\n  ign_type_name: ignition.msgs.StringMsg\n");
     ASSERT_EQ(result.rules.size(), 1U) << key;
     EXPECT_EQ(result.rules[0].ros->text, "chatter");
     EXPECT_EQ(result.rules[0].ignition->text, "chatter");
@@ -151,7 +153,11 @@ TEST(BridgeFile, SaysWhatIsNoList) {
   EXPECT_NE(saidOf("- a\n- topic_name\n").find("bridge.yaml:2:3: error: an item of the list must be a map"),
             std::string::npos);
   EXPECT_NE(saidOf("- topic_name: [a\n").find("bridge.yaml:2:1: error: it is no YAML: "), std::string::npos);
-  EXPECT_NE(saidOf("--- []\n--- []\n").find("there is more than one document"), std::string::npos);
+  EXPECT_NE(saidOf("--- []\n--- []\n").find("bridge.yaml:2:1: error: what begins here belongs to nothing before it"),
+            std::string::npos);
+  // which yaml-cpp leaves out without a word
+  EXPECT_NE(saidOf("- a: b\n, c: d\n").find("bridge.yaml:2:1: error: what begins here belongs to nothing before it"),
+            std::string::npos);
 }
 
 TEST(BridgeFile, GoesOnAfterAnItemThatIsWrong) {
@@ -168,6 +174,33 @@ TEST(BridgeFile, SurvivesWhatIsNoConfiguration) {
   fileOf(std::string("\0\xff\xfe- a: b", 9));
   fileOf("? [a]\n: b\n");
   fileOf("- ? {a: b}\n  : c\n");
+}
+
+TEST(BridgeFile, SurvivesAnyDamage) {
+  const std::string whole = topicWith(
+      "  direction: GZ_TO_ROS\n  publisher_queue: 3\n  lazy: true\n  qos: {reliability: reliable, depth: 3}\n"
+      "- service_name: /world/w/control\n  ros_type_name: ros_gz_interfaces/srv/ControlWorld\n");
+  std::mt19937 random(1);
+  const auto any = [&](std::size_t most) { return std::uniform_int_distribution<std::size_t>(0, most)(random); };
+  const std::string letters = "-:{}[]&*!|>'\"%@`# \n\t,?~<a0\\\xff\0";
+  for (int i = 0; i < 1000; ++i) {
+    std::string text = whole;
+    for (std::size_t n = 0; n <= any(5); ++n) {
+      const std::size_t at = any(text.size() - 1);
+      switch (any(2)) {
+        case 0:
+          text[at] = letters[any(letters.size() - 1)];
+          break;
+        case 1:
+          text.erase(at, any(20));
+          break;
+        default:
+          text.insert(at, 1, letters[any(letters.size() - 1)]);
+      }
+      if (text.empty()) break;
+    }
+    for (const Diagnostic& each : fileOf(text).said) EXPECT_FALSE(each.message.empty());
+  }
 }
 
 TEST(BridgeFile, IsReadFromADisk) {

@@ -96,8 +96,8 @@ std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostic
   settings.bridgesAll = bridgesAll_;
   // each alone, so that the message is about what is wrong
   if (const auto wrong = rosNameError("/" + nodeName_); wrong || nodeName_.find('/') != std::string::npos) {
-    found.error(positionOf(plugin, "node_name"),
-                "the name of the node, '" + nodeName_ + "', " + wrong.value_or("has a slash, which belongs in <namespace>"));
+    found.error(positionOf(plugin, "node_name"), "the name of the node, '" + nodeName_ + "', " +
+                                                     wrong.value_or("has a slash, which belongs in <namespace>"));
   }
   if (settings.nameSpace != "/") {
     if (const auto wrong = rosNameError(settings.nameSpace)) {
@@ -118,7 +118,8 @@ std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostic
   settings.rules = std::move(rules.topics);
   settings.services = std::move(rules.services);
   if (expandsIgnition_ && texts.empty()) {
-    found.warning(positionOf(plugin, "expand_gz_topic_names"), "<expand_gz_topic_names> has no effect: no rules are given");
+    found.warning(positionOf(plugin, "expand_gz_topic_names"),
+                  "<expand_gz_topic_names> has no effect: no rules are given");
   }
   if (!bridgesAll_ && texts.empty()) {
     found.warning(positionOf(plugin, "bridge_all"), "no topic is bridged: <bridge_all> is false, and none is named");

@@ -37,7 +37,8 @@ class ElementsTest : public testing::Test {
     EXPECT_EQ(settings.has_value(), !diagnostics.hasErrors());
     said_.clear();
     for (const Diagnostic& each : diagnostics.all()) {
-      said_ += std::to_string(each.position.line) + ":" + std::to_string(each.position.column) + ": " + each.message + "\n";
+      said_ +=
+          std::to_string(each.position.line) + ":" + std::to_string(each.position.column) + ": " + each.message + "\n";
     }
     return settings;
   }

@@ -97,7 +97,7 @@ std::optional<std::string> Maker::rosName(const Said& said, const char* kind) {
 }
 
 std::optional<std::string> Maker::ignitionName(const Said& said) {
-  std::string name = scope_.expandsIgnition      ? expanded(scope_, said.text)
+  std::string name = scope_.expandsIgnition       ? expanded(scope_, said.text)
                      : said.text.starts_with('/') ? said.text
                                                   : "/" + said.text;
   if (const auto wrong = topicNameError(name)) {
@@ -165,7 +165,8 @@ bool Maker::isSaidBefore(const TopicRule& rule) {
 
 /// Two rules of the same names and types.
 bool Maker::join(TopicRule& known, const TopicRule& rule) {
-  const bool bothToRos = known.goesToRos() && rule.goesToRos(), bothFromRos = known.comesFromRos() && rule.comesFromRos();
+  const bool bothToRos = known.goesToRos() && rule.goesToRos(),
+             bothFromRos = known.comesFromRos() && rule.comesFromRos();
   const auto frames = [](const TopicRule& each) { return std::tie(each.framePrefix, each.frameId); };
   if (!bothToRos && !bothFromRos && frames(known) == frames(rule)) {
     warnOfIneffective(rule);
@@ -212,7 +213,8 @@ const ServiceKind* Maker::kindOf(const RuleText& text) {
     return nullptr;
   }
   if (!text.requestType) return &*kind;
-  for (const auto& [said, meant] : {std::pair(*text.requestType, kind->request), std::pair(*text.replyType, kind->reply)}) {
+  for (const auto& [said, meant] :
+       {std::pair(*text.requestType, kind->request), std::pair(*text.replyType, kind->reply)}) {
     if (ignitionTypeOf(said.text) == meant) continue;
     error(said.position, std::string(kind->type) + " does not go with " + said.text,
           "it goes with " + std::string(kind->request) + " and " + std::string(kind->reply));
@@ -228,8 +230,9 @@ void Maker::addService(const RuleText& text) {
   const std::string_view name = *ignition;
   const bool isOfWorld = name.starts_with("/world/") && std::ranges::count(name, '/') == 3;
   if (!isOfWorld || name.substr(name.rfind('/') + 1) != kind->name) {
-    error(text.ignition->position, "'" + *ignition + "' is no service of the simulation that is a " +
-                                       std::string(kind->type), "it is '/world/WORLD/" + std::string(kind->name) + "'");
+    error(text.ignition->position,
+          "'" + *ignition + "' is no service of the simulation that is a " + std::string(kind->type),
+          "it is '/world/WORLD/" + std::string(kind->name) + "'");
     return;
   }
   for (const ServiceRule& known : rules_.services) {

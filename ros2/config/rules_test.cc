@@ -98,10 +98,10 @@ TEST(Rules, RefuseNamesThatCanBeNone) {
 }
 
 TEST(Rules, RefuseATopicThatTwoTypesClaim) {
-  EXPECT_EQ(ofArguments({"/a@geometry_msgs/msg/Twist@gz.msgs.Twist", "/a@geometry_msgs/msg/TwistStamped@gz.msgs.Twist"})
-                .said,
-            "w:2:1: error: topic '/a' of ROS can't be geometry_msgs/msg/TwistStamped here and geometry_msgs/msg/Twist "
-            "at w:1:1\n");
+  EXPECT_EQ(
+      ofArguments({"/a@geometry_msgs/msg/Twist@gz.msgs.Twist", "/a@geometry_msgs/msg/TwistStamped@gz.msgs.Twist"}).said,
+      "w:2:1: error: topic '/a' of ROS can't be geometry_msgs/msg/TwistStamped here and geometry_msgs/msg/Twist "
+      "at w:1:1\n");
   EXPECT_EQ(ofFile("- {ros_topic_name: a, gz_topic_name: c, ros_type_name: std_msgs/msg/Bool, gz_type_name: "
                    "gz.msgs.Boolean}\n"
                    "- {ros_topic_name: b, gz_topic_name: c, ros_type_name: std_msgs/msg/Int32, gz_type_name: "
@@ -127,7 +127,7 @@ constexpr const char* kOneWay =
 
 TEST(Rules, JoinTheTwoWaysOfATopic) {
   const MadeRules made = ofFile(kOneWay + std::string("  subscriber_queue: 5\n  lazy: true\n  direction: ROS_TO_GZ\n") +
-                           kOneWay + "  publisher_queue: 20\n  lazy: false\n  direction: GZ_TO_ROS\n");
+                                kOneWay + "  publisher_queue: 20\n  lazy: false\n  direction: GZ_TO_ROS\n");
   EXPECT_EQ(made.said, "");
   ASSERT_EQ(made.rules.topics.size(), 1U);
   const TopicRule& rule = made.rules.topics[0];
@@ -153,8 +153,9 @@ TEST(Rules, WarnOfWhatHasNoEffect) {
 }
 
 TEST(Rules, KnowTheServicesOfAWorld) {
-  const MadeRules made = ofArguments({"/world/w/control@ros_gz_interfaces/srv/ControlWorld",
-                                 "/world/w/create@ros_gz_interfaces/srv/SpawnEntity@gz.msgs.EntityFactory@gz.msgs.Boolean"});
+  const MadeRules made =
+      ofArguments({"/world/w/control@ros_gz_interfaces/srv/ControlWorld",
+                   "/world/w/create@ros_gz_interfaces/srv/SpawnEntity@gz.msgs.EntityFactory@gz.msgs.Boolean"});
   EXPECT_EQ(made.said, "");
   ASSERT_EQ(made.rules.services.size(), 2U);
   EXPECT_EQ(made.rules.services[0].ros, "/world/w/control");

@@ -42,7 +42,8 @@ TEST(TopicArgument, IsAServiceByItsType) {
   ASSERT_TRUE(plain.has_value());
   EXPECT_TRUE(plain->isService);
   EXPECT_FALSE(plain->requestType.has_value());
-  const auto typed = argumentOf("/world/w/control@ros_gz_interfaces/srv/ControlWorld@gz.msgs.WorldControl@gz.msgs.Boolean");
+  const auto typed =
+      argumentOf("/world/w/control@ros_gz_interfaces/srv/ControlWorld@gz.msgs.WorldControl@gz.msgs.Boolean");
   EXPECT_EQ(typed->requestType->text, "gz.msgs.WorldControl");
   EXPECT_EQ(typed->replyType->text, "gz.msgs.Boolean");
 }

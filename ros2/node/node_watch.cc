@@ -135,8 +135,8 @@ std::vector<NodeInfo> NodeWatch::nodes() const {
     }
   }
   for (NodeInfo& node : nodes) {
-    for (auto* ways : {&node.publishes, &node.subscribes, &node.serves, &node.calls, &node.servesActions,
-                       &node.callsActions}) {
+    for (auto* ways :
+         {&node.publishes, &node.subscribes, &node.serves, &node.calls, &node.servesActions, &node.callsActions}) {
       tidy(*ways);
     }
   }
