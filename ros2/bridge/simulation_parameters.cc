@@ -34,6 +34,7 @@ SimulationParameters::SimulationParameters(RosNode& node, const World& world, Br
   });
   declareSwitches(bridge, settings);
   declareReadOnly(settings);
+  declareQuality(settings);
 }
 
 void SimulationParameters::declareSwitches(Bridge& bridge, const Settings& settings) {
@@ -53,29 +54,55 @@ void SimulationParameters::declareSwitches(Bridge& bridge, const Settings& setti
   });
 }
 
+void SimulationParameters::addReadOnly(const std::string& name, const char* description,
+                                       const Parameters::Value& value) {
+  if (!parameters_.get({name}).empty()) return;
+  Parameters::Descriptor descriptor;
+  descriptor.name = name;
+  descriptor.description = description;
+  parameters_.declare(descriptor, value);
+}
+
 void SimulationParameters::declareReadOnly(const Settings& settings) {
-  const auto add = [this](const char* name, const char* description, const Parameters::Value& value) {
-    Parameters::Descriptor descriptor;
-    descriptor.name = name;
-    descriptor.description = description;
-    parameters_.declare(descriptor, value);
-  };
-  add("use_sim_time", "always: the clock of this node is the one that it publishes on /clock", parameterOf(true));
-  add("domain", "number of the domain", parameterOf(static_cast<std::int64_t>(settings.participant.domain)));
-  add("distro", "how it speaks on the wire: as humble (and older) or as jazzy (and later)",
-      parameterOf(std::string(settings.participant.distro == Distro::kHumble ? "humble" : "jazzy")));
-  add("localhost_only", "whether nodes are met on the loopback interface alone",
-      parameterOf(settings.participant.isLoopbackOnly));
-  add("network", "interface by which nodes of other machines are met; empty: none are",
-      parameterOf(settings.participant.interface.value_or("")));
-  add("frame_prefix", "in front of all frames", parameterOf(settings.frames.prefix));
-  // as rclcpp's nodes show that of the events
-  const std::string events = "qos_overrides./parameter_events.publisher.";
-  for (const auto& [policy, value] : {std::pair{"depth", parameterOf(std::int64_t{1000})},
-                                      std::pair{"durability", parameterOf(std::string("volatile"))},
-                                      std::pair{"history", parameterOf(std::string("keep_last"))},
-                                      std::pair{"reliability", parameterOf(std::string("reliable"))}}) {
-    add((events + policy).c_str(), "quality of service of /parameter_events", value);
+  addReadOnly("use_sim_time", "always: the clock of this node is the one that it publishes on /clock",
+              parameterOf(true));
+  addReadOnly("domain", "number of the domain", parameterOf(static_cast<std::int64_t>(settings.participant.domain)));
+  addReadOnly("distro", "how it speaks on the wire: as humble (and older) or as jazzy (and later)",
+              parameterOf(std::string(settings.participant.distro == Distro::kHumble ? "humble" : "jazzy")));
+  addReadOnly("localhost_only", "whether nodes are met on the loopback interface alone",
+              parameterOf(settings.participant.isLoopbackOnly));
+  addReadOnly("network", "interface by which nodes of other machines are met; empty: none are",
+              parameterOf(settings.participant.interface.value_or("")));
+  addReadOnly("namespace", "in front of the names of node and topics", parameterOf(settings.nameSpace));
+  addReadOnly("frame_prefix", "in front of all frames", parameterOf(settings.frames.prefix));
+  addReadOnly("config_file", "what the bridge was configured with; empty: nothing", parameterOf(settings.configFile));
+}
+
+/// Named as rclcpp names them: those of the events, which its nodes have too, and those that rules say.
+void SimulationParameters::declareQuality(const Settings& settings) {
+  constexpr const char* kDescription = "quality of service";
+  addReadOnly("qos_overrides./parameter_events.publisher.depth", kDescription, parameterOf(std::int64_t{1000}));
+  for (const auto& [policy, value] :
+       {std::pair{"durability", "volatile"}, std::pair{"history", "keep_last"}, std::pair{"reliability", "reliable"}}) {
+    addReadOnly(std::string("qos_overrides./parameter_events.publisher.") + policy, kDescription,
+                parameterOf(std::string(value)));
+  }
+  for (const TopicRule& rule : settings.rules) {
+    if (rule.pair == nullptr) continue;
+    for (const bool goesToRos : {true, false}) {
+      if (!(goesToRos ? rule.goesToRos() : rule.comesFromRos())) continue;
+      const WayRule& way = goesToRos ? rule.toRos : rule.fromRos;
+      const std::string prefix = "qos_overrides." + rule.ros + (goesToRos ? ".publisher." : ".subscription.");
+      if (way.depth) addReadOnly(prefix + "depth", kDescription, parameterOf(static_cast<std::int64_t>(*way.depth)));
+      if (way.isReliable) {
+        addReadOnly(prefix + "reliability", kDescription,
+                    parameterOf(std::string(*way.isReliable ? "reliable" : "best_effort")));
+      }
+      if (way.isTransientLocal) {
+        addReadOnly(prefix + "durability", kDescription,
+                    parameterOf(std::string(*way.isTransientLocal ? "transient_local" : "volatile")));
+      }
+    }
   }
 }
 

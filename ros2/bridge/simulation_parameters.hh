@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "pongsim/handles.hh"
 #include "pongsim/types.hh"
 #include "ros2/bridge/bridge.hh"
@@ -25,6 +27,8 @@ class SimulationParameters {
  private:
   void declareSwitches(Bridge& bridge, const Settings& settings);
   void declareReadOnly(const Settings& settings);
+  void declareQuality(const Settings& settings);
+  void addReadOnly(const std::string& name, const char* description, const Parameters::Value& value);
 
   World world_;
   Time time_{0};

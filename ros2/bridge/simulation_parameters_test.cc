@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pongsim/simulation.hh"
+#include "ros2/pairs/pairs.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::ros2 {
@@ -21,6 +22,13 @@ class SimulationParametersTest : public testing::Test {
            </physics></world></sdf>)",
         "w.sdf", {}, diagnostics);
     settings_.frames.prefix = "robot/";
+    TopicRule rule;
+    rule.ros = "/chat";
+    rule.ignition = "/other";
+    rule.pair = defaultPair("ignition.msgs.StringMsg");
+    rule.toRos.isReliable = false;
+    rule.toRos.depth = 3;
+    settings_.rules.push_back(rule);
     bridge_.emplace(simulation_->transport().node(), node_, settings_);
     all_.emplace(node_, simulation_->world(), *bridge_, settings_);
   }
@@ -72,7 +80,8 @@ TEST_F(SimulationParametersTest, ATopicIsBridgedWhereBridgeAllSaysSo) {
 }
 
 TEST_F(SimulationParametersTest, WhatItWasStartedWithIsToReadOnly) {
-  for (const char* name : {"use_sim_time", "domain", "distro", "localhost_only", "network", "frame_prefix"}) {
+  for (const char* name :
+       {"use_sim_time", "domain", "distro", "localhost_only", "network", "namespace", "frame_prefix", "config_file"}) {
     const auto value = get(name);
     EXPECT_NE(value.type, rcl_interfaces::ParameterType::kParameterNotSet) << name;
     EXPECT_FALSE(set(name, value)) << name;
@@ -80,6 +89,9 @@ TEST_F(SimulationParametersTest, WhatItWasStartedWithIsToReadOnly) {
   }
   EXPECT_EQ(get("use_sim_time"), parameterOf(true));
   EXPECT_EQ(get("frame_prefix"), parameterOf(std::string("robot/")));
+  EXPECT_EQ(get("qos_overrides./chat.publisher.reliability"), parameterOf(std::string("best_effort")));
+  EXPECT_EQ(get("qos_overrides./chat.publisher.depth"), parameterOf(std::int64_t{3}));
+  EXPECT_EQ(get("qos_overrides./chat.subscription.depth"), Parameters::Value());
   EXPECT_EQ(get("qos_overrides./parameter_events.publisher.depth"), parameterOf(std::int64_t{1000}));
 }
 

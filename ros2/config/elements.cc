@@ -94,6 +94,7 @@ std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostic
   settings.frames.prefix = framePrefix_;
   settings.frames.usesWallTime = usesWallTime_;
   settings.bridgesAll = bridgesAll_;
+  settings.configFile = configFile_;
   // each alone, so that the message is about what is wrong
   if (const auto wrong = rosNameError("/" + nodeName_); wrong || nodeName_.find('/') != std::string::npos) {
     found.error(positionOf(plugin, "node_name"), "the name of the node, '" + nodeName_ + "', " +

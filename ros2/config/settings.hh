@@ -24,6 +24,8 @@ struct Settings {
   std::vector<TopicRule> rules;
   /// Services of the simulation that have another name in ROS.
   std::vector<ServiceRule> services;
+  /// The file that rules came from, as it was named; empty: none.
+  std::string configFile;
 };
 
 }  // namespace pongsim::ros2

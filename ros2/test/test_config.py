@@ -35,7 +35,9 @@ def node(name="/pongsim"):
     """The names of what a node publishes and what it subscribes to; nothing while it is not there."""
     for each in json.loads(pongsim("ros2", "nodes", "--json").stdout):
         if each["name"] == name:
-            return {key: [way["name"] for way in each[key]] for key in ("publishers", "subscribers")}
+            # without what each node has
+            return {key: [way["name"] for way in each[key] if way["name"] not in ("/rosout", "/parameter_events")]
+                    for key in ("publishers", "subscribers")}
     return None
 
 
