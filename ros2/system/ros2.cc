@@ -8,6 +8,7 @@
 #include "ros2/config/environment.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
+#include "ros2/robot/robots.hh"
 #include "ros2/wire/participant.hh"
 
 namespace pongsim::ros2 {
@@ -28,6 +29,7 @@ class Ros2 final : public System {
     declaration.parameter("frame_prefix", &settings_.frames.prefix, "", "in front of all frames, as robot/");
     declaration.parameter("bridge_all", &settings_.bridgesAll, "",
                           "whether all topics that have a type in ROS are there, or those only that are named");
+    robotSettings_.declare(declaration);
   }
 
   void configure(const SystemContext& context) override {
@@ -42,21 +44,32 @@ class Ros2 final : public System {
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     bridge_.emplace(context.node, *node_, settings_);
+    robots_.emplace(context.world, context.node, *node_, *bridge_, settings_, robotSettings_);
   }
 
-  void preUpdate(const StepInfo&) override {
+  void preUpdate(const StepInfo& info) override {
     node_->mailbox().dispatch();
     bridge_->update();
+    robots_->preUpdate(info.time);
   }
+
+  void postUpdate(const StepInfo& info) override {
+    if (!info.paused) robots_->postUpdate(info.time);
+  }
+
+  void worldChanged() override { robots_->worldChanged(); }
+  void reset() override { robots_->reset(); }
 
  private:
   Settings settings_;
+  RobotSettings robotSettings_;
   std::optional<double> domain_;
   std::string distro_;
   // each speaks by the one before it
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
   std::optional<Bridge> bridge_;
+  std::optional<Robots> robots_;
 };
 
 }  // namespace
