@@ -6,6 +6,8 @@
 #include <ignition/msgs/odometry_with_covariance.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
+#include <limits>
+
 #include "ros2/pairs/convert.hh"
 #include "ros2/pairs/covariance.hh"
 #include "ros2/pairs/pairs.hh"
@@ -161,7 +163,8 @@ struct JointStatePair {
       ++i;
     }
   }
-  // each of the three lists may be left out
+  // Each of the three lists may be left out, or shorter than that of the names: what it says nothing of is not a number,
+  // for a message of Fortress has zeros there, which would command something.
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     to.Clear();
     ros2::convert(from.header, *to.mutable_header(), frames);
@@ -169,9 +172,10 @@ struct JointStatePair {
       auto* joint = to.add_joint();
       joint->set_name(from.name[i]);
       auto* axis = joint->mutable_axis1();
-      if (i < from.position.size()) axis->set_position(from.position[i]);
-      if (i < from.velocity.size()) axis->set_velocity(from.velocity[i]);
-      if (i < from.effort.size()) axis->set_force(from.effort[i]);
+      constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+      axis->set_position(i < from.position.size() ? from.position[i] : kNothing);
+      axis->set_velocity(i < from.velocity.size() ? from.velocity[i] : kNothing);
+      axis->set_force(i < from.effort.size() ? from.effort[i] : kNothing);
     }
   }
 };

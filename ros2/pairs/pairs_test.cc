@@ -2,7 +2,9 @@
 #include "ros2/pairs/pairs.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/model.pb.h>
 
+#include <cmath>
 #include <functional>
 #include <set>
 #include <string>
@@ -177,6 +179,22 @@ TEST(Pairs, OfMotionGoThereAndBack) {
   goesThereAndBack<trajectory_msgs::JointTrajectory>("JointTrajectory");
   goesThereAndBack<actuator_msgs::Actuators>("Actuators");
   goesThereAndBack<sensor_msgs::JointState>("Model");
+}
+
+TEST(Pairs, OfJointStatesHaveNoNumberForWhatTheyDoNotSay) {
+  sensor_msgs::JointState state;
+  state.name = {"a", "b"};
+  state.position = {1};
+  std::vector<std::byte> payload(cdrSize(state));
+  writeCdr(state, payload);
+  const ToIgnition convert = findPair("sensor_msgs/msg/JointState", "ignition.msgs.Model")->toIgnition({});
+  std::string error;
+  const auto* message = static_cast<const ignition::msgs::Model*>(convert(payload, error));
+  ASSERT_NE(message, nullptr) << error;
+  ASSERT_EQ(message->joint_size(), 2);
+  EXPECT_EQ(message->joint(0).axis1().position(), 1);
+  EXPECT_TRUE(std::isnan(message->joint(0).axis1().velocity()));
+  EXPECT_TRUE(std::isnan(message->joint(1).axis1().position()));
 }
 
 TEST(Pairs, OfSensorsGoThereAndBack) {

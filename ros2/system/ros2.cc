@@ -1,5 +1,5 @@
-#include <memory>
 #include <optional>
+#include <string>
 
 #include "pongsim/system.hh"
 #include "ros2/bridge/bridge.hh"
@@ -10,7 +10,8 @@
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
 #include "ros2/node/rosout.hh"
-#include "ros2/services/simulate_steps.hh"
+#include "ros2/robot/robots.hh"
+#include "ros2/services/services.hh"
 #include "ros2/wire/participant.hh"
 
 namespace pongsim::ros2 {
@@ -23,6 +24,9 @@ class Ros2 final : public System {
     declaration.is("Makes the simulation a node of ROS 2: its topics are there under their own names.",
                    Declaration::Place::kWorld);
     elements_.declare(declaration);
+    robotSettings_.declare(declaration);
+    declaration.parameter("service_prefix", &servicePrefix_, "",
+                          "in front of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
     declaration.serves("/world/W/ros2/topics", "ignition.msgs.Empty", "ignition.msgs.Param_V",
                        "what is bridged, for pongsim ros2 topics");
   }
@@ -40,23 +44,38 @@ class Ros2 final : public System {
     rosout_.emplace(*node_);
     bridge_.emplace(context.node, *node_, settings_);
     parameters_.emplace(*node_, context.world, *bridge_, settings_);
-    steps_.emplace(context.node, cleanTopic("/world/" + std::string(context.world.name()) + "/control"), *node_,
-                   "~/simulate_steps");
+    robots_.emplace(context.world, context.node, *node_, *bridge_, settings_, robotSettings_);
+    services_.emplace(*node_, context, servicePrefix_, settings_);
     topics_.emplace(context.node, context.world.name(), *bridge_);
   }
 
   void preUpdate(const StepInfo& info) override {
     parameters_->preUpdate(info.time);
-    steps_->preUpdate(info);
+    services_->preUpdate(info);
     node_->mailbox().dispatch();
     bridge_->update();
+    robots_->preUpdate(info.time);
   }
 
-  void postUpdate(const StepInfo& info) override { steps_->postUpdate(info); }
-  void reset() override { steps_->reset(); }
+  void postUpdate(const StepInfo& info) override {
+    services_->postUpdate(info);
+    if (!info.paused) robots_->postUpdate(info.time);
+  }
+
+  void worldChanged() override {
+    robots_->worldChanged();
+    services_->worldChanged();
+  }
+
+  void reset() override {
+    robots_->reset();
+    services_->reset();
+  }
 
  private:
   SettingsElements elements_;
+  RobotSettings robotSettings_;
+  std::string servicePrefix_ = "~";
   Settings settings_;
   // each speaks by the one before it
   std::optional<Participant> participant_;
@@ -64,7 +83,8 @@ class Ros2 final : public System {
   std::optional<Rosout> rosout_;
   std::optional<Bridge> bridge_;
   std::optional<SimulationParameters> parameters_;
-  std::optional<SimulateSteps> steps_;
+  std::optional<Robots> robots_;
+  std::optional<Services> services_;
   std::optional<TopicsService> topics_;
 };
 

@@ -1,0 +1,105 @@
+#include "ros2/control/joint_driver.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "pongsim/commands.hh"
+
+namespace pongsim::ros2 {
+
+JointDriver::JointDriver(const Model& model, std::vector<ControlledJoint> joints, const Settings& settings)
+    : controlled_(std::move(joints)), settings_(settings) {
+  for (const ControlledJoint& joint : controlled_) driven_.push_back({model.joint(joint.name).value()});
+  for (std::size_t i = 0; i < controlled_.size(); ++i) {
+    if (!controlled_[i].mimic) continue;
+    const auto leader = std::ranges::find(controlled_, controlled_[i].mimic->joint, &ControlledJoint::name);
+    if (leader != controlled_.end()) driven_[i].leader = static_cast<std::size_t>(leader - controlled_.begin());
+  }
+}
+
+void JointDriver::command(const std::vector<JointCommand>& commands) {
+  for (std::size_t i = 0; i < driven_.size(); ++i) {
+    Driven& driven = driven_[i];
+    // what drives a joint in another way is another number than before, or the first one that is not zero
+    const auto take = [&](const std::optional<double>& told, std::optional<double>& known, Way way) {
+      if (!told) return;
+      const bool isNew = known ? *known != *told : (driven.way == Way::kNone || *told != 0);
+      known = told;
+      if (isNew) driven.way = way;
+    };
+    take(commands[i].position, driven.position, Way::kPosition);
+    take(commands[i].velocity, driven.velocity, Way::kVelocity);
+    take(commands[i].effort, driven.effort, Way::kEffort);
+  }
+}
+
+std::vector<std::string> JointDriver::begin() {
+  std::vector<std::string> refused;
+  for (std::size_t i = 0; i < driven_.size(); ++i) {
+    const ControlledJoint& controlled = controlled_[i];
+    const auto note = [&](const std::optional<std::string>& why) {
+      if (why) refused.push_back("joint '" + controlled.name + "' does not begin where it should: " + *why);
+    };
+    if (controlled.initialPosition && *controlled.initialPosition != driven_[i].joint.position()) {
+      note(driven_[i].joint.resetPosition(*controlled.initialPosition));
+    }
+    if (controlled.initialVelocity && *controlled.initialVelocity != driven_[i].joint.velocity()) {
+      note(driven_[i].joint.resetVelocity(*controlled.initialVelocity));
+    }
+  }
+  return refused;
+}
+
+void JointDriver::drive(Time dt) {
+  // no more of the way than there is, in a step that is longer than the controllers' period
+  const double perSecond = 1 / toSeconds(dt);
+  const double follow = std::min(settings_.updateRate, perSecond);
+  const double approach = std::min(settings_.positionGain * settings_.updateRate, perSecond);
+  const auto turn = [](Joint& joint, double velocity) {
+    joint.setVelocityTarget(std::clamp(velocity, -kLargestCommand, kLargestCommand));
+  };
+  for (std::size_t i = 0; i < driven_.size(); ++i) {
+    Driven& driven = driven_[i];
+    if (driven.leader) {
+      const ControlledJoint::Mimic& mimic = *controlled_[i].mimic;
+      const double target = mimic.multiplier * driven_[*driven.leader].joint.position() + mimic.offset;
+      turn(driven.joint, follow * (target - driven.joint.position()));
+      continue;
+    }
+    switch (driven.way) {
+      case Way::kPosition:
+        turn(driven.joint, approach * (*driven.position - driven.joint.position()));
+        break;
+      case Way::kVelocity:
+        turn(driven.joint, *driven.velocity);
+        break;
+      case Way::kEffort:
+        driven.joint.clearVelocityTarget();
+        driven.joint.addForce(*driven.effort);
+        break;
+      case Way::kNone:
+        if (settings_.holdsJoints && controlled_[i].isCommanded()) turn(driven.joint, 0);
+        break;
+    }
+  }
+}
+
+void JointDriver::reset() {
+  for (Driven& driven : driven_) {
+    driven.way = Way::kNone;
+    driven.position = driven.velocity = driven.effort = std::nullopt;
+  }
+}
+
+void JointDriver::Driven::transfer(StateArchive& archive) {
+  archive(way);
+  archive(position);
+  archive(velocity);
+  archive(effort);
+}
+
+void JointDriver::transfer(StateArchive& archive) {
+  for (Driven& driven : driven_) archive(driven);
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pongsim/parameters.hh"
+#include "ros2/node/node.hh"
+#include "ros2/pairs/frames.hh"
+#include "ros2/robot/robot_list.hh"
+#include "ros2/robot/stamps.hh"
+#include "ros2/types/sensor_msgs.hh"
+
+namespace pongsim::ros2 {
+
+/// Tells on topics how the joints of robots stand: those with an axis that are in the URDF, in its order, with
+/// positions, velocities and efforts (`jointEffort`). For the simulation's thread.
+class JointStates {
+ public:
+  JointStates(RosNode& ros, const Frames& frames, double rate)
+      : ros_(ros), frames_(frames), schedule_(periodOf(rate)) {}
+
+  /// What one topic tells of.
+  struct Part {
+    const Robot* robot = nullptr;
+    /// In front of the joints' names.
+    std::string prefix = {};
+  };
+  /// Forgets all topics; to be called, with `add` after it, when robots have come or gone.
+  void clear() { told_.clear(); }
+  void add(const std::string& topic, const std::vector<Part>& parts);
+
+  void postUpdate(Time now);
+  /// Time begins anew.
+  void reset() { schedule_.reset(); }
+
+ private:
+  struct Told {
+    std::unique_ptr<RosPublisher> publisher;
+    std::vector<std::pair<Joint, int>> axes;
+    sensor_msgs::JointState message;
+  };
+  void tell(Told& told, const builtin_interfaces::Time& stamp) const;
+
+  RosNode& ros_;
+  Frames frames_;
+  Schedule schedule_;
+  std::list<Told> told_;
+};
+
+}  // namespace pongsim::ros2

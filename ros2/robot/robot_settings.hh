@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pongsim/declaration.hh"
+
+namespace pongsim::ros2 {
+
+/// What a user says of robots: which models are, and what is told of them.
+struct RobotSettings {
+  /// Names of models of the top level. Empty: those that look like one (`isRobot`).
+  std::vector<std::string> robots;
+  bool tellsDescription = true;
+  bool tellsTransforms = true;
+  bool tellsJointStates = true;
+  /// Messages a simulated second; 0: one every step.
+  double transformRate = 50;
+  double jointStateRate = 50;
+  /// Frame of the world, without a prefix.
+  std::string worldFrame = "world";
+  /// When the world's frame is the parent of a robot's topmost one: "auto", where no odometry tells of the robot;
+  /// "always", then that of its odometry; "never".
+  std::string groundTruth = "auto";
+
+  void declare(Declaration& declaration) {
+    declaration.parameter("robot", &robots, "", "name of a model that is a robot")
+        .otherwise("all that can move and have a joint, a system or a sensor");
+    declaration.parameter("robot_description", &tellsDescription, "",
+                          "whether robots are described on /robot_description");
+    declaration.parameter("tf", &tellsTransforms, "", "whether robots' frames are on /tf and /tf_static");
+    declaration.parameter("tf_rate", &transformRate, "Hz", "messages on /tf a simulated second; 0: one every step")
+        .atLeast(0);
+    declaration.parameter("joint_states", &tellsJointStates, "", "whether robots' joints are on /joint_states");
+    declaration
+        .parameter("joint_state_rate", &jointStateRate, "Hz",
+                   "messages on /joint_states a simulated second; 0: one every step")
+        .atLeast(0);
+    declaration.parameter("world_frame", &worldFrame, "", "name of the world's frame");
+    declaration
+        .parameter("ground_truth", &groundTruth, "",
+                   "when the world's frame is the parent of a robot's: where it has no odometry, always or never")
+        .oneOf({"auto", "always", "never"});
+  }
+};
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,113 @@
+#include "ros2/robot/robots.hh"
+
+#include <algorithm>
+
+namespace pongsim::ros2 {
+
+namespace {
+
+constexpr const char* kDescription = "robot_description";
+constexpr const char* kJointStates = "joint_states";
+
+}  // namespace
+
+Robots::Robots(const World& world, const Node& simulation, RosNode& ros, Bridge& bridge, const Settings& settings,
+               const RobotSettings& robotSettings)
+    : ros_(ros),
+      settings_(settings),
+      robotSettings_(robotSettings),
+      list_(world, settings.frames, robotSettings),
+      jointStates_(ros, settings.frames, robotSettings.jointStateRate),
+      descriptions_(world, ros) {
+  if (robotSettings.tellsTransforms) {
+    bridge.reserve("/tf");
+    bridge.reserve("/tf_static");
+    transforms_.emplace(simulation, ros, settings, robotSettings);
+  }
+  if (robotSettings.tellsDescription) bridge.reserve(plainName(kDescription));
+  if (robotSettings.tellsJointStates) bridge.reserve(plainName(kJointStates));
+}
+
+std::string Robots::plainName(const char* topic) const { return absoluteName(settings_.nameSpace, topic); }
+
+std::string Robots::nameOf(const Robot& robot, const char* topic) const {
+  return absoluteName(settings_.nameSpace, rosNameFor("/" + robot.name + "/" + topic).substr(1));
+}
+
+bool Robots::isRuled(const std::string& rosName) const {
+  return std::ranges::any_of(settings_.rules, [&rosName](const TopicRule& rule) {
+    return rule.pair != nullptr && rule.ros == rosName && rule.direction != Direction::kFromRos;
+  });
+}
+
+void Robots::preUpdate(Time now) {
+  if (hasChanged_) follow();
+  lookForOthers(now);
+  descriptions_.preUpdate();
+  if (transforms_) transforms_->preUpdate(now);
+}
+
+/// A robot_state_publisher makes frames of what it describes, and would tell them beside ours.
+void Robots::lookForOthers(Time now) {
+  if (hasFoundOthers_ || !transforms_ || !looks_.isDue(now)) return;
+  const Graph& graph = ros_.participant().graph();
+  if (graph.version() == knownGraph_) return;
+  knownGraph_ = graph.version();
+  const std::string topic = topicOnWire(plainName(kDescription));
+  for (const Graph::Endpoint& endpoint : graph.endpoints()) {
+    const bool isOther = endpoint.role == Graph::Role::kWriter && endpoint.contract.topic == topic &&
+                         !endpoint.id.isOfSameParticipant(ros_.participant().id());
+    if (!isOther) continue;
+    hasFoundOthers_ = true;
+    ros_.log().warning("another node tells '" + plainName(kDescription) +
+                       "' too: if it is a robot_state_publisher, some frames have two parents now; "
+                       "<tf>false</tf> and <robot_description>false</robot_description> leave them to it");
+    return;
+  }
+}
+
+void Robots::follow() {
+  hasChanged_ = false;
+  if (!list_.update()) return;
+  const RosNode::Quiet quiet(ros_);
+  if (transforms_) transforms_->follow(list_.robots(), list_.fixtures());
+  nameTopics();
+}
+
+void Robots::nameTopics() {
+  std::vector<RobotDescriptions::Topic> descriptions;
+  std::vector<JointStates::Part> all;
+  jointStates_.clear();
+  const bool areSeveral = list_.robots().size() > 1;
+  const auto describe = [&](const std::string& topic, const Robot& robot) {
+    if (robotSettings_.tellsDescription && !isRuled(topic)) descriptions.push_back({topic, &robot});
+  };
+  const auto tellJoints = [&](const std::string& topic, const std::vector<JointStates::Part>& parts) {
+    if (robotSettings_.tellsJointStates && !isRuled(topic)) jointStates_.add(topic, parts);
+  };
+  for (const Robot& robot : list_.robots()) {
+    all.push_back({&robot, areSeveral ? robot.name + "/" : ""});
+    describe(areSeveral ? nameOf(robot, kDescription) : plainName(kDescription), robot);
+    if (areSeveral) tellJoints(nameOf(robot, kJointStates), {{&robot}});
+  }
+  if (!all.empty()) tellJoints(plainName(kJointStates), all);
+  descriptions_.follow(descriptions);
+  if (areSeveral && robotSettings_.tellsDescription) {
+    ros_.log().info("there are " + std::to_string(all.size()) + " robots: '" + plainName(kDescription) +
+                    "' is of none of them, '" + nameOf(list_.robots().front(), kDescription) +
+                    "' of the first; <robot>NAME</robot> says which models are robots");
+  }
+}
+
+void Robots::reset() {
+  looks_.reset();
+  jointStates_.reset();
+  if (transforms_) transforms_->reset();
+}
+
+void Robots::postUpdate(Time now) {
+  jointStates_.postUpdate(now);
+  if (transforms_) transforms_->postUpdate(now);
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "pongsim/parameters.hh"
+#include "pongsim/system.hh"
+#include "ros2/bridge/bridge.hh"
+#include "ros2/config/settings.hh"
+#include "ros2/node/node.hh"
+#include "ros2/robot/joint_states.hh"
+#include "ros2/robot/robot_descriptions.hh"
+#include "ros2/robot/robot_list.hh"
+#include "ros2/robot/robot_settings.hh"
+#include "ros2/robot/transforms.hh"
+
+namespace pongsim::ros2 {
+
+/// All that is told of robots without being asked for: /robot_description, /joint_states, /tf, /tf_static.
+///
+/// A world with one robot has the plain names, as all of ROS expects them. With several, each has its own: /M/
+/// robot_description and /M/joint_states, and /joint_states has the joints of all, as "M/joint". Topics that a rule
+/// brings to one of these names stay as the rule says, and nothing else is told there.
+///
+/// For the simulation's thread. Must not outlive what it is given.
+class Robots {
+ public:
+  Robots(const World& world, const Node& simulation, RosNode& ros, Bridge& bridge, const Settings& settings,
+         const RobotSettings& robotSettings);
+
+  /// Models have come or gone.
+  void worldChanged() { hasChanged_ = true; }
+  void preUpdate(Time now);
+  void postUpdate(Time now);
+  /// Time begins anew.
+  void reset();
+
+ private:
+  void lookForOthers(Time now);
+  void follow();
+  void nameTopics();
+  std::string nameOf(const Robot& robot, const char* topic) const;
+  std::string plainName(const char* topic) const;
+  bool isRuled(const std::string& rosName) const;
+
+  RosNode& ros_;
+  Settings settings_;
+  RobotSettings robotSettings_;
+  bool hasChanged_ = true;
+  /// Of looks for other nodes that describe robots, until one has been found.
+  Schedule looks_{std::chrono::milliseconds(200)};
+  std::uint64_t knownGraph_ = 0;
+  bool hasFoundOthers_ = false;
+  RobotList list_;
+  JointStates jointStates_;
+  RobotDescriptions descriptions_;
+  std::optional<Transforms> transforms_;
+};
+
+}  // namespace pongsim::ros2

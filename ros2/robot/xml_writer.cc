@@ -1,0 +1,104 @@
+#include "ros2/robot/xml_writer.hh"
+
+#include <charconv>
+#include <cmath>
+
+namespace pongsim::ros2 {
+
+namespace {
+
+constexpr double kLargest = 1e9;
+
+void append(double value, std::string& text) {
+  if (std::isnan(value)) value = 0;
+  if (std::isinf(value)) value = std::copysign(kLargest, value);
+  char buffer[32];
+  text.append(std::begin(buffer), std::to_chars(std::begin(buffer), std::end(buffer), value == 0 ? 0.0 : value).ptr);
+}
+
+void appendEscaped(std::string_view value, std::string& text) {
+  for (const char letter : value) {
+    switch (letter) {
+      case '&':
+        text += "&amp;";
+        break;
+      case '<':
+        text += "&lt;";
+        break;
+      case '>':
+        text += "&gt;";
+        break;
+      case '"':
+        text += "&quot;";
+        break;
+      default:
+        text += letter;
+    }
+  }
+}
+
+}  // namespace
+
+XmlWriter& XmlWriter::open(std::string_view element) {
+  if (isTagOpen_) text_ += ">\n";
+  text_.append(2 * elements_.size(), ' ').append("<").append(element);
+  elements_.emplace_back(element);
+  isTagOpen_ = true;
+  return *this;
+}
+
+XmlWriter& XmlWriter::with(std::string_view attribute, std::string_view value) {
+  text_.append(" ").append(attribute).append("=\"");
+  appendEscaped(value, text_);
+  text_ += '"';
+  return *this;
+}
+
+XmlWriter& XmlWriter::with(std::string_view attribute, double value) {
+  std::string text;
+  append(value, text);
+  return with(attribute, text);
+}
+
+XmlWriter& XmlWriter::with(std::string_view attribute, const Vector3& vector) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) text += ' ';
+    append(vector[i], text);
+  }
+  return with(attribute, text);
+}
+
+XmlWriter& XmlWriter::close() {
+  const std::string element = std::move(elements_.back());
+  elements_.pop_back();
+  if (isTagOpen_) {
+    text_ += "/>\n";
+  } else {
+    text_.append(2 * elements_.size(), ' ').append("</").append(element).append(">\n");
+  }
+  isTagOpen_ = false;
+  return *this;
+}
+
+XmlWriter& XmlWriter::origin(const Pose& pose) {
+  return open("origin").with("xyz", pose.position).with("rpy", exactRollPitchYawOf(pose.rotation)).close();
+}
+
+std::string XmlWriter::take() {
+  while (!elements_.empty()) close();
+  return std::move(text_);
+}
+
+Vector3 exactRollPitchYawOf(const Quaternion& rotation) {
+  const Matrix3 matrix = rotation.toRotationMatrix();
+  const double level = std::hypot(matrix(0, 0), matrix(1, 0));
+  const double yaw = std::atan2(matrix(1, 0), matrix(0, 0));
+  const double pitch = std::atan2(-matrix(2, 0), level);
+  // what is left when the two are taken away turns about x, whatever became of the yaw where the pitch is a quarter
+  // turn
+  const Matrix3 rest = fromRollPitchYaw(0, pitch, yaw).toRotationMatrix().transpose() * matrix;
+  return {std::atan2(rest(2, 1), rest(1, 1)), pitch, yaw};
+}
+
+}  // namespace pongsim::ros2

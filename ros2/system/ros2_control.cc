@@ -1,0 +1,300 @@
+#include <ignition/msgs/model.pb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <list>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pongsim/commands.hh"
+#include "pongsim/fields.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/system.hh"
+#include "pongsim/urdf_source.hh"
+#include "ros2/control/control_block.hh"
+#include "ros2/control/controller_file.hh"
+#include "ros2/control/joint_commands.hh"
+#include "ros2/control/joint_driver.hh"
+#include "ros2/robot/joint_effort.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+constexpr const char* kModelType = "ignition.msgs.Model";
+
+/// Stands where a world has the plugin of gz_ros2_control, which runs the controllers within the simulator: here they
+/// run outside, and reach the joints by topics. It speaks ignition.msgs, so that the bridge alone knows ROS.
+class Ros2Control final : public System {
+ public:
+  void declare(Declaration& declaration) override {
+    declaration.is(
+        "Offers the joints that a robot's <ros2_control> lists on topics, for controllers that run outside of the "
+        "simulation.",
+        Declaration::Place::kModel);
+    declaration.parameter("parameters", &files_, "",
+                          "file of the controller manager, of which the update rate and the position gain count");
+    declaration.element("ros2_control", "joints with their interfaces, for a model that did not come as URDF");
+    declaration.parameter("joint_commands_topic", &commandsTopic_, "", "where commands come from")
+        .otherwise("/robot_joint_commands");
+    declaration.parameter("joint_states_topic", &statesTopic_, "", "where states go").otherwise("/robot_joint_states");
+    declaration.parameter("update_rate", &updateRate_, "Hz", "of the controllers, and of the states")
+        .above(0)
+        .otherwise("what <parameters> says, else 100");
+    declaration
+        .parameter("position_proportional_gain", &positionGain_, "",
+                   "share of the way left that a position command makes up for in a period")
+        .above(0)
+        .otherwise("what <parameters> says, else 0.1");
+    declaration.parameter("hold_joints", &holdsJoints_, "",
+                          "whether joints stay where they are before the first command");
+    declaration.element("ros", "of its namespace the topics are part, unless they are named");
+    for (const char* name :
+         {"controller_manager_name", "controller_manager_prefix_node_name", "robot_param", "robot_param_node"}) {
+      declaration.element(name, "of the controller manager, which runs elsewhere: has no effect");
+    }
+    declaration.subscribes("<joint_commands_topic>", kModelType,
+                           "positions, velocities and forces by joint; not a number where nothing is commanded");
+    declaration.publishes("<joint_states_topic>", kModelType, "positions, velocities and forces by joint");
+  }
+
+  void configure(const SystemContext& context) override {
+    const Element& sdf = context.sdf;
+    const Model& model = *context.model;
+    model_ = std::string(model.name());
+    node_ = context.node;
+    const UrdfSource* urdf = model.urdf();
+    const Element& holder = sdf.child("ros2_control") == nullptr && urdf != nullptr ? urdf->robot : sdf;
+    const JointDriver::Settings settings = readSettings(context);
+    for (ControlBlock& block : controlBlocks(holder, context.diagnostics)) {
+      std::vector<ControlledJoint> joints = jointsOf(block, model, context.diagnostics);
+      if (joints.empty()) continue;
+      Group& group = groups_.emplace_back(JointDriver(model, std::move(joints), settings));
+      nameTopics(block, group, sdf);
+      listen(group);
+    }
+    if (groups_.empty()) {
+      refuse(sdf, "there is no <ros2_control> that lists joints of model '" + model_ + "'",
+             urdf != nullptr ? "it stands in the <robot> of the URDF" : "a model in SDF has it in this <plugin>");
+    }
+    schedule_ = Schedule(periodOf(settings.updateRate));
+  }
+
+  void preUpdate(const StepInfo& info) override {
+    if (!hasSpoken_) speak();
+    if (info.paused) return;
+    for (Group& group : groups_) {
+      if (!hasBegun_) {
+        for (const std::string& why : group.driver.begin()) log_.warning(why);
+      }
+      group.driver.drive(info.dt);
+    }
+    hasBegun_ = true;
+  }
+
+  void postUpdate(const StepInfo& info) override {
+    if (info.paused || !schedule_.isDue(info.time)) return;
+    for (Group& group : groups_) {
+      if (group.states.hasSubscribers()) tell(group, info.time);
+    }
+  }
+
+  void reset() override {
+    hasBegun_ = false;
+    schedule_.reset();
+    for (Group& group : groups_) group.driver.reset();
+  }
+
+  void transfer(StateArchive& archive) override {
+    archive(hasBegun_);
+    archive(schedule_);
+    for (Group& group : groups_) archive(group.driver);
+  }
+
+ private:
+  /// The joints of one pair of topics.
+  struct Group {
+    explicit Group(JointDriver joints) : driver(std::move(joints)) {}
+    JointDriver driver;
+    std::string commandsTopic;
+    std::string statesTopic;
+    Publisher states;
+    ignition::msgs::Model message;
+    std::vector<std::string> unknown;
+    Subscription commands;
+  };
+
+  JointDriver::Settings readSettings(const SystemContext& context) {
+    JointDriver::Settings settings;
+    for (const Element* element : context.sdf.childrenNamed("parameters")) {
+      std::filesystem::path file = element->text;
+      if (file.is_relative() && element->position.file != nullptr) {
+        file = std::filesystem::path(*element->position.file).parent_path() / file;
+      }
+      const ControllerFile read = readControllerFile(file);
+      if (!read.error.empty()) {
+        context.diagnostics.warning(element->position, "parameters '" + element->text + "': " + read.error,
+                                    "the rate of the controllers is taken for 100 Hz; <update_rate> here says another");
+      }
+      settings.updateRate = read.updateRate.value_or(settings.updateRate);
+      settings.positionGain = read.positionGain.value_or(settings.positionGain);
+      settings.holdsJoints = read.holdsJoints.value_or(settings.holdsJoints);
+    }
+    // what stands in the world counts more than what stands in a file
+    if (context.sdf.child("hold_joints") != nullptr) settings.holdsJoints = holdsJoints_;
+    settings.updateRate = updateRate_.value_or(settings.updateRate);
+    settings.positionGain = positionGain_.value_or(settings.positionGain);
+    return settings;
+  }
+
+  /// @return Those that the model has, with an axis.
+  static std::vector<ControlledJoint> jointsOf(ControlBlock& block, const Model& model, Diagnostics& diagnostics) {
+    std::vector<std::string> names;
+    for (const Joint& joint : model.joints()) {
+      if (joint.axisCount() == 1) names.emplace_back(joint.name());
+    }
+    std::vector<ControlledJoint> joints;
+    for (ControlledJoint& joint : block.joints) {
+      if (std::ranges::find(names, joint.name) == names.end()) {
+        const std::string nearest = nearestName(joint.name, names);
+        diagnostics.warning(joint.position,
+                            "<ros2_control> lists joint '" + joint.name + "', which is no joint of model '" +
+                                std::string(model.name()) + "' with one axis: it is left out",
+                            nearest.empty() ? "" : "did you mean '" + nearest + "'?");
+      } else if (std::ranges::find(joints, joint.name, &ControlledJoint::name) == joints.end()) {
+        joints.push_back(std::move(joint));
+      }
+    }
+    for (ControlledJoint& joint : joints) {
+      if (!joint.mimic) continue;
+      const bool isThere = std::ranges::find(joints, joint.mimic->joint, &ControlledJoint::name) != joints.end();
+      if (isThere && joint.mimic->joint != joint.name) continue;
+      diagnostics.warning(joint.position, "joint '" + joint.name + "' follows joint '" + joint.mimic->joint +
+                                              "', which <ros2_control> does not list: it does not follow");
+      joint.mimic.reset();
+    }
+    return joints;
+  }
+
+  void nameTopics(const ControlBlock& block, Group& group, const Element& sdf) const {
+    const auto firstOf = [](const std::string& first, const std::string& second, const std::string& third) {
+      return !first.empty() ? first : !second.empty() ? second : third;
+    };
+    std::string space;
+    if (const Element* ros = sdf.child("ros")) space = ros->get<std::string>("namespace", "");
+    if (!space.empty() && !space.starts_with('/')) space.insert(0, "/");
+    while (space.ends_with('/')) space.pop_back();
+    // of several robots that say nothing all but the first have topics of their own
+    const std::vector<OwnTopic> topics = node_->ownTopics();
+    const auto isTaken = [&topics](const std::string& name) {
+      return std::ranges::any_of(topics,
+                                 [&name](const OwnTopic& topic) { return topic.name == name && topic.publishers > 0; });
+    };
+    if (isTaken(space + "/robot_joint_states")) space += "/" + model_;
+    group.commandsTopic =
+        topicOr(firstOf(block.commandsTopic, commandsTopic_, space + "/robot_joint_commands"), "/robot_joint_commands");
+    group.statesTopic =
+        topicOr(firstOf(block.statesTopic, statesTopic_, space + "/robot_joint_states"), "/robot_joint_states");
+  }
+
+  void listen(Group& group) {
+    group.states = node_->advertise<ignition::msgs::Model>(group.statesTopic);
+    group.commands = node_->subscribe<ignition::msgs::Model>(
+        group.commandsTopic, [this, &group](const ignition::msgs::Model& message) { obey(message, group); });
+    for (const ControlledJoint& joint : group.driver.joints()) {
+      auto& told = *group.message.add_joint();
+      told.set_name(joint.name);
+      told.mutable_axis1();
+    }
+    group.message.set_name(model_);
+  }
+
+  void obey(const ignition::msgs::Model& message, Group& group) {
+    const std::vector<JointCommand> commands = readCommands(message, group.driver.joints(), group.unknown);
+    for (const std::string& name : group.unknown) {
+      if (said_.size() >= kMostSaid || !said_.insert(name).second) continue;
+      std::vector<std::string> names;
+      for (const ControlledJoint& joint : group.driver.joints()) names.push_back(joint.name);
+      const std::string nearest = nearestName(name, names);
+      log_.warning("topic '" + group.commandsTopic + "' commands joint '" + name +
+                   "', which <ros2_control> does not list" +
+                   (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    }
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      const bool isSound = isWithin(commands[i].position, kLargestCommand) &&
+                           isWithin(commands[i].velocity, kLargestCommand) &&
+                           isWithin(commands[i].effort, kLargestForce);
+      if (isSound) continue;
+      if (!isRefusing_) {
+        log_.warning("topic '" + group.commandsTopic + "': a message is refused: it commands joint '" +
+                     group.driver.joints()[i].name + "' what is infinite or absurdly large");
+      }
+      isRefusing_ = true;
+      return;
+    }
+    isRefusing_ = false;
+    group.driver.command(commands);
+  }
+
+  static bool isWithin(const std::optional<double>& value, double bound) { return !value || std::abs(*value) <= bound; }
+
+  void speak() {
+    hasSpoken_ = true;
+    const std::vector<OwnTopic> topics = node_->ownTopics();
+    for (const Group& group : groups_) {
+      std::string names;
+      for (const ControlledJoint& joint : group.driver.joints()) names += (names.empty() ? "" : ", ") + joint.name;
+      const bool isBridged = std::ranges::any_of(topics, [&group](const OwnTopic& topic) {
+        return topic.name == group.commandsTopic && topic.type == kModelType && topic.publishers > 0;
+      });
+      log_.warning("the controllers of '" + model_ + "' run outside of the simulation: commands for " + names +
+                   " are taken from '" + group.commandsTopic + "', states told on '" + group.statesTopic + "'" +
+                   (isBridged ? "" : "; for nodes of ROS to reach these, run with --ros2") +
+                   ". In the URDF that ros2_control_node reads: <hardware><plugin>topic_based_ros2_control/"
+                   "TopicBasedSystem</plugin><param name=\"joint_commands_topic\">" +
+                   group.commandsTopic + "</param><param name=\"joint_states_topic\">" + group.statesTopic +
+                   "</param></hardware>");
+    }
+  }
+
+  static void tell(Group& group, Time now) {
+    setStamp(now, *group.message.mutable_header());
+    for (int i = 0; i < group.message.joint_size(); ++i) {
+      const Joint& joint = group.driver.joint(static_cast<std::size_t>(i));
+      auto& axis = *group.message.mutable_joint(i)->mutable_axis1();
+      axis.set_position(joint.position());
+      axis.set_velocity(joint.velocity());
+      axis.set_force(jointEffort(joint));
+    }
+    group.states.publish(group.message);
+  }
+
+  static constexpr std::size_t kMostSaid = 100;
+
+  std::vector<std::string> files_;
+  std::string commandsTopic_;
+  std::string statesTopic_;
+  std::optional<double> updateRate_;
+  std::optional<double> positionGain_;
+  bool holdsJoints_ = true;
+  Logger log_{"ros2_control"};
+  std::string model_;
+  std::optional<Node> node_;
+  std::list<Group> groups_;
+  /// Unknown joints that were warned of.
+  std::set<std::string> said_;
+  bool isRefusing_ = false;
+  bool hasSpoken_ = false;
+  bool hasBegun_ = false;
+  Schedule schedule_;
+};
+
+}  // namespace
+
+}  // namespace pongsim::ros2
+
+PONGSIM_EXPORT_SYSTEM(pongsim::ros2::Ros2Control, "gz_ros2_control::GazeboSimROS2ControlPlugin",
+                      "ign_ros2_control::IgnitionROS2ControlPlugin");
