@@ -8,6 +8,7 @@
 #include "ros2/config/environment.hh"
 #include "ros2/config/settings.hh"
 #include "ros2/node/node.hh"
+#include "ros2/services/services.hh"
 #include "ros2/wire/participant.hh"
 
 namespace pongsim::ros2 {
@@ -28,6 +29,8 @@ class Ros2 final : public System {
     declaration.parameter("frame_prefix", &settings_.frames.prefix, "", "in front of all frames, as robot/");
     declaration.parameter("bridge_all", &settings_.bridgesAll, "",
                           "whether all topics that have a type in ROS are there, or those only that are named");
+    declaration.parameter("service_prefix", &servicePrefix_, "",
+                          "in front of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
   }
 
   void configure(const SystemContext& context) override {
@@ -42,21 +45,28 @@ class Ros2 final : public System {
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
     bridge_.emplace(context.node, *node_, settings_);
+    services_.emplace(*node_, context, servicePrefix_, settings_.frames);
   }
 
-  void preUpdate(const StepInfo&) override {
+  void preUpdate(const StepInfo& info) override {
+    services_->preUpdate(info);
     node_->mailbox().dispatch();
     bridge_->update();
   }
+  void postUpdate(const StepInfo& info) override { services_->postUpdate(info); }
+  void worldChanged() override { services_->worldChanged(); }
+  void reset() override { services_->reset(); }
 
  private:
   Settings settings_;
   std::optional<double> domain_;
   std::string distro_;
+  std::string servicePrefix_ = "~";
   // each speaks by the one before it
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
   std::optional<Bridge> bridge_;
+  std::optional<Services> services_;
 };
 
 }  // namespace
