@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "ros2/test/served_world.hh"
+#include "ros2/services/served_world.hh"
 
 namespace pongsim::ros2::entity_services_test {
 namespace {
@@ -132,7 +132,8 @@ TEST_F(EntityServicesTest, SayWhyTheyDoNotSpawn) {
   expectRefused(text("nonsense"), SpawnResult::kResourceParseError, "resource_string");
   expectRefused(text("<sdf version='1.9'><model name='m'><lonk/>"), SpawnResult::kResourceParseError,
                 "resource_string:1:");
-  expectRefused(text("<sdf version='1.9'/>"), SpawnResult::kResourceParseError, "there is no <world> and no <model> in this file");
+  expectRefused(text("<sdf version='1.9'/>"), SpawnResult::kResourceParseError,
+                "there is no <world> and no <model> in this file");
   expectRefused(text("<robot name='r'/>"), SpawnResult::kResourceParseError, "the robot has no <link>");
   expectRefused(uri("model://nothing"), Result::kResultNotFound, "there is no 'model://nothing'");
   world_.folder().write("scene.usd", "x");

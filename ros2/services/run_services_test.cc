@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <future>
 
-#include "ros2/test/served_world.hh"
+#include "ros2/services/served_world.hh"
 
 namespace pongsim::ros2::run_services_test {
 namespace {
