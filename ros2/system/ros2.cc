@@ -29,8 +29,9 @@ class Ros2 final : public System {
     declaration.parameter("frame_prefix", &settings_.frames.prefix, "", "in front of all frames, as robot/");
     declaration.parameter("bridge_all", &settings_.bridgesAll, "",
                           "whether all topics that have a type in ROS are there, or those only that are named");
-    declaration.parameter("service_prefix", &servicePrefix_, "",
-                          "in front of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
+    declaration.parameter(
+        "service_prefix", &servicePrefix_, "",
+        "in front of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
   }
 
   void configure(const SystemContext& context) override {
@@ -44,6 +45,8 @@ class Ros2 final : public System {
     }
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});
+    // a run that is paused need not sleep on while a request waits
+    node_->mailbox().whenPosted([simulation = context.node]() mutable { simulation.wake(); });
     bridge_.emplace(context.node, *node_, settings_);
     services_.emplace(*node_, context, servicePrefix_, settings_.frames);
   }
