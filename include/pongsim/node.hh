@@ -243,6 +243,10 @@ class PONGSIM_API Node {
   /// for who watches the topics from step to step.
   std::uint64_t ownTopicsVersion() const;
 
+  /// Ends a wait in `Transport::dispatchFor` from any thread, so that a run that is paused calls its systems at once:
+  /// for who has something to do there that did not come by a topic or a service.
+  void wake();
+
   /// Offers a service: `handler` is called from within `Transport::dispatch` with each request, after the messages
   /// that came before it. Requests beyond a thousand that wait, or 32 MiB of them, are dropped with a warning.
   /// @param service Relative names get a leading slash, or the node's namespace. A name has up to 230 letters.

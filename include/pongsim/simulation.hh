@@ -79,8 +79,8 @@ class PONGSIM_API Simulation {
 
   // What follows changes the world between two steps. What is refused changes nothing.
 
-  /// Inserts the first model of a file, with the systems that its plugins ask for, where its poses say or as `options`
-  /// do. What is wrong is added to `diagnostics`.
+  /// Inserts the first model of a file, or of a model's folder, whose `model.config` names the file, with the systems
+  /// that its plugins ask for, where its poses say or as `options` do. What is wrong is added to `diagnostics`.
   /// @return The model; nothing if there was an error.
   std::optional<Model> insertFile(const std::filesystem::path& file, const InsertOptions& options,
                                   Diagnostics& diagnostics);

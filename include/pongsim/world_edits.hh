@@ -66,7 +66,7 @@ class PONGSIM_API WorldEdits {
   ModelTemplate read(const Element& sdf, Diagnostics& diagnostics) const;
   /// As `read`, of a text, which may be a URDF robot; `name` stands in the messages.
   ModelTemplate readText(std::string_view text, std::string_view name, Diagnostics& diagnostics) const;
-  /// Likewise of a file.
+  /// Likewise of a file, or of a model's folder, whose `model.config` names the file.
   ModelTemplate readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
 
   /// @return Where models and what they name are looked for, in this order.
@@ -79,7 +79,7 @@ class PONGSIM_API WorldEdits {
   void insert(const ModelTemplate& model, const InsertOptions& options, Inserted inserted = {});
   /// Asks for the first model of a text, which may be a URDF robot; `name` stands in the messages.
   void insertText(std::string text, std::string name, const InsertOptions& options, Inserted inserted = {});
-  /// Likewise of a file.
+  /// Likewise of a file, or of a model's folder.
   void insertFile(std::filesystem::path file, const InsertOptions& options, Inserted inserted = {});
   /// Asks for a copy of a model of the top level as it was when it came, where the model is then or as `options` say.
   void insertCopy(const Model& model, const InsertOptions& options, Inserted inserted = {});

@@ -5,13 +5,16 @@
 namespace pongsim::ros2 {
 
 bool Mailbox::post(std::function<void()> call) {
-  const std::lock_guard lock(mutex_);
-  if (waiting_.size() >= most_) {
-    ++dropped_;
-    return false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() >= most_) {
+      ++dropped_;
+      return false;
+    }
+    waiting_.push_back(std::move(call));
+    isWaiting_ = true;
   }
-  waiting_.push_back(std::move(call));
-  isWaiting_ = true;
+  if (posted_) posted_();
   return true;
 }
 

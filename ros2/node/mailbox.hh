@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace pongsim::ros2 {
@@ -13,6 +14,9 @@ namespace pongsim::ros2 {
 class Mailbox {
  public:
   explicit Mailbox(std::size_t most = 1000) : most_(most) {}
+
+  /// @param posted Called by who posts, behind each call that will be done. To be set before anybody posts.
+  void whenPosted(std::function<void()> posted) { posted_ = std::move(posted); }
 
   /// @return Whether it will be done; not, and it is counted, where too much waits already.
   bool post(std::function<void()> call);
@@ -25,6 +29,7 @@ class Mailbox {
 
  private:
   const std::size_t most_;
+  std::function<void()> posted_;
   std::mutex mutex_;
   std::vector<std::function<void()>> waiting_;
   std::vector<std::function<void()>> taken_;

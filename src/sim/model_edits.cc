@@ -1,9 +1,11 @@
 #include "sim/model_edits.hh"
 
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "sdf/model_config.hh"
 #include "sim/editor.hh"
 #include "sim/system_set.hh"
 
@@ -27,6 +29,15 @@ std::shared_ptr<description::Model> firstModel(sdf::Root root, Diagnostics& diag
   return model;
 }
 
+/// @return The file that a model's folder names; what is no folder as it is. Nothing, and an error, where there is
+/// none.
+std::optional<std::filesystem::path> modelFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(file, ignored)) return file;
+  const std::filesystem::path config = file / "model.config";
+  return sdf::readModelConfig(config, std::make_shared<const std::string>(config.string()), diagnostics);
+}
+
 void addAll(const Diagnostics& found, Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
 }
@@ -38,7 +49,9 @@ void addAll(const Diagnostics& found, Diagnostics& diagnostics) {
 std::optional<Model> ModelEdits::insertFile(const std::filesystem::path& file, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
   Diagnostics found;
-  std::optional<Model> model = insertFirst(sdf::loadFile(file, found, assets::finderIn(places_)), options, found);
+  std::optional<Model> model;
+  if (const std::shared_ptr<description::Model> read = readFirst(file, found))
+    model = insertOwned(read, options, found);
   addAll(found, diagnostics);
   return model;
 }
@@ -73,6 +86,13 @@ std::optional<Model> ModelEdits::insert(const description::Model& model, const I
   std::optional<Model> inserted = insertOwned(std::make_shared<description::Model>(model), options, found);
   addAll(found, diagnostics);
   return inserted;
+}
+
+std::shared_ptr<description::Model> ModelEdits::readFirst(const std::filesystem::path& file,
+                                                          Diagnostics& diagnostics) const {
+  const std::optional<std::filesystem::path> found = modelFile(file, diagnostics);
+  if (!found) return nullptr;
+  return firstModel(sdf::loadFile(*found, diagnostics, assets::finderIn(places_)), diagnostics);
 }
 
 std::optional<Model> ModelEdits::insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics) {
@@ -144,8 +164,7 @@ std::shared_ptr<const description::Model> ModelEdits::read(const Element& sdf, D
 std::shared_ptr<const description::Model> ModelEdits::readFile(const std::filesystem::path& file,
                                                                Diagnostics& diagnostics) const {
   Diagnostics found;
-  std::shared_ptr<const description::Model> model =
-      firstModel(sdf::loadFile(file, found, assets::finderIn(places_)), found);
+  std::shared_ptr<const description::Model> model = readFirst(file, found);
   addAll(found, diagnostics);
   return model;
 }

@@ -47,6 +47,7 @@ class ModelEdits {
   const assets::Places& places() const { return places_; }
 
  private:
+  std::shared_ptr<description::Model> readFirst(const std::filesystem::path& file, Diagnostics& diagnostics) const;
   std::optional<Model> insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
   std::optional<Model> insertOwned(std::shared_ptr<description::Model> model, const InsertOptions& options,
                                    Diagnostics& diagnostics);

@@ -154,8 +154,8 @@ bool Sensor::hasMetrics() const { return record(*access_, id_).description->hasM
 std::string Sensor::topic(std::string_view suffix) const {
   const world::SensorRecord& sensor = record(*access_, id_);
   const world::Entities& entities = access_->entities;
-  const world::Slot holder = sensor.joint != world::kNoSlot ? entities.joints()[sensor.joint].model
-                                                            : entities.links()[sensor.link].model;
+  const world::Slot holder =
+      sensor.joint != world::kNoSlot ? entities.joints()[sensor.joint].model : entities.links()[sensor.link].model;
   const std::string& nameSpace = entities.nameSpace(holder);
   if (!sensor.description->topic.empty()) {
     const std::string& topic = sensor.description->topic;

@@ -103,13 +103,13 @@ void Runner::run() {
 
 bool Runner::isOver() const { return stopping_.load() || parts_->made >= parts_->iterations; }
 
-/// Until something comes that may end the pause, but not for long.
+/// Until something comes that may end the pause, but not for long. The systems are called first: some wait for a pause
+/// to come.
 void Runner::waitPaused() {
   Parts& parts = *parts_;
-  parts.simulation.transport().dispatchFor(kPausedPeriod);
-  if (!parts.control.paused()) return;
   parts.simulation.advance(Time::zero());
   parts.publishStatus(Clock::now());
+  parts.simulation.transport().dispatchFor(kPausedPeriod);
 }
 
 void Runner::runSteps() {

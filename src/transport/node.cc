@@ -111,6 +111,8 @@ std::string Node::fullName(std::string_view name) const {
   return nameSpace_ + "/" + std::string(name);
 }
 
+void Node::wake() { bus_->wake(); }
+
 Publisher Node::advertise(std::string_view topic, std::string_view type, const PublisherOptions& options) {
   return advertiseOn(bus_->addPublisher(fullName(topic), transport::knownType(type), options.latched), options.latched);
 }

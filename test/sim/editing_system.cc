@@ -8,8 +8,8 @@
 namespace pongsim::test {
 
 /// Edits the world as messages on /edit say, "template NAME", "text SDF", "file FILE", "read SDF", "find ADDRESS",
-/// "copy MODEL", "remove MODEL", at once or, with "step " in front, in the next step's update; says on /edited what has come of it, but of what has
-/// "silent " in front.
+/// "copy MODEL", "remove MODEL", at once or, with "step " in front, in the next step's update; says on /edited what has
+/// come of it, but of what has "silent " in front.
 class Editing : public System {
  public:
   void declare(Declaration& declaration) override {

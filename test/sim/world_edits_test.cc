@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/running_world.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim {
 namespace {
@@ -87,6 +88,19 @@ TEST_F(WorldEditsTest, InsertTextsFilesAndCopies) {
   EXPECT_EQ(all[1], "there is t_0");
   EXPECT_NE(all[2].find("/no/such/file.sdf"), std::string::npos) << all[2];
   EXPECT_EQ(world_.model("t_0").pose().position.x(), 7);
+}
+
+TEST_F(WorldEditsTest, InsertTheFileOfAModelsFolder) {
+  const test::TempFolder folder;
+  folder.write("cup/model.config", "<model><name>cup</name><sdf version='1.9'>cup.sdf</sdf></model>");
+  folder.write("cup/cup.sdf", "<sdf version='1.9'><model name='cup'><static>1</static><link name='l'/></model></sdf>");
+  tell("file " + (folder.path() / "cup").string());
+  tell("file " + folder.path().string());
+  world_.simulation().step();
+  const Said all = said();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0], "there is cup");
+  EXPECT_NE(all[1].find("model.config"), std::string::npos) << all[1];
 }
 
 TEST_F(WorldEditsTest, ReadWhatIsInsertedLater) {

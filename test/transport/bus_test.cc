@@ -289,6 +289,9 @@ TEST_F(BusTest, IsWokenFromAnotherThread) {
   std::thread other([this] { transport_.wake(); });
   EXPECT_EQ(transport_.dispatchFor(test::kDeadline), 0);
   other.join();
+  std::thread byNode([this] { node_.wake(); });
+  EXPECT_EQ(transport_.dispatchFor(test::kDeadline), 0);
+  byNode.join();
 }
 
 TEST_F(BusTest, FindsNothingElsewhereWithoutANetwork) {

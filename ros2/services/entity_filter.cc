@@ -1,0 +1,67 @@
+#include "ros2/services/entity_filter.hh"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <string>
+
+namespace pongsim::ros2 {
+
+namespace si = simulation_interfaces;
+
+namespace {
+
+/// POSIX Extended, whose matches RE2 finds in a time that grows with the name's length alone.
+RE2::Options posixExtended() {
+  RE2::Options options(RE2::POSIX);
+  options.set_log_errors(false);
+  return options;
+}
+
+}  // namespace
+
+EntityFilter::EntityFilter() = default;
+EntityFilter::EntityFilter(EntityFilter&&) noexcept = default;
+EntityFilter::~EntityFilter() = default;
+
+std::optional<EntityFilter> EntityFilter::from(const si::EntityFilters& asked, Result& result) {
+  EntityFilter filter;
+  filter.asked_ = asked;
+  if (!asked.filter.empty()) {
+    filter.names_ = std::make_unique<RE2>(asked.filter, posixExtended());
+    if (!filter.names_->ok()) {
+      result = failed("filter '" + asked.filter.substr(0, 100) +
+                      "' is no regular expression (POSIX Extended): " + filter.names_->error().substr(0, 200));
+      return std::nullopt;
+    }
+  }
+  if (const auto error = filterError(asked.tags)) {
+    result = failed(*error);
+    return std::nullopt;
+  }
+  if (asked.bounds.type > si::Bounds::kTypeSphere) {
+    result = refused(Result::kResultFeatureUnsupported,
+                     "there is no type " + std::to_string(asked.bounds.type) + " of bounds");
+    return std::nullopt;
+  }
+  if (asked.bounds.type != si::Bounds::kTypeEmpty) {
+    Outcome<Region> region = Region::from(asked.bounds);
+    if (!region) {
+      result = failed(region.error);
+      return std::nullopt;
+    }
+    filter.region_ = std::move(region.value);
+  }
+  return filter;
+}
+
+bool EntityFilter::takes(const Model& model, const EntityInfos& infos) const {
+  if (names_ && !RE2::PartialMatch(model.scopedName(), *names_)) return false;
+  const si::EntityInfo info = infos.of(model);
+  if (!asked_.categories.empty() && std::ranges::find(asked_.categories, info.category) == asked_.categories.end()) {
+    return false;
+  }
+  return matches(asked_.tags, info.tags) && (!region_ || region_->overlaps(model));
+}
+
+}  // namespace pongsim::ros2

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "pongsim/handles.hh"
+#include "pongsim/system.hh"
+#include "ros2/services/offers.hh"
+#include "ros2/services/run_requests.hh"
+#include "ros2/services/service_names.hh"
+#include "ros2/services/spawner.hh"
+
+namespace pongsim::ros2 {
+
+/// The services of simulation_interfaces about the simulation itself: what it can do, its state, steps, reset, world.
+class RunServices {
+ public:
+  /// @param spawner Takes away what was spawned. All references must outlive it.
+  RunServices(RosNode& node, const SystemContext& context, const ServiceNames& names, Spawner& spawner);
+
+  /// To be called first in each step.
+  void preUpdate(const StepInfo& info) { run_.preUpdate(info); }
+  /// The world was reset.
+  void worldReset() { run_.worldReset(); }
+
+ private:
+  simulation_interfaces::SimulatorFeatures features();
+  simulation_interfaces::WorldResource world() const;
+  void reset(std::uint8_t scope, const RunRequests::Done& done);
+
+  World world_;
+  Spawner& spawner_;
+  RunRequests run_;
+  Offers offers_;
+};
+
+}  // namespace pongsim::ros2
