@@ -1,5 +1,6 @@
 #include "fuel/interruption.hh"
 
+#include <atomic>
 #include <csignal>
 
 #include "fuel/failure.hh"
@@ -8,9 +9,11 @@ namespace pongsim::fuel {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+// read by all threads that download
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal's handler may set it");
 
-void interrupt(int) { interrupted = 1; }
+void interrupt(int) { interrupted = true; }
 
 }  // namespace
 
@@ -23,7 +26,7 @@ void handleSignals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-bool isInterrupted() { return interrupted != 0; }
+bool isInterrupted() { return interrupted; }
 
 void checkInterruption() {
   if (isInterrupted()) throw Interrupted();

@@ -44,5 +44,34 @@ TEST_F(WorldFile, KeepsItsNameWhereItIsNowhere) {
   for (const char* name : {"missing.sdf", "", "/nowhere/at/all.sdf"}) EXPECT_EQ(findWorldFile(name), name);
 }
 
+TEST_F(WorldFile, IsInTheCacheWhereItsAddressIsThatOfAFuelServer) {
+  setenv("PONGSIM_OFFLINE", "1", 1);
+  setenv("IGN_FUEL_CACHE_PATH", first_.path().c_str(), 1);
+  const std::filesystem::path folder = first_.path() / "fuel.gazebosim.org/o";
+  const std::string server = "https://fuel.gazebosim.org/1.0/o/";
+  first_.write("fuel.gazebosim.org/o/worlds/w/2/b.sdf", "");
+  first_.write("fuel.gazebosim.org/o/worlds/w/2/c.sdf", "");
+  first_.write("fuel.gazebosim.org/o/worlds/e/1/readme.txt", "");
+  first_.write("fuel.gazebosim.org/o/models/m/1/model.config", "<model><sdf version='1.9'>m.sdf</sdf></model>");
+  first_.write("fuel.gazebosim.org/o/models/m/1/m.sdf", "");
+  Diagnostics diagnostics;
+  EXPECT_EQ(fetchWorldFile(server + "worlds/w", diagnostics), folder / "worlds/w/2/b.sdf");
+  first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt",
+               "name: \"w\"\nworld {\n  file_format { name: \"sdf\" }\n  file: \"c.sdf\"\n}\n");
+  EXPECT_EQ(fetchWorldFile(server + "worlds/w", diagnostics), folder / "worlds/w/2/c.sdf");
+  // one that leads elsewhere does not count
+  first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt", "world { file: \"../../../../x.sdf\" }");
+  EXPECT_EQ(fetchWorldFile(server + "worlds/w/2", diagnostics), folder / "worlds/w/2/b.sdf");
+  EXPECT_EQ(fetchWorldFile(server + "models/m", diagnostics), folder / "models/m/1/m.sdf");
+  EXPECT_EQ(fetchWorldFile("here.sdf", diagnostics), "here.sdf");
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_FALSE(fetchWorldFile(server + "worlds/e", diagnostics));
+  EXPECT_FALSE(fetchWorldFile(server + "worlds/none", diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 2U);
+  EXPECT_TRUE(diagnostics.all()[0].message.starts_with("there is no SDF file in '"));
+  EXPECT_EQ(diagnostics.all()[1].message, "'" + server + "worlds/none' is not in the local Fuel cache");
+  unsetenv("IGN_FUEL_CACHE_PATH");
+}
+
 }  // namespace
 }  // namespace pongsim::cli
