@@ -1,15 +1,17 @@
 """Worlds that include models by their Fuel addresses: pongsim run, view and sdf download what is missing."""
 
-import fcntl
 import json
 import os
 import shutil
 import signal
-import struct
+import sys
 import time
 import unittest
 
-from fuel_server import PATIENCE, PONGSIM, Place, Server, model_files
+from fuel_server import PATIENCE, PONGSIM, ROOT, Place, Server, model_files
+
+sys.path.append(str(ROOT / "test/support"))
+from test_domain import take_domain  # noqa: E402
 
 NAO = model_files("Nao", body="".join(f"""
     <link name="{part}"><pose>0 0 {height} 0 0 0</pose>
@@ -23,19 +25,6 @@ NAO = model_files("Nao", body="".join(f"""
     for part, joint, height in (("head", "HeadYaw", 0.6), ("arm", "LShoulderPitch", 0.4))) + """
     <plugin filename="ignition-gazebo-joint-state-publisher-system"
             name="ignition::gazebo::systems::JointStatePublisher"/>""")
-
-
-def take_domain():
-    """A DDS domain that no other test has, as test/support/test_domain.cc takes one. The lock goes with the process."""
-    locks = os.open(f"/tmp/pongsim-test-domains-{os.getuid()}", os.O_RDWR | os.O_CREAT, 0o600)
-    for i in range(100):
-        domain = 1 + (os.getpid() + i) % 100
-        try:
-            fcntl.fcntl(locks, 37, struct.pack("hhqqi4x", fcntl.F_WRLCK, os.SEEK_SET, domain, 1, 0))  # F_OFD_SETLK
-            return str(domain)
-        except OSError:
-            continue
-    raise RuntimeError("all test domains are taken")
 
 
 class World(unittest.TestCase):
@@ -172,7 +161,7 @@ class World(unittest.TestCase):
         world = self.write("".join(f"""
             <include><name>nao_{i}</name><uri>{url}/2</uri><pose>{i} 0 0 0 0 0</pose></include>
             <joint name="stand_{i}" type="fixed"><parent>world</parent><child>nao_{i}::body</child></joint>""" for i in (1, 2)))
-        self.place.environment["PONGSIM_DOMAIN"] = take_domain()
+        self.place.environment["PONGSIM_DOMAIN"] = str(take_domain())
         process = self.place.start(PONGSIM, "run", world)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)

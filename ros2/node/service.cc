@@ -91,7 +91,8 @@ ClientEnds::~ClientEnds() {
 
 void ClientEnds::received(const Sample& sample) {
   const std::lock_guard lock(mutex_);
-  if (sample.related != SampleId{reader_->id(), awaited_}) return;
+  // answers to others come from the moment on in which there is a reader, before it is known here
+  if (awaited_ == 0 || sample.related != SampleId{reader_->id(), awaited_}) return;
   answer_.emplace(sample.payload.begin(), sample.payload.end());
   changed_.notify_all();
 }

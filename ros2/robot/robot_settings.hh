@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pongsim/declaration.hh"
+#include "pongsim/element.hh"
 
 namespace pongsim::ros2 {
 
@@ -23,15 +24,25 @@ struct RobotSettings {
   /// "always", then that of its odometry; "never".
   std::string groundTruth = "auto";
 
+  /// Where nothing is in ROS but what is named, so are these: what no element of the `<plugin>` asks for is not told.
+  void leaveOutUnnamed(const Element& plugin) {
+    tellsDescription = tellsDescription && plugin.child("robot_description") != nullptr;
+    tellsTransforms = tellsTransforms && plugin.child("tf") != nullptr;
+    tellsJointStates = tellsJointStates && plugin.child("joint_states") != nullptr;
+  }
+
   void declare(Declaration& declaration) {
     declaration.parameter("robot", &robots, "", "name of a model that is a robot")
         .otherwise("all that can move and have a joint, a system or a sensor");
-    declaration.parameter("robot_description", &tellsDescription, "",
-                          "whether robots are described on /robot_description");
-    declaration.parameter("tf", &tellsTransforms, "", "whether robots' frames are on /tf and /tf_static");
+    declaration
+        .parameter("robot_description", &tellsDescription, "", "whether robots are described on /robot_description")
+        .otherwise("as bridge_all");
+    declaration.parameter("tf", &tellsTransforms, "", "whether robots' frames are on /tf and /tf_static")
+        .otherwise("as bridge_all");
     declaration.parameter("tf_rate", &transformRate, "Hz", "messages on /tf a simulated second; 0: one every step")
         .atLeast(0);
-    declaration.parameter("joint_states", &tellsJointStates, "", "whether robots' joints are on /joint_states");
+    declaration.parameter("joint_states", &tellsJointStates, "", "whether robots' joints are on /joint_states")
+        .otherwise("as bridge_all");
     declaration
         .parameter("joint_state_rate", &jointStateRate, "Hz",
                    "messages on /joint_states a simulated second; 0: one every step")

@@ -55,7 +55,7 @@ TEST_F(RunServicesTest, TellWhatWorks) {
   std::vector<std::uint16_t> numbers = features.features;
   std::ranges::sort(numbers);
   EXPECT_EQ(numbers, (std::vector<std::uint16_t>{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
-                                                 12, 13, 14, 20, 23, 24, 25, 26, 31, 32, 44, 50}));
+                                                 12, 13, 14, 20, 23, 24, 25, 26, 31, 32, 33, 44, 50}));
   EXPECT_EQ(features.spawn_formats, (std::vector<std::string>{"sdf", "urdf"}));
 }
 

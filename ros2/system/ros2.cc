@@ -36,6 +36,7 @@ class Ros2 final : public System {
     // the run does not begin
     if (!settings) return;
     settings_ = *settings;
+    if (!settings_.bridgesAll) robotSettings_.leaveOutUnnamed(context.sdf);
     warnOfOtherWorlds(settings_.services, context.world.name(), context.diagnostics);
     participant_.emplace(settings_.participant);
     node_.emplace(*participant_, RosNode::Options{settings_.nodeName, settings_.nameSpace});

@@ -5,8 +5,10 @@ import os
 import pathlib
 import signal
 import subprocess
+import sys
 import time
 from dataclasses import dataclass, field
+
 from cyclonedds.core import Policy, Qos
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.idl import IdlStruct
@@ -18,7 +20,15 @@ from cyclonedds.util import duration
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
-DOMAIN = int(os.environ.get("ROS_DOMAIN_ID", "0"))
+
+sys.path.append(str(ROOT / "test/support"))
+from test_domain import take_domain  # noqa: E402
+
+# that of the test that has started this process, or one of its own
+DOMAIN = int(os.environ.get("PONGSIM_TEST_DOMAIN") or take_domain())
+# for all that the test starts
+for name in ("PONGSIM_TEST_DOMAIN", "PONGSIM_DOMAIN", "ROS_DOMAIN_ID"):
+    os.environ[name] = str(DOMAIN)
 # For conditions that must come true, on a busy machine too.
 PATIENCE = 60.0
 

@@ -166,7 +166,7 @@ def test_two_namespaces_stand_side_by_side(tmp_path):
     options = lambda name: ["--ros2-config", file, "--ros2-only", "--ros2-namespace", name, "--ros2-frame-prefix",
                             name + "/", "--ros2-node-name", "simulator"]
     # their own topics have the same names
-    other = {"PONGSIM_DOMAIN": str(peers.DOMAIN + 100)}
+    other = {"PONGSIM_DOMAIN": str(peers.take_domain())}
     with peers.running(WORLD, *options("red")), peers.running(WORLD, *options("blue"), environment=other):
         peer = peers.Peer()
         for name in ("red", "blue"):

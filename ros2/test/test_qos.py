@@ -70,7 +70,7 @@ def test_two_simulations_have_a_namespace_each(tmp_path):
     worlds = [world_with(tmp_path, f"{name}.sdf", f"<namespace>/{name}</namespace><frame_prefix>{name}/</frame_prefix>")
               for name in ("red", "blue")]
     # their own topics have the same names
-    other = {"PONGSIM_DOMAIN": str(peers.DOMAIN + 100)}
+    other = {"PONGSIM_DOMAIN": str(peers.take_domain())}
     with peers.running(worlds[0]), peers.running(worlds[1], environment=other):
         peer = peers.Peer()
         scans = {name: peer.reader(f"/{name}/lidar", peers.LaserScan) for name in ("red", "blue")}

@@ -177,7 +177,7 @@ def test_a_reader_that_asks_for_more_is_told(tmp_path):
 
 
 def test_another_domain_is_another_world():
-    other = peers.DOMAIN + 100
+    other = peers.take_domain()
     with peers.running(peers.ROOT / "worlds/pong_world.sdf", "--ros2", "-v", "3") as simulation:
         stranger = peers.Peer(other).reader("/clock", Clock)
         assert peers.take_one(peers.Peer().reader("/clock", Clock))
