@@ -373,7 +373,8 @@ std::size_t Bus::collectArrivals() {
   const std::lock_guard lock(mutex_);
   for (Inbox* inbox : inboxesWithArrivals_) inbox->moveTo(arrivals_);
   inboxesWithArrivals_.clear();
-  waiting_ = false;
+  // one may have been found since they were looked at
+  waiting_ = !foundTypes_.empty();
   std::ranges::sort(arrivals_, {}, &Arrival::number);
   return arrivals_.size();
 }
