@@ -34,7 +34,8 @@ double sliceIntegral(double radius, double sine, double cosine, double u) {
   const double k = (cosine + 0.0) / sine;
   const double stretch = 1 / (sine * sine);
   const double square = radius * radius;
-  const double p = std::sqrt(std::max(0.0, square - stretch * u * u));
+  // nothing at its ends, where rounding would leave a root of it, which the arctangent makes much of for a small k
+  const double p = std::abs(u) < radius * sine ? std::sqrt(std::max(0.0, square - stretch * u * u)) : 0;
   const double rim = std::sqrt(std::max(0.0, square - u * u));
   // how far the edge is from the middle of the slice, in radii
   double edge = (u < 0) == (k >= 0) ? 1 : -1;

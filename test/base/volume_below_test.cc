@@ -59,6 +59,20 @@ TEST(VolumeBelow, OfAHalfBallAndTheOtherHalfMakeThatOfTheBall) {
   }
 }
 
+// as the ends of a capsule that floats on its side: a hair's turn changes them by no more than that
+TEST(VolumeBelow, OfAHalfBallThatLiesNearlyLevelIsThatOfALevelOne) {
+  for (int i = 0; i < 100; ++i) {
+    const Vector3 level(std::cos(i), std::sin(i), 0);
+    for (const double turn : {1e-5, -1e-5, 1e-7, -1e-7, 1e-9, -1e-9}) {
+      const Vector3 up = (level + turn * Vector3::UnitZ()).normalized();
+      for (const double height : {-0.2, 0.05, 0.2}) {
+        expectNear(halfBallBelow(0.3, up, height), halfBallBelow(0.3, level, height), 0.1 * std::abs(turn) + 1e-13,
+                   "half ball");
+      }
+    }
+  }
+}
+
 TEST(VolumeBelow, IsWhatCountingGives) {
   const double r = 0.7, length = 1.1;
   const auto inHalfBall = [=](const Vector3& p) { return p.z() >= 0 && p.norm() <= r; };
