@@ -60,7 +60,7 @@ class Buoyancy : public System {
     warnOfUnknown(context.sdf, context.diagnostics);
   }
 
-  // all that it calls for each link becomes one piece: the calls would cost a tenth
+  // all that it calls for each link becomes one piece, without calls in between
   [[gnu::flatten]] void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     const Vector3 gravity = world_->gravity();
