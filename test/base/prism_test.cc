@@ -8,8 +8,6 @@
 namespace pongsim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Of a box that stands upright, by its four edges: each fourth of it under a flat piece of the slanting end.
 VolumeMoments boxByStrips(const Vector3& size, const Vector3& up, double height) {
   constexpr int kStrips = 200;
@@ -60,7 +58,7 @@ TEST(Prism, OfACylinderHasASlantingEnd) {
     const Vector3 up = Vector3(0.3, -0.4, side).normalized();
     const auto part = Prism(CylinderShape{0.5, 3}).below(up, 0.4 * std::abs(up.z()));
     ASSERT_TRUE(part);
-    EXPECT_NEAR(part->volume, kPi * 0.25 * 1.9, 1e-12);
+    EXPECT_NEAR(part->volume, std::numbers::pi * 0.25 * 1.9, 1e-12);
     const Vector3 expected(-0.3 * 0.25 / 4 / 1.9, 0.4 * 0.25 / 4 / 1.9,
                            side * (-1.5 + (1.9 + 0.0625 * 0.25 / 1.9) / 2));
     EXPECT_NEAR((part->first / part->volume - expected).norm(), 0, 1e-12);
@@ -71,7 +69,7 @@ TEST(Prism, OfACapsuleHasARoundEnd) {
   for (const double side : {1.0, -1.0}) {
     const auto part = Prism(CapsuleShape{0.3, 0.8}).below({0, 0, side}, 0.1);
     ASSERT_TRUE(part);
-    const double ball = kPi * 2 / 3 * 0.027, sides = kPi * 0.09 * 0.5;
+    const double ball = std::numbers::pi * 2 / 3 * 0.027, sides = std::numbers::pi * 0.09 * 0.5;
     EXPECT_NEAR(part->volume, ball + sides, 1e-15);
     const double first = sides * -0.15 - ball * (0.4 + 0.3 * 3 / 8);
     EXPECT_NEAR((part->first - Vector3(0, 0, side * first)).norm(), 0, 1e-15);
@@ -82,8 +80,8 @@ TEST(Prism, OfACapsuleHasARoundEnd) {
 TEST(Prism, AboveAndBelowMakeTheWhole) {
   const Vector3 up = Vector3(-0.2, 0.1, 0.8).normalized();
   for (const auto& [prism, volume] :
-       {std::pair(Prism(BoxShape{{1, 2, 3}}), 6.0), std::pair(Prism(CylinderShape{0.5, 2}), kPi / 2),
-        std::pair(Prism(CapsuleShape{0.5, 2}), kPi / 2 + kPi / 6)}) {
+       {std::pair(Prism(BoxShape{{1, 2, 3}}), 6.0), std::pair(Prism(CylinderShape{0.5, 2}), std::numbers::pi / 2),
+        std::pair(Prism(CapsuleShape{0.5, 2}), std::numbers::pi / 2 + std::numbers::pi / 6)}) {
     auto both = prism.below(up, 0.3), above = prism.below(-up, -0.3);
     ASSERT_TRUE(both && above);
     *both += *above;
