@@ -45,6 +45,7 @@ AnyType& Bus::addAnyType(std::string_view topic, ReceivedOfAnyType received, con
     const std::lock_guard anyTypesLock(mutex_);
     anyTypes_.push_back(std::move(owned));
   }
+  if (!options.relays) ++ownTopicsVersion_;
   std::vector<std::string> types;
   for (const auto& [key, channel] : channels_) {
     if (channel->topic == any.topic && channel->publishers > 0) types.push_back(channel->type);
@@ -66,6 +67,7 @@ void Bus::endAnyType(AnyType& any) {
     owned = std::move(*found);
     anyTypes_.erase(found);
   }
+  if (!any.options.relays) ++ownTopicsVersion_;
   for (Inbox* inbox : any.inboxes) endSubscription(*inbox);
   if (!any.announcement) return;
   const std::lock_guard lock(setUp_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 #include "msgs/bytes.hh"
 #include "pongsim/log.hh"
@@ -11,6 +12,7 @@
 #include "transport/network.hh"
 #include "transport/payload.hh"
 #include "transport/topic_name.hh"
+#include "transport/type_name.hh"
 
 namespace pongsim::transport {
 
@@ -59,31 +61,42 @@ void Bus::eraseIfUnused(const Channel& channel) {
   if (channel.publishers + channel.subscriptions == 0) channels_.erase({channel.topic, channel.type});
 }
 
-Channel& Bus::addPublisher(std::string_view topic, const std::string& type, bool latched) {
+Channel& Bus::addPublisher(std::string_view topic, const std::string& type, const PublisherOptions& options) {
+  if (options.relays && options.latched) throw std::invalid_argument("a publisher that relays can't be latched");
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
-  if (network_ && !channel.writer) {
+  if (network_ && !channel.writer && !options.ownOnly) {
     channel.writer = network_->makeWriter(channel.topic, channel.type, [this] { subscribersChanged(); });
     network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
   }
   ++channel.publishers;
-  if (latched) ++channel.latchedPublishers;
-  ++ownTopicsVersion_;
+  if (options.latched) ++channel.latchedPublishers;
+  if (options.ownOnly) ++channel.ownOnlyPublishers;
+  if (options.relays) {
+    ++channel.relayingPublishers;
+  } else {
+    ++ownTopicsVersion_;
+  }
   for (const auto& any : anyTypes_) {
     if (any->topic == channel.topic) hear(*any, channel.type);
   }
   return channel;
 }
 
-void Bus::endPublisher(Channel& channel, bool latched) {
+void Bus::endPublisher(Channel& channel, const PublisherOptions& options) {
   const std::lock_guard lock(setUp_);
-  ++ownTopicsVersion_;
-  if (latched && --channel.latchedPublishers == 0) {
+  if (options.relays) {
+    --channel.relayingPublishers;
+  } else {
+    ++ownTopicsVersion_;
+  }
+  if (options.latched && --channel.latchedPublishers == 0) {
     forgetLatched(channel, [](const ParticipantId& sender) { return sender == kThisProcess; });
     if (channel.writer) channel.writer->forgetKept();
   }
-  if (--channel.publishers > 0) return;
-  if (channel.writer) {
+  if (options.ownOnly) --channel.ownOnlyPublishers;
+  --channel.publishers;
+  if (channel.writer && channel.publishers == channel.ownOnlyPublishers) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kPublisher});
     network_->end(std::move(channel.writer));
   }
@@ -116,6 +129,23 @@ Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, Hea
       },
       options);
   inbox->heardAtOnce = std::move(heard);
+  return addHearing(channel, std::move(inbox));
+}
+
+Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, HeardBytesAtOnce heard,
+                            const SubscriptionOptions& options) {
+  const std::lock_guard lock(setUp_);
+  Channel& channel = channelFor(topic, type);
+  Inbox::ReceivedBytes later = [&channel, heard](std::span<const std::byte> bytes) {
+    const std::lock_guard hearing(channel.hearing);
+    heard(bytes.size(), [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); });
+  };
+  auto inbox = std::make_unique<Inbox>(channel, std::move(later), options);
+  inbox->heardBytesAtOnce = std::move(heard);
+  return addHearing(channel, std::move(inbox));
+}
+
+Inbox& Bus::addHearing(Channel& channel, std::unique_ptr<Inbox> inbox) {
   Inbox& added = addInbox(channel, std::move(inbox));
   const std::lock_guard hearing(channel.hearing);
   channel.atOnce.push_back(&added);
@@ -126,36 +156,51 @@ std::vector<OwnTopic> Bus::ownTopics() {
   const std::lock_guard lock(setUp_);
   std::vector<OwnTopic> topics;
   for (const auto& [key, channel] : channels_) {
-    topics.push_back(
-        {channel->topic, channel->type, channel->publishers, channel->subscriptions, channel->latchedPublishers > 0});
+    const int publishers = channel->publishers - channel->relayingPublishers;
+    const int subscriptions = channel->subscriptions - channel->relayingSubscriptions;
+    if (publishers + subscriptions == 0) continue;
+    topics.push_back({channel->topic, channel->type, publishers, subscriptions, channel->latchedPublishers > 0});
   }
+  for (const auto& any : anyTypes_) {
+    if (!any->options.relays) topics.push_back({any->topic, std::string(kAnyType), 0, 1});
+  }
+  std::ranges::stable_sort(topics, {}, [](const OwnTopic& topic) { return std::tie(topic.name, topic.type); });
   return topics;
+}
+
+/// Of a subscription that comes (1) or goes (-1), with both mutexes held.
+void Bus::count(Channel& channel, const Inbox& inbox, int change) {
+  (inbox.isAtOnce() ? channel.atOnceCount : channel.inboxCount) += change;
+  channel.subscriptions += change;
+  if (inbox.ownOnly) channel.ownOnlySubscriptions += change;
+  if (!inbox.relays) return;
+  channel.relayingCount += change;
+  channel.relayingSubscriptions += change;
 }
 
 Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
   Inbox& inbox = *owned;
-  ++channel.subscriptions;
   {
     const std::lock_guard inboxesLock(mutex_);
     inboxes_.emplace(&inbox, std::move(owned));
     channel.inboxes.push_back(&inbox);
-    ++(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
+    count(channel, inbox, 1);
     ++channel.inboxesSoFar;
-    if (channel.latched != nullptr) putInto(inbox, channel.latched);
+    const bool isLatched = channel.latched != nullptr && (!inbox.ownOnly || channel.latched->sender == kThisProcess);
+    if (isLatched) putInto(inbox, channel.latched);
   }
   try {
-    openReader(channel);
+    if (!inbox.ownOnly) openReader(channel);
   } catch (...) {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
     std::erase(inboxesWithArrivals_, &inbox);
-    --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
-    --channel.subscriptions;
+    count(channel, inbox, -1);
     inboxes_.erase(&inbox);
     throw;
   }
   if (channel.reader) inbox.lostBefore = channel.reader->lost();
-  ++ownTopicsVersion_;
+  if (!inbox.relays) ++ownTopicsVersion_;
   subscribersChanged_.notify_all();
   arrived_.notify_one();
   return inbox;
@@ -177,15 +222,15 @@ void Bus::endSubscription(Inbox& inbox) {
   const std::lock_guard dispatchLock(dispatching_);
   const std::lock_guard lock(setUp_);
   Channel& channel = inbox.channel();
-  ++ownTopicsVersion_;
-  if (inbox.heardAtOnce) {
+  if (!inbox.relays) ++ownTopicsVersion_;
+  if (inbox.isAtOnce()) {
     const std::lock_guard hearing(channel.hearing);
     std::erase(channel.atOnce, &inbox);
   }
   {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
-    --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
+    count(channel, inbox, -1);
     std::erase(inboxesWithArrivals_, &inbox);
     std::vector<Arrival> unread;
     inbox.moveTo(unread);
@@ -197,8 +242,7 @@ void Bus::endSubscription(Inbox& inbox) {
       inboxes_.erase(&inbox);
     }
   }
-  if (--channel.subscriptions > 0) return;
-  if (channel.reader) {
+  if (channel.reader && channel.subscriptions == channel.ownOnlySubscriptions) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kSubscriber});
     network_->end(std::move(channel.reader));
     // from now on nobody would tell that what another process latched is out of date
@@ -207,9 +251,12 @@ void Bus::endSubscription(Inbox& inbox) {
   eraseIfUnused(channel);
 }
 
-bool Bus::hasSubscribers(const Channel& channel) const {
-  return channel.inboxCount.load(std::memory_order_relaxed) > 0 ||
-         channel.atOnceCount.load(std::memory_order_relaxed) > 0 || (channel.writer && channel.writer->hasReaders());
+bool Bus::hasSubscribers(const PublisherState& publisher) const {
+  const Channel& channel = publisher.channel;
+  const int here = channel.inboxCount.load(std::memory_order_relaxed) +
+                   channel.atOnceCount.load(std::memory_order_relaxed) -
+                   (publisher.options.relays ? channel.relayingCount.load(std::memory_order_relaxed) : 0);
+  return here > 0 || (!publisher.options.ownOnly && channel.writer && channel.writer->hasReaders());
 }
 
 std::uint64_t Bus::newSubscribers(PublisherState& publisher) const {
@@ -219,7 +266,7 @@ std::uint64_t Bus::newSubscribers(PublisherState& publisher) const {
 }
 
 bool Bus::isAwaited(const PublisherState& publisher) const {
-  return publisher.latched || hasSubscribers(publisher.channel);
+  return publisher.options.latched || hasSubscribers(publisher);
 }
 
 void Bus::publish(PublisherState& publisher, const Message& message) {
@@ -251,8 +298,8 @@ void Bus::publish(PublisherState& publisher, const Message& message, const Bulk&
 /// @return Whether others want it than those who hear at once. What these alone hear is counted as sent here.
 bool Bus::isWantedInBytes(PublisherState& publisher) {
   Channel& channel = publisher.channel;
-  if (publisher.latched || channel.inboxCount.load(std::memory_order_relaxed) > 0) return true;
-  if (channel.writer && channel.writer->hasReaders()) return true;
+  if (publisher.options.latched || channel.inboxCount.load(std::memory_order_relaxed) > 0) return true;
+  if (!publisher.options.ownOnly && channel.writer && channel.writer->hasReaders()) return true;
   ++publisher.sent;
   ++channel.sent;
   return false;
@@ -265,22 +312,45 @@ void Bus::hearAtOnce(PublisherState& publisher, const Message& message, const Bu
   // by number, for what is called may end subscriptions, or make some
   for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
     const Inbox& inbox = *channel.atOnce[i];
-    if (inbox.except != &publisher) inbox.heardAtOnce(message, bulk);
+    if (!inbox.hears(publisher)) continue;
+    if (inbox.heardAtOnce) {
+      inbox.heardAtOnce(message, bulk);
+    } else if (bulk != nullptr) {
+      const msgs::BulkWriter writer = *msgs::BulkWriter::of(message, *bulk);
+      inbox.heardBytesAtOnce(writer.size(), [&writer](std::span<std::byte> place) { writer.write(place); });
+    } else {
+      inbox.heardBytesAtOnce(msgs::byteSize(message),
+                             [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); });
+    }
+  }
+}
+
+void Bus::hearBytesAtOnce(PublisherState& publisher, std::span<const std::byte> bytes) {
+  Channel& channel = publisher.channel;
+  if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
+  const std::lock_guard hearing(channel.hearing);
+  const auto copy = [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); };
+  bool isRead = false;
+  for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
+    const Inbox& inbox = *channel.atOnce[i];
+    if (!inbox.hears(publisher)) continue;
+    if (inbox.heardBytesAtOnce) {
+      inbox.heardBytesAtOnce(bytes.size(), copy);
+      continue;
+    }
+    if (!channel.read) channel.read = newMessage(channel.type);
+    if (!isRead && !(channel.read && msgs::parseBytes(bytes, *channel.read))) {
+      complain(channel, kThisProcess, "is no " + channel.type);
+      return;
+    }
+    isRead = true;
+    inbox.heardAtOnce(*channel.read, nullptr);
   }
 }
 
 void Bus::publishBytes(PublisherState& publisher, std::span<const std::byte> bytes) {
   if (!isAwaited(publisher)) return;
-  Channel& channel = publisher.channel;
-  if (channel.atOnceCount.load(std::memory_order_relaxed) > 0) {
-    const std::lock_guard hearing(channel.hearing);
-    if (!channel.read) channel.read = newMessage(channel.type);
-    if (channel.read && msgs::parseBytes(bytes, *channel.read)) {
-      hearAtOnce(publisher, *channel.read, nullptr);
-    } else {
-      complain(channel, kThisProcess, "is no " + channel.type);
-    }
-  }
+  hearBytesAtOnce(publisher, bytes);
   if (!isWantedInBytes(publisher)) return;
   send(publisher, bytes.size(),
        [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); });
@@ -295,9 +365,9 @@ void Bus::send(PublisherState& publisher, std::size_t size, const std::function<
   }
   ++publisher.sent;
   ++channel.sent;
-  const bool latched = publisher.latched;
+  const bool latched = publisher.options.latched;
   const bool here = latched || channel.inboxCount.load(std::memory_order_relaxed) > 0;
-  const bool elsewhere = channel.writer && (latched || channel.writer->hasReaders());
+  const bool elsewhere = !publisher.options.ownOnly && channel.writer && (latched || channel.writer->hasReaders());
   const Keeping keeping = latched ? Keeping::kKept : Keeping::kNone;
   if (!here) {
     if (elsewhere) channel.writer->write(size, fill, keeping);
@@ -340,7 +410,7 @@ void Bus::deliver(Channel& channel, Buffer* buffer, bool latched, const Publishe
   {
     const std::lock_guard lock(mutex_);
     for (Inbox* inbox : channel.inboxes) {
-      if (from != nullptr && (inbox->heardAtOnce || inbox->except == from)) continue;
+      if (from != nullptr ? inbox->isAtOnce() || !inbox->hears(*from) : inbox->ownOnly) continue;
       if (inbox->wants()) putInto(*inbox, buffer);
     }
     if (latched) {
@@ -461,9 +531,9 @@ void Bus::requestArrived() {
   arrived_.notify_one();
 }
 
-bool Bus::waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout) {
+bool Bus::waitForSubscribers(const PublisherState& publisher, std::chrono::nanoseconds timeout) {
   std::unique_lock lock(mutex_);
-  return subscribersChanged_.wait_until(lock, deadlineAfter(timeout), [&] { return hasSubscribers(channel); });
+  return subscribersChanged_.wait_until(lock, deadlineAfter(timeout), [&] { return hasSubscribers(publisher); });
 }
 
 bool Bus::waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout) {

@@ -43,10 +43,15 @@ class Channel {
   const std::string topic;
   const std::string type;
 
-  /// Guarded by the bus's set-up mutex. The writer is there while a publisher is, the reader while a subscription is.
+  /// Guarded by the bus's set-up mutex. The writer is there while a publisher is that speaks to others, the reader
+  /// while a subscription is that hears them.
   int publishers = 0;
   int latchedPublishers = 0;
+  int relayingPublishers = 0;
+  int ownOnlyPublishers = 0;
   int subscriptions = 0;
+  int relayingSubscriptions = 0;
+  int ownOnlySubscriptions = 0;
   std::unique_ptr<Writer> writer;
   std::unique_ptr<Reader> reader;
 
@@ -60,6 +65,8 @@ class Channel {
   std::recursive_mutex hearing;
   std::vector<Inbox*> atOnce;
   std::atomic<int> atOnceCount = 0;
+  /// Those of either kind that relay.
+  std::atomic<int> relayingCount = 0;
   /// What bytes are read into for them, or null.
   MessagePointer read;
 
@@ -88,14 +95,16 @@ class Bus {
 
   /// Types are full names.
   /// @throws std::invalid_argument for a bad topic name; std::runtime_error where DDS refuses.
-  Channel& addPublisher(std::string_view topic, const std::string& type, bool latched);
-  void endPublisher(Channel& channel, bool latched);
+  Channel& addPublisher(std::string_view topic, const std::string& type, const PublisherOptions& options);
+  void endPublisher(Channel& channel, const PublisherOptions& options);
   Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::Received received,
                          const SubscriptionOptions& options);
   Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::ReceivedBytes received,
                          const SubscriptionOptions& options);
   /// Of one that hears at once what is published here.
   Inbox& addSubscription(std::string_view topic, const std::string& type, HeardAtOnce heard,
+                         const SubscriptionOptions& options);
+  Inbox& addSubscription(std::string_view topic, const std::string& type, HeardBytesAtOnce heard,
                          const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
   /// Of one that takes messages of any type.
@@ -105,12 +114,12 @@ class Bus {
   std::vector<OwnTopic> ownTopics();
   std::uint64_t ownTopicsVersion() const { return ownTopicsVersion_.load(std::memory_order_relaxed); }
 
-  bool hasSubscribers(const Channel& channel) const;
+  bool hasSubscribers(const PublisherState& publisher) const;
   std::uint64_t newSubscribers(PublisherState& publisher) const;
   void publish(PublisherState& publisher, const Message& message);
   void publish(PublisherState& publisher, const Message& message, const Bulk& bulk);
   void publishBytes(PublisherState& publisher, std::span<const std::byte> bytes);
-  bool waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout);
+  bool waitForSubscribers(const PublisherState& publisher, std::chrono::nanoseconds timeout);
   bool waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout);
   std::uint64_t received(const Inbox& inbox) const;
   std::uint64_t dropped(const Inbox& inbox) const;
@@ -138,12 +147,18 @@ class Bus {
   }
   /// Does not have the request's function called any more.
   void forgetRequest(std::uint64_t number) { client_.forget(number); }
+  std::vector<OwnService> ownServices() const { return server_.services(); }
+  std::uint64_t ownServicesVersion() const { return server_.version(); }
+  std::uint64_t addGateway(CallElsewhere call) { return client_.addGateway(std::move(call)); }
+  void endGateway(std::uint64_t number) { client_.endGateway(number); }
   std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:
   Channel& channelFor(std::string_view topic, const std::string& type);
   Inbox& addInbox(Channel& channel, std::unique_ptr<Inbox> inbox);
+  Inbox& addHearing(Channel& channel, std::unique_ptr<Inbox> inbox);
+  static void count(Channel& channel, const Inbox& inbox, int change);
   void openReader(Channel& channel);
   void hear(AnyType& any, const std::string& type);
   void publisherFound(const std::string& topic, const std::string& type);
@@ -152,6 +167,7 @@ class Bus {
   bool isWantedInBytes(PublisherState& publisher);
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
   void hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk);
+  void hearBytesAtOnce(PublisherState& publisher, std::span<const std::byte> bytes);
   /// @param from Null for another process's.
   void deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from);
   void putInto(Inbox& inbox, Buffer* buffer);
@@ -203,14 +219,15 @@ class Bus {
 /// A publisher's share in its topic.
 class PublisherState {
  public:
-  PublisherState(Bus& owner, Channel& topic, bool isLatched) : bus(owner), channel(topic), latched(isLatched) {}
-  ~PublisherState() { bus.endPublisher(channel, latched); }
+  PublisherState(Bus& owner, Channel& topic, const PublisherOptions& given)
+      : bus(owner), channel(topic), options(given) {}
+  ~PublisherState() { bus.endPublisher(channel, options); }
   PublisherState(const PublisherState&) = delete;
   PublisherState& operator=(const PublisherState&) = delete;
 
   Bus& bus;
   Channel& channel;
-  const bool latched;
+  const PublisherOptions options;
   std::atomic<std::uint64_t> sent = 0;
   /// Subscribers that it has been told of.
   std::uint64_t knownSubscribers = 0;
@@ -235,6 +252,18 @@ class RequestState {
   ~RequestState() { bus.forgetRequest(number); }
   RequestState(const RequestState&) = delete;
   RequestState& operator=(const RequestState&) = delete;
+
+  Bus& bus;
+  const std::uint64_t number;
+};
+
+/// A gateway's share in its transport.
+class GatewayState {
+ public:
+  GatewayState(Bus& owner, std::uint64_t gateway) : bus(owner), number(gateway) {}
+  ~GatewayState() { bus.endGateway(number); }
+  GatewayState(const GatewayState&) = delete;
+  GatewayState& operator=(const GatewayState&) = delete;
 
   Bus& bus;
   const std::uint64_t number;

@@ -59,6 +59,7 @@ Offer& ServiceServer::add(std::string_view service, std::string_view requestType
     if (!offers_.try_emplace(offer.name, std::move(owned)).second) {
       throw std::invalid_argument("service '" + std::string(service) + "' is offered already");
     }
+    ++version_;
   }
   if (network_ == nullptr) return offer;
   const std::string type = serviceType(offer.requestType, offer.replyType);
@@ -83,6 +84,7 @@ void ServiceServer::end(Offer& offer, bool inDispatch) {
     const auto found = offers_.find(offer.name);
     owned = std::move(found->second);
     offers_.erase(found);
+    ++version_;
     offer.ended = true;
     unanswered.swap(offer.waiting);
   }
@@ -101,6 +103,13 @@ std::optional<std::pair<std::string, std::string>> ServiceServer::typesOf(const 
   const auto found = offers_.find(service);
   if (found == offers_.end()) return std::nullopt;
   return std::pair(found->second->requestType, found->second->replyType);
+}
+
+std::vector<OwnService> ServiceServer::services() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<OwnService> services;
+  for (const auto& [name, offer] : offers_) services.push_back({name, offer->requestType, offer->replyType});
+  return services;
 }
 
 void ServiceServer::wake() {

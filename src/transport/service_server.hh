@@ -81,6 +81,11 @@ class ServiceServer {
   /// @return Request and reply type of a service offered here, or nothing.
   std::optional<std::pair<std::string, std::string>> typesOf(const std::string& service) const;
 
+  /// @return All that are offered here, sorted by name.
+  std::vector<OwnService> services() const;
+  /// @return Another number when one has come or gone.
+  std::uint64_t version() const { return version_.load(std::memory_order_relaxed); }
+
   /// Puts a request of this transport into the queue.
   /// @return False where there is no such service any more or no room.
   bool post(const std::string& service, std::uint64_t call, std::vector<std::byte> message);
@@ -111,6 +116,7 @@ class ServiceServer {
   mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<Offer>> offers_;
   std::uint64_t nextNumber_ = 0;
+  std::atomic<std::uint64_t> version_ = 0;
   std::atomic<bool> waiting_ = false;
 };
 
