@@ -31,12 +31,15 @@ StringMsg textOf(const std::string& content) {
   return message;
 }
 
+constexpr int kQueue = 20;
+
 /// A transport with a bridge, and peers that are other processes.
 class BridgeTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     setenv("IGN_PARTITION", ("bridge_test_" + std::to_string(getpid())).c_str(), 1);
     setenv("IGN_IP", "127.0.0.1", 1);
+    setenv("IGN_TRANSPORT_SNDHWM", std::to_string(kQueue).c_str(), 1);
   }
 
   void step() {
@@ -91,6 +94,29 @@ TEST_F(BridgeTest, LetsGoOfAListenerThatIsKilled) {
   EXPECT_TRUE(stepUntil([&] { return publisher.hasSubscribers(); }));
   listener->kill(SIGKILL);
   EXPECT_TRUE(stepUntil([&] { return !publisher.hasSubscribers(); }));
+}
+
+TEST_F(BridgeTest, HoldsNoMoreThanTheQueueForAListenerThatIsStopped) {
+  Publisher publisher = node_.advertise<ignition::msgs::Image>("/camera");
+  const auto stopped = peer({"listen", "/camera", "ignition.msgs.Image"});
+  const auto other = peer({"listen", "/camera", "ignition.msgs.Image"});
+  constexpr std::size_t kSize = 1 << 20;
+  const Bulk bulk{.size = kSize, .write = [](std::span<std::byte> place) { std::ranges::fill(place, std::byte(1)); }};
+  EXPECT_TRUE(stepUntil([&] {
+    publisher.publish(ignition::msgs::Image(), bulk);
+    return stopped->output().find("heard") != std::string::npos && other->output().find("heard") != std::string::npos;
+  }));
+  stopped->kill(SIGSTOP);
+  for (int i = 0; i < 10 * kQueue; ++i) {
+    publisher.publish(ignition::msgs::Image(), bulk);
+    // what waits for the courier is none of the library's
+    EXPECT_TRUE(stepUntil([] { return Payload::total() < (2 * kQueue + 10) * kSize; }));
+  }
+  EXPECT_TRUE(stepUntil([] { return Payload::total() < (kQueue + 10) * kSize; }));
+  other->kill(SIGINT);
+  EXPECT_TRUE(other->waitForOutput("\\n\\d+\\n"));
+  EXPECT_GT(std::stoi(other->output().substr(other->output().rfind('\n', other->output().size() - 2) + 1)), kQueue);
+  stopped->kill(SIGCONT);
 }
 
 TEST_F(BridgeTest, TellsTheTypeOfEachMessage) {

@@ -69,9 +69,9 @@ void Heartbeats::read() {
   }
 }
 
-bool Heartbeats::isAlive(const std::string& process) const {
+bool Heartbeats::isAlive(const std::string& process, Clock::time_point now) const {
   const auto found = heard_.find(process);
-  return found == heard_.end() || Clock::now() - found->second < kSilence;
+  return found == heard_.end() || now - found->second < kSilence;
 }
 
 }  // namespace pongsim::ign

@@ -10,6 +10,8 @@ namespace pongsim::ign {
 /// killed for listeners forever. For one thread at a time.
 class Heartbeats {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// Listens where this process's discovery does.
   /// @param address At which this process speaks.
   explicit Heartbeats(const std::string& address);
@@ -20,12 +22,10 @@ class Heartbeats {
   /// Takes what has come. Never waits.
   void read();
 
-  /// @return Whether the process with that number has been heard in the last 10 s, or never.
-  bool isAlive(const std::string& process) const;
+  /// @return Whether the process with that number has been heard in the last 10 s, or never at all.
+  bool isAlive(const std::string& process, Clock::time_point now = Clock::now()) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   int socket_ = -1;
   std::map<std::string, Clock::time_point> heard_;
 };

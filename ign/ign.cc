@@ -50,6 +50,8 @@ class Ign final : public System {
       context.log.warning("open to the network of " + place.address + ": anybody there can command it");
     }
     bridge_.emplace(context.node, context.log, place.address);
+    // its own socket there, too
+    if (!place.isOpen) closeDiscoveryToOthers();
   }
 
   void preUpdate(const StepInfo&) override {
