@@ -180,6 +180,8 @@ struct OwnTopic {
   int subscriptions = 0;
   /// Whether one of the publishers keeps the last message for who comes later.
   bool isLatched = false;
+  /// Publishers that relay, which are not among those above.
+  int relayingPublishers = 0;
   bool operator==(const OwnTopic&) const = default;
 };
 

@@ -178,10 +178,12 @@ std::vector<OwnTopic> Bus::ownTopics(const DispatchQueue& queue) {
     const int publishers = users.publishers - users.relayingPublishers;
     const int subscriptions = users.subscriptions - users.relayingSubscriptions;
     if (publishers + subscriptions == 0) continue;
-    topics.push_back({channel->topic, channel->type, publishers, subscriptions, users.latchedPublishers > 0});
+    topics.push_back({channel->topic, channel->type, publishers, subscriptions, users.latchedPublishers > 0,
+                      users.relayingPublishers});
   }
   for (const auto& any : anyTypes_) {
-    if (any->queue == &queue && !any->options.relays) topics.push_back({any->topic, std::string(kAnyType), 0, 1});
+    if (any->queue == &queue && !any->options.relays)
+      topics.push_back({any->topic, std::string(kAnyType), 0, 1, false, 0});
   }
   std::ranges::stable_sort(topics, {}, [](const OwnTopic& topic) { return std::tie(topic.name, topic.type); });
   return topics;
