@@ -24,6 +24,7 @@
 #include "sim/light_edits.hh"
 #include "sim/model_edits.hh"
 #include "sim/saved_state.hh"
+#include "sim/server_config.hh"
 #include "sim/system_set.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -131,13 +132,14 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
     diagnostics.warning(world.position, "world '" + world.name + "' has no levels: all of it is loaded",
                         "they stand in a <plugin filename=\"dummy\" name=\"gz::sim\"> of the world");
   }
+  const bool isConfigured = options.loadSystems && sim::applyServerConfig(world, diagnostics);
   auto parts = std::make_unique<Parts>(std::move(world), options);
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
     parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict);
     parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, options.systems, diagnostics);
+    parts->systems->load(parts->description, isConfigured, options.systems, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();
@@ -294,9 +296,7 @@ std::optional<std::string> Simulation::setStepSize(Time size) {
   return std::nullopt;
 }
 
-std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
-  return world().setRealTimeFactor(factor);
-}
+std::optional<std::string> Simulation::setRealTimeFactor(double factor) { return world().setRealTimeFactor(factor); }
 
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   sim::Editor(parts_->access).reset();
