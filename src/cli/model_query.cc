@@ -49,6 +49,7 @@ int ModelQuery::run() {
   const std::optional<std::string> world = findWorld(transport_, signal_, options_.world, options_.timeout);
   if (!world) return kFailed;
   world_ = *world;
+  if (options_.namesWorld && !print("\nRequesting state for world [" + world_ + "]...\n\n")) return kFailed;
   signal_.onStop([this] { transport_.wake(); });
   std::optional<int> code;
   auto next = std::chrono::steady_clock::now();

@@ -14,6 +14,8 @@
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
 #include "cli/extension.hh"
+#include "cli/fortress_environment.hh"
+#include "cli/fortress_run_options.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/offline_option.hh"
@@ -40,6 +42,7 @@ struct RunCommandOptions {
   bool levels = false;
   /// Of extensions.
   std::vector<Element> systems;
+  FortressRunOptions fortress;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -67,8 +70,15 @@ std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   return text + (options.paused ? ", paused" : "");
 }
 
+/// Says which of what Fortress hears changes nothing.
+void warnOfUnheard(const FortressRunOptions& options) {
+  for (const std::string& sentence : options.check()) say("warning: " + sentence);
+  for (const std::string& sentence : unheardVariables()) say("warning: " + sentence);
+}
+
 int runWorld(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
+  if (options.verbosity >= LogLevel::kWarning) warnOfUnheard(options.fortress);
   base::reportCrashes();
   StopSignal signal;
   Transport transport;
@@ -111,6 +121,7 @@ int runWorld(const RunCommandOptions& options) {
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   if (options.world.empty()) throw UsageError("no world file given", "pongsim run WORLD");
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
+  options.fortress.check();
   work = [&options] { return runWorld(options); };
 }
 
@@ -158,6 +169,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
   addNetworkOption(*command);
   addOfflineOption(*command);
+  options->fortress.addTo(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"
