@@ -15,6 +15,8 @@
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
 #include "cli/extension.hh"
+#include "cli/fortress_environment.hh"
+#include "cli/fortress_run_options.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/offline_option.hh"
@@ -46,6 +48,7 @@ struct RunCommandOptions {
   bool levels = false;
   /// Of extensions.
   std::vector<Element> systems;
+  FortressRunOptions fortress;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -124,8 +127,15 @@ bool printHashes(const Worlds& worlds) {
   return print(text);
 }
 
+/// Says which of what Fortress hears changes nothing.
+void warnOfUnheard(const FortressRunOptions& options) {
+  for (const std::string& sentence : options.check()) say("warning: " + sentence);
+  for (const std::string& sentence : unheardVariables()) say("warning: " + sentence);
+}
+
 int runWorlds(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
+  if (options.verbosity >= LogLevel::kWarning) warnOfUnheard(options.fortress);
   base::reportCrashes();
   StopSignal signal;
   Transport transport;
@@ -157,6 +167,7 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
     throw UsageError("option '-w' chooses a world of a file, and no file is given", "pongsim run FILE -w WORLD");
   }
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
+  options.fortress.check();
   work = [&options] { return runWorlds(options); };
 }
 
@@ -214,6 +225,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
   addNetworkOption(*command);
   addOfflineOption(*command);
+  options->fortress.addTo(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"

@@ -24,6 +24,7 @@
 #include "sim/light_edits.hh"
 #include "sim/model_edits.hh"
 #include "sim/saved_state.hh"
+#include "sim/server_config.hh"
 #include "sim/shared_topics.hh"
 #include "sim/system_set.hh"
 #include "sim/world_place.hh"
@@ -193,13 +194,14 @@ std::unique_ptr<Simulation> Simulation::Parts::make(description::World world, co
     diagnostics.warning(world.position, "world '" + world.name + "' has no levels: all of it is loaded",
                         "they stand in a <plugin filename=\"dummy\" name=\"gz::sim\"> of the world");
   }
+  const bool isConfigured = options.loadSystems && sim::applyServerConfig(world, diagnostics);
   auto parts = std::make_unique<Parts>(std::move(world), options, sharesTransport);
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
     parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict, place);
     parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, options.systems, diagnostics);
+    parts->systems->load(parts->description, isConfigured, options.systems, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();

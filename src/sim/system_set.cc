@@ -71,8 +71,9 @@ SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, st
 
 SystemSet::~SystemSet() = default;
 
-void SystemSet::load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics) {
-  loadWorldPlugins(world, added, diagnostics);
+void SystemSet::load(const description::World& world, bool isConfigured, const std::vector<Element>& added,
+                     Diagnostics& diagnostics) {
+  loadWorldPlugins(world, isConfigured, added, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
   for (const world::ActorRecord& actor : access_.entities.actors()) {
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
@@ -81,11 +82,11 @@ void SystemSet::load(const description::World& world, const std::vector<Element>
   collectAwake();
 }
 
-void SystemSet::loadWorldPlugins(const description::World& world, const std::vector<Element>& added,
+void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigured, const std::vector<Element>& added,
                                  Diagnostics& diagnostics) {
   std::vector<description::Plugin> more = pluginsOf(added);
   const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
-  if (std::ranges::none_of(world.plugins, isSystem)) {
+  if (!isConfigured && std::ranges::none_of(world.plugins, isSystem)) {
     add(defaultSceneBroadcaster_, 0, {}, diagnostics);
     for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, diagnostics);
     return;
@@ -104,7 +105,9 @@ void SystemSet::loadWorldPlugins(const description::World& world, const std::vec
     }
   }
   if (!wantsPhysics_) {
-    diagnostics.warning(world.position, "world '" + world.name + "' lists systems, but not physics: nothing will move",
+    const std::string who = isConfigured ? "the server config file has no physics for world '" + world.name + "'"
+                                         : "world '" + world.name + "' lists systems, but not physics";
+    diagnostics.warning(world.position, who + ": nothing will move",
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }

@@ -37,8 +37,10 @@ class SystemSet {
   /// Makes and configures the systems that the world asks for: its own plugins in the order of the file, then each
   /// model's. A world that lists none gets those that Fortress's servers have by default. A system that can't use its
   /// parameters is left out with a warning, as in Fortress, and the rest of the world runs.
+  /// @param isConfigured A server config file says which there are: none are there by default.
   /// @param added `<plugin>` elements of systems beside them.
-  void load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
+  void load(const description::World& world, bool isConfigured, const std::vector<Element>& added,
+            Diagnostics& diagnostics);
 
   /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.
   bool wantsPhysics() const { return wantsPhysics_; }
@@ -75,7 +77,8 @@ class SystemSet {
   void postUpdate(const StepInfo& info);
 
  private:
-  void loadWorldPlugins(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
+  void loadWorldPlugins(const description::World& world, bool isConfigured, const std::vector<Element>& added,
+                        Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
   /// What a `<plugin>` stands in: a model, an actor, or where it is neither the world.
