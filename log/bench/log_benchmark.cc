@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/log.hh"
 #include "pongsim/simulation.hh"
 #include "support/temp_folder.hh"
 

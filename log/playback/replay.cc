@@ -56,7 +56,12 @@ void Replay::editModels() {
       recorded.insert(name);
       if (world_.model(name)) continue;
       try {
-        edits_.insertText(modelText(state_, model, files_), "recorded model '" + name + "'", {});
+        edits_.insertText(modelText(state_, model, files_), "recorded model '" + name + "'", {},
+                          [this, name](const Outcome<Model>& made) {
+                            // one that was asked for before has come
+                            if (!made && !world_.model(name))
+                              log_.warning("model '" + name + "' can't be made: " + made.error);
+                          });
       } catch (const Failure& why) {
         log_.warning("model '" + name + "' is left out: " + why.what());
       }

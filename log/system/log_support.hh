@@ -31,7 +31,8 @@ inline std::string pendulum(const std::string& name, const std::string& pose) {
   return "<model name='" + name + "'><pose>" + pose + "</pose><link name='top'>" + shape +
          "</link><link name='arm'><pose>0 0.3 0 0 0 0</pose>" + shape +
          "</link><joint name='hold' type='fixed'><parent>world</parent><child>top</child></joint>"
-         "<joint name='hinge' type='revolute'><parent>top</parent><child>arm</child><axis><xyz>1 0 0</xyz></axis>"
+         "<joint name='hinge' type='revolute'><pose "
+         "relative_to='top'/><parent>top</parent><child>arm</child><axis><xyz>1 0 0</xyz></axis>"
          "</joint></model>";
 }
 

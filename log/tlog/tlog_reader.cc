@@ -3,6 +3,8 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <string>
@@ -40,6 +42,12 @@ std::string uriOf(const fs::path& file, const char* parameters) {
   return uri + "?" + parameters;
 }
 
+void readSchema(const Database& database) {
+  // a file that is shorter than it says is then read as far as it goes
+  sqlite3_db_config(database.handle(), SQLITE_DBCONFIG_WRITABLE_SCHEMA, 1, nullptr);
+  database.run("SELECT COUNT(*) FROM sqlite_master");
+}
+
 /// Opens a file that need not be writable, nor its folder.
 std::unique_ptr<Database> openDatabase(const fs::path& file) {
   std::error_code error;
@@ -49,19 +57,25 @@ std::unique_ptr<Database> openDatabase(const fs::path& file) {
   }
   try {
     auto database = std::make_unique<Database>(uriOf(file, "mode=ro"), file, Database::Access::kRead);
-    database->run("SELECT COUNT(*) FROM sqlite_master");
+    readSchema(*database);
     return database;
   } catch (const Failure&) {
     // what another process would have to mend first, in a folder where nothing can be written: as far as it is there
     auto database = std::make_unique<Database>(uriOf(file, "mode=ro&immutable=1"), file, Database::Access::kRead);
-    database->run("SELECT COUNT(*) FROM sqlite_master");
+    readSchema(*database);
     return database;
   }
 }
 
-std::int64_t pragma(const Database& database, const char* text) {
-  Statement statement(database, text);
-  return statement.step() ? statement.number(0) : 0;
+/// @return The size of a database by its own header (SQLite's file format, 1.3) [bytes].
+std::int64_t sizeByHeader(const fs::path& file) {
+  std::array<unsigned char, 32> header{};
+  std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(header.data()), header.size());
+  const std::int64_t page = header[16] << 8 | header[17];
+  std::int64_t count = 0;
+  for (std::size_t i = 28; i < 32; ++i) count = count << 8 | header[i];
+  // 1 stands for what two bytes can't have
+  return count * (page == 1 ? 65536 : page);
 }
 
 }  // namespace
@@ -81,7 +95,7 @@ struct TlogReader::Parts {
   void lookForTears(const fs::path& file) {
     std::error_code error;
     const auto size = static_cast<std::int64_t>(fs::file_size(file, error));
-    const std::int64_t whole = pragma(*database, "PRAGMA page_count") * pragma(*database, "PRAGMA page_size");
+    const std::int64_t whole = sizeByHeader(file);
     const auto hasBeside = [&](const char* suffix) {
       return fs::exists(file.string() + suffix, error) && fs::file_size(file.string() + suffix, error) > 0;
     };
