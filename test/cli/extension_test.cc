@@ -85,6 +85,32 @@ TEST_F(ExtensionTest, AnOptionWithoutAValueMaySetOne) {
   EXPECT_EQ(systems[0].child("all")->text, "false");
 }
 
+TEST_F(ExtensionTest, AnOptionMayBringTheWorldAndASystemOfItsOwn) {
+  const Extension extension = read(R"({
+    "run": {"system": {"filename": "x", "name": "X"},
+            "options": [{"option": "--keep", "help": "", "element": "a", "sets": "1",
+                         "implies": [{"element": "b", "sets": "2"}]},
+                        {"option": "--play", "value": "PATH", "help": "", "element": "path",
+                         "system": {"filename": "x", "name": "Y"}, "excludes": ["--keep"],
+                         "world": {"program": "pongsim-x", "arguments": ["world"]}}]}})");
+  const auto parse = [&](const char* arguments) {
+    CLI::App command("", "run");
+    RunAdditions additions;
+    addRunOptions(command, extension, additions);
+    command.parse(arguments);
+    return additions;
+  };
+  const RunAdditions kept = parse("--keep");
+  EXPECT_EQ(kept.systems.at(0).child("b")->text, "2");
+  EXPECT_FALSE(kept.world);
+  const RunAdditions played = parse("--play rec");
+  EXPECT_EQ(played.systems.at(0).attribute("name")->value, "Y");
+  EXPECT_EQ(played.worldOption, "--play");
+  EXPECT_EQ(played.world->program, "pongsim-x");
+  EXPECT_EQ(played.world->arguments, (std::vector<std::string>{"world", "rec"}));
+  EXPECT_THROW(parse("--keep --play rec"), CLI::ExcludesError);
+}
+
 TEST_F(ExtensionTest, AnOptionWithASettingAsksForItToo) { EXPECT_EQ(systemsOf("--x-topic /a").size(), 1U); }
 
 }  // namespace
