@@ -1,4 +1,4 @@
-#include "msgs/field_path.hh"
+#include "pongsim/field_path.hh"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -10,7 +10,7 @@
 
 #include "base/nearest_word.hh"
 
-namespace pongsim::msgs {
+namespace pongsim {
 
 namespace {
 
@@ -31,7 +31,7 @@ Word split(std::string_view word) {
   return {word.substr(0, open), word.substr(open + 1, word.size() - open - 2)};
 }
 
-std::string didYouMean(std::string_view name, const Descriptor& type) {
+std::string nearField(std::string_view name, const Descriptor& type) {
   std::vector<std::string_view> names;
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
   return base::didYouMean(name, names);
@@ -90,15 +90,20 @@ void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vect
 }  // namespace
 
 std::optional<FieldPath> FieldPath::parse(const std::string& type, std::string_view path, MessageError& error) {
+  if (const Descriptor* descriptor = descriptorOf(type)) return parse(*descriptor, path, error);
+  error = {1, 1, "unknown message type '" + type + "'", ""};
+  return std::nullopt;
+}
+
+std::optional<FieldPath> FieldPath::parse(const Descriptor& type, std::string_view path, MessageError& error) {
   FieldPath result;
   result.text_ = path;
-  const Descriptor* owner = descriptorOf(type);
+  const Descriptor* owner = &type;
   std::size_t begin = 0;
   const auto refuse = [&](std::string message, std::string hint = {}) {
     error = {1, static_cast<int>(begin) + 1, std::move(message), std::move(hint)};
     return std::nullopt;
   };
-  if (owner == nullptr) return refuse("unknown message type '" + type + "'");
   for (bool isLast = false; !isLast;) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
     isLast = end == path.size();
@@ -107,7 +112,7 @@ std::optional<FieldPath> FieldPath::parse(const std::string& type, std::string_v
     if (owner == nullptr) return refuse("there is no " + quoted + " in " + result.steps_.back().field->full_name());
     const FieldDescriptor* field = owner->FindFieldByName(std::string(word.name));
     if (field == nullptr) {
-      return refuse("field " + quoted + " is not in " + owner->full_name(), didYouMean(word.name, *owner));
+      return refuse("field " + quoted + " is not in " + owner->full_name(), nearField(word.name, *owner));
     }
     Step step{field};
     if (word.index) {
@@ -170,11 +175,16 @@ std::optional<std::string> FieldPath::valueIn(const Message& message) const {
   return "[" + list + "]";
 }
 
-std::vector<std::string> scalarPaths(const std::string& type) {
+std::vector<std::string> scalarPaths(const Descriptor& type) {
   std::vector<std::string> paths;
   std::vector<const Descriptor*> open;
-  if (const Descriptor* descriptor = descriptorOf(type)) addScalarPaths(*descriptor, "", open, paths);
+  addScalarPaths(type, "", open, paths);
   return paths;
 }
 
-}  // namespace pongsim::msgs
+std::vector<std::string> scalarPaths(const std::string& type) {
+  const Descriptor* descriptor = descriptorOf(type);
+  return descriptor == nullptr ? std::vector<std::string>() : scalarPaths(*descriptor);
+}
+
+}  // namespace pongsim
