@@ -28,6 +28,9 @@ class Runner;
 struct SimulationOptions {
   /// Where all random numbers of the run come from.
   std::uint64_t seed = 0;
+  /// Let physics move the bodies. Without it they stay where systems put them (`StatePlayer`), whatever the world
+  /// lists, and time may be set (`Simulation::setTime`).
+  bool physics = true;
   /// Load the systems that the world's plugins ask for; without them there are bodies, joints and gravity only.
   bool loadSystems = true;
   /// A system that throws, or gives a command that makes no sense, ends the step with an exception that names it, in
@@ -130,6 +133,12 @@ class PONGSIM_API Simulation {
   /// `reset` is called. What is wrong with the systems that come back is added to `diagnostics`.
   /// @param seed Where all random numbers come from then, as `SimulationOptions::seed`. Unset: from where they did.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed = std::nullopt);
+
+  /// Goes to another simulated time, later or earlier, in a world whose physics rests: the systems' `reset` is called,
+  /// and who plays a recording puts all where it has it at that time, in the next step, paused or not.
+  /// @param time From zero on.
+  /// @return Why not, or nothing.
+  std::optional<std::string> setTime(Time time);
 
   /// @return All that the next steps depend on: time, poses, velocities, joints and what drives them, points of contact
   /// with their forces, step size, gravity, random streams, and what the systems remember, as far as they tell it

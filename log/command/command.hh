@@ -18,5 +18,7 @@ using Work = std::function<int()>;
 using AddAction = void (*)(CLI::App& program, Work& work);
 
 // Each stands in the list in main.cc, too, and in share/log.json for help and completion.
+void addPlaybackAction(CLI::App& program, Work& work);
+void addWorldAction(CLI::App& program, Work& work);
 
 }  // namespace pongsim::log

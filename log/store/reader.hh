@@ -40,7 +40,7 @@ class Reader {
  public:
   virtual ~Reader() = default;
 
-  /// @return Sorted by name, then by type.
+  /// @return Sorted by name, then by type. It may have to go through all of the file to count.
   virtual std::vector<Topic> topics() const = 0;
 
   /// @return Nothing of a log without records.

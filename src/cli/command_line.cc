@@ -74,6 +74,12 @@ UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
   if (!extras.empty()) return UsageError("unexpected argument '" + extras.front() + "'");
 
   const std::string said = error.what();
+  constexpr std::string_view kExcludes = " excludes ";
+  if (const std::size_t place = said.find(kExcludes);
+      place != std::string::npos && dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+    return UsageError("options '" + said.substr(0, place) + "' and '" + said.substr(place + kExcludes.size()) +
+                      "' exclude each other");
+  }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) {
     return UsageError(said, helpFor(command) + " tells more");
   }

@@ -14,6 +14,7 @@
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
 #include "cli/extension.hh"
+#include "cli/extension_world.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/offline_option.hh"
@@ -39,7 +40,7 @@ struct RunCommandOptions {
   bool strict = false;
   bool levels = false;
   /// Of extensions.
-  std::vector<Element> systems;
+  RunAdditions additions;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -67,26 +68,36 @@ std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   return text + (options.paused ? ", paused" : "");
 }
 
+/// @return Null where there was an error, which is in `diagnostics` or has been said.
+std::unique_ptr<Simulation> load(const RunCommandOptions& options, Transport& transport, Diagnostics& diagnostics) {
+  const RunAdditions& additions = options.additions;
+  const SimulationOptions how{.seed = options.seed,
+                              .physics = !additions.world,
+                              .strict = options.strict,
+                              .threads = options.threads,
+                              .levels = options.levels,
+                              .transport = &transport,
+                              .systems = additions.systems};
+  if (additions.world) {
+    const std::optional<std::string> text = printedWorld(*additions.world);
+    return text ? Simulation::fromText(*text, additions.world->arguments.back(), how, diagnostics) : nullptr;
+  }
+  const std::optional<std::filesystem::path> file = fetchWorldFile(options.world, diagnostics);
+  return file ? Simulation::fromFile(*file, how, diagnostics) : nullptr;
+}
+
 int runWorld(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
   base::reportCrashes();
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::optional<std::filesystem::path> file = fetchWorldFile(options.world, diagnostics);
-  const std::unique_ptr<Simulation> simulation = !file ? nullptr
-                                                       : Simulation::fromFile(*file,
-                                                                              {.seed = options.seed,
-                                                                               .strict = options.strict,
-                                                                               .threads = options.threads,
-                                                                               .levels = options.levels,
-                                                                               .transport = &transport,
-                                                                               .systems = options.systems},
-                                                                              diagnostics);
+  const std::unique_ptr<Simulation> simulation = load(options, transport, diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) {
     const auto errors = std::ranges::count(diagnostics.all(), Severity::kError, &Diagnostic::severity);
+    if (errors == 0) return kFailed;
     say(std::to_string(errors) + (errors == 1 ? " error" : " errors"));
     return kFailed;
   }
@@ -109,7 +120,12 @@ int runWorld(const RunCommandOptions& options) {
 }
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
-  if (options.world.empty()) throw UsageError("no world file given", "pongsim run WORLD");
+  const std::string& worldOption = options.additions.worldOption;
+  if (options.world.empty() && worldOption.empty()) throw UsageError("no world file given", "pongsim run WORLD");
+  if (!options.world.empty() && !worldOption.empty()) {
+    throw UsageError("a world file and option '" + worldOption + "' exclude each other",
+                     "the option has the world: leave out '" + options.world + "'");
+  }
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
   work = [&options] { return runWorld(options); };
 }
@@ -123,8 +139,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
                    "World file, or one with a model: a path, or a name in the folders of\n"
                    "PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH\n"
                    "or in pongsim's own; or the address of one on a Fuel server")
-      ->type_name("")
-      ->required();
+      ->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
@@ -163,7 +178,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
-  for (const Extension& extension : extensions) addRunOptions(*command, extension, options->systems);
+  for (const Extension& extension : extensions) addRunOptions(*command, extension, options->additions);
   command->callback([options, &work] { checkAndSchedule(*options, work); });
 }
 

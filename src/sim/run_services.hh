@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "pongsim/log.hh"
@@ -15,8 +17,9 @@ class Simulation;
 
 namespace pongsim::sim {
 
-/// What others may ask of a run: `/world/W/control`, `/gazebo/worlds`, `/server_control`, and what `EditServices` and
-/// `ResourceServices` offer. Requests are met from within `Transport::dispatch`, and must be in between two steps.
+/// What others may ask of a run: `/world/W/control`, `/world/W/playback/control`, `/gazebo/worlds`, `/server_control`,
+/// and what `EditServices` and `ResourceServices` offer. Requests are met from within `Transport::dispatch`, and must
+/// be in between two steps.
 class RunServices {
  public:
   /// @param stop Ends the run. All references must outlive it.
@@ -24,6 +27,8 @@ class RunServices {
 
  private:
   ServiceAnswer controlWorld(const msgs::WorldControl& asked);
+  ServiceAnswer controlPlayback(const msgs::PlaybackControl& asked);
+  ServiceAnswer reset(std::optional<std::uint64_t> seed);
   ServiceAnswer controlServer(const msgs::ServerControl& asked);
 
   Simulation& simulation_;
@@ -31,6 +36,7 @@ class RunServices {
   std::function<void()> stop_;
   Logger log_{"run"};
   Service worldControl_;
+  Service playbackControl_;
   Service worlds_;
   Service serverControl_;
   EditServices edits_;

@@ -51,7 +51,8 @@ struct Simulation::Parts {
         state(entities),
         engine(entities, settingsFor(description.physics, options)),
         access{entities, state, engine},
-        edits(access, places) {
+        edits(access, places),
+        wantsPhysics(options.physics) {
     if (options.transport == nullptr) ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
     transport = options.transport != nullptr ? options.transport : &*ownTransport;
   }
@@ -72,6 +73,7 @@ struct Simulation::Parts {
   }
   void stepEngine(Time dt);
 
+  bool hasPhysics() const { return wantsPhysics && (!systems || systems->wantsPhysics()); }
   StepInfo nextStep(Time dt) const {
     const bool paused = dt == Time::zero();
     return {state.time + dt, dt, state.iterations + (paused ? 0 : 1), paused};
@@ -88,6 +90,7 @@ struct Simulation::Parts {
   std::optional<Transport> ownTransport;
   Transport* transport = nullptr;
   std::optional<sim::SystemSet> systems;
+  const bool wantsPhysics;
   /// Links of which it was said that they turn too fast.
   std::set<LinkId> slowedDown;
 };
@@ -137,7 +140,7 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
   if (options.loadSystems) {
     parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict);
     parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, options.systems, diagnostics);
+    parts->systems->load(parts->description, options, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();
@@ -192,7 +195,7 @@ void Simulation::advance(Time dt) {
     parts.systems->update(info);
   }
   if (!info.paused) {
-    if (!parts.systems || parts.systems->wantsPhysics()) parts.stepEngine(info.dt);
+    if (parts.hasPhysics()) parts.stepEngine(info.dt);
     parts.state.time = info.time;
     parts.state.iterations = info.iteration;
   }
@@ -294,9 +297,7 @@ std::optional<std::string> Simulation::setStepSize(Time size) {
   return std::nullopt;
 }
 
-std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
-  return world().setRealTimeFactor(factor);
-}
+std::optional<std::string> Simulation::setRealTimeFactor(double factor) { return world().setRealTimeFactor(factor); }
 
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   sim::Editor(parts_->access).reset();
@@ -304,6 +305,15 @@ void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> se
   if (parts_->systems) parts_->systems->reset(diagnostics, seed);
   parts_->updateLevels();
   parts_->announceChanges();
+}
+
+std::optional<std::string> Simulation::setTime(Time time) {
+  if (parts_->hasPhysics()) return "the world is simulated, not played: there is nothing to seek in";
+  if (time < Time::zero()) return "there is nothing before time zero";
+  parts_->state.time = time;
+  parts_->state.iterations = static_cast<std::uint64_t>(time / stepSize());
+  if (parts_->systems) parts_->systems->jump();
+  return std::nullopt;
 }
 
 std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }

@@ -38,10 +38,10 @@ class ExtensionTest : public testing::Test {
 
   std::vector<Element> systemsOf(const std::string& arguments) {
     CLI::App command("", "run");
-    std::vector<Element> systems;
-    addRunOptions(command, read(kDescriptor), systems);
+    RunAdditions additions;
+    addRunOptions(command, read(kDescriptor), additions);
     command.parse(arguments);
-    return systems;
+    return additions.systems;
   }
 
   test::TempFolder folder_;
@@ -49,7 +49,7 @@ class ExtensionTest : public testing::Test {
 
 TEST_F(ExtensionTest, IsReadFromItsDescriptor) {
   const Extension extension = read(kDescriptor);
-  EXPECT_EQ(extension.systemFile, "pongsim-x-system");
+  EXPECT_EQ(extension.system.file, "pongsim-x-system");
   ASSERT_EQ(extension.runOptions.size(), 4U);
   EXPECT_TRUE(extension.runOptions[3].isRepeated);
   ASSERT_TRUE(extension.command.has_value());
