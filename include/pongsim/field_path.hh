@@ -54,7 +54,7 @@ class PONGSIM_API FieldPath {
 };
 
 /// @return The paths of all single numbers, texts and booleans in messages of that type, in the order of the
-/// definition, with lists and the headers of inner messages left out.
+/// definition, with lists and the headers of inner messages left out; of the first 100,000 fields.
 PONGSIM_API std::vector<std::string> scalarPaths(const std::string& type);
 PONGSIM_API std::vector<std::string> scalarPaths(const google::protobuf::Descriptor& type);
 

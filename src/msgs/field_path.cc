@@ -19,6 +19,8 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Reflection;
 using google::protobuf::TextFormat;
 
+constexpr int kMostFields = 100'000;
+
 /// One name of a path and the index in brackets behind it.
 struct Word {
   std::string_view name;
@@ -67,8 +69,10 @@ double numberAt(const Message& owner, const FieldDescriptor& field, int index) {
   return value;
 }
 
+/// @param budget So many fields are looked at: a type that somebody made up can have more of them than there is time
+/// for.
 void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vector<const Descriptor*>& open,
-                    std::vector<std::string>& paths) {
+                    int& budget, std::vector<std::string>& paths) {
   // a type within itself has no end
   if (std::find(open.begin(), open.end(), &type) != open.end()) return;
   open.push_back(&type);
@@ -77,9 +81,10 @@ void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vect
     // Fortress leaves the headers of inner messages empty
     const bool isInnerHeader = !prefix.empty() && field.name() == "header";
     if (field.is_repeated() || isInnerHeader) continue;
+    if (--budget < 0) break;
     const std::string path = prefix + field.name();
     if (field.message_type() != nullptr) {
-      addScalarPaths(*field.message_type(), path + ".", open, paths);
+      addScalarPaths(*field.message_type(), path + ".", open, budget, paths);
     } else {
       paths.push_back(path);
     }
@@ -178,7 +183,8 @@ std::optional<std::string> FieldPath::valueIn(const Message& message) const {
 std::vector<std::string> scalarPaths(const Descriptor& type) {
   std::vector<std::string> paths;
   std::vector<const Descriptor*> open;
-  addScalarPaths(type, "", open, paths);
+  int budget = kMostFields;
+  addScalarPaths(type, "", open, budget, paths);
   return paths;
 }
 
