@@ -20,5 +20,9 @@ using AddAction = void (*)(CLI::App& program, Work& work);
 // Each stands in the list in main.cc, too, and in share/log.json for help and completion.
 void addPlaybackAction(CLI::App& program, Work& work);
 void addWorldAction(CLI::App& program, Work& work);
+void addConvertAction(CLI::App& program, Work& work);
+void addExportAction(CLI::App& program, Work& work);
+void addInfoAction(CLI::App& program, Work& work);
+void addRecordAction(CLI::App& program, Work& work);
 
 }  // namespace pongsim::log

@@ -108,6 +108,8 @@ int workOf(int argc, char** argv, std::span<const AddAction> actions) {
 int run(int argc, char** argv, std::span<const AddAction> actions) {
   // a reader that goes away is seen where the writing is done
   std::signal(SIGPIPE, SIG_IGN);
+  // as is a limit on the size of files
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return workOf(argc, argv, actions);
   } catch (const UsageError& error) {

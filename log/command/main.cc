@@ -5,8 +5,8 @@
 namespace {
 
 constexpr pongsim::log::AddAction kActions[] = {
-    pongsim::log::addPlaybackAction,
-    pongsim::log::addWorldAction,
+    pongsim::log::addRecordAction, pongsim::log::addInfoAction,     pongsim::log::addConvertAction,
+    pongsim::log::addExportAction, pongsim::log::addPlaybackAction, pongsim::log::addWorldAction,
 };
 
 }  // namespace
