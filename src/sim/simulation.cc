@@ -24,6 +24,7 @@
 #include "sim/light_edits.hh"
 #include "sim/model_edits.hh"
 #include "sim/saved_state.hh"
+#include "sim/server_config.hh"
 #include "sim/shared_topics.hh"
 #include "sim/system_set.hh"
 #include "sim/world_place.hh"
@@ -53,7 +54,8 @@ struct Simulation::Parts {
         state(entities),
         engine(entities, settingsFor(description.physics, options)),
         access{entities, state, engine},
-        edits(access, places) {
+        edits(access, places),
+        wantsPhysics(options.physics) {
     if (options.transport == nullptr) {
       ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
     } else if (sharesTransport) {
@@ -81,6 +83,7 @@ struct Simulation::Parts {
   }
   void stepEngine(Time dt);
 
+  bool hasPhysics() const { return wantsPhysics && (!systems || systems->wantsPhysics()); }
   StepInfo nextStep(Time dt) const {
     const bool paused = dt == Time::zero();
     return {state.time + dt, dt, state.iterations + (paused ? 0 : 1), paused};
@@ -97,6 +100,7 @@ struct Simulation::Parts {
   std::optional<Transport> ownTransport;
   Transport* transport = nullptr;
   std::optional<sim::SystemSet> systems;
+  const bool wantsPhysics;
   /// Links of which it was said that they turn too fast.
   std::set<LinkId> slowedDown;
 };
@@ -193,13 +197,14 @@ std::unique_ptr<Simulation> Simulation::Parts::make(description::World world, co
     diagnostics.warning(world.position, "world '" + world.name + "' has no levels: all of it is loaded",
                         "they stand in a <plugin filename=\"dummy\" name=\"gz::sim\"> of the world");
   }
+  const bool isConfigured = options.loadSystems && sim::applyServerConfig(world, diagnostics);
   auto parts = std::make_unique<Parts>(std::move(world), options, sharesTransport);
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
     parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict, place);
     parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, options.systems, diagnostics);
+    parts->systems->load(parts->description, isConfigured, options, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();
@@ -280,7 +285,7 @@ void Simulation::advance(Time dt) {
     parts.systems->update(info);
   }
   if (!info.paused) {
-    if (!parts.systems || parts.systems->wantsPhysics()) parts.stepEngine(info.dt);
+    if (parts.hasPhysics()) parts.stepEngine(info.dt);
     parts.state.time = info.time;
     parts.state.iterations = info.iteration;
   }
@@ -390,6 +395,15 @@ void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> se
   if (parts_->systems) parts_->systems->reset(diagnostics, seed);
   parts_->updateLevels();
   parts_->announceChanges();
+}
+
+std::optional<std::string> Simulation::setTime(Time time) {
+  if (parts_->hasPhysics()) return "the world is simulated, not played: there is nothing to seek in";
+  if (time < Time::zero()) return "there is nothing before time zero";
+  parts_->state.time = time;
+  parts_->state.iterations = static_cast<std::uint64_t>(time / stepSize());
+  if (parts_->systems) parts_->systems->jump();
+  return std::nullopt;
 }
 
 std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }
