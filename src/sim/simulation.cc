@@ -19,10 +19,12 @@
 #include "pongsim/log.hh"
 #include "sdf/loader.hh"
 #include "sim/access.hh"
+#include "sim/edit_services.hh"
 #include "sim/editor.hh"
 #include "sim/levels.hh"
 #include "sim/light_edits.hh"
 #include "sim/model_edits.hh"
+#include "sim/resource_services.hh"
 #include "sim/saved_state.hh"
 #include "sim/system_set.hh"
 #include "world/entities.hh"
@@ -51,24 +53,22 @@ struct Simulation::Parts {
         state(entities),
         engine(entities, settingsFor(description.physics, options)),
         access{entities, state, engine},
-        edits(access, places) {
-    if (options.transport == nullptr) ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
-    transport = options.transport != nullptr ? options.transport : &*ownTransport;
+        edits(access, places),
+        transport(options.transport != nullptr
+                      ? *options.transport
+                      : ownTransport.emplace(TransportOptions{.network = false, .domain = {}})),
+        systems(access, edits, transport, options.seed, options.strict) {
+    edits.setSystems(systems);
   }
 
   /// @return The simulation of the file's first world; null, with the reason in `diagnostics`, if it can't run.
   static std::unique_ptr<Simulation> make(sdf::Root root, const SimulationOptions& options, Diagnostics& diagnostics);
 
-  sim::SystemSet* systemSet() { return systems ? &*systems : nullptr; }
-  void announceChanges() {
-    if (systems) systems->announceChanges();
-  }
-
   /// Loads and unloads levels. The systems are told when they are called next.
   void updateLevels() {
     const std::uint64_t before = access.changes;
     access.levels.update(access);
-    if (systems && access.changes != before) systems->updateWhoRests();
+    if (access.changes != before) systems.updateWhoRests();
   }
   void stepEngine(Time dt);
 
@@ -86,8 +86,11 @@ struct Simulation::Parts {
   sim::Access access;
   sim::ModelEdits edits;
   std::optional<Transport> ownTransport;
-  Transport* transport = nullptr;
-  std::optional<sim::SystemSet> systems;
+  Transport& transport;
+  /// None but added ones where the options want none.
+  sim::SystemSet systems;
+  std::optional<sim::EditServices> editServices;
+  std::optional<sim::ResourceServices> resourceServices;
   /// Links of which it was said that they turn too fast.
   std::set<LinkId> slowedDown;
 };
@@ -135,13 +138,11 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
-    parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict);
-    parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, options.systems, diagnostics);
+    parts->systems.load(parts->description, options.systems, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();
-  parts->announceChanges();
+  parts->systems.announceChanges();
   return std::unique_ptr<Simulation>(new Simulation(std::move(parts)));
 }
 
@@ -161,13 +162,13 @@ Simulation::~Simulation() = default;
 
 void Simulation::step(std::uint64_t count) {
   for (std::uint64_t i = 0; i < count; ++i) {
-    parts_->transport->dispatch();
+    parts_->transport.dispatch();
     advance(stepSize());
   }
 }
 
 void Simulation::stepPaused() {
-  parts_->transport->dispatch();
+  parts_->transport.dispatch();
   advance(Time::zero());
 }
 
@@ -187,16 +188,14 @@ void Simulation::advance(Time dt) {
   Parts& parts = *parts_;
   const StepInfo info = parts.nextStep(dt);
   parts.updateLevels();
-  if (parts.systems) {
-    parts.systems->preUpdate(info);
-    parts.systems->update(info);
-  }
+  parts.systems.preUpdate(info);
+  parts.systems.update(info);
   if (!info.paused) {
-    if (!parts.systems || parts.systems->wantsPhysics()) parts.stepEngine(info.dt);
+    if (parts.systems.wantsPhysics()) parts.stepEngine(info.dt);
     parts.state.time = info.time;
     parts.state.iterations = info.iteration;
   }
-  if (parts.systems) parts.systems->postUpdate(info);
+  parts.systems.postUpdate(info);
 }
 
 Time Simulation::time() const { return parts_->state.time; }
@@ -224,19 +223,19 @@ std::optional<Model> Simulation::insertCopy(const Model& model, const InsertOpti
 
 Outcome<std::string> Simulation::insertLight(const Message& light, const InsertOptions& options) {
   Outcome<std::string> name = sim::insertLight(parts_->access, light, options);
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
   return name;
 }
 
 std::optional<std::string> Simulation::changeLight(const Message& light) {
   const std::optional<std::string> refusal = sim::changeLight(parts_->access, light);
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
   return refusal;
 }
 
 std::optional<std::string> Simulation::removeLight(LightId id, const std::string& name) {
   const std::optional<std::string> refusal = sim::removeLight(parts_->access, id.value, name);
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
   return refusal;
 }
 
@@ -294,25 +293,33 @@ std::optional<std::string> Simulation::setStepSize(Time size) {
   return std::nullopt;
 }
 
-std::optional<std::string> Simulation::setRealTimeFactor(double factor) {
-  return world().setRealTimeFactor(factor);
-}
+std::optional<std::string> Simulation::setRealTimeFactor(double factor) { return world().setRealTimeFactor(factor); }
 
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   sim::Editor(parts_->access).reset();
   parts_->access.levels.start(parts_->access);
-  if (parts_->systems) parts_->systems->reset(diagnostics, seed);
+  parts_->systems.reset(diagnostics, seed);
   parts_->updateLevels();
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
 }
 
-std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }
+std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systems); }
 
 std::optional<std::string> Simulation::restoreState(std::span<const std::byte> state) {
-  return sim::restoreState(state, parts_->access, parts_->systemSet());
+  return sim::restoreState(state, parts_->access, parts_->systems);
 }
 
 World Simulation::world() { return World(parts_->access); }
+
+bool Simulation::addSystem(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics) {
+  return parts_->systems.add(std::move(name), std::move(system), diagnostics);
+}
+
+void Simulation::offerEdits() {
+  if (parts_->editServices) return;
+  parts_->editServices.emplace(*this);
+  parts_->resourceServices.emplace(*this);
+}
 
 std::uint64_t Simulation::stateHash() const {
   std::vector<const world::StatePart*> parts;
@@ -320,6 +327,6 @@ std::uint64_t Simulation::stateHash() const {
   return world::stateHash(parts_->state, parts);
 }
 
-Transport& Simulation::transport() { return *parts_->transport; }
+Transport& Simulation::transport() { return parts_->transport; }
 
 }  // namespace pongsim

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,11 @@ class SystemSet {
   /// parameters is left out with a warning, as in Fortress, and the rest of the world runs.
   /// @param added `<plugin>` elements of systems beside them.
   void load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
+
+  /// Configures a system of the program's own, behind all others.
+  /// @param name No other added system may have it.
+  /// @return Whether it can be used; else `diagnostics` says why not.
+  bool add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics);
 
   /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.
   bool wantsPhysics() const { return wantsPhysics_; }
@@ -80,6 +86,9 @@ class SystemSet {
     const world::ActorRecord* actor = nullptr;
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
+  /// @return Whether it can be used.
+  bool start(SystemSlot::Parts parts, const Element& plugin, const std::optional<Model>& model,
+             const std::optional<Actor>& actor, Diagnostics& diagnostics);
   void putInOrder();
   void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;

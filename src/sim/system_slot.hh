@@ -36,6 +36,8 @@ class SystemSlot final : public CallGuard {
     std::unique_ptr<System> system;
     /// Where the `<plugin>` stands in an actor.
     ActorId actor = {};
+    /// The program itself has added it.
+    bool isAdded = false;
   };
   /// Told why the system has been switched off, each time.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
@@ -48,6 +50,7 @@ class SystemSlot final : public CallGuard {
   ActorId actor() const { return parts_.actor; }
   std::size_t number() const { return parts_.number; }
   const std::string& name() const { return parts_.name; }
+  bool isAdded() const { return parts_.isAdded; }
   const SourcePosition& position() const { return parts_.position; }
   /// @return The name of a system's random stream. The number keeps apart two of a kind in one place.
   static std::string streamOf(const std::string& name, std::size_t number) {
