@@ -24,6 +24,7 @@ class Publisher;
 namespace transport {
 class Bus;
 class Channel;
+class DispatchQueue;
 class Inbox;
 class PublisherState;
 class SubscriptionState;
@@ -250,6 +251,8 @@ class PONGSIM_API Node {
   /// Offers a service: `handler` is called from within `Transport::dispatch` with each request, after the messages
   /// that came before it. Requests beyond a thousand that wait, or 32 MiB of them, are dropped with a warning.
   /// @param service Relative names get a leading slash, or the node's namespace. A name has up to 230 letters.
+  /// Where another transport that shares this one's way offers the name already, that one answers all but this one's
+  /// own calls, with a warning, until it is gone.
   /// @throws std::invalid_argument for a bad name, an unknown type, or a name that this transport offers already.
   Service serve(std::string_view service, std::string_view requestType, std::string_view replyType,
                 ServiceHandler handler);
@@ -292,12 +295,13 @@ class PONGSIM_API Node {
 
  private:
   friend class Transport;
-  explicit Node(transport::Bus& bus) : bus_(&bus) {}
+  Node(transport::Bus& bus, transport::DispatchQueue& queue) : bus_(&bus), queue_(&queue) {}
   Publisher advertiseOn(transport::Channel& channel, bool latched);
 
   std::string fullName(std::string_view name) const;
 
   transport::Bus* bus_;
+  transport::DispatchQueue* queue_;
   CallGuard* guard_ = nullptr;
   /// Begins with a slash, or is empty. Ends with one where absolute names are within it, too.
   std::string nameSpace_;
@@ -320,11 +324,19 @@ class PONGSIM_API Transport {
  public:
   /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain or interface.
   explicit Transport(const TransportOptions& options = {});
+
+  struct Sharing {};
+  /// One that goes the same way as `other`, as one participant of the network, with a queue of its own: what comes for
+  /// its subscriptions and services waits for its own `dispatch`. So that several simulations of a process, each on a
+  /// thread of its own, do not wait for each other. They hear each other's topics and call each other's services; what
+  /// is said of "this transport's own" is said of each alone.
+  Transport(const Transport& other, Sharing);
+
   ~Transport();
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
 
-  Node node() { return Node(*bus_); }
+  Node node() { return Node(*bus_, *queue_); }
 
   /// @return Where it can be reached from other machines, "eth0, 192.0.2.7", or nothing where it can't.
   std::optional<std::string> openTo() const;
@@ -360,7 +372,8 @@ class PONGSIM_API Transport {
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:
-  std::unique_ptr<transport::Bus> bus_;
+  std::shared_ptr<transport::Bus> bus_;
+  transport::DispatchQueue* queue_;
 };
 
 }  // namespace pongsim

@@ -45,19 +45,29 @@ struct SimulationOptions {
   /// Systems beside those that the world asks for, each a `<plugin>` element with its parameters. Where the world asks
   /// for one of them too, it is there once, and of what both say counts what stands here.
   std::vector<Element> systems = {};
+  /// Which world of the file, by its name; empty: the first one.
+  std::string world = {};
 };
 
 /// One world, from its file, with its bodies and systems. Belongs to one thread at a time.
 class PONGSIM_API Simulation {
  public:
   /// Loads a world file, or one with a model at its root, which gets a world with a ground plane and the sun. What is
-  /// wrong with it is added to `diagnostics`.
+  /// wrong with it is added to `diagnostics`. Of a file with several worlds it is one, with the same bits as it has
+  /// beside the others.
   /// @return Null if there was an error.
   static std::unique_ptr<Simulation> fromFile(const std::filesystem::path& file, const SimulationOptions& options,
                                               Diagnostics& diagnostics);
   /// As `fromFile`, from text; `name` stands in the messages.
   static std::unique_ptr<Simulation> fromText(std::string_view text, std::string_view name,
                                               const SimulationOptions& options, Diagnostics& diagnostics);
+  /// Loads all worlds of a file, in its order, with all that is wrong with any of them. Where there are several, each
+  /// has a share of its own in the transport of the options (`Transport::Sharing`), so that each may be stepped by a
+  /// thread of its own. `systems` counts for the first one, `world` for none.
+  /// @return None if there was an error.
+  static std::vector<std::unique_ptr<Simulation>> allFromFile(const std::filesystem::path& file,
+                                                              const SimulationOptions& options,
+                                                              Diagnostics& diagnostics);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;

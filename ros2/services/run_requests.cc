@@ -120,9 +120,9 @@ void RunRequests::endSteps(const Result& result) {
   done(result);
 }
 
-void RunRequests::resetAll(Done done) {
+void RunRequests::resetAll(bool isStepped, Done done) {
   // while steps are made it is paused behind them
-  control({.pause = info_.paused || stepping_.has_value(), .reset = true}, Result::kResultOperationFailed,
+  control({.pause = info_.paused || isStepped || stepping_.has_value(), .reset = true}, Result::kResultOperationFailed,
           std::move(done));
 }
 

@@ -42,7 +42,8 @@ class RunRequests {
   /// Makes so many steps where the run is paused. One request at a time.
   void step(std::uint64_t count, Done done);
   /// Sets the whole world back to its start. It goes on, or not, as before.
-  void resetAll(Done done);
+  /// @param isStepped Whether somebody else makes steps of a paused run now, which it is again then.
+  void resetAll(bool isStepped, Done done);
 
  private:
   struct Stepping {

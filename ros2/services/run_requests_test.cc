@@ -45,7 +45,7 @@ TEST_F(RunRequestsTest, SayWhereNobodyRunsIt) {
   run_.setState(State::kStatePlaying, note());
   run_.setState(State::kStateQuitting, note());
   run_.step(1, note());
-  run_.resetAll(note());
+  run_.resetAll(false, note());
   ASSERT_EQ(results_.size(), 4U);
   EXPECT_EQ(results_[0].result, Set::kStateTransitionError);
   EXPECT_EQ(results_[1].result, Set::kStateTransitionError);
@@ -104,11 +104,22 @@ TEST_F(RunRequestsTest, StayPausedAfterAResetAmongSteps) {
   run_.step(5, note());
   transport_.dispatch();
   playing(1);
-  run_.resetAll(note());
+  run_.resetAll(false, note());
   transport_.dispatch();
   ASSERT_EQ(asked_.size(), 2U);
   EXPECT_TRUE(asked_[1].pause());
   EXPECT_TRUE(asked_[1].reset().all());
+}
+
+TEST_F(RunRequestsTest, StayPausedAfterAResetAmongStepsOfOthers) {
+  offerControl();
+  playing(1);
+  run_.resetAll(true, note());
+  run_.resetAll(false, note());
+  transport_.dispatch();
+  ASSERT_EQ(asked_.size(), 2U);
+  EXPECT_TRUE(asked_[0].pause());
+  EXPECT_FALSE(asked_[1].pause());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "ros2/types/simulation_world_services.hh"
 
@@ -10,8 +11,13 @@ namespace pongsim::ros2 {
 namespace si = simulation_interfaces;
 namespace srv = simulation_interfaces::srv;
 
-RunServices::RunServices(RosNode& node, const SystemContext& context, const ServiceNames& names, Spawner& spawner)
-    : world_(context.world), spawner_(spawner), run_(context.node, names), offers_(node) {
+RunServices::RunServices(RosNode& node, const SystemContext& context, const ServiceNames& names, Spawner& spawner,
+                         std::function<bool()> isStepped)
+    : world_(context.world),
+      spawner_(spawner),
+      run_(context.node, names),
+      isStepped_(std::move(isStepped)),
+      offers_(node) {
   offers_.addAtOnce<srv::GetSimulatorFeatures>(names.ofSimulator("get_simulator_features"), [this](const auto&) {
     return srv::GetSimulatorFeatures::Response{features()};
   });
@@ -85,7 +91,7 @@ si::WorldResource RunServices::world() const {
 void RunServices::reset(std::uint8_t scope, const RunRequests::Done& done) {
   using Request = srv::ResetSimulation::Request;
   constexpr std::uint8_t kEach = Request::kScopeTime | Request::kScopeState | Request::kScopeSpawned;
-  if (scope == Request::kScopeDefault || (scope & kEach) == kEach) return run_.resetAll(done);
+  if (scope == Request::kScopeDefault || (scope & kEach) == kEach) return run_.resetAll(isStepped_(), done);
   if (scope == Request::kScopeSpawned) return spawner_.removeInserted(done);
   if ((scope & ~kEach) != 0) return done(failed("there is no scope " + std::to_string(scope)));
   done(refused(Result::kResultFeatureUnsupported,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "pongsim/handles.hh"
 #include "pongsim/system.hh"
 #include "ros2/services/offers.hh"
@@ -13,7 +15,9 @@ namespace pongsim::ros2 {
 class RunServices {
  public:
   /// @param spawner Takes away what was spawned. All references must outlive it.
-  RunServices(RosNode& node, const SystemContext& context, const ServiceNames& names, Spawner& spawner);
+  /// @param isStepped Says whether steps of a paused run are made for a goal of an action.
+  RunServices(RosNode& node, const SystemContext& context, const ServiceNames& names, Spawner& spawner,
+              std::function<bool()> isStepped);
 
   /// To be called first in each step.
   void preUpdate(const StepInfo& info) { run_.preUpdate(info); }
@@ -28,6 +32,7 @@ class RunServices {
   World world_;
   Spawner& spawner_;
   RunRequests run_;
+  std::function<bool()> isStepped_;
   Offers offers_;
 };
 

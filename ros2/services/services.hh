@@ -23,7 +23,7 @@ class Services {
   Services(RosNode& node, const SystemContext& context, const std::string& prefix, const Settings& settings)
       : names_(prefix, context.world.name()),
         entities_(node, context, names_, settings.frames),
-        run_(node, context, names_, entities_.spawner()),
+        run_(node, context, names_, entities_.spawner(), [this] { return steps_.isRunning(); }),
         steps_(context.node, names_.inSimulation("control"), node, names_.ofSimulator("simulate_steps")),
         rosGz_(node, context.node, names_, settings.services, entities_.finder()) {}
 

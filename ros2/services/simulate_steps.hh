@@ -23,6 +23,9 @@ class SimulateSteps {
   /// @param name Of the action: "~/simulate_steps".
   SimulateSteps(const Node& simulation, const std::string& control, RosNode& ros, const std::string& name);
 
+  /// @return Whether a goal makes its steps.
+  bool isRunning() const { return running_.has_value(); }
+
   /// As the system's; `preUpdate` before the mailbox is dispatched.
   void preUpdate(const StepInfo& info);
   void postUpdate(const StepInfo& info);

@@ -9,15 +9,56 @@
 #include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <memory>
 
 namespace pongsim::base {
 
 namespace {
 
-// A handler of signals gets at nothing but this: a process has one set of them.
-std::atomic<const char*> runningName = nullptr;
-std::atomic<const char*> runningDoing = nullptr;
-std::atomic<long> runningThread = 0;
+/// Who runs on a thread.
+struct Running {
+  /// 0: of no thread.
+  std::atomic<long> thread = 0;
+  std::atomic<const char*> name = nullptr;
+  std::atomic<const char*> doing = nullptr;
+};
+
+// A handler of signals gets at nothing but this: a process has one set of them. More threads than that, and a crash of
+// one is put down to nobody.
+constexpr std::size_t kMostThreads = 256;
+std::array<Running, kMostThreads> running;
+
+/// A thread's place among them, for as long as it lives.
+class Place {
+ public:
+  Place() {
+    const long thread = syscall(SYS_gettid);
+    for (Running& each : running) {
+      long none = 0;
+      if (!each.thread.compare_exchange_strong(none, thread)) continue;
+      place_ = &each;
+      return;
+    }
+  }
+  ~Place() {
+    if (place_ == &spare_) return;
+    place_->name = nullptr;
+    place_->thread = 0;
+  }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+  Running& operator*() const { return *place_; }
+
+ private:
+  Running spare_;
+  Running* place_ = &spare_;
+};
+
+Running& runningHere() {
+  thread_local const Place place;
+  return *place;
+}
 
 struct Crash {
   int signal;
@@ -29,9 +70,6 @@ std::array<Crash, 5> crashes = {{{SIGSEGV, "SIGSEGV", {}},
                                  {SIGFPE, "SIGFPE", {}},
                                  {SIGILL, "SIGILL", {}},
                                  {SIGABRT, "SIGABRT", {}}}};
-
-// an overflow of the stack leaves no place on it
-alignas(16) std::array<char, 64 * 1024> handlerStack;
 
 /// One line, put together and written without anything that a handler of signals may not call.
 class Line {
@@ -56,8 +94,11 @@ void report(int signal) {
     if (crash.signal != signal) continue;
     Line line;
     line << "pongsim: error: crashed with " << crash.text;
-    const char* const name = runningName;
-    if (name != nullptr && runningThread == syscall(SYS_gettid)) line << " in " << name << ", " << runningDoing;
+    const long thread = syscall(SYS_gettid);
+    for (const Running& each : running) {
+      const char* const name = each.name;
+      if (name != nullptr && each.thread == thread) line << " in " << name << ", " << each.doing;
+    }
     line << "\n";
     line.write();
     sigaction(signal, &crash.before, nullptr);
@@ -68,28 +109,43 @@ void report(int signal) {
 
 }  // namespace
 
-RunningPart::RunningPart(const char* name, const char* doing) : name_(runningName), doing_(runningDoing) {
-  // the thread's number costs a call of the kernel, and does not change
-  thread_local const long thread = syscall(SYS_gettid);
-  runningThread.store(thread, std::memory_order_relaxed);
-  runningDoing.store(doing, std::memory_order_relaxed);
-  runningName.store(name, std::memory_order_relaxed);
+RunningPart::RunningPart(const char* name, const char* doing) {
+  Running& here = runningHere();
+  name_ = here.name.load(std::memory_order_relaxed);
+  doing_ = here.doing.load(std::memory_order_relaxed);
+  here.doing.store(doing, std::memory_order_relaxed);
+  here.name.store(name, std::memory_order_relaxed);
 }
 
 RunningPart::~RunningPart() {
-  runningDoing.store(doing_, std::memory_order_relaxed);
-  runningName.store(name_, std::memory_order_relaxed);
+  Running& here = runningHere();
+  here.doing.store(doing_, std::memory_order_relaxed);
+  here.name.store(name_, std::memory_order_relaxed);
+}
+
+CrashStack::CrashStack() {
+  stack_t there{};
+  // a sanitizer has one of its own
+  if (sigaltstack(nullptr, &there) != 0 || (there.ss_flags & SS_DISABLE) == 0) return;
+  constexpr std::size_t kSize = 64 * 1024;
+  memory_ = std::make_unique<std::byte[]>(kSize);
+  stack_t stack{};
+  stack.ss_sp = memory_.get();
+  stack.ss_size = kSize;
+  sigaltstack(&stack, nullptr);
+}
+
+CrashStack::~CrashStack() {
+  if (!memory_) return;
+  stack_t none{};
+  none.ss_flags = SS_DISABLE;
+  sigaltstack(&none, nullptr);
 }
 
 void reportCrashes() {
-  stack_t there{};
-  // a sanitizer has one of its own
-  if (sigaltstack(nullptr, &there) == 0 && (there.ss_flags & SS_DISABLE) != 0) {
-    stack_t stack{};
-    stack.ss_sp = handlerStack.data();
-    stack.ss_size = handlerStack.size();
-    sigaltstack(&stack, nullptr);
-  }
+  // of the main thread, to the end of the process
+  static const CrashStack* const stack = new CrashStack;
+  static_cast<void>(stack);
   for (Crash& crash : crashes) {
     struct sigaction action {};
     action.sa_handler = report;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+
 namespace pongsim::base {
 
-/// Tells who runs, so that a crash can be put down to somebody. For the one thread that runs parts of others' making; a
-/// crash of another thread is put down to nobody.
+/// Tells who runs on this thread, so that a crash can be put down to somebody. A crash of a thread without one is put
+/// down to nobody.
 class RunningPart {
  public:
   /// @param name Who runs: "the system my-system of robot". Must outlive this.
@@ -19,8 +22,22 @@ class RunningPart {
   const char* doing_;
 };
 
+/// A place for this thread to report a crash from, for an overflow of the stack leaves none on it. To end on the thread
+/// on which it was made.
+class CrashStack {
+ public:
+  CrashStack();
+  ~CrashStack();
+  CrashStack(const CrashStack&) = delete;
+  CrashStack& operator=(const CrashStack&) = delete;
+
+ private:
+  std::unique_ptr<std::byte[]> memory_;
+};
+
 /// From now on a crash of the process (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) is said on stderr, in one line that
-/// names the part that runs. Then it goes on as it would have.
+/// names the part that runs. Then it goes on as it would have. Threads beside the main
+/// one need a `CrashStack` for overflows of their stacks.
 void reportCrashes();
 
 }  // namespace pongsim::base

@@ -14,8 +14,6 @@ namespace pongsim {
 
 namespace {
 
-using base::VolumeMoments;
-
 /// Of a body that `scale` has made of another one.
 VolumeMoments scaled(const VolumeMoments& part, const Vector3& scale) {
   const double size = std::abs(scale.prod());
@@ -37,7 +35,7 @@ struct BelowOf {
   VolumeMoments operator()(const NoShape&) const { return {}; }
   VolumeMoments operator()(const PlaneShape&) const { return {}; }
   VolumeMoments operator()(const BoxShape& box) const { return base::boxBelow(box.size, up, height); }
-  VolumeMoments operator()(const SphereShape& sphere) const { return base::ballBelow(sphere.radius, up, height); }
+  VolumeMoments operator()(const SphereShape& sphere) const { return Ball{sphere.radius}.below(up, height); }
   VolumeMoments operator()(const CylinderShape& cylinder) const {
     return base::cylinderBelow(cylinder.radius, cylinder.length, up, height);
   }
@@ -54,7 +52,7 @@ struct BelowOf {
   }
   VolumeMoments operator()(const EllipsoidShape& ellipsoid) const {
     return scaledBelow(ellipsoid.radii, up, height,
-                       [](const Vector3& slope, double rise) { return base::ballBelow(1, slope, rise); });
+                       [](const Vector3& slope, double rise) { return Ball{1}.below(slope, rise); });
   }
   VolumeMoments operator()(const TriangleShape& mesh) const {
     return scaledBelow(mesh.scale, up, height, [&mesh](const Vector3& slope, double rise) {
@@ -109,10 +107,20 @@ struct VolumeOf {
   }
 };
 
-Volume volumeOf(const VolumeMoments& moments, double orientation) {
-  const double size = orientation * moments.volume;
-  if (!(size > 0)) return {};
-  return {size, orientation / size * moments.first};
+/// Solids with sides along an axis, of which a plane may cut only these.
+struct PrismOf {
+  template <class Any>
+  Prism operator()(const Any&) const {
+    return {};
+  }
+  Prism operator()(const BoxShape& box) const { return Prism(box); }
+  Prism operator()(const CylinderShape& cylinder) const { return Prism(cylinder); }
+  Prism operator()(const CapsuleShape& capsule) const { return Prism(capsule); }
+};
+
+Volume volumeOf(const VolumeMoments& moments) {
+  if (!(moments.volume > 0)) return {};
+  return {moments.volume, moments.first / moments.volume};
 }
 
 /// @return For each vertex the first one of the same place.
@@ -156,8 +164,13 @@ Solid::Solid(Shape shape) : shape_(std::move(shape)) {
   bounds_ = std::visit(BoundsOf(), shape_);
   const VolumeMoments all = std::visit(VolumeOf{bounds_}, shape_);
   orientation_ = all.volume < 0 ? -1 : 1;
-  volume_ = volumeOf(all, orientation_);
-  if (!bounds_.isEmpty()) radius_ = bounds_.sizes().norm() / 2;
+  if (all.volume != 0) moments_ = oriented(all);
+  isCentered_ = moments_.first.isZero(0);
+  volume_ = volumeOf(moments_);
+  if (bounds_.isEmpty()) return;
+  radius_ = bounds_.sizes().norm() / 2;
+  prism_ = std::visit(PrismOf(), shape_);
+  if (const auto* sphere = std::get_if<SphereShape>(&shape_)) ball_ = {sphere->radius};
 }
 
 bool Solid::isClosed() const {
@@ -165,15 +178,31 @@ bool Solid::isClosed() const {
   return volume_.size > 0;
 }
 
-Volume Solid::below(const Vector3& up, double height) const {
-  if (!(volume_.size > 0)) return {};
+VolumeMoments Solid::oriented(const VolumeMoments& moments) const {
+  return {orientation_ * moments.volume, orientation_ * moments.first};
+}
+
+Volume Solid::below(const Vector3& up, double height) const { return volumeOf(momentsBelow(up, height)); }
+
+VolumeMoments Solid::momentsBelowElsewhere(const Vector3& up, double height) const {
+  if (!(moments_.volume > 0)) return {};
   const double middle = up.dot(bounds_.center());
   const double half = up.cwiseAbs().dot(bounds_.sizes()) / 2;
-  if (height >= middle + half) return volume_;
+  if (height >= middle + half) return moments_;
   if (height <= middle - half) return {};
-  Volume part = volumeOf(std::visit(BelowOf{up, height}, shape_), orientation_);
+  VolumeMoments part = oriented(std::visit(BelowOf{up, height}, shape_));
   // rounding, or a surface that is not closed
-  part.size = std::min(part.size, volume_.size);
+  if (!(part.volume > 0)) return {};
+  if (part.volume > moments_.volume) {
+    part.first *= moments_.volume / part.volume;
+    part.volume = moments_.volume;
+  }
+  return part;
+}
+
+VolumeMoments Solid::momentsBelowLevelElsewhere(const Quaternion& R_WorldSolid, double height) const {
+  VolumeMoments part = momentsBelowElsewhere(R_WorldSolid.conjugate() * Vector3::UnitZ(), height);
+  part.first = R_WorldSolid * part.first;
   return part;
 }
 

@@ -34,7 +34,8 @@ double sliceIntegral(double radius, double sine, double cosine, double u) {
   const double k = (cosine + 0.0) / sine;
   const double stretch = 1 / (sine * sine);
   const double square = radius * radius;
-  const double p = std::sqrt(std::max(0.0, square - stretch * u * u));
+  // nothing at its ends, where rounding would leave a root of it, which the arctangent makes much of for a small k
+  const double p = std::abs(u) < radius * sine ? std::sqrt(std::max(0.0, square - stretch * u * u)) : 0;
   const double rim = std::sqrt(std::max(0.0, square - u * u));
   // how far the edge is from the middle of the slice, in radii
   double edge = (u < 0) == (k >= 0) ? 1 : -1;
@@ -102,36 +103,13 @@ void addCut(const Vector3& apex, const std::array<Vector3, 3>& corner, const std
 
 }  // namespace
 
-// A plane that cuts the four edges along one axis alone leaves a box with a slanting end, as one does that floats;
-// others are taken apart.
 VolumeMoments boxBelow(const Vector3& size, const Vector3& up, double height) {
-  Eigen::Index axis = 0;
-  const double cosine = up.cwiseAbs().maxCoeff(&axis);
-  const double length = size[axis];
-  const double middle = height / cosine + length / 2;
-  // by how much the strips along the axis change from the middle to the rim
-  Vector3 rise = up.cwiseProduct(size) / (2 * cosine);
-  rise[axis] = 0;
-  const double reach = rise.cwiseAbs().sum();
-  if (reach <= middle && middle <= length - reach) {
-    const double area = size.prod() / length;
-    Vector3 first = -area / 6 * rise.cwiseProduct(size);
-    const double alongAxis = area * (middle * (middle - length) + rise.squaredNorm() / 3) / 2;
-    first[axis] = up[axis] < 0 ? -alongAxis : alongAxis;
-    return {area * middle, first};
-  }
   std::array<Vector3, 8> corners;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector3 sign((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5, (i & 4U) != 0 ? 0.5 : -0.5);
     corners[i] = sign.cwiseProduct(size);
   }
   return trianglesBelow(corners, kBoxTriangles, up, height);
-}
-
-VolumeMoments ballBelow(double radius, const Vector3& up, double height) {
-  const double u = std::clamp(height, -radius, radius);
-  const double rim = radius * radius - u * u;
-  return {sliceVolume(radius, -radius, u), -kPi / 4 * rim * rim * up};
 }
 
 // The volume is the integral of the slices across `up`. The moments follow from Gauss's theorem: that of p is half the
@@ -174,16 +152,6 @@ VolumeMoments cylinderBelow(double radius, double length, const Vector3& up, dou
   const double full = isLevel ? -radius : endOf(height - cosine * length / 2);
   const double none = isLevel ? radius : endOf(height + cosine * length / 2);
   const double square = radius * radius;
-  // where the plane cuts the side alone, the strips are those of a slanting end
-  if (full <= -radius && none >= radius && cosine > 1e-12) {
-    const double middle = std::clamp(height / cosine + length / 2, 0.0, length);
-    const double tilt = slope / cosine;
-    const double spread = kPi / 4 * square * square;
-    const double alongAxis = (middle * (middle - length) * kPi * square + tilt * tilt * spread) / 2;
-    // the slope of the strips is that of the plane
-    const Vector3 first(-up.x() / cosine * spread, -up.y() / cosine * spread, up.z() < 0 ? -alongAxis : alongAxis);
-    return {kPi * square * middle, first};
-  }
   double volume = length * segmentOf(radius, full).area;
   double alongSlope = -length * 2 / 3 * std::pow(std::max(0.0, square - full * full), 1.5);
   double alongAxis = 0;

@@ -47,7 +47,8 @@ class FileSight final : public Sight {
 std::unique_ptr<Sight> sightOfFile(const ViewOptions& options) {
   Diagnostics diagnostics;
   const std::optional<std::filesystem::path> file = fetchWorldFile(options.file, diagnostics);
-  std::unique_ptr<Simulation> simulation = file ? Simulation::fromFile(*file, {}, diagnostics) : nullptr;
+  std::unique_ptr<Simulation> simulation =
+      file ? Simulation::fromFile(*file, {.world = options.world}, diagnostics) : nullptr;
   say(diagnostics, Severity::kWarning, Severity::kError);
   if (simulation == nullptr || diagnostics.hasErrors()) return nullptr;
   simulation->step(static_cast<std::uint64_t>(std::llround(options.at / toSeconds(simulation->stepSize()))));

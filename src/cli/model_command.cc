@@ -73,7 +73,7 @@ void addModelCommand(CLI::App& program, Work& work) {
   addFlag("--follow", given->follow, "Go on printing, ten times a second, until Ctrl-C");
   add("-n,--num", "N", "With --follow: end after N times", given->count);
   addFlag("--json", given->json, "Print JSON: an array of all models, or an object, a line each");
-  add("-w,--world", "WORLD", "The world's name, where several run", given->world);
+  add("-w,--world", "WORLD", "The world's name, where several run (the first one of its process)", given->world);
   add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its answer", given->timeout);
   addNetworkOption(*command);
   command->footer(

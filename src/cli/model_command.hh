@@ -18,7 +18,7 @@ struct ModelOptions {
   bool follows = false;
   /// With `follows`: end after so many times.
   std::optional<std::uint64_t> count;
-  /// The world's name; empty: the only one that runs.
+  /// The world's name; empty: the only one that runs, or the first one of the process that runs all.
   std::string world;
   /// For finding the world, and for each of its answers.
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);

@@ -46,7 +46,8 @@ class ModelQuery {
 };
 
 int ModelQuery::run() {
-  const std::optional<std::string> world = findWorld(transport_, signal_, options_.world, options_.timeout);
+  const std::optional<std::string> world =
+      findWorld(transport_, signal_, options_.world, options_.timeout, WorldChoice::kFirst);
   if (!world) return kFailed;
   world_ = *world;
   signal_.onStop([this] { transport_.wake(); });

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/crash_report.hh"
@@ -23,12 +24,17 @@
 #include "pongsim/log.hh"
 #include "pongsim/simulation.hh"
 #include "sim/runner.hh"
+#include "sim/server.hh"
 
 namespace pongsim::cli {
 
 namespace {
 
 struct RunCommandOptions {
+  /// Empty: there is none.
+  std::string file;
+  bool hasFile = false;
+  /// Which world of the file; empty: all.
   std::string world;
   sim::RunOptions run;
   bool runAtOnce = false;
@@ -67,64 +73,109 @@ std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   return text + (options.paused ? ", paused" : "");
 }
 
-int runWorld(const RunCommandOptions& options) {
+using Worlds = std::vector<std::unique_ptr<Simulation>>;
+
+/// @return The worlds that are to run; none where there was an error.
+Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagnostics& diagnostics) {
+  const SimulationOptions simulated{.seed = options.seed,
+                                    .strict = options.strict,
+                                    .threads = options.threads,
+                                    .levels = options.levels,
+                                    .transport = &transport,
+                                    .systems = options.systems,
+                                    .world = options.world};
+  std::unique_ptr<Simulation> one;
+  if (!options.hasFile) {
+    // as Fortress has it
+    one = Simulation::fromText("<sdf version='1.9'><world name='default'/></sdf>", "the empty world", simulated,
+                               diagnostics);
+  } else {
+    const std::optional<std::filesystem::path> file = fetchWorldFile(options.file, diagnostics);
+    if (!file) return {};
+    if (options.world.empty()) return Simulation::allFromFile(*file, simulated, diagnostics);
+    one = Simulation::fromFile(*file, simulated, diagnostics);
+  }
+  Worlds worlds;
+  if (one) worlds.push_back(std::move(one));
+  return worlds;
+}
+
+/// Says which worlds run, and what they are without.
+void announce(const Worlds& worlds, const RunCommandOptions& options, const Transport& transport) {
+  if (options.verbosity == LogLevel::kNone) return;
+  for (const auto& world : worlds) say(startLine(*world, options.run));
+  if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
+  if (worlds.size() > 1 && !options.systems.empty() && options.verbosity >= LogLevel::kWarning) {
+    say("warning: the options of extensions count for the first world, '" +
+        std::string(worlds.front()->world().name()) +
+        "', alone\n  hint: a <plugin> gives another world the same, and "
+        "-w NAME runs one world of the file");
+  }
+}
+
+bool printHashes(const Worlds& worlds) {
+  std::string text;
+  for (const auto& world : worlds) {
+    char number[20];
+    std::snprintf(number, sizeof number, "%016llx", static_cast<unsigned long long>(world->stateHash()));
+    text += worlds.size() == 1 ? "state hash: " : "state hash of " + std::string(world->world().name()) + ": ";
+    text += std::string(number) + "\n";
+  }
+  return print(text);
+}
+
+int runWorlds(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
   base::reportCrashes();
   StopSignal signal;
   Transport transport;
   Diagnostics diagnostics;
-  const std::optional<std::filesystem::path> file = fetchWorldFile(options.world, diagnostics);
-  const std::unique_ptr<Simulation> simulation = !file ? nullptr
-                                                       : Simulation::fromFile(*file,
-                                                                              {.seed = options.seed,
-                                                                               .strict = options.strict,
-                                                                               .threads = options.threads,
-                                                                               .levels = options.levels,
-                                                                               .transport = &transport,
-                                                                               .systems = options.systems},
-                                                                              diagnostics);
+  const Worlds worlds = loadWorlds(options, transport, diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
-  if (simulation == nullptr || diagnostics.hasErrors()) {
+  if (worlds.empty() || diagnostics.hasErrors()) {
     const auto errors = std::ranges::count(diagnostics.all(), Severity::kError, &Diagnostic::severity);
     say(std::to_string(errors) + (errors == 1 ? " error" : " errors"));
     return kFailed;
   }
 
-  if (options.verbosity != LogLevel::kNone) {
-    say(startLine(*simulation, options.run));
-    if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
-  }
-  sim::Runner runner(*simulation, options.run);
-  signal.onStop([&runner] { runner.stop(); });
-  tellReady(startLine(*simulation, options.run));
-  runner.run();
+  announce(worlds, options, transport);
+  sim::Server server(transport, worlds, options.run);
+  signal.onStop([&server] { server.stop(); });
+  std::string status;
+  for (const auto& world : worlds) status += (status.empty() ? "" : "; ") + startLine(*world, options.run);
+  tellReady(status);
+  server.run();
   tellStopping();
   signal.onStop({});
-
-  if (!options.hash) return kDone;
-  char line[48];
-  std::snprintf(line, sizeof line, "state hash: %016llx\n", static_cast<unsigned long long>(simulation->stateHash()));
-  return print(line) ? kDone : kFailed;
+  return !options.hash || printHashes(worlds) ? kDone : kFailed;
 }
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
-  if (options.world.empty()) throw UsageError("no world file given", "pongsim run WORLD");
+  if (options.hasFile && options.file.empty()) throw UsageError("no world file given", "pongsim run WORLD");
+  if (!options.world.empty() && !options.hasFile) {
+    throw UsageError("option '-w' chooses a world of a file, and no file is given", "pongsim run FILE -w WORLD");
+  }
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
-  work = [&options] { return runWorld(options); };
+  work = [&options] { return runWorlds(options); };
 }
 
 void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> extensions) {
   const auto options = std::make_shared<RunCommandOptions>();
-  CLI::App* command = program.add_subcommand("run", "Simulate a world until SIGINT or SIGTERM");
+  CLI::App* command = program.add_subcommand("run", "Simulate the worlds of a file until SIGINT or SIGTERM");
   command->set_help_flag("-h,--help", "Print this and end");
   command
-      ->add_option("WORLD", options->world,
-                   "World file, or one with a model: a path, or a name in the folders of\n"
-                   "PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH\n"
-                   "or in pongsim's own; or the address of one on a Fuel server")
-      ->type_name("")
-      ->required();
+      ->add_option_function<std::string>(
+          "WORLD",
+          [options](const std::string& file) {
+            options->file = file;
+            options->hasFile = true;
+          },
+          "World file, or one with a model: a path, or a name in the folders of\n"
+          "PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH\n"
+          "or in pongsim's own; or the address of one on a Fuel server. Without it an\n"
+          "empty world, 'default', is run")
+      ->type_name("");
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
@@ -133,7 +184,12 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   const auto add = [command](const char* names, const char* value, const char* description, auto read) {
     command->add_option_function<std::string>(names, read, description)->type_name(value);
   };
-  add("--iterations", "N", "End after N steps; 0: never", [options](const std::string& text) {
+  add("-w,--world", "NAME", "Run that world of the file alone; without it all that are in it run",
+      [options](const std::string& text) {
+        if (text.empty()) throw UsageError("option '-w' needs a world's name");
+        options->world = text;
+      });
+  add("--iterations", "N", "End when each world has made N steps; 0: never", [options](const std::string& text) {
     const std::uint64_t count = wholeNumber("--iterations", text);
     options->run.iterations = count == 0 ? std::nullopt : std::optional(count);
   });
@@ -162,6 +218,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
+      "  pongsim run three_worlds.sdf -w maze\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
   for (const Extension& extension : extensions) addRunOptions(*command, extension, options->systems);
   command->callback([options, &work] { checkAndSchedule(*options, work); });

@@ -141,7 +141,6 @@ void readSource(const ViewSource& given, ViewOptions& options) {
     throw UsageError("option '" + std::string(option) + "' means nothing here", why);
   };
   constexpr const char* kOfRunning = "it goes with a running world, which is drawn where no file is named";
-  if (given.file && given.world) refuse("-w", kOfRunning);
   if (given.file && given.timeout) refuse("--timeout", kOfRunning);
   if (!given.file && given.offline) refuse("--offline", "it goes with a world file");
   if (!given.file && given.at) refuse("--at", "it goes with a world file: a running world is drawn as it is now");
@@ -176,7 +175,8 @@ void addViewCommand(CLI::App& program, Work& work) {
             "world that runs is drawn",
             source->file);
   addSource("--at", "S", "Simulated seconds that go by before (0), of a file's world", source->at);
-  addSource("-w,--world", "WORLD", "Name of the running world, where several run", source->world);
+  addSource("-w,--world", "WORLD", "Which world, where several run, or of a file with several (the first one)",
+            source->world);
   addSource("--timeout", "MS", "Give up after MS milliseconds (1000) without a running world or its answer",
             source->timeout);
   add("--camera", "POSE|MODEL",

@@ -14,7 +14,7 @@ struct ViewOptions {
   std::string file;
   /// Simulated seconds that go by before, of a file's world.
   double at = 0;
-  /// Of the running world; empty: the only one.
+  /// Name of the running world, or of the one of the file; empty: the only one that runs, the first one of the file.
   std::string world;
   /// For finding that, and for its answer.
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);

@@ -8,6 +8,8 @@
 #include "cli/console.hh"
 #include "cli/stop_signal.hh"
 #include "cli/topic_command.hh"
+#include "msgs/control_messages.hh"
+#include "pongsim/message.hh"
 #include "pongsim/node.hh"
 
 namespace pongsim::cli {
@@ -32,10 +34,23 @@ std::vector<std::string> worldsOf(const std::vector<ServiceInfo>& services) {
   return worlds;
 }
 
+/// @return The first one of the process that runs all of them, or nothing where no process does.
+std::optional<std::string> firstOf(Transport& transport, const std::vector<std::string>& worlds,
+                                   std::chrono::nanoseconds timeout) {
+  const MessagePointer request = newMessage("ignition.msgs.Empty");
+  const MessagePointer reply = newMessage("ignition.msgs.StringMsg_V");
+  if (!transport.node().call("/gazebo/worlds", *request, *reply, timeout)) return std::nullopt;
+  std::vector<std::string> names = msgs::strings(*reply);
+  for (std::string& name : names) name = cleanTopic(name);
+  const auto isIn = [&names](const std::string& world) { return std::ranges::count(names, world) > 0; };
+  if (names.empty() || !std::ranges::all_of(worlds, isIn)) return std::nullopt;
+  return names.front();
+}
+
 }  // namespace
 
 std::optional<std::string> findWorld(Transport& transport, const StopSignal& signal, const std::string& wanted,
-                                     std::chrono::nanoseconds timeout) {
+                                     std::chrono::nanoseconds timeout, WorldChoice choice) {
   using Clock = std::chrono::steady_clock;
   const std::string name = cleanTopic(wanted);
   const Clock::time_point deadline = Clock::now() + timeout;
@@ -58,6 +73,10 @@ std::optional<std::string> findWorld(Transport& transport, const StopSignal& sig
   if (name.empty() && worlds.size() > 1) {
     std::string names;
     for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
+    if (const auto first = choice == WorldChoice::kFirst ? firstOf(transport, worlds, timeout) : std::nullopt) {
+      say("several worlds run: " + names + "; this is " + *first + " (-w WORLD chooses)");
+      return first;
+    }
     fail("several worlds run: " + names, "choose with -w WORLD");
     return std::nullopt;
   }

@@ -59,6 +59,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
       isRound_(mass.moments.x() == mass.moments.y() && mass.moments.y() == mass.moments.z()),
       X_LinkBody_(mass.X_LinkBody),
       X_BodyLink_(X_LinkBody_.inverse()),
+      isCentred_(X_BodyLink_.position.isZero(0)),
       shape_(*record.description, X_BodyLink_, moves_, hulls),
       rigid_(constructionInfo(mass, shape_.root())) {
   const description::Link& description = *record.description;
@@ -109,7 +110,7 @@ void Body::addForces(double dt, bool isHeld) {
 
 void Body::addWrench(const Vector3& force, const Vector3& torque) {
   if (!moves_) return;
-  if (X_BodyLink_.position.isZero(0)) {
+  if (isCentred_) {
     rigid_.applyCentralForce(toBullet(force));
   } else {
     const btVector3 comToLink = rigid_.getWorldTransform().getBasis() * toBullet(X_BodyLink_.position);

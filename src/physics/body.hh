@@ -78,6 +78,8 @@ class Body {
   bool isRound_;
   Pose X_LinkBody_;
   Pose X_BodyLink_;
+  /// Whether the link frame's origin is the centre of mass.
+  bool isCentred_;
   LinkShape shape_;
   btRigidBody rigid_;
 };

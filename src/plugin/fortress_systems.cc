@@ -86,4 +86,9 @@ bool isForeignPlugin(std::string_view name) {
   return name.starts_with("gazebo_") || std::ranges::find(kOfRos, name) != kOfRos.end();
 }
 
+std::string_view packageOf(std::string_view name) {
+  constexpr std::array<std::string_view, 3> kOfRos2{"gz_ros2_control-system", "ign_ros2_control-system", "ros2"};
+  return std::ranges::find(kOfRos2, name) != kOfRos2.end() ? "pongsim-ros2" : "";
+}
+
 }  // namespace pongsim::plugin

@@ -19,4 +19,8 @@ std::vector<std::string_view> missingSystems(std::span<const std::string> availa
 /// Fortress can't load either.
 bool isForeignPlugin(std::string_view name);
 
+/// @param name As `systemName` has it: "gz_ros2_control-system".
+/// @return The package beside pongsim that has it; empty: none.
+std::string_view packageOf(std::string_view name);
+
 }  // namespace pongsim::plugin

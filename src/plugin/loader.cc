@@ -86,12 +86,17 @@ const Library* Loader::library(const std::string& name, const description::Plugi
 }
 
 void Loader::reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics) {
+  const std::string package(packageOf(name));
+  const std::string install = "the package " + package + " has it: apt-get install " + package;
   const bool isOfFortress = std::ranges::find(fortressSystems(), std::string_view(name)) != fortressSystems().end();
   if (isOfFortress || isForeignPlugin(name)) {
     if (std::ranges::find(missed_, name) != missed_.end()) return;
     missed_.push_back(name);
     if (isOfFortress) {
       diagnostics.warning(plugin.sdf.position, "the system '" + name + "' of Gazebo is not there yet: it is left out");
+    } else if (!package.empty()) {
+      diagnostics.warning(plugin.sdf.position, "plugin '" + plugin.filename + "' is not installed: it is left out",
+                          install);
     } else {
       diagnostics.warning(plugin.sdf.position,
                           "plugin '" + plugin.filename + "' is one of Gazebo Classic or ROS: it is left out",
@@ -102,7 +107,7 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
   const std::vector<std::string> available = systemsIn(searchPath_);
   std::vector<std::string_view> words(available.begin(), available.end());
   words.insert(words.end(), fortressSystems().begin(), fortressSystems().end());
-  std::string hint = base::didYouMean(name, words);
+  std::string hint = package.empty() ? base::didYouMean(name, words) : install;
   if (hint.empty()) {
     hint = "looked in";
     for (const std::filesystem::path& folder : searchPath_) hint += " " + folder.string();

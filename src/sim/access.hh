@@ -29,6 +29,12 @@ inline bool isWithin(const Vector3& values, double most) {
   return std::abs(values.x()) <= most && std::abs(values.y()) <= most && std::abs(values.z()) <= most;
 }
 
+/// @return Likewise of both together, by fewer comparisons.
+inline bool areWithin(const Vector3& a, const Vector3& b, double most) {
+  // neither is longer than both together, which is not below what is not a number
+  return a.squaredNorm() + b.squaredNorm() <= most * most || (isWithin(a, most) && isWithin(b, most));
+}
+
 /// A group of entities that is set aside: not there for anybody, and kept as it is until it comes back.
 struct Shelved {
   world::Records entities;

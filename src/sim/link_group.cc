@@ -36,7 +36,7 @@ void LinkGroup::addWrenches(std::span<const Wrench> wrenches) {
   lookUp();
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const auto& [force, torque] = wrenches[i];
-    if (sim::isWithin(force, sim::kMostForce) && sim::isWithin(torque, sim::kMostForce)) {
+    if (sim::areWithin(force, torque, sim::kMostForce)) {
       access_->engine.addLinkWrench(slots_[i], force, torque);
     } else {
       access_->refuse("link '" + access_->entities.links()[slots_[i]].description->name +

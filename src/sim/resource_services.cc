@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "msgs/control_messages.hh"
@@ -19,7 +20,8 @@ constexpr std::string_view kNothing = "ignition.msgs.Empty";
 
 }  // namespace
 
-ResourceServices::ResourceServices(Simulation& simulation) : simulation_(simulation) {
+ResourceServices::ResourceServices(Simulation& simulation, FolderAdded folderAdded)
+    : simulation_(simulation), folderAdded_(std::move(folderAdded)) {
   Node node = simulation.transport().node();
   publisher_ = node.advertise("/gazebo/resource_paths", kPaths);
   get_ = node.serve("/gazebo/resource_paths/get", kNothing, kPaths, [this](const Message&, Message& reply) {
@@ -44,6 +46,7 @@ ServiceAnswer ResourceServices::add(const Message& request) {
     if (const std::optional<std::string> refusal = simulation_.addResourceFolder(folder)) {
       return ServiceAnswer::refused(*refusal);
     }
+    folderAdded_(folder);
   }
   const MessagePointer message = newMessage(kPaths);
   fillIn(*message);

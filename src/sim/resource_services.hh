@@ -1,5 +1,8 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
+
 #include "pongsim/node.hh"
 #include "pongsim/simulation.hh"
 
@@ -10,8 +13,11 @@ namespace pongsim::sim {
 /// when one is added.
 class ResourceServices {
  public:
+  using FolderAdded = std::function<void(const std::filesystem::path& folder)>;
+
   /// @param simulation Must outlive it.
-  explicit ResourceServices(Simulation& simulation);
+  /// @param folderAdded Told of each folder that others add.
+  ResourceServices(Simulation& simulation, FolderAdded folderAdded);
 
  private:
   ServiceAnswer add(const Message& request);
@@ -19,6 +25,7 @@ class ResourceServices {
   void fillIn(Message& stringMsgV) const;
 
   Simulation& simulation_;
+  FolderAdded folderAdded_;
   Publisher publisher_;
   Service get_;
   Service add_;

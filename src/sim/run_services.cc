@@ -9,26 +9,16 @@
 
 namespace pongsim::sim {
 
-RunServices::RunServices(Simulation& simulation, RunControl& control, std::function<void()> stop)
-    : simulation_(simulation), control_(control), stop_(std::move(stop)), edits_(simulation), resources_(simulation) {
-  constexpr std::string_view kBoolean = "ignition.msgs.Boolean";
+RunServices::RunServices(Simulation& simulation, RunControl& control, ResourceServices::FolderAdded folderAdded)
+    : simulation_(simulation), control_(control), edits_(simulation) {
   Node node = simulation.transport().node();
   const std::string controlName = cleanTopic("/world/" + std::string(simulation.world().name()) + "/control");
-  worldControl_ =
-      node.serve(controlName, "ignition.msgs.WorldControl", kBoolean, [this](const Message& request, Message& reply) {
-        msgs::setBoolean(true, reply);
-        return controlWorld(msgs::worldControl(request));
-      });
-  worlds_ = node.serve("/gazebo/worlds", "ignition.msgs.Empty", "ignition.msgs.StringMsg_V",
-                       [this](const Message&, Message& reply) {
-                         msgs::addString(std::string(simulation_.world().name()), reply);
-                         return true;
-                       });
-  serverControl_ = node.serve("/server_control", "ignition.msgs.ServerControl", kBoolean,
-                              [this](const Message& request, Message& reply) {
-                                msgs::setBoolean(true, reply);
-                                return controlServer(msgs::serverControl(request));
-                              });
+  worldControl_ = node.serve(controlName, "ignition.msgs.WorldControl", "ignition.msgs.Boolean",
+                             [this](const Message& request, Message& reply) {
+                               msgs::setBoolean(true, reply);
+                               return controlWorld(msgs::worldControl(request));
+                             });
+  if (folderAdded) resources_.emplace(simulation, std::move(folderAdded));
 }
 
 ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
@@ -39,12 +29,6 @@ ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
   Diagnostics diagnostics;
   simulation_.reset(diagnostics, asked.seed != 0 ? std::optional<std::uint64_t>(asked.seed) : std::nullopt);
   logDiagnostics(diagnostics, log_);
-  return true;
-}
-
-ServiceAnswer RunServices::controlServer(const msgs::ServerControl& asked) {
-  if (asked.more || !asked.stop) return ServiceAnswer::refused("only 'stop: true' can be done");
-  stop_();
   return true;
 }
 

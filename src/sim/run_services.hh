@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 
 #include "pongsim/log.hh"
@@ -15,26 +15,24 @@ class Simulation;
 
 namespace pongsim::sim {
 
-/// What others may ask of a run: `/world/W/control`, `/gazebo/worlds`, `/server_control`, and what `EditServices` and
-/// `ResourceServices` offer. Requests are met from within `Transport::dispatch`, and must be in between two steps.
+/// What others may ask of the run of a world: `/world/W/control`, and what `EditServices` and, for the first world of a
+/// process, `ResourceServices` offer. Requests are met from within `Transport::dispatch`, and must be in between two
+/// steps.
 class RunServices {
  public:
-  /// @param stop Ends the run. All references must outlive it.
-  RunServices(Simulation& simulation, RunControl& control, std::function<void()> stop);
+  /// All references must outlive it.
+  /// @param folderAdded Told of folders that others add; empty: it is not the first world.
+  RunServices(Simulation& simulation, RunControl& control, ResourceServices::FolderAdded folderAdded);
 
  private:
   ServiceAnswer controlWorld(const msgs::WorldControl& asked);
-  ServiceAnswer controlServer(const msgs::ServerControl& asked);
 
   Simulation& simulation_;
   RunControl& control_;
-  std::function<void()> stop_;
   Logger log_{"run"};
   Service worldControl_;
-  Service worlds_;
-  Service serverControl_;
   EditServices edits_;
-  ResourceServices resources_;
+  std::optional<ResourceServices> resources_;
 };
 
 }  // namespace pongsim::sim

@@ -55,39 +55,61 @@ void sleepUntil(Clock::time_point time) {
 }  // namespace
 
 struct Runner::Parts {
-  Parts(Simulation& s, const RunOptions& o, std::function<void()> stop)
+  Parts(Simulation& s, const RunOptions& o, ResourceServices::FolderAdded folderAdded)
       : simulation(s),
         iterations(o.iterations.value_or(std::numeric_limits<std::uint64_t>::max())),
         options(o),
-        status(s.transport(), std::string(s.world().name())),
+        status(std::in_place, s.transport(), std::string(s.world().name()), static_cast<bool>(folderAdded)),
         control(o.paused),
-        services(s, control, std::move(stop)) {}
+        services(std::in_place, s, control, std::move(folderAdded)) {}
 
   void publishStatus(Clock::time_point now) {
-    status.publish({.simulated = simulation.time(),
-                    .real = real,
-                    .system = std::chrono::system_clock::now().time_since_epoch(),
-                    .iterations = simulation.iterations(),
-                    .realTimeFactor = factor.value(),
-                    .paused = control.paused()},
-                   now);
+    status->publish({.simulated = simulation.time(),
+                     .real = real,
+                     .system = std::chrono::system_clock::now().time_since_epoch(),
+                     .iterations = simulation.iterations(),
+                     .realTimeFactor = factor.value(),
+                     .paused = control.paused()},
+                    now);
   }
 
   Simulation& simulation;
   const std::uint64_t iterations;
   const RunOptions options;
-  StatusPublisher status;
+  std::optional<StatusPublisher> status;
   RunControl control;
-  RunServices services;
+  std::optional<RunServices> services;
   RealTimeFactor factor;
   std::chrono::nanoseconds real{0};
   std::uint64_t made = 0;
 };
 
-Runner::Runner(Simulation& simulation, const RunOptions& options)
-    : parts_(std::make_unique<Parts>(simulation, options, [this] { stop(); })) {}
+Runner::Runner(Simulation& simulation, const RunOptions& options, ResourceServices::FolderAdded folderAdded)
+    : parts_(std::make_unique<Parts>(simulation, options, std::move(folderAdded))) {}
 
 Runner::~Runner() = default;
+
+void Runner::leave() {
+  parts_->services.reset();
+  parts_->status.reset();
+}
+
+void Runner::post(std::function<void(Simulation&)> task) {
+  const std::lock_guard lock(tasksMutex_);
+  tasks_.push_back(std::move(task));
+  hasTasks_ = true;
+}
+
+void Runner::doTasks() {
+  if (!hasTasks_.load(std::memory_order_relaxed)) return;
+  std::vector<std::function<void(Simulation&)>> tasks;
+  {
+    const std::lock_guard lock(tasksMutex_);
+    tasks.swap(tasks_);
+    hasTasks_ = false;
+  }
+  for (const auto& task : tasks) task(parts_->simulation);
+}
 
 void Runner::run() {
   // The kernel rounds sleeps up by 50 us otherwise, a twentieth of the usual step.
@@ -107,6 +129,7 @@ bool Runner::isOver() const { return stopping_.load() || parts_->made >= parts_-
 /// to come.
 void Runner::waitPaused() {
   Parts& parts = *parts_;
+  doTasks();
   parts.simulation.advance(Time::zero());
   parts.publishStatus(Clock::now());
   parts.simulation.transport().dispatchFor(kPausedPeriod);
@@ -119,6 +142,7 @@ void Runner::runSteps() {
   const Clock::time_point start = now - parts.real;
   Clock::time_point due = now;
   while (!isOver()) {
+    doTasks();
     parts.simulation.transport().dispatch();
     // what was asked for meanwhile is done before it is answered: no step comes after an answered pause
     if (parts.control.paused() || isOver()) return;

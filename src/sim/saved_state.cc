@@ -37,6 +37,7 @@ std::vector<const Record*> allOf(const Access& access, const std::vector<Record>
 /// @return A number made of who is in the world and how it began, but for joints: a state fits where it is the same.
 std::uint64_t structureOf(const Access& access, const SystemSet& systems) {
   base::Hash hash;
+  hash.add(access.entities.description().name);
   for (const world::ModelRecord* model : allOf(access, access.entities.models(), &world::Records::models)) {
     hash.add(model->scopedName);
     hash.add(std::uint64_t{model->isStatic});

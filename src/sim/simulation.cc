@@ -26,7 +26,9 @@
 #include "sim/model_edits.hh"
 #include "sim/resource_services.hh"
 #include "sim/saved_state.hh"
+#include "sim/shared_topics.hh"
 #include "sim/system_set.hh"
+#include "sim/world_place.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
 
@@ -47,22 +49,29 @@ physics::Settings settingsFor(const description::PhysicsProfile& profile, const 
 }  // namespace
 
 struct Simulation::Parts {
-  Parts(description::World world, const SimulationOptions& options)
+  Parts(description::World world, const sim::WorldPlace& place, bool sharesTransport, const SimulationOptions& options)
       : description(std::move(world)),
         entities(description),
         state(entities),
         engine(entities, settingsFor(description.physics, options)),
         access{entities, state, engine},
         edits(access, places),
-        transport(options.transport != nullptr
-                      ? *options.transport
-                      : ownTransport.emplace(TransportOptions{.network = false, .domain = {}})),
-        systems(access, edits, transport, options.seed, options.strict) {
+        transport(chooseTransport(options, sharesTransport)),
+        systems(access, edits, transport, options.seed, options.strict, place) {
     edits.setSystems(systems);
   }
 
-  /// @return The simulation of the file's first world; null, with the reason in `diagnostics`, if it can't run.
-  static std::unique_ptr<Simulation> make(sdf::Root root, const SimulationOptions& options, Diagnostics& diagnostics);
+  /// @return The simulation of one of the file's worlds; null, with the reason in `diagnostics`, if it can't run.
+  static std::unique_ptr<Simulation> makeOne(sdf::Root root, const SimulationOptions& options,
+                                             Diagnostics& diagnostics);
+  static std::unique_ptr<Simulation> make(description::World world, const sim::WorldPlace& place, bool sharesTransport,
+                                          const SimulationOptions& options, Diagnostics& diagnostics);
+
+  /// @return The program's transport, or one of the simulation's own.
+  Transport& chooseTransport(const SimulationOptions& options, bool sharesTransport) {
+    if (options.transport == nullptr) return ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
+    return sharesTransport ? ownTransport.emplace(*options.transport, Transport::Sharing()) : *options.transport;
+  }
 
   /// Loads and unloads levels. The systems are told when they are called next.
   void updateLevels() {
@@ -89,8 +98,13 @@ struct Simulation::Parts {
   Transport& transport;
   /// None but added ones where the options want none.
   sim::SystemSet systems;
-  std::optional<sim::EditServices> editServices;
-  std::optional<sim::ResourceServices> resourceServices;
+  struct Offers {
+    explicit Offers(Simulation& simulation) : edits(simulation), resources(simulation, [](const auto&) {}) {}
+
+    sim::EditServices edits;
+    sim::ResourceServices resources;
+  };
+  std::optional<Offers> offers;
   /// Links of which it was said that they turn too fast.
   std::set<LinkId> slowedDown;
 };
@@ -121,20 +135,73 @@ description::World worldAround(sdf::Root root) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const SimulationOptions& options,
-                                                    Diagnostics& diagnostics) {
+namespace {
+
+/// Puts a world around what stands in none, where there is no other.
+/// @return Whether the file can be simulated.
+bool prepare(sdf::Root& root, Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : root.unsimulated.all()) diagnostics.add(diagnostic);
-  if (diagnostics.hasErrors()) return nullptr;
-  for (std::size_t i = 1; i < root.worlds.size(); ++i) {
-    diagnostics.warning(root.worlds[i].position, "world '" + root.worlds[i].name + "' is left out: pongsim runs the " +
-                                                     "first world of a file, '" + root.worlds[0].name + "'");
+  if (diagnostics.hasErrors()) return false;
+  if (!root.worlds.empty()) return true;
+  description::World around = worldAround(std::move(root));
+  root.worlds.clear();
+  root.worlds.push_back(std::move(around));
+  return true;
+}
+
+/// @return The number of the world of that name, of the first one where it is empty; nothing, and an error added,
+/// where there is none.
+std::optional<std::size_t> chooseWorld(const std::vector<description::World>& worlds, const std::string& name,
+                                       Diagnostics& diagnostics) {
+  if (!name.empty()) {
+    const auto found = std::ranges::find(worlds, name, &description::World::name);
+    if (found != worlds.end()) return static_cast<std::size_t>(found - worlds.begin());
+    std::string names;
+    for (const description::World& world : worlds) names += (names.empty() ? "'" : ", '") + world.name + "'";
+    diagnostics.error(worlds.front().position, "there is no world '" + name + "' in this file", "it has " + names);
+    return std::nullopt;
   }
-  description::World world = root.worlds.empty() ? worldAround(std::move(root)) : std::move(root.worlds.front());
+  for (std::size_t i = 1; i < worlds.size(); ++i) {
+    diagnostics.warning(
+        worlds[i].position,
+        "world '" + worlds[i].name + "' is left out: it is the first one that counts here, '" + worlds[0].name + "'",
+        "choose a world of the file by its name");
+  }
+  return 0;
+}
+
+/// Adds an error for each world whose topics have the names of another one's, for "a b" and "a_b" have the same.
+void checkTopicNames(const std::vector<description::World>& worlds, Diagnostics& diagnostics) {
+  for (std::size_t i = 1; i < worlds.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::string topics = cleanTopic("/world/" + worlds[i].name);
+      if (topics != cleanTopic("/world/" + worlds[j].name)) continue;
+      diagnostics.error(worlds[i].position,
+                        "the topics of world '" + worlds[i].name + "' have the same names as those of world '" +
+                            worlds[j].name + "': " + topics + "/...",
+                        "give one of them another name");
+    }
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> Simulation::Parts::makeOne(sdf::Root root, const SimulationOptions& options,
+                                                       Diagnostics& diagnostics) {
+  if (!prepare(root, diagnostics)) return nullptr;
+  const std::optional<std::size_t> number = chooseWorld(root.worlds, options.world, diagnostics);
+  if (!number) return nullptr;
+  return make(std::move(root.worlds[*number]), {*number, true}, false, options, diagnostics);
+}
+
+std::unique_ptr<Simulation> Simulation::Parts::make(description::World world, const sim::WorldPlace& place,
+                                                    bool sharesTransport, const SimulationOptions& options,
+                                                    Diagnostics& diagnostics) {
   if (options.levels && !world.levels.isGiven) {
     diagnostics.warning(world.position, "world '" + world.name + "' has no levels: all of it is loaded",
                         "they stand in a <plugin filename=\"dummy\" name=\"gz::sim\"> of the world");
   }
-  auto parts = std::make_unique<Parts>(std::move(world), options);
+  auto parts = std::make_unique<Parts>(std::move(world), place, sharesTransport, options);
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
@@ -148,12 +215,38 @@ std::unique_ptr<Simulation> Simulation::Parts::make(sdf::Root root, const Simula
 
 std::unique_ptr<Simulation> Simulation::fromFile(const std::filesystem::path& file, const SimulationOptions& options,
                                                  Diagnostics& diagnostics) {
-  return Parts::make(sdf::loadFile(file, diagnostics), options, diagnostics);
+  return Parts::makeOne(sdf::loadFile(file, diagnostics), options, diagnostics);
+}
+
+std::vector<std::unique_ptr<Simulation>> Simulation::allFromFile(const std::filesystem::path& file,
+                                                                 const SimulationOptions& options,
+                                                                 Diagnostics& diagnostics) {
+  sdf::Root root = sdf::loadFile(file, diagnostics);
+  if (!prepare(root, diagnostics)) return {};
+  const bool isOne = root.worlds.size() == 1;
+  checkTopicNames(root.worlds, diagnostics);
+  if (diagnostics.hasErrors()) return {};
+  std::vector<std::unique_ptr<Simulation>> all;
+  std::vector<SourcePosition> positions;
+  SimulationOptions ofWorld = options;
+  bool isComplete = true;
+  for (std::size_t i = 0; i < root.worlds.size(); ++i) {
+    // all are tried, so that all that is wrong is said
+    positions.push_back(root.worlds[i].position);
+    Diagnostics found;
+    all.push_back(Parts::make(std::move(root.worlds[i]), {i, isOne}, !isOne, ofWorld, found));
+    for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+    isComplete = isComplete && all.back() != nullptr && !found.hasErrors();
+    ofWorld.systems.clear();
+  }
+  if (!isComplete) return {};
+  sim::warnOfSharedTopics(all, positions, diagnostics);
+  return all;
 }
 
 std::unique_ptr<Simulation> Simulation::fromText(std::string_view text, std::string_view name,
                                                  const SimulationOptions& options, Diagnostics& diagnostics) {
-  return Parts::make(sdf::loadText(text, name, diagnostics), options, diagnostics);
+  return Parts::makeOne(sdf::loadText(text, name, diagnostics), options, diagnostics);
 }
 
 Simulation::Simulation(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -316,9 +409,7 @@ bool Simulation::addSystem(std::string name, std::unique_ptr<System> system, Dia
 }
 
 void Simulation::offerEdits() {
-  if (parts_->editServices) return;
-  parts_->editServices.emplace(*this);
-  parts_->resourceServices.emplace(*this);
+  if (!parts_->offers) parts_->offers.emplace(*this);
 }
 
 std::uint64_t Simulation::stateHash() const {

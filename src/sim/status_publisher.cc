@@ -9,9 +9,9 @@ constexpr std::string_view kStatisticsType = "ignition.msgs.WorldStatistics";
 
 }  // namespace
 
-StatusPublisher::StatusPublisher(Transport& transport, const std::string& worldName)
-    : clock_(transport.node().advertise("/clock", kClockType)),
-      statistics_(transport.node().advertise("/stats", kStatisticsType)),
+StatusPublisher::StatusPublisher(Transport& transport, const std::string& worldName, bool isFirst)
+    : clock_(isFirst ? transport.node().advertise("/clock", kClockType) : Publisher()),
+      statistics_(isFirst ? transport.node().advertise("/stats", kStatisticsType) : Publisher()),
       worldClock_(transport.node().advertise(cleanTopic("/world/" + worldName + "/clock"), kClockType)),
       worldStatistics_(transport.node().advertise(cleanTopic("/world/" + worldName + "/stats"), kStatisticsType)) {}
 

@@ -8,10 +8,11 @@
 
 namespace pongsim::sim {
 
-/// Tells where a run stands on `/clock`, `/stats`, `/world/W/clock` (each step) and `/world/W/stats` (10 Hz).
+/// Tells where a run stands on `/world/W/clock` (each step) and `/world/W/stats` (10 Hz), and the first one of a
+/// process on `/clock` and `/stats` (each step), too.
 class StatusPublisher {
  public:
-  StatusPublisher(Transport& transport, const std::string& worldName);
+  StatusPublisher(Transport& transport, const std::string& worldName, bool isFirst);
 
   /// Publishes to whoever listens; costs next to nothing where nobody does.
   void publish(const msgs::Status& status, std::chrono::steady_clock::time_point now);

@@ -58,11 +58,13 @@ description::Plugin joined(description::Plugin plugin, std::vector<description::
 
 }  // namespace
 
-SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict)
+SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict,
+                     const WorldPlace& place)
     : access_(access),
       transport_(transport),
       seed_(seed),
       strict_(strict),
+      place_(place),
       world_(access),
       defaultSceneBroadcaster_(defaultSceneBroadcaster()),
       queue_(edits) {}
@@ -142,7 +144,7 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   const std::string& nameSpace = access_.entities.nameSpace(holder.model);
   const Node node = nameSpace.empty() ? transport_.node() : transport_.node().below(nameSpace);
   start({model ? model->id() : ModelId(), number, name, plugin.sdf.position, node,
-         Random(seed_, SystemSlot::streamOf(name, number)), std::move(system), actor ? actor->id() : ActorId()},
+         stream(SystemSlot::streamOf(name, number)), std::move(system), actor ? actor->id() : ActorId(), where()},
         plugin.sdf, model, actor, diagnostics);
 }
 
@@ -156,9 +158,10 @@ bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostic
   const auto number = static_cast<std::size_t>(std::ranges::count_if(slots_, &SystemSlot::isAdded));
   Element plugin;
   plugin.name = "plugin";
-  const Random random(seed_, SystemSlot::streamOf(name, number));
-  const bool isUsed = start({{}, number, std::move(name), {}, transport_.node(), random, std::move(system), {}, true},
-                            plugin, {}, {}, diagnostics);
+  const Random random = stream(SystemSlot::streamOf(name, number));
+  const bool isUsed =
+      start({{}, number, std::move(name), {}, transport_.node(), random, std::move(system), {}, where(), true}, plugin,
+            {}, {}, diagnostics);
   collectAwake();
   return isUsed;
 }
@@ -192,11 +195,19 @@ void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnost
   }
 }
 
+/// @return A system's random stream: what it would be in a file without other worlds in the first one, another one in
+/// each of the others.
+Random SystemSet::stream(const std::string& name) const {
+  return {seed_, place_.number == 0 ? name : std::string(world_.name()) + ": " + name};
+}
+
+std::string SystemSet::where() const { return place_.isAlone ? "" : " (world " + std::string(world_.name()) + ")"; }
+
 void SystemSet::noteFailure(const SystemSlot& slot, const std::string& what) {
   if (!strict_) {
-    Logger(slot.name()).error(what + "; it is switched off" + inBrackets(slot.position()));
+    Logger(slot.label()).error(what + "; it is switched off" + inBrackets(slot.position()));
   } else if (!failure_) {
-    failure_ = slot.name() + " " + what;
+    failure_ = slot.label() + " " + what;
   }
 }
 
@@ -245,11 +256,11 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
   }
   putInOrder();
   updateWhoRests();
-  for (SystemSlot& slot : slots_) slot.switchOn(Random(seed_, slot.stream()));
+  for (SystemSlot& slot : slots_) slot.switchOn(stream(slot.stream()));
   announceChanges();
   for (SystemSlot& slot : slots_) {
     // once more: who is told of changes may draw numbers
-    slot.setRandom(Random(seed_, slot.stream()));
+    slot.setRandom(stream(slot.stream()));
     slot.reset();
   }
 }

@@ -17,6 +17,7 @@
 #include "sim/access.hh"
 #include "sim/edit_queue.hh"
 #include "sim/system_slot.hh"
+#include "sim/world_place.hh"
 
 namespace pongsim::sim {
 
@@ -26,7 +27,10 @@ class SystemSet {
   /// All references must outlive it.
   /// @param edits Carries out what systems ask for.
   /// @param strict A system that fails ends the step with an exception, in place of being switched off.
-  SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict);
+  /// @param place Worlds of a file have random streams of their own, and those that run beside others are named where
+  /// systems speak.
+  SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict,
+            const WorldPlace& place);
   ~SystemSet();
   SystemSet(const SystemSet&) = delete;
   SystemSet& operator=(const SystemSet&) = delete;
@@ -92,6 +96,9 @@ class SystemSet {
   void putInOrder();
   void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
+  Random stream(const std::string& name) const;
+  /// @return What stands behind the name of a system where it speaks.
+  std::string where() const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
   /// Ends the step where a system must not have failed.
   void check() const;
@@ -100,6 +107,7 @@ class SystemSet {
   Transport& transport_;
   std::uint64_t seed_;
   bool strict_;
+  const WorldPlace place_;
   World world_;
   const description::Plugin defaultSceneBroadcaster_;
   bool wantsPhysics_ = true;

@@ -19,8 +19,8 @@ const char* missingPlace(Declaration::Place place, bool isInModel, bool isInActo
 
 SystemSlot::SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed)
     : parts_(std::move(parts)),
-      crashName_("the system " + parts_.name),
-      log_(parts_.name),
+      crashName_("the system " + label()),
+      log_(label()),
       node_(parts_.node.guardedBy(*this)),
       access_(access),
       queue_(edits),

@@ -36,6 +36,8 @@ class SystemSlot final : public CallGuard {
     std::unique_ptr<System> system;
     /// Where the `<plugin>` stands in an actor.
     ActorId actor = {};
+    /// Behind the name where it speaks: " (world b)", or empty.
+    std::string where = {};
     /// The program itself has added it.
     bool isAdded = false;
   };
@@ -51,6 +53,8 @@ class SystemSlot final : public CallGuard {
   std::size_t number() const { return parts_.number; }
   const std::string& name() const { return parts_.name; }
   bool isAdded() const { return parts_.isAdded; }
+  /// @return The name by which it speaks.
+  std::string label() const { return parts_.name + parts_.where; }
   const SourcePosition& position() const { return parts_.position; }
   /// @return The name of a system's random stream. The number keeps apart two of a kind in one place.
   static std::string streamOf(const std::string& name, std::size_t number) {

@@ -26,11 +26,13 @@ const Logger& anyTypeLog() {
 
 }  // namespace
 
-AnyType& Bus::addAnyType(std::string_view topic, ReceivedOfAnyType received, const SubscriptionOptions& options) {
+AnyType& Bus::addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedOfAnyType received,
+                         const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
   auto owned = std::make_unique<AnyType>();
   AnyType& any = *owned;
   any.topic = absoluteTopic(topic);
+  any.queue = &queue;
   any.received = std::make_shared<const ReceivedOfAnyType>(std::move(received));
   any.options = options;
   // now, for the publisher may have gone when the first inbox is made
@@ -47,7 +49,7 @@ AnyType& Bus::addAnyType(std::string_view topic, ReceivedOfAnyType received, con
   }
   std::vector<std::string> types;
   for (const auto& [key, channel] : channels_) {
-    if (channel->topic == any.topic && channel->publishers > 0) types.push_back(channel->type);
+    if (channel->topic == any.topic && channel->users.publishers > 0) types.push_back(channel->type);
   }
   if (network_) {
     for (const auto& publisher : network_->directory().topic(any.topic).publishers) types.push_back(publisher.type);
@@ -57,7 +59,7 @@ AnyType& Bus::addAnyType(std::string_view topic, ReceivedOfAnyType received, con
 }
 
 void Bus::endAnyType(AnyType& any) {
-  const std::lock_guard dispatchLock(dispatching_);
+  const std::lock_guard dispatchLock(any.queue->dispatching);
   std::unique_ptr<AnyType> owned;
   {
     const std::lock_guard lock(setUp_);
@@ -89,7 +91,7 @@ void Bus::hear(AnyType& any, const std::string& type) {
   auto inbox = std::make_unique<Inbox>(channel, std::move(received), any.options);
   inbox->except = any.except;
   try {
-    Inbox& added = addInbox(channel, std::move(inbox));
+    Inbox& added = addInbox(*any.queue, channel, std::move(inbox));
     const std::lock_guard inboxesLock(mutex_);
     any.inboxes.push_back(&added);
   } catch (const std::exception& error) {
@@ -100,14 +102,15 @@ void Bus::hear(AnyType& any, const std::string& type) {
 
 /// Called by DDS.
 void Bus::publisherFound(const std::string& topic, const std::string& type) {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto isMeant = [&topic](const auto& any) { return any->topic == topic; };
-    if (std::ranges::none_of(anyTypes_, isMeant)) return;
-    foundTypes_.emplace_back(topic, type);
-    waiting_ = true;
+  const std::lock_guard lock(mutex_);
+  bool isMeant = false;
+  for (const auto& any : anyTypes_) {
+    if (any->topic != topic) continue;
+    isMeant = true;
+    any->queue->waiting = true;
+    any->queue->arrived.notify_one();
   }
-  arrived_.notify_one();
+  if (isMeant) foundTypes_.emplace_back(topic, type);
 }
 
 void Bus::hearFoundTypes() {

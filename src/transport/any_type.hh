@@ -14,6 +14,7 @@ namespace pongsim::transport {
 class AnyType {
  public:
   std::string topic;
+  DispatchQueue* queue = nullptr;
   std::shared_ptr<const ReceivedOfAnyType> received;
   SubscriptionOptions options;
   /// The publisher that it does not hear, or null.

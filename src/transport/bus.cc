@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "msgs/bytes.hh"
@@ -33,9 +34,11 @@ Channel::~Channel() = default;
 Bus::Bus(std::unique_ptr<Network> network)
     : network_(std::move(network)),
       server_(
-          network_.get(), [this] { requestArrived(); },
-          [this](std::uint64_t call, const auto& header, auto message) { client_.answerOwn(call, header, message); }),
-      client_(network_.get(), server_) {
+          network_.get(), [this](DispatchQueue& queue) { requestArrived(queue); },
+          [this](const DispatchQueue& queue, std::uint64_t call, const auto& header, auto message) {
+            client_.answerOwn(queue, call, header, message);
+          }),
+      client_(network_.get(), server_, [this](DispatchQueue& queue) { requestArrived(queue); }) {
   if (!network_) return;
   network_->reportTraffic([this] { return traffic(); });
   network_->directory().tellOfPublishers([this](const auto& topic, const auto& type) { publisherFound(topic, type); });
@@ -47,6 +50,11 @@ Bus::~Bus() {
   network_->reportTraffic({});
 }
 
+DispatchQueue& Bus::addQueue() {
+  const std::lock_guard lock(setUp_);
+  return *queues_.emplace_back(std::make_unique<DispatchQueue>());
+}
+
 std::optional<Interface> Bus::interface() const { return network_ ? network_->interface() : std::nullopt; }
 
 Channel& Bus::channelFor(std::string_view topic, const std::string& type) {
@@ -56,33 +64,39 @@ Channel& Bus::channelFor(std::string_view topic, const std::string& type) {
 }
 
 void Bus::eraseIfUnused(const Channel& channel) {
-  if (channel.publishers + channel.subscriptions == 0) channels_.erase({channel.topic, channel.type});
+  if (channel.users.publishers + channel.users.subscriptions == 0) channels_.erase({channel.topic, channel.type});
 }
 
-Channel& Bus::addPublisher(std::string_view topic, const std::string& type, bool latched) {
+Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type, bool latched) {
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
   if (network_ && !channel.writer) {
     channel.writer = network_->makeWriter(channel.topic, channel.type, [this] { subscribersChanged(); });
     network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
   }
-  ++channel.publishers;
-  if (latched) ++channel.latchedPublishers;
-  ++ownTopicsVersion_;
+  for (Channel::Users* users : {&channel.users, &channel.usersOf[&queue]}) {
+    ++users->publishers;
+    if (latched) ++users->latchedPublishers;
+  }
+  ++queue.ownTopicsVersion;
   for (const auto& any : anyTypes_) {
     if (any->topic == channel.topic) hear(*any, channel.type);
   }
   return channel;
 }
 
-void Bus::endPublisher(Channel& channel, bool latched) {
+void Bus::endPublisher(DispatchQueue& queue, Channel& channel, bool latched) {
   const std::lock_guard lock(setUp_);
-  ++ownTopicsVersion_;
-  if (latched && --channel.latchedPublishers == 0) {
+  ++queue.ownTopicsVersion;
+  for (Channel::Users* users : {&channel.users, &channel.usersOf[&queue]}) {
+    --users->publishers;
+    if (latched) --users->latchedPublishers;
+  }
+  if (latched && channel.users.latchedPublishers == 0) {
     forgetLatched(channel, [](const ParticipantId& sender) { return sender == kThisProcess; });
     if (channel.writer) channel.writer->forgetKept();
   }
-  if (--channel.publishers > 0) return;
+  if (channel.users.publishers > 0) return;
   if (channel.writer) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kPublisher});
     network_->end(std::move(channel.writer));
@@ -90,21 +104,21 @@ void Bus::endPublisher(Channel& channel, bool latched) {
   eraseIfUnused(channel);
 }
 
-Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, Inbox::Received received,
-                            const SubscriptionOptions& options) {
+Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
+                            Inbox::Received received, const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
-  return addInbox(channel, std::make_unique<Inbox>(channel, newMessage(type), std::move(received), options));
+  return addInbox(queue, channel, std::make_unique<Inbox>(channel, newMessage(type), std::move(received), options));
 }
 
-Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, Inbox::ReceivedBytes received,
-                            const SubscriptionOptions& options) {
+Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
+                            Inbox::ReceivedBytes received, const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
-  return addInbox(channel, std::make_unique<Inbox>(channel, std::move(received), options));
+  return addInbox(queue, channel, std::make_unique<Inbox>(channel, std::move(received), options));
 }
 
-Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, HeardAtOnce heard,
+Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type, HeardAtOnce heard,
                             const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
@@ -116,25 +130,39 @@ Inbox& Bus::addSubscription(std::string_view topic, const std::string& type, Hea
       },
       options);
   inbox->heardAtOnce = std::move(heard);
-  Inbox& added = addInbox(channel, std::move(inbox));
+  Inbox& added = addInbox(queue, channel, std::move(inbox));
   const std::lock_guard hearing(channel.hearing);
   channel.atOnce.push_back(&added);
+  countAtOnceQueues(channel);
   return added;
 }
 
-std::vector<OwnTopic> Bus::ownTopics() {
+void Bus::countAtOnceQueues(Channel& channel) {
+  std::set<const DispatchQueue*> queues;
+  for (const Inbox* inbox : channel.atOnce) queues.insert(inbox->queue);
+  channel.atOnceQueue = queues.empty() ? nullptr : *queues.begin();
+  channel.atOnceQueues = static_cast<int>(queues.size());
+}
+
+std::vector<OwnTopic> Bus::ownTopics(const DispatchQueue& queue) {
   const std::lock_guard lock(setUp_);
   std::vector<OwnTopic> topics;
   for (const auto& [key, channel] : channels_) {
+    const auto found = channel->usersOf.find(&queue);
+    if (found == channel->usersOf.end()) continue;
+    const Channel::Users& users = found->second;
+    if (users.publishers + users.subscriptions == 0) continue;
     topics.push_back(
-        {channel->topic, channel->type, channel->publishers, channel->subscriptions, channel->latchedPublishers > 0});
+        {channel->topic, channel->type, users.publishers, users.subscriptions, users.latchedPublishers > 0});
   }
   return topics;
 }
 
-Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
+Inbox& Bus::addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> owned) {
   Inbox& inbox = *owned;
-  ++channel.subscriptions;
+  inbox.queue = &queue;
+  ++channel.users.subscriptions;
+  ++channel.usersOf[&queue].subscriptions;
   {
     const std::lock_guard inboxesLock(mutex_);
     inboxes_.emplace(&inbox, std::move(owned));
@@ -148,16 +176,17 @@ Inbox& Bus::addInbox(Channel& channel, std::unique_ptr<Inbox> owned) {
   } catch (...) {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
-    std::erase(inboxesWithArrivals_, &inbox);
+    std::erase(queue.inboxesWithArrivals, &inbox);
     --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
-    --channel.subscriptions;
+    --channel.users.subscriptions;
+    --channel.usersOf[&queue].subscriptions;
     inboxes_.erase(&inbox);
     throw;
   }
   if (channel.reader) inbox.lostBefore = channel.reader->lost();
-  ++ownTopicsVersion_;
+  ++queue.ownTopicsVersion;
   subscribersChanged_.notify_all();
-  arrived_.notify_one();
+  queue.arrived.notify_one();
   return inbox;
 }
 
@@ -174,30 +203,33 @@ void Bus::openReader(Channel& channel) {
 }
 
 void Bus::endSubscription(Inbox& inbox) {
-  const std::lock_guard dispatchLock(dispatching_);
+  DispatchQueue& queue = *inbox.queue;
+  const std::lock_guard dispatchLock(queue.dispatching);
   const std::lock_guard lock(setUp_);
   Channel& channel = inbox.channel();
-  ++ownTopicsVersion_;
+  ++queue.ownTopicsVersion;
   if (inbox.heardAtOnce) {
     const std::lock_guard hearing(channel.hearing);
     std::erase(channel.atOnce, &inbox);
+    countAtOnceQueues(channel);
   }
   {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
     --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
-    std::erase(inboxesWithArrivals_, &inbox);
+    std::erase(queue.inboxesWithArrivals, &inbox);
     std::vector<Arrival> unread;
     inbox.moveTo(unread);
     for (const Arrival& arrival : unread) buffers_.giveBack(arrival.buffer);
     inbox.ended = true;
-    if (inDispatch_) {
-      endedInDispatch_.push_back(&inbox);
+    if (queue.inDispatch) {
+      queue.endedInboxes.push_back(&inbox);
     } else {
       inboxes_.erase(&inbox);
     }
   }
-  if (--channel.subscriptions > 0) return;
+  --channel.usersOf[&queue].subscriptions;
+  if (--channel.users.subscriptions > 0) return;
   if (channel.reader) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kSubscriber});
     network_->end(std::move(channel.reader));
@@ -248,10 +280,19 @@ void Bus::publish(PublisherState& publisher, const Message& message, const Bulk&
   send(publisher, writer->size(), [&writer](std::span<std::byte> place) { writer->write(place); });
 }
 
+/// @return Whether inboxes want it: of those who hear at once, those of other transports.
+bool Bus::isForInboxes(const PublisherState& publisher) {
+  constexpr auto kRelaxed = std::memory_order_relaxed;
+  const Channel& channel = publisher.channel;
+  if (publisher.latched || channel.inboxCount.load(kRelaxed) > 0) return true;
+  const int queues = channel.atOnceQueues.load(kRelaxed);
+  return queues > 1 || (queues == 1 && channel.atOnceQueue.load(kRelaxed) != &publisher.queue);
+}
+
 /// @return Whether others want it than those who hear at once. What these alone hear is counted as sent here.
 bool Bus::isWantedInBytes(PublisherState& publisher) {
   Channel& channel = publisher.channel;
-  if (publisher.latched || channel.inboxCount.load(std::memory_order_relaxed) > 0) return true;
+  if (isForInboxes(publisher)) return true;
   if (channel.writer && channel.writer->hasReaders()) return true;
   ++publisher.sent;
   ++channel.sent;
@@ -265,7 +306,7 @@ void Bus::hearAtOnce(PublisherState& publisher, const Message& message, const Bu
   // by number, for what is called may end subscriptions, or make some
   for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
     const Inbox& inbox = *channel.atOnce[i];
-    if (inbox.except != &publisher) inbox.heardAtOnce(message, bulk);
+    if (inbox.queue == &publisher.queue && inbox.except != &publisher) inbox.heardAtOnce(message, bulk);
   }
 }
 
@@ -296,7 +337,7 @@ void Bus::send(PublisherState& publisher, std::size_t size, const std::function<
   ++publisher.sent;
   ++channel.sent;
   const bool latched = publisher.latched;
-  const bool here = latched || channel.inboxCount.load(std::memory_order_relaxed) > 0;
+  const bool here = isForInboxes(publisher);
   const bool elsewhere = channel.writer && (latched || channel.writer->hasReaders());
   const Keeping keeping = latched ? Keeping::kKept : Keeping::kNone;
   if (!here) {
@@ -337,11 +378,16 @@ Buffer* Bus::takeBuffer(std::size_t size) {
 }
 
 void Bus::deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from) {
+  DispatchQueue* first = nullptr;
   {
     const std::lock_guard lock(mutex_);
     for (Inbox* inbox : channel.inboxes) {
-      if (from != nullptr && (inbox->heardAtOnce || inbox->except == from)) continue;
-      if (inbox->wants()) putInto(*inbox, buffer);
+      const bool hasHeard = inbox->heardAtOnce && from != nullptr && inbox->queue == &from->queue;
+      if (hasHeard || (from != nullptr && inbox->except == from)) continue;
+      if (!inbox->wants()) continue;
+      putInto(*inbox, buffer);
+      if (first == nullptr) first = inbox->queue;
+      if (first != inbox->queue) inbox->queue->arrived.notify_one();
     }
     if (latched) {
       if (channel.latched != nullptr) buffers_.giveBack(channel.latched);
@@ -350,17 +396,18 @@ void Bus::deliver(Channel& channel, Buffer* buffer, bool latched, const Publishe
       buffers_.giveBack(buffer);
     }
   }
-  arrived_.notify_one();
+  // without the mutex, for which who wakes would wait
+  if (first != nullptr) first->arrived.notify_one();
 }
 
 /// With the mutex held.
 void Bus::putInto(Inbox& inbox, Buffer* buffer) {
-  if (inbox.size() == 0) inboxesWithArrivals_.push_back(&inbox);
+  if (inbox.size() == 0) inbox.queue->inboxesWithArrivals.push_back(&inbox);
   ++buffer->users;
   inbox.add(nextArrival_++, buffer, dropped_);
   for (Buffer* each : dropped_) buffers_.giveBack(each);
   dropped_.clear();
-  waiting_ = true;
+  inbox.queue->waiting = true;
 }
 
 void Bus::forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant) {
@@ -369,45 +416,45 @@ void Bus::forgetLatched(Channel& channel, const std::function<bool(const Partici
   buffers_.giveBack(std::exchange(channel.latched, nullptr));
 }
 
-std::size_t Bus::collectArrivals() {
+void Bus::collectArrivals(DispatchQueue& queue) {
   const std::lock_guard lock(mutex_);
-  for (Inbox* inbox : inboxesWithArrivals_) inbox->moveTo(arrivals_);
-  inboxesWithArrivals_.clear();
+  for (Inbox* inbox : queue.inboxesWithArrivals) inbox->moveTo(queue.arrivals);
+  queue.inboxesWithArrivals.clear();
   // one may have been found since they were looked at
-  waiting_ = !foundTypes_.empty();
-  std::ranges::sort(arrivals_, {}, &Arrival::number);
-  return arrivals_.size();
+  queue.waiting = !foundTypes_.empty();
+  std::ranges::sort(queue.arrivals, {}, &Arrival::number);
 }
 
-void Bus::releaseArrivals() {
+void Bus::releaseArrivals(DispatchQueue& queue) {
   const std::lock_guard lock(mutex_);
-  for (const Arrival& arrival : arrivals_) buffers_.giveBack(arrival.buffer);
-  arrivals_.clear();
-  for (Inbox* inbox : endedInDispatch_) inboxes_.erase(inbox);
-  endedInDispatch_.clear();
-  inDispatch_ = false;
+  for (const Arrival& arrival : queue.arrivals) buffers_.giveBack(arrival.buffer);
+  queue.arrivals.clear();
+  for (Inbox* inbox : queue.endedInboxes) inboxes_.erase(inbox);
+  queue.endedInboxes.clear();
+  queue.inDispatch = false;
 }
 
-std::size_t Bus::dispatch() {
-  if (!waiting_.load(std::memory_order_relaxed) && !server_.waiting()) return 0;
-  const std::lock_guard lock(dispatching_);
-  if (inDispatch_) throw std::logic_error("dispatch was called from a function that dispatch had called");
-  inDispatch_ = true;
-  dispatcher_ = std::this_thread::get_id();
+std::size_t Bus::dispatch(DispatchQueue& queue) {
+  if (queue.isIdle()) return 0;
+  const std::lock_guard lock(queue.dispatching);
+  if (queue.inDispatch) throw std::logic_error("dispatch was called from a function that dispatch had called");
+  queue.inDispatch = true;
+  queue.dispatcher = std::this_thread::get_id();
 
   // also when a called function throws
   struct Release {
     ~Release() {
-      bus.dispatcher_ = std::thread::id();
-      bus.releaseArrivals();
+      queue.dispatcher = std::thread::id();
+      bus.releaseArrivals(queue);
     }
     Bus& bus;
-  } const release{*this};
+    DispatchQueue& queue;
+  } const release{*this, queue};
 
   std::size_t handedOver = 0;
   hearFoundTypes();
-  collectArrivals();
-  for (const Arrival& arrival : arrivals_) {
+  collectArrivals(queue);
+  for (const Arrival& arrival : queue.arrivals) {
     Inbox& inbox = *arrival.inbox;
     if (inbox.ended) continue;
     if (const std::optional<std::string> fault = inbox.handOver(*arrival.buffer)) {
@@ -416,24 +463,25 @@ std::size_t Bus::dispatch() {
       ++handedOver;
     }
   }
-  return handedOver + server_.dispatch();
+  handedOver += server_.dispatch(queue);
+  return handedOver + client_.dispatch(queue);
 }
 
-std::size_t Bus::dispatchFor(std::chrono::nanoseconds timeout) {
+std::size_t Bus::dispatchFor(DispatchQueue& queue, std::chrono::nanoseconds timeout) {
   {
     std::unique_lock lock(mutex_);
-    arrived_.wait_until(lock, deadlineAfter(timeout), [this] { return woken_ || waiting_ || server_.waiting(); });
-    woken_ = false;
+    queue.arrived.wait_until(lock, deadlineAfter(timeout), [&queue] { return queue.woken || !queue.isIdle(); });
+    queue.woken = false;
   }
-  return dispatch();
+  return dispatch(queue);
 }
 
-void Bus::wake() {
+void Bus::wake(DispatchQueue& queue) {
   {
     const std::lock_guard lock(mutex_);
-    woken_ = true;
+    queue.woken = true;
   }
-  arrived_.notify_one();
+  queue.arrived.notify_one();
 }
 
 void Bus::complain(Channel& channel, const ParticipantId& sender, std::string_view what) {
@@ -456,9 +504,9 @@ void Bus::subscribersChanged() {
   subscribersChanged_.notify_all();
 }
 
-void Bus::requestArrived() {
+void Bus::requestArrived(DispatchQueue& queue) {
   { const std::lock_guard lock(mutex_); }
-  arrived_.notify_one();
+  queue.arrived.notify_one();
 }
 
 bool Bus::waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout) {
@@ -482,24 +530,24 @@ std::uint64_t Bus::dropped(const Inbox& inbox) const {
   return inbox.dropped() + lost;
 }
 
-Offer& Bus::addService(std::string_view service, std::string_view requestType, std::string_view replyType,
-                       ServiceHandler handler) {
+Offer& Bus::addService(DispatchQueue& queue, std::string_view service, std::string_view requestType,
+                       std::string_view replyType, ServiceHandler handler) {
   const std::lock_guard lock(setUp_);
-  return server_.add(service, requestType, replyType, std::move(handler));
+  return server_.add(queue, service, requestType, replyType, std::move(handler));
 }
 
 void Bus::endService(Offer& offer) {
-  const std::lock_guard dispatchLock(dispatching_);
+  const std::lock_guard dispatchLock(offer.queue.dispatching);
   const std::lock_guard lock(setUp_);
-  server_.end(offer, inDispatch_);
+  server_.end(offer, offer.queue.inDispatch);
 }
 
-CallResult Bus::call(std::string_view service, const Message& request, Message& reply,
+CallResult Bus::call(DispatchQueue& queue, std::string_view service, const Message& request, Message& reply,
                      std::chrono::nanoseconds timeout) {
-  if (dispatcher_ == std::this_thread::get_id()) {
+  if (queue.dispatcher == std::this_thread::get_id()) {
     throw std::logic_error("a service was called from a function that dispatch had called, which must not wait");
   }
-  return client_.call(service, request, reply, deadlineAfter(timeout));
+  return client_.call(queue, service, request, reply, deadlineAfter(timeout));
 }
 
 }  // namespace pongsim::transport

@@ -20,6 +20,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
 #include "transport/complaint_limit.hh"
+#include "transport/dispatch_queue.hh"
 #include "transport/inbox.hh"
 #include "transport/interfaces.hh"
 #include "transport/service_client.hh"
@@ -43,10 +44,16 @@ class Channel {
   const std::string topic;
   const std::string type;
 
-  /// Guarded by the bus's set-up mutex. The writer is there while a publisher is, the reader while a subscription is.
-  int publishers = 0;
-  int latchedPublishers = 0;
-  int subscriptions = 0;
+  /// How many use it.
+  struct Users {
+    int publishers = 0;
+    int latchedPublishers = 0;
+    int subscriptions = 0;
+  };
+  /// Guarded by the bus's set-up mutex: of all, and of the transports that share the bus, by their queues. The writer
+  /// is there while a publisher is, the reader while a subscription is.
+  Users users;
+  std::map<const DispatchQueue*, Users> usersOf;
   std::unique_ptr<Writer> writer;
   std::unique_ptr<Reader> reader;
 
@@ -60,6 +67,9 @@ class Channel {
   std::recursive_mutex hearing;
   std::vector<Inbox*> atOnce;
   std::atomic<int> atOnceCount = 0;
+  /// Of how many transports they are, and of which if it is one.
+  std::atomic<int> atOnceQueues = 0;
+  std::atomic<const DispatchQueue*> atOnceQueue = nullptr;
   /// What bytes are read into for them, or null.
   MessagePointer read;
 
@@ -70,11 +80,11 @@ class Channel {
   ComplaintLimit complaints;
 };
 
-/// Takes messages from publishers and from the network to the subscriptions of one `Transport`.
+/// Takes messages from publishers and from the network to the subscriptions of one `Transport`, or of several that
+/// share it, each with a queue of its own.
 ///
-/// Three mutexes, taken in this order: `dispatching_` (one dispatch at a time, and no subscription ends during another
-/// thread's), `setUp_` (making and ending endpoints), `mutex_` (what waits). DDS threads take only the last, which is
-/// therefore never held while DDS is called.
+/// Three mutexes, taken in this order: `DispatchQueue::dispatching`, `setUp_` (making and ending endpoints), `mutex_`
+/// (what waits). DDS threads take only the last, which is therefore never held while DDS is called.
 class Bus {
  public:
   /// @param network Null for a transport of this process only.
@@ -86,24 +96,28 @@ class Bus {
   /// @return Where it talks to other machines, if it does.
   std::optional<Interface> interface() const;
 
-  /// Types are full names.
+  /// @return A queue that stays until the bus ends.
+  DispatchQueue& addQueue();
+
+  /// Types are full names, `queue` that of the transport by which it is asked for.
   /// @throws std::invalid_argument for a bad topic name; std::runtime_error where DDS refuses.
-  Channel& addPublisher(std::string_view topic, const std::string& type, bool latched);
-  void endPublisher(Channel& channel, bool latched);
-  Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::Received received,
-                         const SubscriptionOptions& options);
-  Inbox& addSubscription(std::string_view topic, const std::string& type, Inbox::ReceivedBytes received,
-                         const SubscriptionOptions& options);
-  /// Of one that hears at once what is published here.
-  Inbox& addSubscription(std::string_view topic, const std::string& type, HeardAtOnce heard,
+  Channel& addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type, bool latched);
+  void endPublisher(DispatchQueue& queue, Channel& channel, bool latched);
+  Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
+                         Inbox::Received received, const SubscriptionOptions& options);
+  Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
+                         Inbox::ReceivedBytes received, const SubscriptionOptions& options);
+  /// Of one that hears at once what is published by its own transport.
+  Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type, HeardAtOnce heard,
                          const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
   /// Of one that takes messages of any type.
-  AnyType& addAnyType(std::string_view topic, ReceivedOfAnyType received, const SubscriptionOptions& options);
+  AnyType& addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedOfAnyType received,
+                      const SubscriptionOptions& options);
   void endAnyType(AnyType& any);
 
-  std::vector<OwnTopic> ownTopics();
-  std::uint64_t ownTopicsVersion() const { return ownTopicsVersion_.load(std::memory_order_relaxed); }
+  /// Those of the queue's transport.
+  std::vector<OwnTopic> ownTopics(const DispatchQueue& queue);
 
   bool hasSubscribers(const Channel& channel) const;
   std::uint64_t newSubscribers(PublisherState& publisher) const;
@@ -117,24 +131,25 @@ class Bus {
   std::uint64_t received(const AnyType& any) const;
   std::uint64_t dropped(const AnyType& any) const;
 
-  std::size_t dispatch();
-  std::size_t dispatchFor(std::chrono::nanoseconds timeout);
-  void wake();
+  std::size_t dispatch(DispatchQueue& queue);
+  std::size_t dispatchFor(DispatchQueue& queue, std::chrono::nanoseconds timeout);
+  void wake(DispatchQueue& queue);
 
   std::vector<TopicInfo> discover(std::chrono::nanoseconds timeout);
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);
   TopicInfo watchTopic(std::string_view topic, std::chrono::nanoseconds duration);
 
-  Offer& addService(std::string_view service, std::string_view requestType, std::string_view replyType,
-                    ServiceHandler handler);
+  Offer& addService(DispatchQueue& queue, std::string_view service, std::string_view requestType,
+                    std::string_view replyType, ServiceHandler handler);
   void endService(Offer& offer);
-  CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
+  CallResult call(DispatchQueue& queue, std::string_view service, const Message& request, Message& reply,
+                  std::chrono::nanoseconds timeout);
 
   /// Sends a request to a service of this transport.
   /// @return Its number, or nothing where there is no such service.
-  std::optional<std::uint64_t> request(std::string_view service, const Message& request, const std::string& replyType,
-                                       Answered answered) {
-    return client_.post(service, request, replyType, std::move(answered));
+  std::optional<std::uint64_t> request(DispatchQueue& queue, std::string_view service, const Message& request,
+                                       const std::string& replyType, Answered answered) {
+    return client_.post(queue, service, request, replyType, std::move(answered));
   }
   /// Does not have the request's function called any more.
   void forgetRequest(std::uint64_t number) { client_.forget(number); }
@@ -143,15 +158,17 @@ class Bus {
 
  private:
   Channel& channelFor(std::string_view topic, const std::string& type);
-  Inbox& addInbox(Channel& channel, std::unique_ptr<Inbox> inbox);
+  Inbox& addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
   void openReader(Channel& channel);
   void hear(AnyType& any, const std::string& type);
   void publisherFound(const std::string& topic, const std::string& type);
   void hearFoundTypes();
   bool isAwaited(const PublisherState& publisher) const;
+  static bool isForInboxes(const PublisherState& publisher);
   bool isWantedInBytes(PublisherState& publisher);
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
   void hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk);
+  static void countAtOnceQueues(Channel& channel);
   /// @param from Null for another process's.
   void deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from);
   void putInto(Inbox& inbox, Buffer* buffer);
@@ -159,24 +176,18 @@ class Bus {
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
   TrafficReport traffic();
   Buffer* takeBuffer(std::size_t size);
-  std::size_t collectArrivals();
-  void releaseArrivals();
+  void collectArrivals(DispatchQueue& queue);
+  void releaseArrivals(DispatchQueue& queue);
   void eraseIfUnused(const Channel& channel);
   void complain(Channel& channel, const ParticipantId& sender, std::string_view what);
   void subscribersChanged();
-  void requestArrived();
+  void requestArrived(DispatchQueue& queue);
+
+  /// Before what has threads, which may look at them; guarded by the set-up mutex.
+  std::vector<std::unique_ptr<DispatchQueue>> queues_;
 
   std::unique_ptr<Network> network_;
 
-  std::recursive_mutex dispatching_;
-  std::vector<Arrival> arrivals_;
-  bool inDispatch_ = false;
-  /// Who dispatches now.
-  std::atomic<std::thread::id> dispatcher_;
-  /// Ended by a function that `dispatch` called, for which they must stay until it returns.
-  std::vector<Inbox*> endedInDispatch_;
-
-  std::atomic<std::uint64_t> ownTopicsVersion_ = 0;
   std::mutex setUp_;
   std::map<std::pair<std::string, std::string>, std::unique_ptr<Channel>> channels_;
 
@@ -186,15 +197,11 @@ class Bus {
   std::vector<std::pair<std::string, std::string>> foundTypes_;
 
   mutable std::mutex mutex_;
-  std::condition_variable arrived_;
   std::condition_variable subscribersChanged_;
   std::map<Inbox*, std::unique_ptr<Inbox>> inboxes_;
-  std::vector<Inbox*> inboxesWithArrivals_;
   BufferPool buffers_;
   std::vector<Buffer*> dropped_;
   std::uint64_t nextArrival_ = 0;
-  std::atomic<bool> waiting_ = false;
-  bool woken_ = false;
 
   ServiceServer server_;
   ServiceClient client_;
@@ -203,12 +210,14 @@ class Bus {
 /// A publisher's share in its topic.
 class PublisherState {
  public:
-  PublisherState(Bus& owner, Channel& topic, bool isLatched) : bus(owner), channel(topic), latched(isLatched) {}
-  ~PublisherState() { bus.endPublisher(channel, latched); }
+  PublisherState(Bus& owner, DispatchQueue& asker, Channel& topic, bool isLatched)
+      : bus(owner), queue(asker), channel(topic), latched(isLatched) {}
+  ~PublisherState() { bus.endPublisher(queue, channel, latched); }
   PublisherState(const PublisherState&) = delete;
   PublisherState& operator=(const PublisherState&) = delete;
 
   Bus& bus;
+  DispatchQueue& queue;
   Channel& channel;
   const bool latched;
   std::atomic<std::uint64_t> sent = 0;

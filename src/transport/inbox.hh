@@ -16,6 +16,7 @@
 namespace pongsim::transport {
 
 class Channel;
+class DispatchQueue;
 
 /// A message on its way to one subscription.
 struct Arrival {
@@ -58,11 +59,14 @@ class Inbox {
   /// @return Why not ("is no ignition.msgs.Twist"), or nothing.
   std::optional<std::string> handOver(const Buffer& buffer) const { return take_(buffer.bytes); }
 
+  /// Where it waits for `dispatch`.
+  DispatchQueue* queue = nullptr;
+
   /// Whether its subscription has gone.
   bool ended = false;
 
-  /// Hears what is published here at once, rather than from here; empty for others. Guarded by the channel's mutex for
-  /// that.
+  /// Hears what its own transport publishes at once, rather than from here; empty for others. Guarded by the channel's
+  /// mutex for that.
   HeardAtOnce heardAtOnce;
 
   /// The publisher that it does not hear, or null.

@@ -111,18 +111,20 @@ std::string Node::fullName(std::string_view name) const {
   return nameSpace_ + "/" + std::string(name);
 }
 
-void Node::wake() { bus_->wake(); }
+void Node::wake() { bus_->wake(*queue_); }
 
 Publisher Node::advertise(std::string_view topic, std::string_view type, const PublisherOptions& options) {
-  return advertiseOn(bus_->addPublisher(fullName(topic), transport::knownType(type), options.latched), options.latched);
+  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::knownType(type), options.latched),
+                     options.latched);
 }
 
 Publisher Node::advertiseBytes(std::string_view topic, std::string_view type, const PublisherOptions& options) {
-  return advertiseOn(bus_->addPublisher(fullName(topic), transport::anyType(type), options.latched), options.latched);
+  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::anyType(type), options.latched),
+                     options.latched);
 }
 
 Publisher Node::advertiseOn(transport::Channel& channel, bool latched) {
-  auto state = std::make_unique<transport::PublisherState>(*bus_, channel, latched);
+  auto state = std::make_unique<transport::PublisherState>(*bus_, *queue_, channel, latched);
   if (guard_ != nullptr) guard_->advertised(channel.topic, channel.type);
   return Publisher(std::move(state));
 }
@@ -132,7 +134,7 @@ Subscription Node::subscribe(std::string_view topic, std::string_view type,
   checkRate(options);
   const std::string name = transport::knownType(type);
   return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(fullName(topic), name, guarded(guard_, std::move(received)), options)));
+      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, guarded(guard_, std::move(received)), options)));
 }
 
 Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
@@ -141,14 +143,14 @@ Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
   checkRate(options);
   const std::string name = transport::anyType(type);
   return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(fullName(topic), name, guarded(guard_, std::move(received)), options)));
+      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, guarded(guard_, std::move(received)), options)));
 }
 
 Subscription Node::subscribeAnyType(std::string_view topic, ReceivedOfAnyType received,
                                     const SubscriptionOptions& options) {
   checkRate(options);
   return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addAnyType(fullName(topic), guarded(guard_, std::move(received)), options)));
+      *bus_, bus_->addAnyType(*queue_, fullName(topic), guarded(guard_, std::move(received)), options)));
 }
 
 Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
@@ -166,12 +168,12 @@ Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type
     };
   }
   return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(fullName(topic), name, std::move(heard), options)));
+      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, std::move(heard), options)));
 }
 
-std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(); }
+std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(*queue_); }
 
-std::uint64_t Node::ownTopicsVersion() const { return bus_->ownTopicsVersion(); }
+std::uint64_t Node::ownTopicsVersion() const { return queue_->ownTopicsVersion.load(std::memory_order_relaxed); }
 
 Service::Service() = default;
 Service::Service(std::unique_ptr<transport::ServiceState> state) : state_(std::move(state)) {}
@@ -196,12 +198,12 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
     };
   }
   return Service(std::make_unique<transport::ServiceState>(
-      *bus_, bus_->addService(fullName(service), requestType, replyType, std::move(handler))));
+      *bus_, bus_->addService(*queue_, fullName(service), requestType, replyType, std::move(handler))));
 }
 
 CallResult Node::call(std::string_view service, const Message& request, Message& reply,
                       std::chrono::nanoseconds timeout) {
-  return bus_->call(fullName(service), request, reply, timeout);
+  return bus_->call(*queue_, fullName(service), request, reply, timeout);
 }
 
 PendingRequest::PendingRequest() = default;
@@ -224,14 +226,17 @@ PendingRequest Node::request(std::string_view service, const Message& request, s
     };
   }
   const std::optional<std::uint64_t> number =
-      bus_->request(fullName(service), request, transport::knownType(replyType), std::move(answered));
+      bus_->request(*queue_, fullName(service), request, transport::knownType(replyType), std::move(answered));
   if (!number) return {};
   return PendingRequest(std::make_unique<transport::RequestState>(*bus_, *number));
 }
 
 Transport::Transport(const TransportOptions& options)
-    : bus_(std::make_unique<transport::Bus>(
-          options.network ? std::make_unique<transport::Network>(options.domain, options.interface) : nullptr)) {}
+    : bus_(std::make_shared<transport::Bus>(
+          options.network ? std::make_unique<transport::Network>(options.domain, options.interface) : nullptr)),
+      queue_(&bus_->addQueue()) {}
+
+Transport::Transport(const Transport& other, Sharing) : bus_(other.bus_), queue_(&bus_->addQueue()) {}
 
 Transport::~Transport() = default;
 
@@ -240,11 +245,11 @@ std::optional<std::string> Transport::openTo() const {
   return interface ? std::optional(interface->name + ", " + interface->address) : std::nullopt;
 }
 
-std::size_t Transport::dispatch() { return bus_->dispatch(); }
+std::size_t Transport::dispatch() { return bus_->dispatch(*queue_); }
 
-std::size_t Transport::dispatchFor(std::chrono::nanoseconds timeout) { return bus_->dispatchFor(timeout); }
+std::size_t Transport::dispatchFor(std::chrono::nanoseconds timeout) { return bus_->dispatchFor(*queue_, timeout); }
 
-void Transport::wake() { bus_->wake(); }
+void Transport::wake() { bus_->wake(*queue_); }
 
 std::vector<TopicInfo> Transport::discover(std::chrono::nanoseconds timeout) { return bus_->discover(timeout); }
 

@@ -5,6 +5,7 @@
 
 #include "msgs/bytes.hh"
 #include "pongsim/log.hh"
+#include "transport/dispatch_queue.hh"
 #include "transport/network.hh"
 #include "transport/payload.hh"
 #include "transport/service_name.hh"
@@ -62,7 +63,8 @@ class ServiceClient::CallScope {
   Call* call_ = nullptr;
 };
 
-ServiceClient::ServiceClient(Network* network, ServiceServer& own) : network_(network), own_(own) {}
+ServiceClient::ServiceClient(Network* network, ServiceServer& own, std::function<void(DispatchQueue&)> arrived)
+    : network_(network), own_(own), arrived_(std::move(arrived)) {}
 
 ServiceClient::~ServiceClient() {
   for (auto& [key, line] : lines_) {
@@ -71,11 +73,12 @@ ServiceClient::~ServiceClient() {
   }
 }
 
-CallResult ServiceClient::call(std::string_view service, const Message& request, Message& reply, TimePoint deadline) {
+CallResult ServiceClient::call(const DispatchQueue& asker, std::string_view service, const Message& request,
+                               Message& reply, TimePoint deadline) {
   const std::string name = absoluteService(service);
-  if (const auto types = own_.typesOf(name)) {
+  if (const auto types = own_.typesOf(asker, name)) {
     if (types->first == msgs::typeName(request) && types->second == msgs::typeName(reply)) {
-      return callOwn(name, request, reply, deadline);
+      return callOwn(asker, name, request, reply, deadline);
     }
     return failed(CallOutcome::kOtherTypes, name, takes(types->first, types->second));
   }
@@ -83,13 +86,13 @@ CallResult ServiceClient::call(std::string_view service, const Message& request,
   return callOther(name, request, reply, deadline);
 }
 
-CallResult ServiceClient::callOwn(const std::string& service, const Message& request, Message& reply,
-                                  TimePoint deadline) {
+CallResult ServiceClient::callOwn(const DispatchQueue& asker, const std::string& service, const Message& request,
+                                  Message& reply, TimePoint deadline) {
   CallScope call(*this, {});
   std::vector<std::byte> message(msgs::byteSize(request));
   msgs::writeBytes(request, message);
-  if (!own_.post(service, call.number(), std::move(message))) {
-    if (!own_.typesOf(service)) return {CallOutcome::kNoService, "there is no service '" + service + "'"};
+  if (!own_.post(asker, service, call.number(), std::move(message))) {
+    if (!own_.typesOf(asker, service)) return {CallOutcome::kNoService, "there is no service '" + service + "'"};
     return failed(CallOutcome::kNoAnswer, service, "has too many requests waiting");
   }
   return call.wait(service, reply, deadline, [] { return true; });
@@ -174,12 +177,21 @@ void ServiceClient::receive(const Line& line, const ParticipantId& sender, std::
   changed_.notify_all();
 }
 
-void ServiceClient::answerOwn(std::uint64_t number, const std::optional<ReplyHeader>& header,
-                              std::span<const std::byte> message) {
+void ServiceClient::answerOwn(const DispatchQueue& queue, std::uint64_t number,
+                              const std::optional<ReplyHeader>& header, std::span<const std::byte> message) {
   std::map<std::uint64_t, Posted>::node_type posted;
+  DispatchQueue* other = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    posted = posted_.extract(number);
+    if (const auto found = posted_.find(number); found != posted_.end() && found->second.asker != &queue) {
+      // its function is for the thread of who asked
+      other = found->second.asker;
+      found->second.header = header;
+      found->second.message.assign(message.begin(), message.end());
+      other->answeredRequests.push_back(number);
+    } else {
+      posted = posted_.extract(number);
+    }
     const auto call = calls_.find(number);
     if (call != calls_.end()) {
       call->second.gone = !header;
@@ -188,15 +200,42 @@ void ServiceClient::answerOwn(std::uint64_t number, const std::optional<ReplyHea
     }
   }
   changed_.notify_all();
+  if (other != nullptr) {
+    other->answersWaiting = true;
+    arrived_(*other);
+  }
   if (!posted) return;
-  const auto& [service, reply, answered] = posted.mapped();
-  answered(read(service, header, message, *reply), *reply);
+  const Posted& request = posted.mapped();
+  request.answered(read(request.service, header, message, *request.reply), *request.reply);
 }
 
-std::optional<std::uint64_t> ServiceClient::post(std::string_view service, const Message& request,
+std::size_t ServiceClient::dispatch(DispatchQueue& queue) {
+  // before it is looked at: what comes from now on sets it again
+  if (!queue.answersWaiting.exchange(false)) return 0;
+  std::vector<std::uint64_t> numbers;
+  {
+    const std::lock_guard lock(mutex_);
+    numbers.swap(queue.answeredRequests);
+  }
+  std::size_t called = 0;
+  for (const std::uint64_t number : numbers) {
+    std::map<std::uint64_t, Posted>::node_type posted;
+    {
+      const std::lock_guard lock(mutex_);
+      posted = posted_.extract(number);
+    }
+    if (!posted) continue;
+    const Posted& request = posted.mapped();
+    request.answered(read(request.service, request.header, request.message, *request.reply), *request.reply);
+    ++called;
+  }
+  return called;
+}
+
+std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::string_view service, const Message& request,
                                                  const std::string& replyType, Answered answered) {
   const std::string name = absoluteService(service);
-  const auto types = own_.typesOf(name);
+  const auto types = own_.typesOf(asker, name);
   if (!types || types->first != msgs::typeName(request) || types->second != replyType) return std::nullopt;
   std::vector<std::byte> message(msgs::byteSize(request));
   msgs::writeBytes(request, message);
@@ -204,9 +243,9 @@ std::optional<std::uint64_t> ServiceClient::post(std::string_view service, const
   {
     const std::lock_guard lock(mutex_);
     number = nextCall_++;
-    if (answered) posted_[number] = {name, newMessage(replyType), std::move(answered)};
+    if (answered) posted_[number] = {&asker, name, newMessage(replyType), std::move(answered)};
   }
-  if (own_.post(name, number, std::move(message))) return number;
+  if (own_.post(asker, name, number, std::move(message))) return number;
   forget(number);
   return std::nullopt;
 }

@@ -19,6 +19,7 @@
 
 namespace pongsim::transport {
 
+class DispatchQueue;
 class Network;
 class Reader;
 class ServiceServer;
@@ -29,21 +30,30 @@ class ServiceClient {
  public:
   /// @param network Null for a transport of this process only.
   /// @param own The services that this transport offers itself.
-  ServiceClient(Network* network, ServiceServer& own);
+  /// @param arrived Called from any thread when there are answers for that queue to dispatch.
+  ServiceClient(Network* network, ServiceServer& own, std::function<void(DispatchQueue&)> arrived);
   ~ServiceClient();
 
-  CallResult call(std::string_view service, const Message& request, Message& reply, TimePoint deadline);
+  /// @param asker Queue of who calls.
+  CallResult call(const DispatchQueue& asker, std::string_view service, const Message& request, Message& reply,
+                  TimePoint deadline);
 
-  /// Sends a request to one of the transport's own services. `answered` is called when that has answered or gone.
+  /// Sends a request to one of the transport's own services. `answered` is called when that has answered or gone: by
+  /// `dispatch` of the asker's queue, where the service is another queue's.
   /// @return The request's number, or nothing where there is no such service with such types, or no room.
-  std::optional<std::uint64_t> post(std::string_view service, const Message& request, const std::string& replyType,
-                                    Answered answered);
+  std::optional<std::uint64_t> post(DispatchQueue& asker, std::string_view service, const Message& request,
+                                    const std::string& replyType, Answered answered);
+
+  /// Calls the functions of requests of this queue that another one's services have answered.
+  /// @return How many.
+  std::size_t dispatch(DispatchQueue& queue);
 
   /// Does not call the function of that request any more.
   void forget(std::uint64_t request);
 
-  /// Takes the answer to a call to this transport's own service; nothing where the service has gone.
-  void answerOwn(std::uint64_t call, const std::optional<ReplyHeader>& header, std::span<const std::byte> message);
+  /// Takes the answer to a call to this transport's own service, of `queue`; nothing where the service has gone.
+  void answerOwn(const DispatchQueue& queue, std::uint64_t call, const std::optional<ReplyHeader>& header,
+                 std::span<const std::byte> message);
 
  private:
   /// The way to a service and back, kept for the next call.
@@ -62,13 +72,18 @@ class ServiceClient {
   };
   /// A request that nobody waits for.
   struct Posted {
+    DispatchQueue* asker = nullptr;
     std::string service;
     MessagePointer reply;
     Answered answered;
+    /// The answer, where it waits for `dispatch`.
+    std::optional<ReplyHeader> header = std::nullopt;
+    std::vector<std::byte> message = {};
   };
   class CallScope;
 
-  CallResult callOwn(const std::string& service, const Message& request, Message& reply, TimePoint deadline);
+  CallResult callOwn(const DispatchQueue& asker, const std::string& service, const Message& request, Message& reply,
+                     TimePoint deadline);
   CallResult callOther(const std::string& service, const Message& request, Message& reply, TimePoint deadline);
   Line& lineTo(const std::string& service, const std::string& type);
   std::optional<ParticipantId> waitForServer(const Line& line, TimePoint deadline);
@@ -80,6 +95,7 @@ class ServiceClient {
 
   Network* network_;
   ServiceServer& own_;
+  std::function<void(DispatchQueue&)> arrived_;
   std::mutex setUp_;
   std::map<std::string, std::unique_ptr<Line>> lines_;
 

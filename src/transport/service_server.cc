@@ -6,6 +6,7 @@
 
 #include "msgs/bytes.hh"
 #include "pongsim/log.hh"
+#include "transport/dispatch_queue.hh"
 #include "transport/network.hh"
 #include "transport/payload.hh"
 #include "transport/service_name.hh"
@@ -34,8 +35,10 @@ const Logger& serverLog() {
 
 }  // namespace
 
-Offer::Offer(std::string service, std::string typeOfRequest, std::string typeOfReply, ServiceHandler function)
-    : name(std::move(service)),
+Offer::Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
+             ServiceHandler function)
+    : queue(place),
+      name(std::move(service)),
       requestType(std::move(typeOfRequest)),
       replyType(std::move(typeOfReply)),
       handler(std::move(function)),
@@ -44,30 +47,34 @@ Offer::Offer(std::string service, std::string typeOfRequest, std::string typeOfR
 
 Offer::~Offer() = default;
 
-ServiceServer::ServiceServer(Network* network, std::function<void()> arrived, AnswerOwn answerOwn)
+ServiceServer::ServiceServer(Network* network, Arrived arrived, AnswerOwn answerOwn)
     : network_(network), arrived_(std::move(arrived)), answerOwn_(std::move(answerOwn)) {}
 
 ServiceServer::~ServiceServer() = default;
 
-Offer& ServiceServer::add(std::string_view service, std::string_view requestType, std::string_view replyType,
-                          ServiceHandler handler) {
-  auto owned = std::make_unique<Offer>(absoluteService(service), knownType(requestType), knownType(replyType),
+Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::string_view requestType,
+                          std::string_view replyType, ServiceHandler handler) {
+  auto owned = std::make_unique<Offer>(queue, absoluteService(service), knownType(requestType), knownType(replyType),
                                        std::move(handler));
   Offer& offer = *owned;
+  bool isFirst = false;
   {
     const std::lock_guard lock(mutex_);
-    if (!offers_.try_emplace(offer.name, std::move(owned)).second) {
+    std::vector<std::unique_ptr<Offer>>& offers = offers_[offer.name];
+    if (std::ranges::any_of(offers, [&queue](const auto& other) { return &other->queue == &queue; })) {
       throw std::invalid_argument("service '" + std::string(service) + "' is offered already");
     }
+    offers.push_back(std::move(owned));
+    isFirst = offers.size() == 1;
   }
-  if (network_ == nullptr) return offer;
-  const std::string type = serviceType(offer.requestType, offer.replyType);
+  if (!isFirst) {
+    serverLog().warning("service '" + offer.name +
+                        "' is offered by another world of this process, too: whoever calls it from elsewhere gets the "
+                        "answer of the first");
+    return offer;
+  }
   try {
-    // the way back first: who finds the service finds all of it soon
-    offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this] { wake(); });
-    offer.reader = network_->makeReader(
-        requestTopic(offer.name), type,
-        [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); });
+    open(offer);
   } catch (...) {
     end(offer, false);
     throw;
@@ -75,37 +82,76 @@ Offer& ServiceServer::add(std::string_view service, std::string_view requestType
   return offer;
 }
 
+/// Lets other processes find the service.
+void ServiceServer::open(Offer& offer) {
+  if (network_ == nullptr) return;
+  const std::string type = serviceType(offer.requestType, offer.replyType);
+  // the way back first: who finds the service finds all of it soon
+  offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this, &offer] { wake(offer.queue); });
+  offer.reader = network_->makeReader(
+      requestTopic(offer.name), type,
+      [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); });
+}
+
+/// After the end of one: the next one of that name answers from now on.
+void ServiceServer::openNext(const std::string& service) {
+  Offer* next = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = offers_.find(service);
+    if (found != offers_.end() && !found->second.front()->reader) next = found->second.front().get();
+  }
+  if (next == nullptr) return;
+  try {
+    open(*next);
+  } catch (const std::exception& error) {
+    serverLog().error("service '" + service + "' can't be reached from elsewhere: " + error.what());
+  }
+}
+
 void ServiceServer::end(Offer& offer, bool inDispatch) {
   std::unique_ptr<Offer> owned;
   std::deque<Offer::Request> unanswered;
   {
     const std::lock_guard lock(mutex_);
-    const auto found = offers_.find(offer.name);
-    owned = std::move(found->second);
-    offers_.erase(found);
+    const auto offers = offers_.find(offer.name);
+    const auto found = std::ranges::find(offers->second, &offer, &std::unique_ptr<Offer>::get);
+    owned = std::move(*found);
+    offers->second.erase(found);
+    if (offers->second.empty()) offers_.erase(offers);
     offer.ended = true;
     unanswered.swap(offer.waiting);
   }
   for (const Offer::Request& request : unanswered) {
-    if (request.client == kOwn) answerOwn_(request.call, std::nullopt, {});
+    if (request.client == kOwn) answerOwn_(offer.queue, request.call, std::nullopt, {});
   }
   // a caller takes it that there will be no reply when the reader of requests has gone
   if (offer.writer) offer.writer->waitForAcknowledgement(kFarewell);
   if (offer.reader) network_->end(std::move(offer.reader));
   if (offer.writer) network_->end(std::move(offer.writer));
-  if (inDispatch) endedInDispatch_.push_back(std::move(owned));
+  if (network_ != nullptr) openNext(offer.name);
+  if (inDispatch) offer.queue.endedOffers.push_back(std::move(owned));
 }
 
-std::optional<std::pair<std::string, std::string>> ServiceServer::typesOf(const std::string& service) const {
-  const std::lock_guard lock(mutex_);
+/// @return The service that answers; null where there is none. With the mutex held.
+Offer* ServiceServer::find(const DispatchQueue& asker, const std::string& service) const {
   const auto found = offers_.find(service);
-  if (found == offers_.end()) return std::nullopt;
-  return std::pair(found->second->requestType, found->second->replyType);
+  if (found == offers_.end()) return nullptr;
+  const auto own = std::ranges::find_if(found->second, [&asker](const auto& each) { return &each->queue == &asker; });
+  return own != found->second.end() ? own->get() : found->second.front().get();
 }
 
-void ServiceServer::wake() {
-  waiting_ = true;
-  arrived_();
+std::optional<std::pair<std::string, std::string>> ServiceServer::typesOf(const DispatchQueue& asker,
+                                                                          const std::string& service) const {
+  const std::lock_guard lock(mutex_);
+  const Offer* offer = find(asker, service);
+  if (offer == nullptr) return std::nullopt;
+  return std::pair(offer->requestType, offer->replyType);
+}
+
+void ServiceServer::wake(DispatchQueue& queue) {
+  queue.requestsWaiting = true;
+  arrived_(queue);
 }
 
 void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload) {
@@ -121,7 +167,7 @@ void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span
     complain(offer, sender, "is one too many");
     return;
   }
-  wake();
+  wake(offer.queue);
 }
 
 bool ServiceServer::enqueue(Offer& offer, Offer::Request request) {
@@ -134,15 +180,18 @@ bool ServiceServer::enqueue(Offer& offer, Offer::Request request) {
   return true;
 }
 
-bool ServiceServer::post(const std::string& service, std::uint64_t call, std::vector<std::byte> message) {
+bool ServiceServer::post(const DispatchQueue& asker, const std::string& service, std::uint64_t call,
+                         std::vector<std::byte> message) {
+  DispatchQueue* queue = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    const auto found = offers_.find(service);
-    if (found == offers_.end() || found->second->waiting.size() >= kMaximumRequests) return false;
-    found->second->waitingBytes += message.size();
-    found->second->waiting.push_back({nextNumber_++, kOwn, call, std::chrono::steady_clock::now(), std::move(message)});
+    Offer* offer = find(asker, service);
+    if (offer == nullptr || offer->waiting.size() >= kMaximumRequests) return false;
+    offer->waitingBytes += message.size();
+    offer->waiting.push_back({nextNumber_++, kOwn, call, std::chrono::steady_clock::now(), std::move(message)});
+    queue = &offer->queue;
   }
-  wake();
+  wake(*queue);
   return true;
 }
 
@@ -158,23 +207,27 @@ void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready) {
   });
 }
 
-std::size_t ServiceServer::dispatch() {
+std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
   // before it is looked at: what comes from now on sets it again
-  if (!waiting_.exchange(false)) return 0;
+  if (!queue.requestsWaiting.exchange(false)) return 0;
   std::vector<Ready> ready;
   {
     const std::lock_guard lock(mutex_);
-    for (const auto& [name, offer] : offers_) takeReady(*offer, ready);
+    for (const auto& [name, offers] : offers_) {
+      for (const auto& offer : offers) {
+        if (&offer->queue == &queue) takeReady(*offer, ready);
+      }
+    }
   }
   std::ranges::sort(ready, {}, [](const Ready& each) { return each.request.number; });
   for (const Ready& each : ready) {
     if (each.offer->ended) {
-      if (each.request.client == kOwn) answerOwn_(each.request.call, std::nullopt, {});
+      if (each.request.client == kOwn) answerOwn_(queue, each.request.call, std::nullopt, {});
     } else {
       handle(*each.offer, each.request);
     }
   }
-  endedInDispatch_.clear();
+  queue.endedOffers.clear();
   return ready.size();
 }
 
@@ -207,7 +260,7 @@ void ServiceServer::answer(Offer& offer, const Offer::Request& request, const Se
   }
   if (answer.done) msgs::writeBytes(*offer.reply, message);
   if (request.client == kOwn) {
-    answerOwn_(request.call, header, message);
+    answerOwn_(offer.queue, request.call, header, message);
   } else if (offer.writer) {
     offer.writer->write(headerSize(header) + message.size(), [&](std::span<std::byte> place) {
       std::ranges::copy(message, writeHeader(header, place).begin());

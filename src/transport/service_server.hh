@@ -23,6 +23,7 @@
 
 namespace pongsim::transport {
 
+class DispatchQueue;
 class Network;
 class Reader;
 class Writer;
@@ -30,9 +31,12 @@ class Writer;
 /// A service that this transport offers.
 class Offer {
  public:
-  Offer(std::string service, std::string typeOfRequest, std::string typeOfReply, ServiceHandler function);
+  Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
+        ServiceHandler function);
   ~Offer();
 
+  /// Where requests wait for `dispatch`.
+  DispatchQueue& queue;
   const std::string name;
   const std::string requestType;
   const std::string replyType;
@@ -58,35 +62,42 @@ class Offer {
   std::atomic<bool> ended = false;
 };
 
-/// The services that a transport offers. A request waits until `dispatch`, and until the service's writer knows the
-/// caller's reader: a reply sent before would be lost. Set-up and `dispatch` are for one thread at a time; DDS threads
-/// take the mutex only, which is never held while DDS is called.
+/// The services that a transport offers, or several that share a bus. A request waits until the `dispatch` of the
+/// service's queue, and until the service's writer knows the caller's reader: a reply sent before would be lost. Set-up
+/// is for one thread at a time, and so is `dispatch` of one queue; DDS threads take the mutex only, which is never held
+/// while DDS is called.
+///
+/// Two queues may offer a service of the same name. The one that came first answers whoever asks; the other one answers
+/// its own queue, and all when the first has gone.
 class ServiceServer {
  public:
-  /// Takes the answer to a call from this transport; nothing stands for a service that has gone.
-  using AnswerOwn =
-      std::function<void(std::uint64_t call, const std::optional<ReplyHeader>&, std::span<const std::byte> message)>;
+  /// Takes the answer to a call from this bus, given by a service of `queue`; nothing stands for a service that has
+  /// gone.
+  using AnswerOwn = std::function<void(const DispatchQueue& queue, std::uint64_t call,
+                                       const std::optional<ReplyHeader>&, std::span<const std::byte> message)>;
+  using Arrived = std::function<void(DispatchQueue& queue)>;
 
   /// @param network Null for a transport of this process only.
-  /// @param arrived Called from any thread when there is something to dispatch.
-  ServiceServer(Network* network, std::function<void()> arrived, AnswerOwn answerOwn);
+  /// @param arrived Called from any thread when there is something for that queue to dispatch.
+  ServiceServer(Network* network, Arrived arrived, AnswerOwn answerOwn);
   ~ServiceServer();
 
-  /// @throws std::invalid_argument for a bad name, an unknown type, or a name that is taken.
-  Offer& add(std::string_view service, std::string_view requestType, std::string_view replyType,
+  /// @throws std::invalid_argument for a bad name, an unknown type, or a name that the queue has already.
+  Offer& add(DispatchQueue& queue, std::string_view service, std::string_view requestType, std::string_view replyType,
              ServiceHandler handler);
   /// @param inDispatch Whether a function that `dispatch` called is still running.
   void end(Offer& offer, bool inDispatch);
 
-  /// @return Request and reply type of a service offered here, or nothing.
-  std::optional<std::pair<std::string, std::string>> typesOf(const std::string& service) const;
+  /// @param asker Queue of who asks.
+  /// @return Request and reply type of the service that would answer, or nothing.
+  std::optional<std::pair<std::string, std::string>> typesOf(const DispatchQueue& asker,
+                                                             const std::string& service) const;
 
-  /// Puts a request of this transport into the queue.
+  /// Lets a request of this bus wait for the service.
   /// @return False where there is no such service any more or no room.
-  bool post(const std::string& service, std::uint64_t call, std::vector<std::byte> message);
+  bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message);
 
-  bool waiting() const { return waiting_.load(std::memory_order_relaxed); }
-  std::size_t dispatch();
+  std::size_t dispatch(DispatchQueue& queue);
 
  private:
   struct Ready {
@@ -94,6 +105,9 @@ class ServiceServer {
     Offer::Request request;
   };
 
+  void open(Offer& offer);
+  void openNext(const std::string& service);
+  Offer* find(const DispatchQueue& asker, const std::string& service) const;
   void receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload);
   bool enqueue(Offer& offer, Offer::Request request);
   void takeReady(Offer& offer, std::vector<Ready>& ready);
@@ -101,17 +115,16 @@ class ServiceServer {
   ServiceAnswer ask(Offer& offer);
   void answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer);
   void complain(Offer& offer, const ParticipantId& sender, std::string_view what);
-  void wake();
+  void wake(DispatchQueue& queue);
 
   Network* network_;
-  std::function<void()> arrived_;
+  Arrived arrived_;
   AnswerOwn answerOwn_;
-  std::vector<std::unique_ptr<Offer>> endedInDispatch_;
 
   mutable std::mutex mutex_;
-  std::map<std::string, std::unique_ptr<Offer>> offers_;
+  /// Under each name in the order in which they came.
+  std::map<std::string, std::vector<std::unique_ptr<Offer>>> offers_;
   std::uint64_t nextNumber_ = 0;
-  std::atomic<bool> waiting_ = false;
 };
 
 }  // namespace pongsim::transport

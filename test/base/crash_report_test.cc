@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <thread>
 
 namespace pongsim::base {
 namespace {
@@ -23,6 +24,20 @@ TEST(CrashReportDeathTest, NamesThePartThatRuns) {
         crash();
       },
       testing::KilledBySignal(SIGABRT), "pongsim: error: crashed with SIGABRT in the outer part, in outer\n");
+}
+
+TEST(CrashReportDeathTest, NamesThePartOfTheThreadThatCrashes) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        const RunningPart main("the part of the main thread", "in run");
+        std::thread([] {
+          const CrashStack stack;
+          const RunningPart other("the other part", "in other");
+          crash();
+        }).join();
+      },
+      testing::KilledBySignal(SIGABRT), "pongsim: error: crashed with SIGABRT in the other part, in other\n");
 }
 
 TEST(CrashReportDeathTest, NamesNobodyWhereNobodyRuns) {

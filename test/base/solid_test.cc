@@ -155,6 +155,38 @@ TEST(Solid, IsCutIntoTwoThatMakeTheWhole) {
   }
 }
 
+TEST(Solid, HasMomentsThatAreVolumeTimesCentroid) {
+  for (const Solid& solid : {Solid(BoxShape{{1, 2, 3}}), Solid(SphereShape{0.8}), Solid(CylinderShape{0.5, 1.2}),
+                             Solid(CapsuleShape{0.4, 0.9}), Solid(EllipsoidShape{{0.3, 0.5, 0.9}}), MeshBox().solid(),
+                             Solid(PlaneShape())}) {
+    EXPECT_EQ(solid.moments().volume, solid.volume().size);
+    EXPECT_NEAR((solid.moments().first - solid.volume().size * solid.volume().center).norm(), 0, 1e-14);
+    for (const double height : {-9.0, -0.25, 0.1, 9.0}) {
+      const VolumeMoments moments = solid.momentsBelow(kUp, height);
+      const Volume below = solid.below(kUp, height);
+      EXPECT_EQ(moments.volume, below.size);
+      EXPECT_NEAR((moments.first - below.size * below.center).norm(), 0, 1e-14);
+      const Quaternion R = Quaternion::FromTwoVectors(kUp, Vector3::UnitZ());
+      const VolumeMoments turned = solid.momentsBelowLevel(R, height);
+      EXPECT_NEAR(turned.volume, moments.volume, 1e-13);
+      EXPECT_NEAR((turned.first - R * moments.first).norm(), 0, 1e-13);
+    }
+  }
+}
+
+// the way to the formula for sides and ends and that to others meet where the plane comes to a rim
+TEST(Solid, HasNoStepWhereAPlaneComesToAnEnd) {
+  for (const Shape& shape : {Shape(BoxShape{{1, 1, 2}}), Shape(CylinderShape{0.5, 2}), Shape(CapsuleShape{0.5, 2})}) {
+    const Solid solid(shape);
+    const Vector3 up = Vector3(0.4, 0, 1).normalized();
+    // 1 m up, less 0.4 of the half width
+    const double rim = 0.8 * up.z();
+    const VolumeMoments before = solid.momentsBelow(up, rim - 1e-9), after = solid.momentsBelow(up, rim + 1e-9);
+    EXPECT_NEAR(after.volume, before.volume, 1e-8);
+    EXPECT_NEAR((after.first - before.first).norm(), 0, 1e-8);
+  }
+}
+
 TEST(Solid, OfACapsuleBelowAPlaneThroughItsEndIsACapOfTheBall) {
   const Volume cap = Solid(CapsuleShape{0.5, 2}).below(Vector3::UnitZ(), -1.2);
   EXPECT_NEAR(cap.size, kPi * 0.09 * (1.5 - 0.3) / 3, 1e-12);

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -194,6 +195,49 @@ constexpr const char* kSurface =
     "<graded_buoyancy><density_change><above_depth>0</above_depth><density>1</density></density_change>"
     "</graded_buoyancy>";
 
+struct Floater {
+  double mass;
+  /// Principal moments of inertia, and where the centre of mass is, which ballast lowers.
+  const char* inertia;
+  const char* center;
+  const char* shape;
+};
+
+/// Boats, balls, drums and spar buoys that bob and roll in waves of their own, for ever: nothing brakes them.
+/// @param isInSea Or the same bodies, turning as fast, without gravity and Buoyancy.
+std::unique_ptr<Simulation> bobbing(bool isInSea) {
+  const Floater floaters[] = {
+      {400, "<ixx>42</ixx><iyy>142</iyy><izz>167</izz>", "0 0 0", "<box><size>2 1 0.5</size></box>"},
+      {250, "<ixx>25</ixx><iyy>25</iyy><izz>25</izz>", "0 0 0", "<sphere><radius>0.5</radius></sphere>"},
+      {200, "<ixx>18</ixx><iyy>18</iyy><izz>25</izz>", "0 0 -0.1",
+       "<cylinder><radius>0.5</radius><length>0.6</length></cylinder>"},
+      {250, "<ixx>60</ixx><iyy>60</iyy><izz>10</izz>", "0 0 -0.4",
+       "<capsule><radius>0.3</radius><length>1.2</length></capsule>"}};
+  std::string text =
+      "<sdf version='1.9'><world name='w'>"
+      "<plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>";
+  text += isInSea ? "<plugin filename='ignition-gazebo-buoyancy-system' name='ignition::gazebo::systems::Buoyancy'>" +
+                        std::string(kSurface) + "</plugin>"
+                  : "<gravity>0 0 0</gravity>";
+  for (int i = 0; i < kBodies; ++i) {
+    const auto& [mass, inertia, center, shape] = floaters[i % 4];
+    text += "<model name='body" + std::to_string(i) + "'><pose>" + std::to_string(4 * (i % 10)) + " " +
+            std::to_string(4 * (i / 10)) + " 0.05 0.15 0.1 0</pose><link name='link'><inertial><pose>" + center +
+            " 0 0 0</pose><mass>" + std::to_string(mass) + "</mass><inertia>" + inertia +
+            "</inertia></inertial><collision name='collision'><geometry>" + shape +
+            "</geometry></collision></link></model>";
+  }
+  auto simulation = load(text + "</world></sdf>");
+  if (!isInSea) {
+    for (Model model : simulation->world().models()) model.setVelocity({0, 0, 0.01}, {0.2, 0.1, 0});
+  }
+  simulation->step(kSettlingSteps);
+  for (const Model& model : simulation->world().models()) {
+    if (std::abs(model.pose().position.z()) > 0.5) throw std::runtime_error("what should float does not");
+  }
+  return simulation;
+}
+
 /// @param without, with The names of two benchmarks.
 void printShare(const Medians& medians, const char* without, const char* with) {
   const double before = medians.of(without), after = medians.of(with);
@@ -267,6 +311,8 @@ int run(int argc, char** argv) {
   add("100_bodies/on_a_floor", stepWorld, manyBodies("", true));
   add("100_bodies/on_a_floor_under_water", stepWorld, manyBodies(kWater, true));
   add("100_bodies/on_a_floor_at_the_surface", stepWorld, manyBodies(kSurface, true));
+  addDriven("100_bodies/turning", [] { return bobbing(false); });
+  addDriven("100_bodies/bobbing_at_the_surface", [] { return bobbing(true); });
   addDriven("50_robots/physics", drivenByHand);
   addDriven("50_robots/diff_drive", drivenBySystem);
   addDriven("levels/10_robots", [] { return standing(kRobotsALevel, false); });
@@ -277,6 +323,7 @@ int run(int argc, char** argv) {
   printTable(medians, cases);
   printShare(medians, "100_bodies/free", "100_bodies/free_under_water");
   printShare(medians, "100_bodies/free", "100_bodies/free_at_the_surface");
+  printShare(medians, "100_bodies/turning", "100_bodies/bobbing_at_the_surface");
   printShare(medians, "100_bodies/on_a_floor", "100_bodies/on_a_floor_under_water");
   printShare(medians, "100_bodies/on_a_floor", "100_bodies/on_a_floor_at_the_surface");
   printLevels(medians);

@@ -68,14 +68,28 @@ TEST_F(LoaderTest, WarnsOnceOfASystemOfFortressThatIsNotThere) {
 TEST_F(LoaderTest, WarnsOnceOfEachPluginOfGazeboClassicOrRos) {
   const std::string ending = "' is one of Gazebo Classic or ROS: it is left out\n  hint: Fortress can't load it either";
   for (const char* filename : {"libgazebo_ros_control.so", "libgazebo_ros_control.so", "libgazebo_imu_plugin.so",
-                               "ign_ros2_control-system", "libign_ros2_control-system.so"}) {
+                               "ign_ros_control-system", "libign_ros_control-system.so"}) {
     EXPECT_EQ(loader_.load(plugin(filename), diagnostics_), nullptr);
   }
   const std::vector<Diagnostic>& all = diagnostics_.all();
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(format(all[0]), "world.sdf:12:5: warning: plugin 'libgazebo_ros_control.so" + ending);
   EXPECT_EQ(format(all[1]), "world.sdf:12:5: warning: plugin 'libgazebo_imu_plugin.so" + ending);
-  EXPECT_EQ(format(all[2]), "world.sdf:12:5: warning: plugin 'ign_ros2_control-system" + ending);
+  EXPECT_EQ(format(all[2]), "world.sdf:12:5: warning: plugin 'ign_ros_control-system" + ending);
+}
+
+TEST_F(LoaderTest, NamesThePackageThatHasAPlugin) {
+  for (const char* filename : {"libgz_ros2_control-system.so", "gz_ros2_control-system", "pongsim-ros2-system"}) {
+    EXPECT_EQ(loader_.load(plugin(filename), diagnostics_), nullptr);
+  }
+  const std::vector<Diagnostic>& all = diagnostics_.all();
+  ASSERT_EQ(all.size(), 2U);
+  const std::string ending = "\n  hint: the package pongsim-ros2 has it: apt-get install pongsim-ros2";
+  EXPECT_EQ(format(all[0]),
+            "world.sdf:12:5: warning: plugin 'libgz_ros2_control-system.so' is not installed: it is "
+            "left out" +
+                ending);
+  EXPECT_EQ(format(all[1]), "world.sdf:12:5: error: plugin 'pongsim-ros2-system' was not found" + ending);
 }
 
 TEST_F(LoaderTest, SaysWhyALibraryCannotBeUsed) {

@@ -26,7 +26,8 @@ class ResourceServicesTest : public testing::Test {
     simulation_ = Simulation::fromText("<sdf version='1.9'><world name='w'/></sdf>", "world.sdf",
                                        {.loadSystems = false}, diagnostics);
     ASSERT_NE(simulation_, nullptr);
-    services_ = std::make_unique<ResourceServices>(*simulation_);
+    services_ = std::make_unique<ResourceServices>(
+        *simulation_, [this](const std::filesystem::path& folder) { added_.push_back(folder); });
   }
 
   /// @return The reply's text, or why the service refused.
@@ -50,6 +51,7 @@ class ResourceServicesTest : public testing::Test {
 
   const test::TempFolder models_;
   std::unique_ptr<Simulation> simulation_;
+  std::vector<std::filesystem::path> added_;
   std::unique_ptr<ResourceServices> services_;
 };
 

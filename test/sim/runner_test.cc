@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/boolean.pb.h>
-#include <ignition/msgs/stringmsg_v.pb.h>
 #include <ignition/msgs/world_stats.pb.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "support/process.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim::sim {
 namespace {
@@ -165,23 +166,36 @@ TEST_F(ControlledRun, GoesBackToTheStartWhenReset) {
   EXPECT_EQ(simulation_->stateHash(), atStart);
 }
 
-TEST_F(ControlledRun, EndsWhereTheServerIsToldToStop) {
+TEST_F(ControlledRun, DoesWhatOtherThreadsPostBetweenSteps) {
   for (const bool paused : {false, true}) {
-    start({.paused = paused});
-    EXPECT_NE(refusal("/server_control", "ServerControl", "stop: true, clone: true"), "");
-    EXPECT_NE(refusal("/server_control", "ServerControl", ""), "");
-    EXPECT_TRUE(ask("/server_control", "ServerControl", "stop: true"));
-    waitForTheEnd();
+    start({.paused = paused, .updateRate = 0.0});
+    std::atomic<Simulation*> seen = nullptr;
+    runner_->post([&](Simulation& simulation) { seen = &simulation; });
+    EXPECT_TRUE(test::waitUntil([&] { return seen == simulation_.get(); }));
+    end();
     runner_.reset();
   }
 }
 
-TEST_F(ControlledRun, TellsItsWorld) {
-  start({.paused = true});
-  ignition::msgs::StringMsg_V worlds;
-  EXPECT_TRUE(simulation_->transport().node().call("/gazebo/worlds", *newMessage("Empty"), worlds, test::kDeadline));
-  ASSERT_EQ(worlds.data_size(), 1);
-  EXPECT_EQ(worlds.data(0), "w");
+TEST_F(RunnerTest, TellsOfTheFirstWorldOnTopicsOfTheProcess) {
+  const auto hasClock = [this] {
+    return std::ranges::count(simulation_->transport().node().ownTopics(), "/clock", &OwnTopic::name) > 0;
+  };
+  const auto isServed = [this](const std::string& service) {
+    return static_cast<bool>(
+        simulation_->transport().node().request(service, *newMessage("Empty"), "ignition.msgs.StringMsg_V", {}));
+  };
+  {
+    const Runner other(*simulation_, {}, {});
+    EXPECT_FALSE(hasClock());
+    EXPECT_FALSE(isServed("/gazebo/resource_paths/get"));
+  }
+  Runner first(*simulation_, {});
+  EXPECT_TRUE(hasClock());
+  EXPECT_TRUE(isServed("/gazebo/resource_paths/get"));
+  first.leave();
+  EXPECT_FALSE(hasClock());
+  EXPECT_FALSE(isServed("/gazebo/resource_paths/get"));
 }
 
 }  // namespace

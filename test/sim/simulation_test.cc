@@ -1,12 +1,17 @@
 #include "pongsim/simulation.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/imu.pb.h>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "support/fortress_worlds.hh"
+#include "support/temp_folder.hh"
 
 namespace pongsim {
 namespace {
@@ -98,7 +103,87 @@ TEST(Simulation, WarnsOfFurtherWorlds) {
   ASSERT_NE(simulation, nullptr);
   EXPECT_EQ(simulation->world().name(), "one");
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].message, "world 'two' is left out: pongsim runs the first world of a file, 'one'");
+  EXPECT_EQ(diagnostics.all()[0].message, "world 'two' is left out: it is the first one that counts here, 'one'");
+}
+
+TEST(Simulation, IsTheWorldOfTheFileThatIsAskedFor) {
+  Diagnostics diagnostics;
+  const auto load = [&diagnostics](const std::string& world) {
+    return Simulation::fromText(R"(<sdf version="1.9"><world name="one"/><world name="two"/></sdf>)", "two.sdf",
+                                {.world = world}, diagnostics);
+  };
+  const auto two = load("two");
+  ASSERT_NE(two, nullptr);
+  EXPECT_EQ(two->world().name(), "two");
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_EQ(load("three"), nullptr);
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(format(diagnostics.all()[0]),
+            "two.sdf:1:20: error: there is no world 'three' in this file\n  hint: it has 'one', 'two'");
+}
+
+/// Worlds with an IMU that makes noise.
+class AllWorlds : public testing::Test {
+ protected:
+  static std::string world(const std::string& name) {
+    return "<world name='" + name +
+           "'><plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>"
+           "<plugin filename='ignition-gazebo-imu-system' name='ignition::gazebo::systems::Imu'/>"
+           "<model name='m'><pose>0 0 10 0 0 0</pose><link name='l'><sensor name='s' "
+           "type='imu'><always_on>1</always_on>"
+           "<topic>imu_" +
+           name +
+           "</topic><imu><linear_acceleration><x><noise type='gaussian'><stddev>1</stddev></noise></x>"
+           "</linear_acceleration></imu></sensor></link></model></world>";
+  }
+  std::filesystem::path file() const {
+    return folder_.write("worlds.sdf", "<sdf version='1.9'>" + world("a") + world("b") + "</sdf>");
+  }
+  /// @return What the IMU says after a step.
+  static double reading(Simulation& simulation) {
+    double x = 0;
+    const Subscription subscription = simulation.transport().node().subscribe<ignition::msgs::IMU>(
+        "/imu_" + std::string(simulation.world().name()),
+        [&x](const ignition::msgs::IMU& message) { x = message.linear_acceleration().x(); });
+    simulation.step(1);
+    simulation.transport().dispatch();
+    EXPECT_NE(x, 0);
+    return x;
+  }
+
+  const test::TempFolder folder_;
+};
+
+TEST_F(AllWorlds, HaveAShareInTheTransportAndRandomNumbersOfTheirOwn) {
+  Transport transport({.network = false});
+  Diagnostics diagnostics;
+  const auto all = Simulation::allFromFile(file(), {.seed = 3, .transport = &transport}, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_NE(&all[0]->transport(), &all[1]->transport());
+  const double ofA = reading(*all[0]), ofB = reading(*all[1]);
+  EXPECT_NE(ofA, ofB);
+  // and the same as without the other one, from the start and after a reset
+  const auto alone = load(file().string(), {.seed = 3, .world = "b"});
+  EXPECT_EQ(reading(*alone), ofB);
+  all[1]->reset(diagnostics);
+  EXPECT_EQ(reading(*all[1]), ofB);
+}
+
+TEST_F(AllWorlds, DoNotTakeEachOthersState) {
+  Diagnostics diagnostics;
+  const auto all = Simulation::allFromFile(file(), {}, diagnostics);
+  ASSERT_EQ(all.size(), 2U);
+  all[0]->step(10);
+  all[1]->step(20);
+  const std::vector<std::byte> state = all[1]->saveState();
+  EXPECT_NE(all[0]->restoreState(state), std::nullopt);
+  EXPECT_EQ(all[0]->iterations(), 10U);
+  all[1]->step(10);
+  const std::uint64_t hash = all[1]->stateHash();
+  EXPECT_EQ(all[1]->restoreState(state), std::nullopt);
+  all[1]->step(10);
+  EXPECT_EQ(all[1]->stateHash(), hash);
 }
 
 TEST(Simulation, TakesItsSolverFromTheWorld) {

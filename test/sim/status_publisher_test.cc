@@ -32,7 +32,7 @@ class StatusPublisherTest : public testing::Test {
   }
 
   Transport transport_{TransportOptions{.network = false, .domain = {}}};
-  StatusPublisher publisher_{transport_, "my world"};
+  StatusPublisher publisher_{transport_, "my world", true};
 };
 
 TEST_F(StatusPublisherTest, TellsTheThreeTimesEachStep) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "transport/dispatch_queue.hh"
+
 namespace pongsim::transport {
 namespace {
 
@@ -23,7 +25,7 @@ class ServiceServerTest : public testing::Test {
   }
 
   Offer& offer(ServiceHandler handler) {
-    return server_.add("/s", "StringMsg", "ignition.msgs.StringMsg", std::move(handler));
+    return server_.add(queue_, "/s", "StringMsg", "ignition.msgs.StringMsg", std::move(handler));
   }
 
   void take(std::uint64_t call, const std::optional<ReplyHeader>& header, std::span<const std::byte> message) {
@@ -37,8 +39,10 @@ class ServiceServerTest : public testing::Test {
 
   int arrivals_ = 0;
   std::vector<std::string> answers_;
-  ServiceServer server_{nullptr, [this] { ++arrivals_; },
-                        [this](auto call, const auto& header, auto message) { take(call, header, message); }};
+  DispatchQueue queue_;
+  ServiceServer server_{
+      nullptr, [this](DispatchQueue&) { ++arrivals_; },
+      [this](const auto&, auto call, const auto& header, auto message) { take(call, header, message); }};
 };
 
 using Answers = std::vector<std::string>;
@@ -48,15 +52,15 @@ TEST_F(ServiceServerTest, AnswersInTheOrderOfTheRequestsWhenDispatched) {
     reply.CopyFrom(request);
     return true;
   });
-  EXPECT_TRUE(server_.post("/s", 1, bytes("a")));
-  EXPECT_TRUE(server_.post("/s", 2, bytes("b")));
+  EXPECT_TRUE(server_.post(queue_, "/s", 1, bytes("a")));
+  EXPECT_TRUE(server_.post(queue_, "/s", 2, bytes("b")));
   EXPECT_EQ(arrivals_, 2);
-  EXPECT_TRUE(server_.waiting());
+  EXPECT_TRUE(queue_.requestsWaiting);
   EXPECT_EQ(answers_, Answers{});
-  EXPECT_EQ(server_.dispatch(), 2U);
+  EXPECT_EQ(server_.dispatch(queue_), 2U);
   EXPECT_EQ(answers_, (Answers{"1 done a", "2 done b"}));
-  EXPECT_FALSE(server_.waiting());
-  EXPECT_EQ(server_.dispatch(), 0U);
+  EXPECT_FALSE(queue_.requestsWaiting);
+  EXPECT_EQ(server_.dispatch(queue_), 0U);
 }
 
 TEST_F(ServiceServerTest, GivesEachRequestAnEmptyReplyToFillIn) {
@@ -64,9 +68,9 @@ TEST_F(ServiceServerTest, GivesEachRequestAnEmptyReplyToFillIn) {
     if (static_cast<const StringMsg&>(request).data() == "first") reply.CopyFrom(request);
     return true;
   });
-  server_.post("/s", 1, bytes("first"));
-  server_.post("/s", 2, bytes("second"));
-  server_.dispatch();
+  server_.post(queue_, "/s", 1, bytes("first"));
+  server_.post(queue_, "/s", 2, bytes("second"));
+  server_.dispatch(queue_);
   EXPECT_EQ(answers_, (Answers{"1 done first", "2 done "}));
 }
 
@@ -75,29 +79,29 @@ TEST_F(ServiceServerTest, TellsWhyARequestIsRefused) {
     if (static_cast<const StringMsg&>(request).data() == "throw") throw std::runtime_error("broken");
     return ServiceAnswer::refused("full");
   });
-  server_.post("/s", 1, bytes(""));
-  server_.post("/s", 2, bytes("throw"));
-  server_.post("/s", 3, {std::byte{0xff}});
-  server_.dispatch();
+  server_.post(queue_, "/s", 1, bytes(""));
+  server_.post(queue_, "/s", 2, bytes("throw"));
+  server_.post(queue_, "/s", 3, {std::byte{0xff}});
+  server_.dispatch(queue_);
   EXPECT_EQ(answers_,
             (Answers{"1 refused full", "2 refused broken", "3 refused the request is no ignition.msgs.StringMsg"}));
 }
 
 TEST_F(ServiceServerTest, HasRoomForAThousandRequests) {
   offer([](const Message&, Message&) { return true; });
-  for (std::uint64_t i = 0; i < 1000; ++i) EXPECT_TRUE(server_.post("/s", i, {}));
-  EXPECT_FALSE(server_.post("/s", 1000, {}));
-  EXPECT_EQ(server_.dispatch(), 1000U);
-  EXPECT_TRUE(server_.post("/s", 1001, {}));
+  for (std::uint64_t i = 0; i < 1000; ++i) EXPECT_TRUE(server_.post(queue_, "/s", i, {}));
+  EXPECT_FALSE(server_.post(queue_, "/s", 1000, {}));
+  EXPECT_EQ(server_.dispatch(queue_), 1000U);
+  EXPECT_TRUE(server_.post(queue_, "/s", 1001, {}));
 }
 
 TEST_F(ServiceServerTest, TellsWaitingCallersThatItHasGone) {
   Offer& gone = offer([](const Message&, Message&) { return true; });
-  server_.post("/s", 5, {});
+  server_.post(queue_, "/s", 5, {});
   server_.end(gone, false);
   EXPECT_EQ(answers_, (Answers{"5 gone"}));
-  EXPECT_FALSE(server_.post("/s", 6, {}));
-  EXPECT_EQ(server_.dispatch(), 0U);
+  EXPECT_FALSE(server_.post(queue_, "/s", 6, {}));
+  EXPECT_EQ(server_.dispatch(queue_), 0U);
 }
 
 TEST_F(ServiceServerTest, MayEndInItsOwnHandler) {
@@ -106,21 +110,21 @@ TEST_F(ServiceServerTest, MayEndInItsOwnHandler) {
     server_.end(*self, true);
     return true;
   });
-  server_.post("/s", 1, {});
-  server_.post("/s", 2, {});
-  server_.dispatch();
+  server_.post(queue_, "/s", 1, {});
+  server_.post(queue_, "/s", 2, {});
+  server_.dispatch(queue_);
   EXPECT_EQ(answers_, (Answers{"1 done ", "2 gone"}));
 }
 
 TEST_F(ServiceServerTest, RefusesTakenNamesAndUnknownTypes) {
   const ServiceHandler handler = [](const Message&, Message&) { return true; };
   offer(handler);
-  EXPECT_EQ(server_.typesOf("/s"),
+  EXPECT_EQ(server_.typesOf(queue_, "/s"),
             std::pair(std::string("ignition.msgs.StringMsg"), std::string("ignition.msgs.StringMsg")));
-  EXPECT_EQ(server_.typesOf("/t"), std::nullopt);
-  EXPECT_THROW(server_.add("s", "Int32", "Int32", handler), std::invalid_argument);
-  EXPECT_THROW(server_.add("/t", "Int33", "Int32", handler), std::invalid_argument);
-  EXPECT_THROW(server_.add("/t u", "Int32", "Int32", handler), std::invalid_argument);
+  EXPECT_EQ(server_.typesOf(queue_, "/t"), std::nullopt);
+  EXPECT_THROW(server_.add(queue_, "s", "Int32", "Int32", handler), std::invalid_argument);
+  EXPECT_THROW(server_.add(queue_, "/t", "Int33", "Int32", handler), std::invalid_argument);
+  EXPECT_THROW(server_.add(queue_, "/t u", "Int32", "Int32", handler), std::invalid_argument);
 }
 
 }  // namespace

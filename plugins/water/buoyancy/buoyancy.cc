@@ -31,6 +31,8 @@ struct FloatingLink {
   std::vector<Part> parts;
   /// Of all parts together [m^3], and where its middle is in the link frame.
   Volume volume;
+  /// Whether that is the origin of this frame.
+  bool isCentred = true;
   /// Nothing of it is farther from that middle [m].
   double radius = 0;
 };
@@ -58,7 +60,8 @@ class Buoyancy : public System {
     warnOfUnknown(context.sdf, context.diagnostics);
   }
 
-  void preUpdate(const StepInfo& info) override {
+  // all that it calls for each link becomes one piece, without calls in between
+  [[gnu::flatten]] void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     const Vector3 gravity = world_->gravity();
     const std::span<const Pose* const> poses = group_->poses();
@@ -81,7 +84,7 @@ class Buoyancy : public System {
   void addLinksOf(const Model& model, bool isEnabledAbove, Diagnostics* diagnostics);
   void addLink(const Link& link, Diagnostics* diagnostics);
   void warnOfSurface(const Collision& collision, const Solid& solid, Diagnostics* diagnostics) const;
-  Displaced displacedBy(const FloatingLink& each, const Vector3& up, double height) const;
+  Displaced displacedBy(const FloatingLink& each, const Pose& X_WorldLink) const;
   Wrench lift(const FloatingLink& each, const Pose& X_WorldLink, const Vector3& gravity) const;
 
   std::optional<double> density_;
@@ -171,7 +174,7 @@ void Buoyancy::addLinksOf(const Model& model, bool isEnabledAbove, Diagnostics* 
 }
 
 void Buoyancy::addLink(const Link& link, Diagnostics* diagnostics) {
-  FloatingLink floating{link, {}, {}, 0};
+  FloatingLink floating{link, {}, {}};
   Vector3 first = Vector3::Zero();
   for (const Collision& collision : link.collisions()) {
     Solid solid(collision.shape());
@@ -184,6 +187,7 @@ void Buoyancy::addLink(const Link& link, Diagnostics* diagnostics) {
   }
   if (floating.parts.empty()) return;
   floating.volume.center = first / floating.volume.size;
+  floating.isCentred = floating.volume.center.isZero(0);
   for (const FloatingLink::Part& part : floating.parts) {
     const Vector3 middle = part.X_LinkPart * Vector3(part.solid.bounds().center());
     floating.radius = std::max(floating.radius, (middle - floating.volume.center).norm() + part.solid.radius());
@@ -209,46 +213,36 @@ void Buoyancy::warnOfUnknown(const Element& sdf, Diagnostics& diagnostics) const
   }
 }
 
-/// @return Where the world's z points in a frame that is turned so.
-Vector3 upIn(const Quaternion& R_WorldFrame) {
-  const Quaternion& q = R_WorldFrame;
-  return {2 * (q.x() * q.z() - q.w() * q.y()), 2 * (q.y() * q.z() + q.w() * q.x()),
-          1 - 2 * (q.x() * q.x() + q.y() * q.y())};
-}
-
-/// What a link displaces where the fluid is not the same all around it, in the link frame.
-Displaced Buoyancy::displacedBy(const FloatingLink& each, const Vector3& up, double height) const {
+/// What a link displaces where the fluid is not the same all around it.
+Displaced Buoyancy::displacedBy(const FloatingLink& each, const Pose& X_WorldLink) const {
+  const double height = X_WorldLink.position.z();
+  if (each.parts.size() == 1 && each.parts[0].isInPlace) {
+    return fluid_.displacedBy(each.parts[0].solid, X_WorldLink.rotation, height);
+  }
   Displaced sum;
   for (const FloatingLink::Part& part : each.parts) {
-    if (part.isInPlace) {
-      const Displaced displaced = fluid_.displacedBy(part.solid, up, height);
-      sum.mass += displaced.mass;
-      sum.first += displaced.first;
-      continue;
-    }
-    const Quaternion& R_LinkPart = part.X_LinkPart.rotation;
-    const Vector3& p_LinkPart = part.X_LinkPart.position;
+    const Vector3 linkToPart = X_WorldLink.rotation * part.X_LinkPart.position;
     const Displaced displaced =
-        fluid_.displacedBy(part.solid, R_LinkPart.conjugate() * up, height + up.dot(p_LinkPart));
+        fluid_.displacedBy(part.solid, X_WorldLink.rotation * part.X_LinkPart.rotation, height + linkToPart.z());
     sum.mass += displaced.mass;
-    sum.first += R_LinkPart * displaced.first + displaced.mass * p_LinkPart;
+    sum.first += displaced.first + displaced.mass * linkToPart;
   }
   return sum;
 }
 
 /// Archimedes: against gravity, the weight of the fluid, at the centre of where it was.
 Wrench Buoyancy::lift(const FloatingLink& each, const Pose& X_WorldLink, const Vector3& gravity) const {
-  const bool isCentred = each.volume.center.isZero(0);
-  const Vector3 up = upIn(X_WorldLink.rotation);
-  const double height = X_WorldLink.position.z() + (isCentred ? 0 : up.dot(each.volume.center));
+  Vector3 linkToCenter = Vector3::Zero();
+  if (!each.isCentred) linkToCenter = X_WorldLink.rotation * each.volume.center;
+  const double height = X_WorldLink.position.z() + linkToCenter.z();
   const std::optional<double> density = fluid_.densityBetween(height - each.radius, height + each.radius);
-  if (density && isCentred) {
-    return {-*density * each.volume.size * gravity, Vector3::Zero()};
+  if (!density) {
+    const Displaced displaced = displacedBy(each, X_WorldLink);
+    return {-displaced.mass * gravity, gravity.cross(displaced.first)};
   }
-  Displaced displaced{density.value_or(0) * each.volume.size,
-                      density.value_or(0) * each.volume.size * each.volume.center};
-  if (!density) displaced = displacedBy(each, up, X_WorldLink.position.z());
-  return {-displaced.mass * gravity, gravity.cross(X_WorldLink.rotation * displaced.first)};
+  const Vector3 weight = *density * each.volume.size * gravity;
+  if (each.isCentred) return {-weight, Vector3::Zero()};
+  return {-weight, weight.cross(linkToCenter)};
 }
 
 }  // namespace

@@ -1,31 +1,20 @@
 #include "fluid.hh"
 
+#include <algorithm>
+
 namespace pongsim {
 
-std::optional<double> Fluid::densityBetween(double lower, double upper) const {
-  double density = bottom_;
-  for (const auto& [height, next] : layers_) {
-    if (height > lower) return height < upper ? std::nullopt : std::optional(density);
-    density = next;
+bool Fluid::addLayer(double from, double density) {
+  auto layer = std::ranges::lower_bound(layers_, from, {}, &Layer::from);
+  const bool isNew = layer == layers_.end() || layer->from != from;
+  if (isNew) layer = layers_.insert(layer, {from, density, 0});
+  layer->density = density;
+  top_ = bottom_;
+  for (Layer& each : layers_) {
+    each.drop = top_ - each.density;
+    top_ = each.density;
   }
-  return density;
-}
-
-// Layer by layer from below: what lies below its upper edge, less what lies below its lower one. Summed up, each edge
-// counts with the difference of the densities at it.
-Displaced Fluid::displacedBy(const Solid& solid, const Vector3& up, double height) const {
-  Displaced displaced;
-  const auto add = [&displaced](double density, const Volume& part) {
-    displaced.mass += density * part.size;
-    displaced.first += density * part.size * part.center;
-  };
-  double density = bottom_;
-  for (const auto& [edge, next] : layers_) {
-    add(density - next, solid.below(up, edge - height));
-    density = next;
-  }
-  add(density, solid.volume());
-  return displaced;
+  return isNew;
 }
 
 }  // namespace pongsim

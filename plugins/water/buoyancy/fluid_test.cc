@@ -17,7 +17,7 @@ Fluid sea() {
 
 TEST(Fluid, IsTheSameEverywhereWithoutLayers) {
   EXPECT_EQ(Fluid(800).densityBetween(-1e9, 1e9), 800);
-  const Displaced displaced = Fluid(800).displacedBy(Solid(SphereShape{1}), Vector3::UnitZ(), 3);
+  const Displaced displaced = Fluid(800).displacedBy(Solid(SphereShape{1}), Quaternion::Identity(), 3);
   EXPECT_NEAR(displaced.mass, 800 * kPi * 4 / 3, 1e-9);
   EXPECT_NEAR(displaced.first.norm(), 0, 1e-12);
 }
@@ -35,14 +35,14 @@ TEST(Fluid, KnowsWhichLayerAHeightIsIn) {
 
 TEST(Fluid, IsDisplacedByWhatIsInEachLayer) {
   // half of a cube in water and half in air
-  const Displaced half = sea().displacedBy(Solid(BoxShape{{1, 1, 1}}), Vector3::UnitZ(), 0);
+  const Displaced half = sea().displacedBy(Solid(BoxShape{{1, 1, 1}}), Quaternion::Identity(), 0);
   EXPECT_NEAR(half.mass, 500.5, 1e-9);
   EXPECT_NEAR(half.first.z(), 500 * -0.25 + 0.5 * 0.25, 1e-9);
   // three layers through one cube
   Fluid fluid(1000);
   fluid.addLayer(-0.25, 800);
   fluid.addLayer(0.25, 1);
-  const Displaced three = fluid.displacedBy(Solid(BoxShape{{1, 1, 1}}), Vector3::UnitZ(), 0);
+  const Displaced three = fluid.displacedBy(Solid(BoxShape{{1, 1, 1}}), Quaternion::Identity(), 0);
   EXPECT_NEAR(three.mass, 250 + 400 + 0.25, 1e-9);
   EXPECT_NEAR(three.first.z(), -250 * 0.375 + 0.25 * 0.375, 1e-9);
 }
@@ -50,11 +50,11 @@ TEST(Fluid, IsDisplacedByWhatIsInEachLayer) {
 // On its edge, half of a cube is a prism whose centroid lies a third of its height below the surface.
 TEST(Fluid, IsDisplacedByATiltedBodyAsItLies) {
   const Quaternion tilt = fromRollPitchYaw(kPi / 4, 0, 0);
-  const Displaced half = sea().displacedBy(Solid(BoxShape{{1, 1, 1}}), tilt.conjugate() * Vector3::UnitZ(), 0);
+  const Displaced half = sea().displacedBy(Solid(BoxShape{{1, 1, 1}}), tilt, 0);
   EXPECT_NEAR(half.mass, 500.5, 1e-9);
-  EXPECT_NEAR((tilt * half.first - Vector3(0, 0, -(500 - 0.5) * std::sqrt(0.5) / 3)).norm(), 0, 1e-9);
+  EXPECT_NEAR((half.first - Vector3(0, 0, -(500 - 0.5) * std::sqrt(0.5) / 3)).norm(), 0, 1e-9);
   // 0.1 m higher
-  const Displaced less = sea().displacedBy(Solid(BoxShape{{1, 1, 1}}), tilt.conjugate() * Vector3::UnitZ(), 0.1);
+  const Displaced less = sea().displacedBy(Solid(BoxShape{{1, 1, 1}}), tilt, 0.1);
   const double depth = std::sqrt(0.5) - 0.1;
   EXPECT_NEAR(less.mass, 1 + 999 * depth * depth, 1e-9);
 }

@@ -1,0 +1,77 @@
+#include "sim/server.hh"
+
+#include <pthread.h>
+
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "base/crash_report.hh"
+
+namespace pongsim::sim {
+
+Server::Server(Transport& transport, const std::vector<std::unique_ptr<Simulation>>& worlds, const RunOptions& options)
+    : transport_(transport), worlds_(worlds) {
+  std::vector<std::string> names;
+  for (const std::unique_ptr<Simulation>& world : worlds) {
+    names.emplace_back(world->world().name());
+    ResourceServices::FolderAdded folderAdded;
+    if (runners_.empty()) folderAdded = [this](const std::filesystem::path& folder) { addFolder(folder); };
+    runners_.push_back(std::make_unique<Runner>(*world, options, std::move(folderAdded)));
+  }
+  services_.emplace(transport, std::move(names), [this] { stop(); });
+}
+
+Server::~Server() = default;
+
+void Server::stop() {
+  for (const std::unique_ptr<Runner>& runner : runners_) runner->stop();
+}
+
+/// The first world has it already.
+void Server::addFolder(const std::filesystem::path& folder) {
+  for (std::size_t i = 1; i < runners_.size(); ++i) {
+    runners_[i]->post([folder](Simulation& simulation) { simulation.addResourceFolder(folder); });
+  }
+}
+
+void Server::run() {
+  if (runners_.size() == 1) {
+    runners_.front()->run();
+  } else {
+    runBeside();
+  }
+}
+
+void Server::runBeside() {
+  std::vector<std::exception_ptr> failures(runners_.size());
+  std::vector<std::thread> threads;
+  running_ = runners_.size();
+  for (std::size_t i = 0; i < runners_.size(); ++i) {
+    threads.emplace_back([this, i, &failure = failures[i]] {
+      const base::CrashStack stack;
+      try {
+        runners_[i]->run();
+        runners_[i]->leave();
+      } catch (...) {
+        failure = std::current_exception();
+        stop();
+      }
+      --running_;
+      transport_.wake();
+    });
+    // as others tell threads apart; more letters there are not
+    pthread_setname_np(threads.back().native_handle(), std::string(worlds_[i]->world().name()).substr(0, 15).c_str());
+  }
+  // the services of the process are met here
+  while (running_ > 0) transport_.dispatchFor(std::chrono::hours(1));
+  for (std::thread& thread : threads) thread.join();
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+}  // namespace pongsim::sim
