@@ -25,6 +25,7 @@ namespace transport {
 class Bus;
 class Channel;
 class DispatchQueue;
+class GatewayState;
 class Inbox;
 class PublisherState;
 class SubscriptionState;
@@ -35,6 +36,12 @@ struct PublisherOptions {
   /// as long as the publisher lives: for what is said once or seldom, such as a scene. It is published then whether
   /// somebody listens or not.
   bool latched = false;
+  /// Whether it says here again what was said elsewhere, for who carries messages between this transport and others. It
+  /// is no publisher in `ownTopics`, and subscriptions that relay do not hear it: what came by one carrier is carried
+  /// on by no other, and never back. Not with `latched`.
+  bool relays = false;
+  /// Whether the subscriptions of this transport alone hear it, and no other process.
+  bool ownOnly = false;
 };
 
 struct SubscriptionOptions {
@@ -51,11 +58,20 @@ struct SubscriptionOptions {
   /// What this publisher of the same transport sends is not heard: for who both publishes and subscribes on a topic,
   /// and would hear itself. Looked at when the subscription is made; null: all is heard.
   const Publisher* except = nullptr;
+  /// Whether it carries elsewhere what it hears: it is no subscription in `ownTopics`, and hears no publisher that
+  /// relays.
+  bool relays = false;
+  /// Whether it hears the publishers of this transport alone, and no other process.
+  bool ownOnly = false;
 };
 
 /// Called with a message; where some of it is not in it yet, `bulk` says what, else it is null. Both live until it
 /// returns.
 using HeardAtOnce = std::function<void(const Message& message, const Bulk* bulk)>;
+
+/// Called with how many bytes a message has in protobuf's binary form, and with what writes so many of them, which
+/// lives until it returns and may be called once, or not.
+using HeardBytesAtOnce = std::function<void(std::size_t size, const std::function<void(std::span<std::byte>)>& write)>;
 
 /// Called with a message in protobuf's binary form and the full name of its type. Both live until it returns.
 using ReceivedOfAnyType = std::function<void(std::string_view type, std::span<const std::byte> bytes)>;
@@ -154,15 +170,18 @@ struct TopicInfo {
   std::vector<Endpoint> subscribers;
 };
 
-/// A topic as a transport itself has it: what its own publishers and subscriptions are.
+/// A topic as a transport itself has it: what its own publishers and subscriptions are, without those that relay.
 struct OwnTopic {
   std::string name;
-  /// Full name of the message type. A topic with several types is there several times.
+  /// Full name of the message type; "*" of subscriptions that take any. A topic with several types is there several
+  /// times.
   std::string type;
   int publishers = 0;
   int subscriptions = 0;
   /// Whether one of the publishers keeps the last message for who comes later.
   bool isLatched = false;
+  /// Publishers that relay, which are not among those above.
+  int relayingPublishers = 0;
   bool operator==(const OwnTopic&) const = default;
 };
 
@@ -237,12 +256,26 @@ class PONGSIM_API Node {
   Subscription subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
                                const SubscriptionOptions& options = {});
 
+  /// As `subscribeAtOnce`, with the messages in protobuf's binary form, written once to where the listener wants them.
+  /// The type need not be known here.
+  Subscription subscribeBytesAtOnce(std::string_view topic, std::string_view type, HeardBytesAtOnce heard,
+                                    const SubscriptionOptions& options = {});
+
   /// @return The topics of this transport's own publishers and subscriptions, sorted by name, then by type. A
-  /// subscription to any type counts for those that it has met.
+  /// subscription to any type counts for those that it has met, too.
   std::vector<OwnTopic> ownTopics() const;
-  /// @return A number that is another one when a publisher or a subscription of this transport has come or gone. Cheap:
-  /// for who watches the topics from step to step.
+  /// @return A number that is another one when a publisher or a subscription of this transport has come or gone, but
+  /// for those that relay. Cheap: for who watches the topics from step to step.
   std::uint64_t ownTopicsVersion() const;
+
+  /// @return The services that this transport offers itself, sorted by name.
+  std::vector<OwnService> ownServices() const;
+  /// @return A number that is another one when a service of this transport has come or gone. Cheap.
+  std::uint64_t ownServicesVersion() const;
+
+  /// Has `call` asked where a service is called that this transport does not offer itself, for who reaches others:
+  /// before other processes of this kind are, and once more where none of them has it.
+  Gateway openGateway(CallElsewhere call);
 
   /// Ends a wait in `Transport::dispatchFor` from any thread, so that a run that is paused calls its systems at once:
   /// for who has something to do there that did not come by a topic or a service.
@@ -296,7 +329,7 @@ class PONGSIM_API Node {
  private:
   friend class Transport;
   Node(transport::Bus& bus, transport::DispatchQueue& queue) : bus_(&bus), queue_(&queue) {}
-  Publisher advertiseOn(transport::Channel& channel, bool latched);
+  Publisher advertiseOn(transport::Channel& channel, const PublisherOptions& options);
 
   std::string fullName(std::string_view name) const;
 

@@ -52,6 +52,8 @@ class PONGSIM_API Scene {
   std::vector<std::uint64_t> topLevelIds() const;
 
  private:
+  friend class StatePlayer;
+  friend class StateWatch;
   sim::Access* access_;
 };
 

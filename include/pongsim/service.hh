@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 namespace pongsim {
 
 namespace transport {
+class GatewayState;
 class RequestState;
 class ServiceState;
 }  // namespace transport
@@ -76,6 +79,38 @@ class PONGSIM_API PendingRequest {
 
  private:
   std::unique_ptr<transport::RequestState> state_;
+};
+
+/// A service as a transport itself offers it.
+struct OwnService {
+  std::string name;
+  /// Full names of the message types.
+  std::string requestType;
+  std::string replyType;
+  bool operator==(const OwnService&) const = default;
+};
+
+/// Called, by several threads at once, with a call to a service that may be elsewhere. Waits for the answer.
+/// @param service With a leading slash.
+/// @param reply Replaced where the outcome is `kDone`. Its type says which the service must have.
+/// @return What came of it, or nothing where no such service is known.
+using CallElsewhere = std::function<std::optional<CallResult>(const std::string& service, const Message& request,
+                                                              Message& reply, std::chrono::nanoseconds timeout)>;
+
+/// A way to services elsewhere, for as long as this lives. It must not outlive its `Transport`.
+class PONGSIM_API Gateway {
+ public:
+  Gateway();
+  explicit Gateway(std::unique_ptr<transport::GatewayState> state);
+  Gateway(Gateway&&) noexcept;
+  Gateway& operator=(Gateway&&) noexcept;
+  /// Its function is not called from then on. Waits until calls of it have returned.
+  ~Gateway();
+
+  explicit operator bool() const { return state_ != nullptr; }
+
+ private:
+  std::unique_ptr<transport::GatewayState> state_;
 };
 
 /// What the processes offer under a service's name.

@@ -47,6 +47,9 @@ struct SimulationOptions {
   std::vector<Element> systems = {};
   /// Which world of the file, by its name; empty: the first one.
   std::string world = {};
+  /// Let physics move the bodies. Without it they stay where systems put them (`StatePlayer`), whatever the world
+  /// lists, and time may be set (`Simulation::setTime`).
+  bool physics = true;
 };
 
 /// One world, from its file, with its bodies and systems. Belongs to one thread at a time.
@@ -155,6 +158,12 @@ class PONGSIM_API Simulation {
   /// `reset` is called. What is wrong with the systems that come back is added to `diagnostics`.
   /// @param seed Where all random numbers come from then, as `SimulationOptions::seed`. Unset: from where they did.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed = std::nullopt);
+
+  /// Goes to another simulated time, later or earlier, in a world whose physics rests: the systems' `reset` is called,
+  /// and who plays a recording puts all where it has it at that time, in the next step, paused or not.
+  /// @param time From zero on.
+  /// @return Why not, or nothing.
+  std::optional<std::string> setTime(Time time);
 
   /// @return All that the next steps depend on: time, poses, velocities, joints and what drives them, points of contact
   /// with their forces, step size, gravity, random streams, and what the systems remember, as far as they tell it

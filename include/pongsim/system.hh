@@ -88,7 +88,7 @@ class PONGSIM_API System {
 };
 
 /// Version of what a system library and pongsim agree on. A library with another one is not loaded.
-inline constexpr std::uint32_t kAbiVersion = 5;
+inline constexpr std::uint32_t kAbiVersion = 6;
 
 /// One system of a library.
 struct SystemEntry {

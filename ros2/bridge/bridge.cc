@@ -84,8 +84,7 @@ void Bridge::followTopics() {
     if (reserved_.contains(rule.ros) || isTakenByRule(rule)) continue;
     Entry* entry = entryFor(rule);
     if (entry == nullptr) continue;
-    const int ownPublishers = entry->toSimulation ? 1 : 0, ownSubscriptions = entry->heard ? 1 : 0;
-    want(*entry, {topic.publishers > ownPublishers, topic.subscriptions > ownSubscriptions, topic.isLatched});
+    want(*entry, {topic.publishers > 0, topic.subscriptions > 0, topic.isLatched});
   }
 }
 
@@ -116,7 +115,7 @@ void Bridge::followRules(const std::vector<OwnTopic>& topics) {
 /// A rule for messages that the simulation does not have does nothing, which its user would look for long.
 void Bridge::warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>& topics) {
   for (const OwnTopic& topic : topics) {
-    if (topic.name != rule.ignition || topic.type == rule.pair->ignition) continue;
+    if (topic.name != rule.ignition || topic.type == rule.pair->ignition || topic.type == "*") continue;
     if (!refusedNames_.insert(topic.name + " " + topic.type).second) continue;
     const SourcePosition& place = rule.position;
     const std::string where =
@@ -181,9 +180,7 @@ void Bridge::openToRos(Entry& entry, bool isLatched) {
 void Bridge::openFromRos(Entry& entry) {
   const TopicRule& rule = entry.rule;
   entry.toIgnition = rule.pair->toIgnition(framesOf(rule));
-  entry.toSimulation = simulation_.advertise(rule.ignition, rule.pair->ignition);
-  // it would hear itself
-  if (entry.heard) listen(entry);
+  entry.toSimulation = simulation_.advertise(rule.ignition, rule.pair->ignition, {.relays = true});
   if (isLazyFromRos(rule)) {
     hasLazyReaders_ = true;
   } else {
@@ -224,16 +221,13 @@ void Bridge::followListeners() {
 }
 
 void Bridge::listen(Entry& entry) {
-  SubscriptionOptions options;
-  if (entry.toSimulation) options.except = &entry.toSimulation;
-  entry.heard = {};
-  entry.heard = simulation_.subscribeAtOnce(
-      entry.rule.ignition, entry.rule.pair->ignition,
-      [&entry](const Message& message, const Bulk* bulk) {
-        entry.toRos(message, bulk,
-                    [&entry](std::size_t size, const Fill& fill) { entry.publisher->writer().write(size, fill); });
-      },
-      options);
+  entry.heard = simulation_.subscribeAtOnce(entry.rule.ignition, entry.rule.pair->ignition,
+                                            [&entry](const Message& message, const Bulk* bulk) {
+                                              entry.toRos(message, bulk, [&entry](std::size_t size, const Fill& fill) {
+                                                entry.publisher->writer().write(size, fill);
+                                              });
+                                            },
+                                            {.relays = true});
 }
 
 std::vector<Offer> Bridge::offers() const {

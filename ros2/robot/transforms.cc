@@ -137,7 +137,8 @@ void Transforms::listen() {
       frames.heard = simulation_.subscribeAtOnce(frames.odometry, "ignition.msgs.Pose_V",
                                                  [this, &frames](const pongsim::Message& message, const Bulk*) {
                                                    hearOdometry(frames, static_cast<const Message&>(message));
-                                                 });
+                                                 },
+                                                 {.relays = true});
     }
   }
   for (Foreign& foreign : foreign_) {
@@ -148,7 +149,8 @@ void Transforms::listen() {
       foreign.heard = simulation_.subscribeAtOnce(foreign.topic, "ignition.msgs.Pose_V",
                                                   [this, &foreign](const pongsim::Message& message, const Bulk*) {
                                                     hearForeign(foreign, static_cast<const Message&>(message));
-                                                  });
+                                                  },
+                                                  {.relays = true});
     }
   }
 }

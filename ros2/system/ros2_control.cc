@@ -248,7 +248,8 @@ class Ros2Control final : public System {
       std::string names;
       for (const ControlledJoint& joint : group.driver.joints()) names += (names.empty() ? "" : ", ") + joint.name;
       const bool isBridged = std::ranges::any_of(topics, [&group](const OwnTopic& topic) {
-        return topic.name == group.commandsTopic && topic.type == kModelType && topic.publishers > 0;
+        return topic.name == group.commandsTopic && topic.type == kModelType &&
+               topic.publishers + topic.relayingPublishers > 0;
       });
       log_.warning("the controllers of '" + model_ + "' run outside of the simulation: commands for " + names +
                    " are taken from '" + group.commandsTopic + "', states told on '" + group.statesTopic + "'" +

@@ -10,9 +10,9 @@ namespace pongsim::assets {
 
 namespace {
 
-// Fortress appends the resource paths to SDF_PATH.
+// Fortress appends the resource paths to SDF_PATH, for what is included, and to IGN_FILE_PATH, for meshes and pictures.
 constexpr const char* kVariables[] = {"PONGSIM_RESOURCE_PATH", "SDF_PATH", "IGN_GAZEBO_RESOURCE_PATH",
-                                      "GZ_SIM_RESOURCE_PATH"};
+                                      "GZ_SIM_RESOURCE_PATH", "IGN_FILE_PATH"};
 
 std::string_view variable(const char* name) {
   const char* const value = std::getenv(name);

@@ -12,8 +12,8 @@ struct Places {
   /// The local copy of Fuel's models: HOST/OWNER/models/NAME/VERSION. Empty: there is none.
   std::filesystem::path fuelCache;
 
-  /// Reads PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH and GZ_SIM_RESOURCE_PATH, folders with ":" between
-  /// them, in this order; then IGN_FUEL_CACHE_PATH, in place of HOME/.ignition/fuel.
+  /// Reads PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH and IGN_FILE_PATH, folders
+  /// with ":" between them, in this order; then IGN_FUEL_CACHE_PATH, in place of HOME/.ignition/fuel.
   static Places fromEnvironment();
 };
 

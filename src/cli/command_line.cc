@@ -16,6 +16,7 @@
 
 #include "base/nearest_word.hh"
 #include "cli/console.hh"
+#include "cli/fortress_words.hh"
 #include "cli/ign_arguments.hh"
 
 namespace pongsim::cli {
@@ -42,12 +43,15 @@ UsageError unknownOption(const CLI::App& command, const std::string& option) {
     for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
   }
   const std::vector<std::string_view> words(known.begin(), known.end());
+  if (const auto advice = adviceOnOption(command.get_name(), option, words))
+    return UsageError(advice->message, advice->hint);
   std::string hint = base::didYouMean(option, words);
   if (hint.empty()) hint = helpFor(command) + " lists the options";
   return UsageError("unknown option '" + option + "'", hint);
 }
 
 UsageError unknownCommand(const CLI::App& program, const std::string& name) {
+  if (const auto advice = adviceOnCommand(name)) return UsageError(advice->message, advice->hint);
   std::vector<std::string_view> known;
   for (const CLI::App* each : program.get_subcommands({})) known.push_back(each->get_name());
   std::string hint = base::didYouMean(name, known);
@@ -85,14 +89,14 @@ UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 /// `pongsim help topic` is `pongsim topic --help`.
-std::vector<std::string> argumentsOf(int argc, char** argv) {
+IgnLine lineOf(int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
-  if (argc > 0 && isCalledAsIgn(argv[0])) arguments = fromIgnArguments(std::move(arguments));
+  if (argc > 0 && isCalledAsIgn(argv[0])) return fromIgnArguments(arguments);
   if (!arguments.empty() && arguments.front() == "help") {
     arguments.erase(arguments.begin());
     arguments.push_back("--help");
   }
-  return arguments;
+  return {std::move(arguments)};
 }
 
 /// @return The exit code, where the command line asks for nothing more than words.
@@ -138,9 +142,10 @@ std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work
 Work workOf(int argc, char** argv, std::span<const AddCommand> commands) {
   const auto work = std::make_shared<Work>();
   const std::shared_ptr<CLI::App> program = makeProgram(commands, *work);
-  const std::vector<std::string> arguments = argumentsOf(argc, argv);
-  if (arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
-  const int done = parse(*program, arguments);
+  const IgnLine line = lineOf(argc, argv);
+  if (line.text) return [text = *line.text] { return print(text) ? kDone : kFailed; };
+  if (line.arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
+  const int done = parse(*program, line.arguments);
   // what the commands have read stands in the program
   return [program, work, done] { return *work ? (*work)() : done; };
 }

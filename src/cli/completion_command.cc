@@ -71,7 +71,8 @@ constexpr std::pair<std::string_view, std::string_view> kActionWords[] = {
 std::string wordsOf(const CLI::App& command) {
   std::string words;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_group() == kExtensionGroup) continue;
+    // those without a group are in no help
+    if (option->get_group() == kExtensionGroup || option->get_group().empty()) continue;
     for (const std::string& name : option->get_snames()) words += " -" + name;
     for (const std::string& name : option->get_lnames()) words += " --" + name;
   }

@@ -17,6 +17,16 @@ namespace {
 
 using Descriptor = nlohmann::json;
 
+/// @throws std::runtime_error where a program's name leads out of the folder of programs.
+std::string plainProgram(std::string name) {
+  if (name.find('/') != std::string::npos) throw std::runtime_error("its program is no plain name");
+  return name;
+}
+
+Extension::System readSystem(const Descriptor& json) {
+  return {json.at("filename").get<std::string>(), json.at("name").get<std::string>()};
+}
+
 Extension::Option readOption(const Descriptor& json) {
   Extension::Option option;
   option.name = json.at("option").get<std::string>();
@@ -26,6 +36,15 @@ Extension::Option readOption(const Descriptor& json) {
   option.fixed = json.value("sets", "");
   option.isRepeated = json.value("repeated", false);
   option.isFile = json.value("file", false);
+  for (const Descriptor& each : json.value("implies", Descriptor::array()))
+    option.implied.push_back({each.at("element").get<std::string>(), each.at("sets").get<std::string>()});
+  if (const auto system = json.find("system"); system != json.end()) option.system = readSystem(*system);
+  if (const auto world = json.find("world"); world != json.end()) {
+    option.world = {plainProgram(world->at("program").get<std::string>()),
+                    world->value("arguments", std::vector<std::string>())};
+    if (option.value.empty()) throw std::runtime_error("option '" + option.name + "' has a world, but no value");
+  }
+  option.excluded = json.value("excludes", std::vector<std::string>());
   if (!option.fixed.empty() && (option.element.empty() || !option.value.empty()))
     throw std::runtime_error("option '" + option.name + "' sets something, but no element or one with a value");
   if (!option.name.starts_with("--")) throw std::runtime_error("option '" + option.name + "' begins with no '--'");
@@ -42,8 +61,7 @@ Extension::Command readCommand(const Descriptor& json) {
   Extension::Command command;
   command.name = json.at("name").get<std::string>();
   command.help = json.at("help").get<std::string>();
-  command.program = json.at("program").get<std::string>();
-  if (command.program.find('/') != std::string::npos) throw std::runtime_error("its program is no plain name");
+  command.program = plainProgram(json.at("program").get<std::string>());
   for (const Descriptor& each : json.value("actions", Descriptor::array())) {
     command.actions.push_back(
         {each.at("name").get<std::string>(), each.at("help").get<std::string>(), readOptions(each)});
@@ -57,8 +75,7 @@ Extension extensionOf(const Descriptor& json) {
   if (!json.is_object()) throw std::runtime_error("it is no object");
   Extension extension;
   if (const auto run = json.find("run"); run != json.end()) {
-    extension.systemFile = run->at("system").at("filename").get<std::string>();
-    extension.systemClass = run->at("system").at("name").get<std::string>();
+    extension.system = readSystem(run->at("system"));
     extension.runOptions = readOptions(*run);
   }
   if (const auto command = json.find("command"); command != json.end()) extension.command = readCommand(*command);
@@ -67,29 +84,42 @@ Extension extensionOf(const Descriptor& json) {
 
 SourcePosition commandLine() { return {std::make_shared<const std::string>("command line"), 0, 0}; }
 
-/// @return The extension's `<plugin>` among those that the user asks for.
-Element& pluginOf(const Extension& extension, std::vector<Element>& systems) {
+/// @return The system's `<plugin>` among those that the user asks for.
+Element& pluginOf(const Extension::System& system, std::vector<Element>& systems) {
   const auto found = std::ranges::find_if(systems, [&](const Element& each) {
-    const Element::Attribute* file = each.attribute("filename");
-    return file != nullptr && file->value == extension.systemFile;
+    return each.attributeOr("filename", "") == system.file && each.attributeOr("name", "") == system.className;
   });
   if (found != systems.end()) return *found;
   Element& plugin = systems.emplace_back();
   plugin.name = "plugin";
   plugin.position = commandLine();
-  plugin.attributes = {{"filename", extension.systemFile, commandLine()},
-                       {"name", extension.systemClass, commandLine()}};
+  plugin.attributes = {{"filename", system.file, commandLine()}, {"name", system.className, commandLine()}};
   return plugin;
 }
 
-void addValue(const Extension& extension, const Extension::Option& option, const std::string& value,
-              std::vector<Element>& systems) {
-  if (option.element.empty()) return;
+void addElement(const std::string& name, const std::string& text, Element& plugin) {
+  if (name.empty()) return;
   Element element;
-  element.name = option.element;
-  element.text = option.isFile ? std::filesystem::absolute(value).string() : value;
+  element.name = name;
+  element.text = text;
   element.position = commandLine();
-  pluginOf(extension, systems).children.push_back(std::move(element));
+  plugin.children.push_back(std::move(element));
+}
+
+/// Takes an option that the user has given, with its values, of which there are none where it takes none.
+void take(const Extension& extension, const Extension::Option& option, const std::vector<std::string>& values,
+          RunAdditions& additions) {
+  Element& plugin = pluginOf(option.system.value_or(extension.system), additions.systems);
+  if (option.value.empty() && !option.fixed.empty()) addElement(option.element, option.fixed, plugin);
+  for (const std::string& value : values) {
+    const std::string text = option.isFile ? std::filesystem::absolute(value).string() : value;
+    addElement(option.element, text, plugin);
+    if (!option.world) continue;
+    additions.world = option.world;
+    additions.world->arguments.push_back(text);
+    additions.worldOption = option.name;
+  }
+  for (const Extension::Setting& setting : option.implied) addElement(setting.element, setting.text, plugin);
 }
 
 }  // namespace
@@ -122,34 +152,39 @@ std::vector<Extension> installedExtensions() {
   return extensions;
 }
 
-void addRunOptions(CLI::App& command, const Extension& extension, std::vector<Element>& systems) {
+void addRunOptions(CLI::App& command, const Extension& extension, RunAdditions& additions) {
   // the options hold on to it
   const auto shared = std::make_shared<const Extension>(extension);
   for (const Extension::Option& option : shared->runOptions) {
     if (option.value.empty()) {
       command
           .add_flag_callback(
-              option.name,
-              [shared, &option, &systems] {
-                pluginOf(*shared, systems);
-                if (!option.fixed.empty()) addValue(*shared, option, option.fixed, systems);
-              },
-              option.help)
+              option.name, [shared, &option, &additions] { take(*shared, option, {}, additions); }, option.help)
           ->group(kExtensionGroup)
           ->disable_flag_override();
       continue;
     }
-    const auto take = [shared, &option, &systems](const std::vector<std::string>& values) {
-      pluginOf(*shared, systems);
-      for (const std::string& value : values) addValue(*shared, option, value, systems);
+    const auto takeValues = [shared, &option, &additions](const std::vector<std::string>& values) {
+      take(*shared, option, values, additions);
       return true;
     };
-    command.add_option(option.name, take, option.help)
+    command.add_option(option.name, takeValues, option.help)
         ->type_name(option.value)
         ->group(kExtensionGroup)
         ->type_size(1)
         ->expected(1, option.isRepeated ? CLI::detail::expected_max_vector_size : 1)
         ->allow_extra_args(false);
+  }
+}
+
+void checkExcluded(const CLI::App& command, const Extension& extension) {
+  for (const Extension::Option& option : extension.runOptions) {
+    if (command.count(option.name) == 0) continue;
+    for (const std::string& other : option.excluded) {
+      const CLI::Option* const found = command.get_option_no_throw(other);
+      if (found == nullptr || found->count() == 0) continue;
+      throw UsageError("options '" + option.name + "' and '" + other + "' exclude each other");
+    }
   }
 }
 

@@ -17,6 +17,22 @@ namespace pongsim::cli {
 /// (docs/extensions.md): options of `pongsim run` that give worlds a system with settings, and a command that a program
 /// of the package does.
 struct Extension {
+  /// File name and class of a system.
+  struct System {
+    std::string file;
+    std::string className;
+  };
+  /// What stands in an element below the `<plugin>`.
+  struct Setting {
+    std::string element;
+    std::string text;
+  };
+  /// A program that prints a world, in libexec/pongsim of the installation.
+  struct WorldSource {
+    std::string program;
+    /// In front of the option's value.
+    std::vector<std::string> arguments;
+  };
   struct Option {
     /// "--ros2-config"
     std::string name;
@@ -30,6 +46,14 @@ struct Extension {
     bool isRepeated = false;
     /// Whether the value is a file, which may be named from the folder that the user is in.
     bool isFile = false;
+    /// What else it says.
+    std::vector<Setting> implied;
+    /// In place of the extension's.
+    std::optional<System> system;
+    /// It has the world that is run, of which physics moves nothing; no world file may be given.
+    std::optional<WorldSource> world;
+    /// Options that may not be given with it.
+    std::vector<std::string> excluded;
   };
   struct Action {
     std::string name;
@@ -44,11 +68,20 @@ struct Extension {
     std::vector<Action> actions;
     std::vector<std::string> examples;
   };
-  /// The system that each of the options gives a world: file name and class.
-  std::string systemFile;
-  std::string systemClass;
+  /// The system that each of the options gives a world.
+  System system;
   std::vector<Option> runOptions;
   std::optional<Command> command;
+};
+
+/// What options of extensions make of a run.
+struct RunAdditions {
+  /// The `<plugin>` elements that the user asks for.
+  std::vector<Element> systems;
+  /// A program that prints the world, with all its arguments.
+  std::optional<Extension::WorldSource> world;
+  /// The option that names it: "--playback".
+  std::string worldOption;
 };
 
 /// Options and commands of extensions stand under this heading in the help.
@@ -61,7 +94,11 @@ Extension readExtension(const std::filesystem::path& file);
 std::vector<Extension> installedExtensions();
 
 /// Adds an extension's options to `pongsim run`.
-/// @param systems Gets the `<plugin>` elements of those that the user asks for. Must outlive the command.
-void addRunOptions(CLI::App& command, const Extension& extension, std::vector<Element>& systems);
+/// @param additions Gets what the user asks for. Must outlive the command.
+void addRunOptions(CLI::App& command, const Extension& extension, RunAdditions& additions);
+
+/// Looks at which options of an extension were given to `pongsim run`.
+/// @throws UsageError where one was that excludes another one.
+void checkExcluded(const CLI::App& command, const Extension& extension);
 
 }  // namespace pongsim::cli

@@ -60,12 +60,12 @@ FieldCondition FieldCondition::parse(std::string_view text) {
                    "a path, a comparison (== != < <= > >=) and a value: 'pose.position.x >= 1'");
 }
 
-FieldCheck::FieldCheck(msgs::FieldPath path, FieldCondition condition)
+FieldCheck::FieldCheck(FieldPath path, FieldCondition condition)
     : path_(std::move(path)), condition_(std::move(condition)) {}
 
 std::optional<FieldCheck> FieldCheck::make(const FieldCondition& condition, const std::string& type,
                                            MessageError& error) {
-  std::optional<msgs::FieldPath> path = msgs::FieldPath::parse(type, condition.path, error);
+  std::optional<FieldPath> path = FieldPath::parse(type, condition.path, error);
   if (!path) return std::nullopt;
   FieldCheck check(*std::move(path), condition);
   const bool isOrder = condition.comparison != Comparison::kEqual && condition.comparison != Comparison::kUnequal;

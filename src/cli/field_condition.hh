@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "msgs/field_path.hh"
+#include "pongsim/field_path.hh"
 #include "pongsim/message.hh"
 
 namespace pongsim::cli {
@@ -31,8 +31,8 @@ class FieldCheck {
   bool isMetBy(const Message& message) const;
 
  private:
-  FieldCheck(msgs::FieldPath path, FieldCondition condition);
-  msgs::FieldPath path_;
+  FieldCheck(FieldPath path, FieldCondition condition);
+  FieldPath path_;
   FieldCondition condition_;
   /// The wanted value where it is a number.
   double number_ = 0;

@@ -144,8 +144,8 @@ ManualPage extensionPage(const Extension& extension, const std::string& name) {
   CLI::App program("", "pongsim");
   CLI::App* run = program.add_subcommand("run", "");
   run->set_help_flag();
-  std::vector<Element> systems;
-  addRunOptions(*run, extension, systems);
+  RunAdditions additions;
+  addRunOptions(*run, extension, additions);
   const Extension::Command command =
       extension.command.value_or(Extension::Command{name, "options of pongsim run", {}, {}, {}});
   Work none;

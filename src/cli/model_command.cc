@@ -17,7 +17,7 @@ namespace {
 
 /// The command line as it was given.
 struct ModelCommandLine {
-  bool list = false, pose = false, json = false, follow = false;
+  bool list = false, pose = false, json = false, follow = false, asIgn = false;
   std::optional<std::string> model, link, joint, sensor, count, world, timeout;
 };
 
@@ -41,6 +41,7 @@ Work workFor(const ModelCommandLine& given) {
   options.model = given.model.value_or("");
   options.parts = {given.pose, given.link, given.joint, given.sensor};
   options.json = given.json;
+  options.namesWorld = given.asIgn && !given.json;
   options.follows = given.follow;
   if (given.count) options.count = wholeNumber("-n", *given.count, 1);
   options.world = given.world.value_or("");
@@ -75,6 +76,7 @@ void addModelCommand(CLI::App& program, Work& work) {
   addFlag("--json", given->json, "Print JSON: an array of all models, or an object, a line each");
   add("-w,--world", "WORLD", "The world's name, where several run (the first one of its process)", given->world);
   add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its answer", given->timeout);
+  command->add_flag("--as-ign", given->asIgn)->disable_flag_override()->group("");
   addNetworkOption(*command);
   command->footer(
       "Metres, radians and kilograms; each pose is in the frame of what holds the thing, a joint's in its child's.\n"

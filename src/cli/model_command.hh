@@ -14,6 +14,8 @@ struct ModelOptions {
   std::string model;
   ModelParts parts;
   bool json = false;
+  /// Says first which world is asked, as `ign model` does.
+  bool namesWorld = false;
   /// Goes on printing.
   bool follows = false;
   /// With `follows`: end after so many times.

@@ -50,6 +50,7 @@ int ModelQuery::run() {
       findWorld(transport_, signal_, options_.world, options_.timeout, WorldChoice::kFirst);
   if (!world) return kFailed;
   world_ = *world;
+  if (options_.namesWorld && !print("\nRequesting state for world [" + world_ + "]...\n\n")) return kFailed;
   signal_.onStop([this] { transport_.wake(); });
   std::optional<int> code;
   auto next = std::chrono::steady_clock::now();

@@ -1,8 +1,10 @@
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/command.hh"
 #include "cli/console.hh"
@@ -18,14 +20,21 @@ namespace {
 
 /// The command line as it was given.
 struct MsgCommandLine {
-  bool list = false, json = false;
+  bool list = false, json = false, asIgn = false;
   std::optional<std::string> infoType, templateType;
 };
 
-int listTypes(bool asJson) {
+/// As `ign msg` names types.
+std::string ignName(const std::string& type) {
+  constexpr std::string_view kPrefix = "ignition.msgs.";
+  return type.starts_with(kPrefix) ? "ign_msgs." + type.substr(kPrefix.size()) : type;
+}
+
+int listTypes(const MsgCommandLine& given) {
+  const bool asJson = given.json;
   if (asJson) return print(nlohmann::ordered_json(messageTypes()).dump() + "\n") ? kDone : kFailed;
   std::string text;
-  for (const std::string& type : messageTypes()) text += type + "\n";
+  for (const std::string& type : messageTypes()) text += (given.asIgn ? ignName(type) : type) + "\n";
   return print(text) ? kDone : kFailed;
 }
 
@@ -34,11 +43,14 @@ Work workFor(const MsgCommandLine& given) {
     throw UsageError(given.list || given.infoType ? "one thing at a time" : "nothing to do given",
                      "one of --list, --info TYPE and --template TYPE");
   }
-  if (given.list) return [json = given.json] { return listTypes(json); };
+  if (given.list) return [&given] { return listTypes(given); };
   const std::string type = messageTypeOption(given.infoType ? *given.infoType : *given.templateType);
+  const std::string head = given.asIgn ? "Name: " + type + "\nFile: " + msgs::definitionFile(type).value_or("") + "\n\n"
+                                       : "// " + type + "\n";
+  // without the comments, as there
+  const auto comments = given.asIgn ? std::filesystem::path() : ownFolder() / "message_comments";
   const std::string text =
-      given.infoType ? "// " + type + "\n" + msgs::definition(type, ownFolder() / "message_comments").value_or("")
-                     : msgs::messageTemplate(type).value_or("");
+      given.infoType ? head + msgs::definition(type, comments).value_or("") : msgs::messageTemplate(type).value_or("");
   if (!given.json) return [text] { return print(text) ? kDone : kFailed; };
   const nlohmann::ordered_json json = {{"type", type}, {given.infoType ? "definition" : "template", text}};
   return [line = json.dump() + "\n"] { return print(line) ? kDone : kFailed; };
@@ -60,6 +72,7 @@ void addMsgCommand(CLI::App& program, Work& work) {
   };
   add("-i,--info", "Print the type's definition: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->infoType);
   add("-t,--template", "Print a message of the type as text to fill in", given->templateType);
+  command->add_flag("--as-ign", given->asIgn)->disable_flag_override()->group("");
   command->footer(
       "Examples:\n"
       "  pongsim msg -l\n"

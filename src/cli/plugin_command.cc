@@ -31,6 +31,8 @@ struct PluginOptions {
   bool missing = false;
   bool markdown = false;
   std::optional<std::string> info;
+  /// As `ign plugin` names it, beside --info.
+  std::optional<std::string> file;
   std::string newName;
   CLI::App* newCommand = nullptr;
 };
@@ -101,17 +103,22 @@ int makePlugin(const std::string& name) {
 Work pluginWork(const PluginOptions& options) {
   const bool makesNew = options.newCommand->parsed();
   if (options.missing && !options.list) throw UsageError("--missing is for --list");
+  if (options.file && !options.info) throw UsageError("--plugin is for --info", "pongsim plugin --info --plugin FILE");
   if (int{options.list} + int{options.info.has_value()} + int{makesNew} != 1) {
     throw UsageError(options.list || options.info ? "one thing at a time" : "nothing to do given",
                      "one of --list, --info FILE and new NAME");
   }
+  if (options.info && options.info->empty() == !options.file) {
+    throw UsageError(options.file ? "one plugin at a time" : "no plugin given", "pongsim plugin --info FILE|NAME");
+  }
+  const std::string named = options.file.value_or(options.info.value_or(""));
   if (options.markdown && !options.info) throw UsageError("--markdown is for --info");
   if (options.list) return options.missing ? listMissing : listPlugins;
   if (options.info) {
-    if (const plugin::CoreSystem* system = plugin::coreSystem(*options.info)) {
+    if (const plugin::CoreSystem* system = plugin::coreSystem(named)) {
       return [system, asMarkdown = options.markdown] { return showPage(*system, asMarkdown); };
     }
-    return [file = libraryNamed(*options.info), asMarkdown = options.markdown] { return showPlugin(file, asMarkdown); };
+    return [file = libraryNamed(named), asMarkdown = options.markdown] { return showPlugin(file, asMarkdown); };
   }
   if (const auto error = pluginNameError(options.newName)) {
     throw UsageError("'" + options.newName + "' " + *error, "a name such as my-system");
@@ -133,6 +140,12 @@ void addPluginCommand(CLI::App& program, Work& work) {
       ->add_option_function<std::string>(
           "-i,--info", [options](const std::string& text) { options->info = text; },
           "Print a system's classes, parameters, topics and services")
+      ->type_name("FILE|NAME")
+      ->expected(0, 1);
+  command
+      ->add_option_function<std::string>(
+          "-p,--plugin", [options](const std::string& text) { options->file = text; },
+          "With --info, in place of FILE|NAME, as 'ign plugin' has it")
       ->type_name("FILE|NAME");
   command->add_flag("--markdown", options->markdown, "With --info: as a page of documentation")
       ->disable_flag_override();

@@ -15,6 +15,9 @@
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
 #include "cli/extension.hh"
+#include "cli/extension_world.hh"
+#include "cli/fortress_environment.hh"
+#include "cli/fortress_run_options.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/offline_option.hh"
@@ -45,7 +48,8 @@ struct RunCommandOptions {
   bool strict = false;
   bool levels = false;
   /// Of extensions.
-  std::vector<Element> systems;
+  RunAdditions additions;
+  FortressRunOptions fortress;
 };
 
 /// @return `value` as people write it: "1", "0.5".
@@ -75,17 +79,23 @@ std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
 
 using Worlds = std::vector<std::unique_ptr<Simulation>>;
 
-/// @return The worlds that are to run; none where there was an error.
+/// @return The worlds that are to run; none where there was an error, which is in `diagnostics` or has been said.
 Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagnostics& diagnostics) {
+  const RunAdditions& additions = options.additions;
   const SimulationOptions simulated{.seed = options.seed,
                                     .strict = options.strict,
                                     .threads = options.threads,
                                     .levels = options.levels,
                                     .transport = &transport,
-                                    .systems = options.systems,
-                                    .world = options.world};
+                                    .systems = additions.systems,
+                                    .world = options.world,
+                                    .physics = !additions.world};
   std::unique_ptr<Simulation> one;
-  if (!options.hasFile) {
+  if (additions.world) {
+    const std::optional<std::string> text = printedWorld(*additions.world);
+    if (!text) return {};
+    one = Simulation::fromText(*text, additions.world->arguments.back(), simulated, diagnostics);
+  } else if (!options.hasFile) {
     // as Fortress has it
     one = Simulation::fromText("<sdf version='1.9'><world name='default'/></sdf>", "the empty world", simulated,
                                diagnostics);
@@ -105,7 +115,7 @@ void announce(const Worlds& worlds, const RunCommandOptions& options, const Tran
   if (options.verbosity == LogLevel::kNone) return;
   for (const auto& world : worlds) say(startLine(*world, options.run));
   if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
-  if (worlds.size() > 1 && !options.systems.empty() && options.verbosity >= LogLevel::kWarning) {
+  if (worlds.size() > 1 && !options.additions.systems.empty() && options.verbosity >= LogLevel::kWarning) {
     say("warning: the options of extensions count for the first world, '" +
         std::string(worlds.front()->world().name()) +
         "', alone\n  hint: a <plugin> gives another world the same, and "
@@ -124,8 +134,15 @@ bool printHashes(const Worlds& worlds) {
   return print(text);
 }
 
+/// Says which of what Fortress hears changes nothing.
+void warnOfUnheard(const FortressRunOptions& options) {
+  for (const std::string& sentence : options.check()) say("warning: " + sentence);
+  for (const std::string& sentence : unheardVariables()) say("warning: " + sentence);
+}
+
 int runWorlds(const RunCommandOptions& options) {
   setLogLevel(options.verbosity);
+  if (options.verbosity >= LogLevel::kWarning) warnOfUnheard(options.fortress);
   base::reportCrashes();
   StopSignal signal;
   Transport transport;
@@ -135,6 +152,7 @@ int runWorlds(const RunCommandOptions& options) {
   say(diagnostics, options.verbosity >= LogLevel::kWarning ? Severity::kWarning : Severity::kError, Severity::kError);
   if (worlds.empty() || diagnostics.hasErrors()) {
     const auto errors = std::ranges::count(diagnostics.all(), Severity::kError, &Diagnostic::severity);
+    if (errors == 0) return kFailed;
     say(std::to_string(errors) + (errors == 1 ? " error" : " errors"));
     return kFailed;
   }
@@ -153,10 +171,16 @@ int runWorlds(const RunCommandOptions& options) {
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   if (options.hasFile && options.file.empty()) throw UsageError("no world file given", "pongsim run WORLD");
+  const std::string& worldOption = options.additions.worldOption;
+  if (options.hasFile && !worldOption.empty()) {
+    throw UsageError("a world file and option '" + worldOption + "' exclude each other",
+                     "the option has the world: leave out '" + options.file + "'");
+  }
   if (!options.world.empty() && !options.hasFile) {
     throw UsageError("option '-w' chooses a world of a file, and no file is given", "pongsim run FILE -w WORLD");
   }
   if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
+  options.fortress.check();
   work = [&options] { return runWorlds(options); };
 }
 
@@ -214,14 +238,18 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
   addNetworkOption(*command);
   addOfflineOption(*command);
+  options->fortress.addTo(*command);
   command->footer(
       "Examples:\n"
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run three_worlds.sdf -w maze\n"
       "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
-  for (const Extension& extension : extensions) addRunOptions(*command, extension, options->systems);
-  command->callback([options, &work] { checkAndSchedule(*options, work); });
+  for (const Extension& extension : extensions) addRunOptions(*command, extension, options->additions);
+  command->callback([options, &work, command, known = std::vector(extensions.begin(), extensions.end())] {
+    for (const Extension& extension : known) checkExcluded(*command, extension);
+    checkAndSchedule(*options, work);
+  });
 }
 
 }  // namespace

@@ -7,19 +7,27 @@
 #include <variant>
 #include <vector>
 
+#include "assets/finder.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"
+#include "cli/inertial_stats.hh"
+#include "cli/number_option.hh"
 #include "cli/offline_option.hh"
 #include "cli/sdf_describe.hh"
+#include "cli/sdf_schema_text.hh"
 #include "cli/world_file.hh"
 #include "pongsim/fuel_address.hh"
+#include "sdf/degrees.hh"
 #include "sdf/loader.hh"
 #include "sdf/print.hh"
 
 namespace pongsim::cli {
 
 namespace {
+
+/// What --describe is about without a name.
+constexpr const char* kNewestSdf = "1.9";
 
 struct SdfOptions {
   std::vector<std::string> files;
@@ -29,6 +37,13 @@ struct SdfOptions {
   bool print = false;
   std::optional<std::string> graph;
   std::optional<std::string> element;
+  bool preserveIncludes = false;
+  bool degrees = false;
+  std::optional<std::string> snap, tolerance;
+  /// A model's file.
+  std::optional<std::string> inertia;
+
+  bool turnsToDegrees() const { return degrees || snap || tolerance; }
 };
 
 /// @return The file, which may be the address of one on a Fuel server; nothing, and an error added, where that leads
@@ -64,12 +79,30 @@ int check(const SdfOptions& options) {
   return areValid && isPrinted ? kDone : kFailed;
 }
 
-int printResolved(const std::string& file) {
+int printResolved(const std::string& file, sdf::IncludeUse use, const std::optional<sdf::DegreeOptions>& degrees) {
   Diagnostics diagnostics;
   const auto local = localFile(file, diagnostics);
-  const std::optional<Element> resolved = local ? sdf::resolveFile(*local, diagnostics) : std::nullopt;
+  std::optional<Element> resolved;
+  if (local) resolved = sdf::resolveFile(*local, diagnostics, assets::finderFromEnvironment(), use);
   say(diagnostics, Severity::kWarning, Severity::kWarning);
-  return resolved && print(sdf::printDocument(*resolved)) ? kDone : kFailed;
+  if (!resolved) return kFailed;
+  if (degrees) sdf::turnToDegrees(*resolved, *degrees);
+  return print(sdf::printDocument(*resolved)) ? kDone : kFailed;
+}
+
+int printInertialStats(const std::string& file) {
+  Diagnostics diagnostics;
+  const auto local = localFile(file, diagnostics);
+  const sdf::Root root = local ? sdf::loadFile(*local, diagnostics) : sdf::Root();
+  say(diagnostics, Severity::kWarning, Severity::kWarning);
+  if (diagnostics.hasErrors()) return kFailed;
+  if (root.models.empty() || !root.worlds.empty()) {
+    return fail("'" + file + "' has " + (root.worlds.empty() ? "no model" : "a world"),
+                "--inertial-stats takes the file of a model");
+  }
+  const description::Model& model = root.models.front();
+  if (!model.models.empty()) say("warning: the links of nested models are not in these numbers");
+  return print(inertialStats(model)) ? kDone : kFailed;
 }
 
 int printGraph(const std::string& file, sdf::FrameGraphKind kind) {
@@ -86,7 +119,30 @@ sdf::FrameGraphKind graphKind(const std::string& name) {
   throw UsageError("'" + name + "' is not a kind of graph", "the kinds are frame and pose");
 }
 
+sdf::DegreeOptions degreeOptions(const SdfOptions& options) {
+  sdf::DegreeOptions degrees;
+  if (options.tolerance && !options.snap) throw UsageError("--snap-tolerance goes with --snap-to-degrees");
+  if (options.snap) degrees.snapTo = static_cast<int>(wholeNumber("--snap-to-degrees", *options.snap, 1, 360));
+  if (options.tolerance)
+    degrees.tolerance = numberFromZero("--snap-tolerance", *options.tolerance, "a number of degrees");
+  if (options.snap && degrees.tolerance >= degrees.snapTo) {
+    throw UsageError("--snap-tolerance must be smaller than --snap-to-degrees");
+  }
+  return degrees;
+}
+
+Work printWork(const SdfOptions& options) {
+  const sdf::IncludeUse use = options.preserveIncludes ? sdf::IncludeUse::kPreserve : sdf::IncludeUse::kReplace;
+  std::optional<sdf::DegreeOptions> degrees;
+  if (options.turnsToDegrees()) degrees = degreeOptions(options);
+  return [file = options.files.front(), use, degrees] { return printResolved(file, use, degrees); };
+}
+
 Work describeWork(const SdfOptions& options) {
+  if (const auto version = sdfVersion(options.element->empty() ? kNewestSdf : *options.element)) {
+    if (!options.files.empty()) throw UsageError("--describe takes no file");
+    return [version] { return print(schemaText(*version)) ? kDone : kFailed; };
+  }
   const std::variant<sdf::NamedPart, sdf::NoPart> found = sdf::findPart(*options.element);
   if (const auto* none = std::get_if<sdf::NoPart>(&found)) throw UsageError(none->message, none->hint);
   if (!options.files.empty()) throw UsageError("--describe takes no file");
@@ -94,19 +150,26 @@ Work describeWork(const SdfOptions& options) {
 }
 
 Work workFor(const SdfOptions& options) {
-  const int tasks = static_cast<int>(options.check) + static_cast<int>(options.print) +
-                    static_cast<int>(options.graph.has_value()) + static_cast<int>(options.element.has_value());
+  const int tasks = int{options.check} + int{options.print} + int{options.graph.has_value()} +
+                    int{options.element.has_value()} + int{options.inertia.has_value()};
   if (tasks == 0) throw UsageError("nothing to do", "pongsim sdf --help lists what there is");
   if (tasks > 1) throw UsageError("one thing at a time", "pongsim sdf --help lists what there is");
   if (!options.check && (options.strict || options.json)) {
     throw UsageError("--strict and --json are for --check");
   }
+  if (!options.print && (options.preserveIncludes || options.turnsToDegrees())) {
+    throw UsageError("--preserve-includes, --degrees and --snap-... are for --print");
+  }
   if (options.element) return describeWork(options);
+  if (options.inertia) {
+    if (!options.files.empty()) throw UsageError("--inertial-stats takes one file");
+    return [&options] { return printInertialStats(*options.inertia); };
+  }
   const std::string task = options.check ? "--check" : options.print ? "--print" : "--graph " + *options.graph;
   if (options.files.empty()) throw UsageError("no file given", "pongsim sdf " + task + " FILE");
   if (options.check) return [&options] { return check(options); };
   if (options.files.size() > 1) throw UsageError(task + " takes one file");
-  if (options.print) return [&options] { return printResolved(options.files.front()); };
+  if (options.print) return printWork(options);
   return [&options, kind = graphKind(*options.graph)] { return printGraph(options.files.front(), kind); };
 }
 
@@ -120,6 +183,13 @@ void addSdfCommand(CLI::App& program, Work& work) {
   const auto addFlag = [command](const char* name, bool& target, const char* description) {
     command->add_flag(name, target, description)->disable_flag_override();
   };
+  const auto addValue = [command](const char* name, const char* value, const char* description,
+                                  std::optional<std::string>& target) {
+    command
+        ->add_option_function<std::string>(
+            name, [&target](const std::string& text) { target = text; }, description)
+        ->type_name(value);
+  };
   addFlag("-k,--check", options->check, "Say what is wrong with the files and what they include, or 'Valid.'");
   addFlag("-p,--print", options->print, "Print the file as SDF 1.9, with what it includes in place of each <include>");
   addFlag("--strict", options->strict, "Take warnings for errors");
@@ -132,13 +202,24 @@ void addSdfCommand(CLI::App& program, Work& work) {
   command
       ->add_option_function<std::string>(
           "-d,--describe", [options](const std::string& text) { options->element = text; },
-          "Print what the format says of an element or attribute: joint, joint/axis/limit, joint/@type")
-      ->type_name("ELEMENT");
+          "Print what the format says of an element or attribute: joint, joint/axis/limit, joint/@type;\n"
+          "of all of them, in SDF 1.9 or that VERSION, where none is named")
+      ->type_name("[ELEMENT|VERSION]")
+      ->expected(0, 1);
+  addValue("--inertial-stats", "MODEL_FILE",
+           "Print mass, centre of mass and inertia of all links of a model together, in its frame", options->inertia);
+  addFlag("-i,--preserve-includes", options->preserveIncludes, "Print: leave each <include> as it stands");
+  addFlag("--degrees", options->degrees, "Print: rotations in degrees");
+  addValue("--snap-to-degrees", "N",
+           "Print: rotations in degrees, those next to a multiple of N degrees, 1 to 360, as the multiple",
+           options->snap);
+  addValue("--snap-tolerance", "X", "How near to the multiple that is, in degrees (0.01)", options->tolerance);
   CLI::Option* offline = addOfflineOption(*command);
   command->footer(
       "Examples:\n"
       "  pongsim sdf --check worlds/pong_world.sdf\n"
       "  pongsim sdf --print worlds/pong_world.sdf\n"
+      "  pongsim sdf --print --degrees worlds/pong_world.sdf\n"
       "  pongsim sdf --graph pose worlds/pong_world.sdf | dot -Tsvg > frames.svg\n"
       "  pongsim sdf --describe joint/axis/limit\n"
       "  pongsim sdf --check --strict --json worlds/*.sdf");

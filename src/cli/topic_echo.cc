@@ -4,7 +4,7 @@
 
 #include "cli/console.hh"
 #include "cli/topic_command.hh"
-#include "msgs/field_path.hh"
+#include "pongsim/field_path.hh"
 
 namespace pongsim::cli {
 
@@ -24,11 +24,10 @@ class EchoTask final : public TopicTask {
 
   std::optional<int> begin(const std::string& type) override {
     const bool isTable = options_.format == EchoFormat::kCsv;
-    const std::vector<std::string> paths =
-        isTable && options_.fields.empty() ? msgs::scalarPaths(type) : options_.fields;
+    const std::vector<std::string> paths = isTable && options_.fields.empty() ? scalarPaths(type) : options_.fields;
     for (const std::string& path : paths) {
       MessageError error;
-      std::optional<msgs::FieldPath> field = msgs::FieldPath::parse(type, path, error);
+      std::optional<FieldPath> field = FieldPath::parse(type, path, error);
       if (!field) return fail(error.message, error.hint);
       fields_.push_back(*std::move(field));
     }
@@ -58,7 +57,7 @@ class EchoTask final : public TopicTask {
     if (options_.format == EchoFormat::kJson) return messageJson(message);
     if (options_.format == EchoFormat::kText && fields_.empty()) return messageText(message);
     std::string text;
-    for (const msgs::FieldPath& field : fields_) {
+    for (const FieldPath& field : fields_) {
       const std::string value = field.valueIn(message).value_or("");
       if (&field != &fields_.front()) text += options_.format == EchoFormat::kCsv ? "," : "\t";
       text += options_.format == EchoFormat::kCsv ? csvText(value) : value;
@@ -67,7 +66,7 @@ class EchoTask final : public TopicTask {
   }
 
   const EchoOptions& options_;
-  std::vector<msgs::FieldPath> fields_;
+  std::vector<FieldPath> fields_;
 };
 
 }  // namespace

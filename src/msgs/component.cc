@@ -7,6 +7,7 @@
 
 #include "base/hash.hh"
 #include "base/parse_number.hh"
+#include "pongsim/components.hh"
 
 namespace pongsim::msgs {
 
@@ -94,3 +95,11 @@ std::string_view jointTypeOfNumber(int number) {
 }
 
 }  // namespace pongsim::msgs
+
+namespace pongsim {
+
+std::uint64_t componentType(std::string_view name) { return msgs::componentType(name); }
+
+std::optional<Pose> componentPose(std::string_view text) { return msgs::poseOfComponent(text); }
+
+}  // namespace pongsim

@@ -3,6 +3,7 @@
 #include <ignition/msgs/boolean.pb.h>
 #include <ignition/msgs/double.pb.h>
 #include <ignition/msgs/int32.pb.h>
+#include <ignition/msgs/log_playback_control.pb.h>
 #include <ignition/msgs/server_control.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 #include <ignition/msgs/stringmsg_v.pb.h>
@@ -24,6 +25,17 @@ WorldControl worldControl(const Message& message) {
   if (asked.reset().time_only()) control.reset = Reset::kTimeOnly;
   if (asked.reset().all()) control.reset = Reset::kAll;
   control.seed = asked.seed();
+  return control;
+}
+
+PlaybackControl playbackControl(const Message& message) {
+  const auto& asked = static_cast<const ignition::msgs::LogPlaybackControl&>(message);
+  PlaybackControl control;
+  control.run.pause = asked.pause();
+  control.run.steps = static_cast<std::uint32_t>(std::max(asked.multi_step(), 0));
+  control.rewind = asked.rewind();
+  control.forward = asked.forward();
+  if (asked.has_seek()) control.seek = timeOf(asked.seek());
   return control;
 }
 

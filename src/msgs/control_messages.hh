@@ -25,6 +25,16 @@ struct WorldControl {
   std::uint32_t seed = 0;
 };
 
+/// What `ignition.msgs.LogPlaybackControl` asks for.
+struct PlaybackControl {
+  /// Its `pause` and `multi_step`.
+  WorldControl run;
+  bool rewind = false;
+  bool forward = false;
+  /// To that simulated time.
+  std::optional<Time> seek = std::nullopt;
+};
+
 /// What `ignition.msgs.ServerControl` asks for.
 struct ServerControl {
   bool stop = false;
@@ -34,6 +44,7 @@ struct ServerControl {
 
 /// Each reads or fills in a message of the type that its name tells.
 WorldControl worldControl(const Message& message);
+PlaybackControl playbackControl(const Message& message);
 ServerControl serverControl(const Message& message);
 void setBoolean(bool value, Message& message);
 void addString(const std::string& value, Message& stringMsgV);

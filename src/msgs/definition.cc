@@ -95,4 +95,10 @@ std::optional<std::string> definition(std::string_view name, const std::filesyst
   return type.DebugString();
 }
 
+std::optional<std::string> definitionFile(std::string_view name) {
+  const MessagePointer message = newMessage(name);
+  if (!message) return std::nullopt;
+  return message->GetDescriptor()->file()->name();
+}
+
 }  // namespace pongsim::msgs

@@ -13,4 +13,8 @@ namespace pongsim::msgs {
 /// nested in it; nothing where there is no such type.
 std::optional<std::string> definition(std::string_view name, const std::filesystem::path& comments = {});
 
+/// @return The file of protobuf's language that defines the message type: "ignition/msgs/twist.proto"; nothing where
+/// there is no such type.
+std::optional<std::string> definitionFile(std::string_view name);
+
 }  // namespace pongsim::msgs

@@ -1,4 +1,4 @@
-#include "msgs/field_path.hh"
+#include "pongsim/field_path.hh"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -10,7 +10,7 @@
 
 #include "base/nearest_word.hh"
 
-namespace pongsim::msgs {
+namespace pongsim {
 
 namespace {
 
@@ -18,6 +18,8 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Reflection;
 using google::protobuf::TextFormat;
+
+constexpr int kMostFields = 100'000;
 
 /// One name of a path and the index in brackets behind it.
 struct Word {
@@ -31,7 +33,7 @@ Word split(std::string_view word) {
   return {word.substr(0, open), word.substr(open + 1, word.size() - open - 2)};
 }
 
-std::string didYouMean(std::string_view name, const Descriptor& type) {
+std::string nearField(std::string_view name, const Descriptor& type) {
   std::vector<std::string_view> names;
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
   return base::didYouMean(name, names);
@@ -67,8 +69,10 @@ double numberAt(const Message& owner, const FieldDescriptor& field, int index) {
   return value;
 }
 
+/// @param budget So many fields are looked at: a type that somebody made up can have more of them than there is time
+/// for.
 void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vector<const Descriptor*>& open,
-                    std::vector<std::string>& paths) {
+                    int& budget, std::vector<std::string>& paths) {
   // a type within itself has no end
   if (std::find(open.begin(), open.end(), &type) != open.end()) return;
   open.push_back(&type);
@@ -77,9 +81,10 @@ void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vect
     // Fortress leaves the headers of inner messages empty
     const bool isInnerHeader = !prefix.empty() && field.name() == "header";
     if (field.is_repeated() || isInnerHeader) continue;
+    if (--budget < 0) break;
     const std::string path = prefix + field.name();
     if (field.message_type() != nullptr) {
-      addScalarPaths(*field.message_type(), path + ".", open, paths);
+      addScalarPaths(*field.message_type(), path + ".", open, budget, paths);
     } else {
       paths.push_back(path);
     }
@@ -90,15 +95,20 @@ void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vect
 }  // namespace
 
 std::optional<FieldPath> FieldPath::parse(const std::string& type, std::string_view path, MessageError& error) {
+  if (const Descriptor* descriptor = descriptorOf(type)) return parse(*descriptor, path, error);
+  error = {1, 1, "unknown message type '" + type + "'", ""};
+  return std::nullopt;
+}
+
+std::optional<FieldPath> FieldPath::parse(const Descriptor& type, std::string_view path, MessageError& error) {
   FieldPath result;
   result.text_ = path;
-  const Descriptor* owner = descriptorOf(type);
+  const Descriptor* owner = &type;
   std::size_t begin = 0;
   const auto refuse = [&](std::string message, std::string hint = {}) {
     error = {1, static_cast<int>(begin) + 1, std::move(message), std::move(hint)};
     return std::nullopt;
   };
-  if (owner == nullptr) return refuse("unknown message type '" + type + "'");
   for (bool isLast = false; !isLast;) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
     isLast = end == path.size();
@@ -107,7 +117,7 @@ std::optional<FieldPath> FieldPath::parse(const std::string& type, std::string_v
     if (owner == nullptr) return refuse("there is no " + quoted + " in " + result.steps_.back().field->full_name());
     const FieldDescriptor* field = owner->FindFieldByName(std::string(word.name));
     if (field == nullptr) {
-      return refuse("field " + quoted + " is not in " + owner->full_name(), didYouMean(word.name, *owner));
+      return refuse("field " + quoted + " is not in " + owner->full_name(), nearField(word.name, *owner));
     }
     Step step{field};
     if (word.index) {
@@ -170,11 +180,17 @@ std::optional<std::string> FieldPath::valueIn(const Message& message) const {
   return "[" + list + "]";
 }
 
-std::vector<std::string> scalarPaths(const std::string& type) {
+std::vector<std::string> scalarPaths(const Descriptor& type) {
   std::vector<std::string> paths;
   std::vector<const Descriptor*> open;
-  if (const Descriptor* descriptor = descriptorOf(type)) addScalarPaths(*descriptor, "", open, paths);
+  int budget = kMostFields;
+  addScalarPaths(type, "", open, budget, paths);
   return paths;
 }
 
-}  // namespace pongsim::msgs
+std::vector<std::string> scalarPaths(const std::string& type) {
+  const Descriptor* descriptor = descriptorOf(type);
+  return descriptor == nullptr ? std::vector<std::string>() : scalarPaths(*descriptor);
+}
+
+}  // namespace pongsim

@@ -43,6 +43,7 @@ std::vector<std::filesystem::path> defaultSearchPath() {
   std::vector<std::filesystem::path> folders;
   appendFolders("PONGSIM_PLUGIN_PATH", folders);
   appendFolders("IGN_GAZEBO_SYSTEM_PLUGIN_PATH", folders);
+  appendFolders("GZ_SIM_SYSTEM_PLUGIN_PATH", folders);
   const std::filesystem::path self = base::ownLibraryFile();
   if (!self.empty()) folders.push_back(self.parent_path() / PONGSIM_PLUGIN_SUBDIRECTORY);
   return folders;

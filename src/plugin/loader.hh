@@ -14,7 +14,8 @@
 namespace pongsim::plugin {
 
 /// @return Where system libraries are looked for, first to last: the folders of the environment variables
-/// PONGSIM_PLUGIN_PATH and IGN_GAZEBO_SYSTEM_PLUGIN_PATH, then the one that came with this program.
+/// PONGSIM_PLUGIN_PATH, IGN_GAZEBO_SYSTEM_PLUGIN_PATH and GZ_SIM_SYSTEM_PLUGIN_PATH, then the one that came with this
+/// program.
 std::vector<std::filesystem::path> defaultSearchPath();
 
 /// Makes systems from what `<plugin>` elements ask for, and keeps their libraries in memory: the systems must not

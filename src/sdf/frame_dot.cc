@@ -91,7 +91,7 @@ class DotWriter {
 
   void addEdges(const Scope& scope, const std::string& prefix) {
     const std::string& root = scope.entries().front().name;
-    if (kind_ == FrameGraphKind::kFrame && !prefix.empty() && !scope.link(0).empty()) {
+    if (kind_ == FrameGraphKind::kFrame && !prefix.empty() && !scope.isStatic() && !scope.link(0).empty()) {
       addEdge(prefix + root, prefix + scope.link(0), std::nullopt);
     }
     for (std::size_t i = 1; i < scope.entries().size(); ++i) {

@@ -148,9 +148,9 @@ Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics, const
 }
 
 std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
-                                   const assets::Finder& finder) {
+                                   const assets::Finder& finder, IncludeUse use) {
   Load load(nameOf(file), finder);
-  load.keepReplacements();
+  if (use == IncludeUse::kReplace) load.keepReplacements();
   load.readFile();
   load.report(diagnostics);
   return load.takeResolved();

@@ -41,11 +41,15 @@ Root loadText(std::string_view text, std::string_view name, Diagnostics& diagnos
 Root loadElement(const Element& sdf, Diagnostics& diagnostics,
                  const assets::Finder& finder = assets::finderFromEnvironment());
 
+/// What becomes of each `<include>` where a file is resolved.
+enum class IncludeUse { kReplace, kPreserve };
+
 /// Reads a file and all that it includes as `loadFile` does.
-/// @return Its `<sdf>` element, of SDF 1.9, with what it includes in place of each `<include>`; nothing where there was
-/// an error.
+/// @param use What is included stands in place of each `<include>`, or that stays.
+/// @return Its `<sdf>` element, of SDF 1.9; nothing where there was an error.
 std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
-                                   const assets::Finder& finder = assets::finderFromEnvironment());
+                                   const assets::Finder& finder = assets::finderFromEnvironment(),
+                                   IncludeUse use = IncludeUse::kReplace);
 
 /// Reads a file as `loadFile` does.
 /// @return The graph of the frames of each world in it, and of what stands in none, as text for Graphviz; nothing where

@@ -66,6 +66,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
 
   const std::string label = model.name.empty() ? "a model" : "model '" + model.name + "'";
   draft.scope = std::make_unique<Scope>("__model__", label);
+  if (model.isStatic) draft.scope->setStatic();
   PartsReader parts(*draft.scope, model.isStatic || isInStatic, context);
   parts.read(element);
   context.includes.leaveModel();

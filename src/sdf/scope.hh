@@ -52,6 +52,10 @@ class Scope {
   /// Without a call: the first link, of the first model inside if there is none here, and so on.
   void setCanonicalLink(std::string link);
 
+  /// The scope's own frame is a static model's: it moves with no link.
+  void setStatic() { isStatic_ = true; }
+  bool isStatic() const { return isStatic_; }
+
   /// @return The canonical link by default.
   std::string firstLink() const;
 
@@ -109,6 +113,7 @@ class Scope {
   std::vector<std::optional<Reference>> attachments_;
   std::unordered_map<std::string, std::size_t> entryOfName_;
   bool isIncomplete_ = false;
+  bool isStatic_ = false;
 };
 
 }  // namespace pongsim::sdf

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "pongsim/simulation.hh"
@@ -11,13 +12,20 @@ namespace pongsim::sim {
 
 RunServices::RunServices(Simulation& simulation, RunControl& control, ResourceServices::FolderAdded folderAdded)
     : simulation_(simulation), control_(control), edits_(simulation) {
+  constexpr std::string_view kBoolean = "ignition.msgs.Boolean";
   Node node = simulation.transport().node();
   const std::string controlName = cleanTopic("/world/" + std::string(simulation.world().name()) + "/control");
-  worldControl_ = node.serve(controlName, "ignition.msgs.WorldControl", "ignition.msgs.Boolean",
-                             [this](const Message& request, Message& reply) {
-                               msgs::setBoolean(true, reply);
-                               return controlWorld(msgs::worldControl(request));
-                             });
+  worldControl_ =
+      node.serve(controlName, "ignition.msgs.WorldControl", kBoolean, [this](const Message& request, Message& reply) {
+        msgs::setBoolean(true, reply);
+        return controlWorld(msgs::worldControl(request));
+      });
+  playbackControl_ =
+      node.serve(cleanTopic("/world/" + std::string(simulation.world().name()) + "/playback/control"),
+                 "ignition.msgs.LogPlaybackControl", kBoolean, [this](const Message& request, Message& reply) {
+                   msgs::setBoolean(true, reply);
+                   return controlPlayback(msgs::playbackControl(request));
+                 });
   if (folderAdded) resources_.emplace(simulation, std::move(folderAdded));
 }
 
@@ -26,8 +34,22 @@ ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
   const std::optional<std::string> refusal = control_.apply(asked, isReset ? Time::zero() : simulation_.time());
   if (refusal) return ServiceAnswer::refused(*refusal);
   if (!isReset) return true;
+  return reset(asked.seed != 0 ? std::optional<std::uint64_t>(asked.seed) : std::nullopt);
+}
+
+ServiceAnswer RunServices::controlPlayback(const msgs::PlaybackControl& asked) {
+  if (asked.forward) return ServiceAnswer::refused("'forward' can't be done: seek to a time");
+  if (asked.rewind && asked.seek) return ServiceAnswer::refused("rewind or seek, not both");
+  if (asked.seek) {
+    if (const auto refusal = simulation_.setTime(*asked.seek)) return ServiceAnswer::refused(*refusal);
+  }
+  control_.apply(asked.run, simulation_.time());
+  return asked.rewind ? reset(std::nullopt) : true;
+}
+
+ServiceAnswer RunServices::reset(std::optional<std::uint64_t> seed) {
   Diagnostics diagnostics;
-  simulation_.reset(diagnostics, asked.seed != 0 ? std::optional<std::uint64_t>(asked.seed) : std::nullopt);
+  simulation_.reset(diagnostics, seed);
   logDiagnostics(diagnostics, log_);
   return true;
 }

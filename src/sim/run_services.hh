@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,9 +16,9 @@ class Simulation;
 
 namespace pongsim::sim {
 
-/// What others may ask of the run of a world: `/world/W/control`, and what `EditServices` and, for the first world of a
-/// process, `ResourceServices` offer. Requests are met from within `Transport::dispatch`, and must be in between two
-/// steps.
+/// What others may ask of the run of a world: `/world/W/control`, `/world/W/playback/control`, and what `EditServices`
+/// and, for the first world of a process, `ResourceServices` offer. Requests are met from within
+/// `Transport::dispatch`, and must be in between two steps.
 class RunServices {
  public:
   /// All references must outlive it.
@@ -26,11 +27,14 @@ class RunServices {
 
  private:
   ServiceAnswer controlWorld(const msgs::WorldControl& asked);
+  ServiceAnswer controlPlayback(const msgs::PlaybackControl& asked);
+  ServiceAnswer reset(std::optional<std::uint64_t> seed);
 
   Simulation& simulation_;
   RunControl& control_;
   Logger log_{"run"};
   Service worldControl_;
+  Service playbackControl_;
   EditServices edits_;
   std::optional<ResourceServices> resources_;
 };

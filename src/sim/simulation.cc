@@ -26,6 +26,7 @@
 #include "sim/model_edits.hh"
 #include "sim/resource_services.hh"
 #include "sim/saved_state.hh"
+#include "sim/server_config.hh"
 #include "sim/shared_topics.hh"
 #include "sim/system_set.hh"
 #include "sim/world_place.hh"
@@ -57,7 +58,8 @@ struct Simulation::Parts {
         access{entities, state, engine},
         edits(access, places),
         transport(chooseTransport(options, sharesTransport)),
-        systems(access, edits, transport, options.seed, options.strict, place) {
+        systems(access, edits, transport, options.seed, options.strict, place),
+        wantsPhysics(options.physics) {
     edits.setSystems(systems);
   }
 
@@ -81,6 +83,7 @@ struct Simulation::Parts {
   }
   void stepEngine(Time dt);
 
+  bool hasPhysics() const { return wantsPhysics && systems.wantsPhysics(); }
   StepInfo nextStep(Time dt) const {
     const bool paused = dt == Time::zero();
     return {state.time + dt, dt, state.iterations + (paused ? 0 : 1), paused};
@@ -105,6 +108,7 @@ struct Simulation::Parts {
     sim::ResourceServices resources;
   };
   std::optional<Offers> offers;
+  const bool wantsPhysics;
   /// Links of which it was said that they turn too fast.
   std::set<LinkId> slowedDown;
 };
@@ -201,11 +205,12 @@ std::unique_ptr<Simulation> Simulation::Parts::make(description::World world, co
     diagnostics.warning(world.position, "world '" + world.name + "' has no levels: all of it is loaded",
                         "they stand in a <plugin filename=\"dummy\" name=\"gz::sim\"> of the world");
   }
+  const bool isConfigured = options.loadSystems && sim::applyServerConfig(world, diagnostics);
   auto parts = std::make_unique<Parts>(std::move(world), place, sharesTransport, options);
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
-    parts->systems.load(parts->description, options.systems, diagnostics);
+    parts->systems.load(parts->description, isConfigured, options, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();
@@ -284,7 +289,7 @@ void Simulation::advance(Time dt) {
   parts.systems.preUpdate(info);
   parts.systems.update(info);
   if (!info.paused) {
-    if (parts.systems.wantsPhysics()) parts.stepEngine(info.dt);
+    if (parts.hasPhysics()) parts.stepEngine(info.dt);
     parts.state.time = info.time;
     parts.state.iterations = info.iteration;
   }
@@ -394,6 +399,15 @@ void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> se
   parts_->systems.reset(diagnostics, seed);
   parts_->updateLevels();
   parts_->systems.announceChanges();
+}
+
+std::optional<std::string> Simulation::setTime(Time time) {
+  if (parts_->hasPhysics()) return "the world is simulated, not played: there is nothing to seek in";
+  if (time < Time::zero()) return "there is nothing before time zero";
+  parts_->state.time = time;
+  parts_->state.iterations = static_cast<std::uint64_t>(time / stepSize());
+  parts_->systems.jump();
+  return std::nullopt;
 }
 
 std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systems); }

@@ -43,10 +43,17 @@ std::vector<description::Plugin> pluginsOf(const std::vector<Element>& elements)
   return plugins;
 }
 
+/// @return The name of a class without its namespaces, of which a library's systems have several each.
+std::string_view plainName(std::string_view className) {
+  const std::size_t colon = className.rfind(':');
+  return colon == std::string_view::npos ? className : className.substr(colon + 1);
+}
+
 /// @return A plugin of the file with what is said of the same system elsewhere, which is taken from `more`.
 description::Plugin joined(description::Plugin plugin, std::vector<description::Plugin>& more) {
-  const auto same = std::ranges::find(more, plugin::systemName(plugin.filename), [](const description::Plugin& each) {
-    return plugin::systemName(each.filename);
+  const auto same = std::ranges::find_if(more, [&](const description::Plugin& each) {
+    return plugin::systemName(each.filename) == plugin::systemName(plugin.filename) &&
+           plainName(each.className) == plainName(plugin.className);
   });
   if (same == more.end()) return plugin;
   // of elements of one name the first counts
@@ -71,8 +78,9 @@ SystemSet::SystemSet(Access& access, ModelEdits& edits, Transport& transport, st
 
 SystemSet::~SystemSet() = default;
 
-void SystemSet::load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics) {
-  loadWorldPlugins(world, added, diagnostics);
+void SystemSet::load(const description::World& world, bool isConfigured, const SimulationOptions& options,
+                     Diagnostics& diagnostics) {
+  loadWorldPlugins(world, isConfigured, options, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
   for (const world::ActorRecord& actor : access_.entities.actors()) {
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
@@ -81,11 +89,11 @@ void SystemSet::load(const description::World& world, const std::vector<Element>
   collectAwake();
 }
 
-void SystemSet::loadWorldPlugins(const description::World& world, const std::vector<Element>& added,
+void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigured, const SimulationOptions& options,
                                  Diagnostics& diagnostics) {
-  std::vector<description::Plugin> more = pluginsOf(added);
+  std::vector<description::Plugin> more = pluginsOf(options.systems);
   const auto isSystem = [](const description::Plugin& plugin) { return !description::isLevelPlan(plugin.className); };
-  if (std::ranges::none_of(world.plugins, isSystem)) {
+  if (!isConfigured && std::ranges::none_of(world.plugins, isSystem)) {
     add(defaultSceneBroadcaster_, 0, {}, diagnostics);
     for (std::size_t i = 0; i < more.size(); ++i) add(more[i], 1 + i, {}, diagnostics);
     return;
@@ -103,8 +111,10 @@ void SystemSet::loadWorldPlugins(const description::World& world, const std::vec
       add(plugin, i, {}, diagnostics);
     }
   }
-  if (!wantsPhysics_) {
-    diagnostics.warning(world.position, "world '" + world.name + "' lists systems, but not physics: nothing will move",
+  if (!wantsPhysics_ && options.physics) {
+    const std::string who = isConfigured ? "the server config file has no physics for world '" + world.name + "'"
+                                         : "world '" + world.name + "' lists systems, but not physics";
+    diagnostics.warning(world.position, who + ": nothing will move",
                         "add <plugin filename=\"ignition-gazebo-physics-system\" "
                         "name=\"ignition::gazebo::systems::Physics\"/>");
   }
@@ -263,6 +273,10 @@ void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> see
     slot.setRandom(stream(slot.stream()));
     slot.reset();
   }
+}
+
+void SystemSet::jump() {
+  for (SystemSlot& slot : slots_) slot.reset();
 }
 
 std::vector<std::string> SystemSet::save() {

@@ -13,6 +13,7 @@
 #include "description/plugin.hh"
 #include "plugin/loader.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/simulation.hh"
 #include "pongsim/system.hh"
 #include "sim/access.hh"
 #include "sim/edit_queue.hh"
@@ -38,8 +39,10 @@ class SystemSet {
   /// Makes and configures the systems that the world asks for: its own plugins in the order of the file, then each
   /// model's. A world that lists none gets those that Fortress's servers have by default. A system that can't use its
   /// parameters is left out with a warning, as in Fortress, and the rest of the world runs.
-  /// @param added `<plugin>` elements of systems beside them.
-  void load(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
+  /// @param isConfigured A server config file says which there are: none are there by default.
+  /// @param options Which systems there are beside them, and whether it matters that the world lists no physics.
+  void load(const description::World& world, bool isConfigured, const SimulationOptions& options,
+            Diagnostics& diagnostics);
 
   /// Configures a system of the program's own, behind all others.
   /// @param name No other added system may have it.
@@ -66,6 +69,9 @@ class SystemSet {
   /// @param seed In place of the one of before.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed);
 
+  /// Tells the systems that time has been set: their `reset` is called.
+  void jump();
+
   /// @return What the systems remember, with their random streams, one after the other.
   std::vector<std::string> save();
   /// Gives that back.
@@ -81,7 +87,8 @@ class SystemSet {
   void postUpdate(const StepInfo& info);
 
  private:
-  void loadWorldPlugins(const description::World& world, const std::vector<Element>& added, Diagnostics& diagnostics);
+  void loadWorldPlugins(const description::World& world, bool isConfigured, const SimulationOptions& options,
+                        Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
   /// What a `<plugin>` stands in: a model, an actor, or where it is neither the world.

@@ -47,6 +47,7 @@ AnyType& Bus::addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedO
     const std::lock_guard anyTypesLock(mutex_);
     anyTypes_.push_back(std::move(owned));
   }
+  if (!options.relays) ++queue.ownTopicsVersion;
   std::vector<std::string> types;
   for (const auto& [key, channel] : channels_) {
     if (channel->topic == any.topic && channel->users.publishers > 0) types.push_back(channel->type);
@@ -68,6 +69,7 @@ void Bus::endAnyType(AnyType& any) {
     owned = std::move(*found);
     anyTypes_.erase(found);
   }
+  if (!any.options.relays) ++any.queue->ownTopicsVersion;
   for (Inbox* inbox : any.inboxes) endSubscription(*inbox);
   if (!any.announcement) return;
   const std::lock_guard lock(setUp_);

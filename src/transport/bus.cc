@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "msgs/bytes.hh"
 #include "pongsim/log.hh"
@@ -12,6 +13,7 @@
 #include "transport/network.hh"
 #include "transport/payload.hh"
 #include "transport/topic_name.hh"
+#include "transport/type_name.hh"
 
 namespace pongsim::transport {
 
@@ -67,37 +69,42 @@ void Bus::eraseIfUnused(const Channel& channel) {
   if (channel.users.publishers + channel.users.subscriptions == 0) channels_.erase({channel.topic, channel.type});
 }
 
-Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type, bool latched) {
+/// Of a publisher that comes (1) or goes (-1), with the set-up mutex held.
+void Bus::count(Channel& channel, DispatchQueue& queue, const PublisherOptions& publisher, int change) {
+  for (Channel::Users* users : {&channel.users, &channel.usersOf[&queue]}) {
+    users->publishers += change;
+    if (publisher.latched) users->latchedPublishers += change;
+    if (publisher.relays) users->relayingPublishers += change;
+    if (publisher.ownOnly) users->ownOnlyPublishers += change;
+  }
+  if (!publisher.relays) ++queue.ownTopicsVersion;
+}
+
+Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type,
+                           const PublisherOptions& options) {
+  if (options.relays && options.latched) throw std::invalid_argument("a publisher that relays can't be latched");
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
-  if (network_ && !channel.writer) {
+  if (network_ && !channel.writer && !options.ownOnly) {
     channel.writer = network_->makeWriter(channel.topic, channel.type, [this] { subscribersChanged(); });
     network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
   }
-  for (Channel::Users* users : {&channel.users, &channel.usersOf[&queue]}) {
-    ++users->publishers;
-    if (latched) ++users->latchedPublishers;
-  }
-  ++queue.ownTopicsVersion;
+  count(channel, queue, options, 1);
   for (const auto& any : anyTypes_) {
     if (any->topic == channel.topic) hear(*any, channel.type);
   }
   return channel;
 }
 
-void Bus::endPublisher(DispatchQueue& queue, Channel& channel, bool latched) {
+void Bus::endPublisher(DispatchQueue& queue, Channel& channel, const PublisherOptions& options) {
   const std::lock_guard lock(setUp_);
-  ++queue.ownTopicsVersion;
-  for (Channel::Users* users : {&channel.users, &channel.usersOf[&queue]}) {
-    --users->publishers;
-    if (latched) --users->latchedPublishers;
-  }
-  if (latched && channel.users.latchedPublishers == 0) {
+  count(channel, queue, options, -1);
+  const Channel::Users& users = channel.users;
+  if (options.latched && users.latchedPublishers == 0) {
     forgetLatched(channel, [](const ParticipantId& sender) { return sender == kThisProcess; });
     if (channel.writer) channel.writer->forgetKept();
   }
-  if (channel.users.publishers > 0) return;
-  if (channel.writer) {
+  if (channel.writer && users.publishers == users.ownOnlyPublishers) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kPublisher});
     network_->end(std::move(channel.writer));
   }
@@ -130,6 +137,23 @@ Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const 
       },
       options);
   inbox->heardAtOnce = std::move(heard);
+  return addHearing(queue, channel, std::move(inbox));
+}
+
+Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
+                            HeardBytesAtOnce heard, const SubscriptionOptions& options) {
+  const std::lock_guard lock(setUp_);
+  Channel& channel = channelFor(topic, type);
+  Inbox::ReceivedBytes later = [&channel, heard](std::span<const std::byte> bytes) {
+    const std::lock_guard hearing(channel.hearing);
+    heard(bytes.size(), [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); });
+  };
+  auto inbox = std::make_unique<Inbox>(channel, std::move(later), options);
+  inbox->heardBytesAtOnce = std::move(heard);
+  return addHearing(queue, channel, std::move(inbox));
+}
+
+Inbox& Bus::addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox) {
   Inbox& added = addInbox(queue, channel, std::move(inbox));
   const std::lock_guard hearing(channel.hearing);
   channel.atOnce.push_back(&added);
@@ -151,40 +175,55 @@ std::vector<OwnTopic> Bus::ownTopics(const DispatchQueue& queue) {
     const auto found = channel->usersOf.find(&queue);
     if (found == channel->usersOf.end()) continue;
     const Channel::Users& users = found->second;
-    if (users.publishers + users.subscriptions == 0) continue;
-    topics.push_back(
-        {channel->topic, channel->type, users.publishers, users.subscriptions, users.latchedPublishers > 0});
+    const int publishers = users.publishers - users.relayingPublishers;
+    const int subscriptions = users.subscriptions - users.relayingSubscriptions;
+    if (publishers + subscriptions == 0) continue;
+    topics.push_back({channel->topic, channel->type, publishers, subscriptions, users.latchedPublishers > 0,
+                      users.relayingPublishers});
   }
+  for (const auto& any : anyTypes_) {
+    if (any->queue == &queue && !any->options.relays)
+      topics.push_back({any->topic, std::string(kAnyType), 0, 1, false, 0});
+  }
+  std::ranges::stable_sort(topics, {}, [](const OwnTopic& topic) { return std::tie(topic.name, topic.type); });
   return topics;
+}
+
+/// Of a subscription that comes (1) or goes (-1), with both mutexes held.
+void Bus::count(Channel& channel, const Inbox& inbox, int change) {
+  (inbox.isAtOnce() ? channel.atOnceCount : channel.inboxCount) += change;
+  if (inbox.relays) channel.relayingCount += change;
+  for (Channel::Users* users : {&channel.users, &channel.usersOf[inbox.queue]}) {
+    users->subscriptions += change;
+    if (inbox.relays) users->relayingSubscriptions += change;
+    if (inbox.ownOnly) users->ownOnlySubscriptions += change;
+  }
 }
 
 Inbox& Bus::addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> owned) {
   Inbox& inbox = *owned;
   inbox.queue = &queue;
-  ++channel.users.subscriptions;
-  ++channel.usersOf[&queue].subscriptions;
   {
     const std::lock_guard inboxesLock(mutex_);
     inboxes_.emplace(&inbox, std::move(owned));
     channel.inboxes.push_back(&inbox);
-    ++(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
+    count(channel, inbox, 1);
     ++channel.inboxesSoFar;
-    if (channel.latched != nullptr) putInto(inbox, channel.latched);
+    const bool isLatched = channel.latched != nullptr && (!inbox.ownOnly || channel.latched->sender == kThisProcess);
+    if (isLatched) putInto(inbox, channel.latched);
   }
   try {
-    openReader(channel);
+    if (!inbox.ownOnly) openReader(channel);
   } catch (...) {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
     std::erase(queue.inboxesWithArrivals, &inbox);
-    --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
-    --channel.users.subscriptions;
-    --channel.usersOf[&queue].subscriptions;
+    count(channel, inbox, -1);
     inboxes_.erase(&inbox);
     throw;
   }
   if (channel.reader) inbox.lostBefore = channel.reader->lost();
-  ++queue.ownTopicsVersion;
+  if (!inbox.relays) ++queue.ownTopicsVersion;
   subscribersChanged_.notify_all();
   queue.arrived.notify_one();
   return inbox;
@@ -207,8 +246,8 @@ void Bus::endSubscription(Inbox& inbox) {
   const std::lock_guard dispatchLock(queue.dispatching);
   const std::lock_guard lock(setUp_);
   Channel& channel = inbox.channel();
-  ++queue.ownTopicsVersion;
-  if (inbox.heardAtOnce) {
+  if (!inbox.relays) ++queue.ownTopicsVersion;
+  if (inbox.isAtOnce()) {
     const std::lock_guard hearing(channel.hearing);
     std::erase(channel.atOnce, &inbox);
     countAtOnceQueues(channel);
@@ -216,7 +255,7 @@ void Bus::endSubscription(Inbox& inbox) {
   {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
-    --(inbox.heardAtOnce ? channel.atOnceCount : channel.inboxCount);
+    count(channel, inbox, -1);
     std::erase(queue.inboxesWithArrivals, &inbox);
     std::vector<Arrival> unread;
     inbox.moveTo(unread);
@@ -228,9 +267,7 @@ void Bus::endSubscription(Inbox& inbox) {
       inboxes_.erase(&inbox);
     }
   }
-  --channel.usersOf[&queue].subscriptions;
-  if (--channel.users.subscriptions > 0) return;
-  if (channel.reader) {
+  if (channel.reader && channel.users.subscriptions == channel.users.ownOnlySubscriptions) {
     network_->directory().removeOwn({channel.topic, channel.type, Role::kSubscriber});
     network_->end(std::move(channel.reader));
     // from now on nobody would tell that what another process latched is out of date
@@ -239,9 +276,12 @@ void Bus::endSubscription(Inbox& inbox) {
   eraseIfUnused(channel);
 }
 
-bool Bus::hasSubscribers(const Channel& channel) const {
-  return channel.inboxCount.load(std::memory_order_relaxed) > 0 ||
-         channel.atOnceCount.load(std::memory_order_relaxed) > 0 || (channel.writer && channel.writer->hasReaders());
+bool Bus::hasSubscribers(const PublisherState& publisher) const {
+  const Channel& channel = publisher.channel;
+  const int here = channel.inboxCount.load(std::memory_order_relaxed) +
+                   channel.atOnceCount.load(std::memory_order_relaxed) -
+                   (publisher.options.relays ? channel.relayingCount.load(std::memory_order_relaxed) : 0);
+  return here > 0 || (!publisher.options.ownOnly && channel.writer && channel.writer->hasReaders());
 }
 
 std::uint64_t Bus::newSubscribers(PublisherState& publisher) const {
@@ -251,7 +291,7 @@ std::uint64_t Bus::newSubscribers(PublisherState& publisher) const {
 }
 
 bool Bus::isAwaited(const PublisherState& publisher) const {
-  return publisher.latched || hasSubscribers(publisher.channel);
+  return publisher.options.latched || hasSubscribers(publisher);
 }
 
 void Bus::publish(PublisherState& publisher, const Message& message) {
@@ -284,7 +324,8 @@ void Bus::publish(PublisherState& publisher, const Message& message, const Bulk&
 bool Bus::isForInboxes(const PublisherState& publisher) {
   constexpr auto kRelaxed = std::memory_order_relaxed;
   const Channel& channel = publisher.channel;
-  if (publisher.latched || channel.inboxCount.load(kRelaxed) > 0) return true;
+  if (publisher.options.latched || channel.inboxCount.load(kRelaxed) > 0) return true;
+  if (publisher.options.ownOnly) return false;
   const int queues = channel.atOnceQueues.load(kRelaxed);
   return queues > 1 || (queues == 1 && channel.atOnceQueue.load(kRelaxed) != &publisher.queue);
 }
@@ -293,7 +334,7 @@ bool Bus::isForInboxes(const PublisherState& publisher) {
 bool Bus::isWantedInBytes(PublisherState& publisher) {
   Channel& channel = publisher.channel;
   if (isForInboxes(publisher)) return true;
-  if (channel.writer && channel.writer->hasReaders()) return true;
+  if (!publisher.options.ownOnly && channel.writer && channel.writer->hasReaders()) return true;
   ++publisher.sent;
   ++channel.sent;
   return false;
@@ -306,22 +347,45 @@ void Bus::hearAtOnce(PublisherState& publisher, const Message& message, const Bu
   // by number, for what is called may end subscriptions, or make some
   for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
     const Inbox& inbox = *channel.atOnce[i];
-    if (inbox.queue == &publisher.queue && inbox.except != &publisher) inbox.heardAtOnce(message, bulk);
+    if (inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
+    if (inbox.heardAtOnce) {
+      inbox.heardAtOnce(message, bulk);
+    } else if (bulk != nullptr) {
+      const msgs::BulkWriter writer = *msgs::BulkWriter::of(message, *bulk);
+      inbox.heardBytesAtOnce(writer.size(), [&writer](std::span<std::byte> place) { writer.write(place); });
+    } else {
+      inbox.heardBytesAtOnce(msgs::byteSize(message),
+                             [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); });
+    }
+  }
+}
+
+void Bus::hearBytesAtOnce(PublisherState& publisher, std::span<const std::byte> bytes) {
+  Channel& channel = publisher.channel;
+  if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
+  const std::lock_guard hearing(channel.hearing);
+  const auto copy = [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); };
+  bool isRead = false;
+  for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
+    const Inbox& inbox = *channel.atOnce[i];
+    if (inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
+    if (inbox.heardBytesAtOnce) {
+      inbox.heardBytesAtOnce(bytes.size(), copy);
+      continue;
+    }
+    if (!channel.read) channel.read = newMessage(channel.type);
+    if (!isRead && !(channel.read && msgs::parseBytes(bytes, *channel.read))) {
+      complain(channel, kThisProcess, "is no " + channel.type);
+      return;
+    }
+    isRead = true;
+    inbox.heardAtOnce(*channel.read, nullptr);
   }
 }
 
 void Bus::publishBytes(PublisherState& publisher, std::span<const std::byte> bytes) {
   if (!isAwaited(publisher)) return;
-  Channel& channel = publisher.channel;
-  if (channel.atOnceCount.load(std::memory_order_relaxed) > 0) {
-    const std::lock_guard hearing(channel.hearing);
-    if (!channel.read) channel.read = newMessage(channel.type);
-    if (channel.read && msgs::parseBytes(bytes, *channel.read)) {
-      hearAtOnce(publisher, *channel.read, nullptr);
-    } else {
-      complain(channel, kThisProcess, "is no " + channel.type);
-    }
-  }
+  hearBytesAtOnce(publisher, bytes);
   if (!isWantedInBytes(publisher)) return;
   send(publisher, bytes.size(),
        [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); });
@@ -336,9 +400,9 @@ void Bus::send(PublisherState& publisher, std::size_t size, const std::function<
   }
   ++publisher.sent;
   ++channel.sent;
-  const bool latched = publisher.latched;
+  const bool latched = publisher.options.latched;
   const bool here = isForInboxes(publisher);
-  const bool elsewhere = channel.writer && (latched || channel.writer->hasReaders());
+  const bool elsewhere = !publisher.options.ownOnly && channel.writer && (latched || channel.writer->hasReaders());
   const Keeping keeping = latched ? Keeping::kKept : Keeping::kNone;
   if (!here) {
     if (elsewhere) channel.writer->write(size, fill, keeping);
@@ -377,14 +441,21 @@ Buffer* Bus::takeBuffer(std::size_t size) {
   return buffers_.take(size);
 }
 
+/// @param from Null for another process.
+/// @return Whether a message waits there: not where it is not meant for, or was heard at once.
+bool Bus::isFor(const Inbox& inbox, const PublisherState* from) {
+  if (from == nullptr) return !inbox.ownOnly;
+  const bool isOwn = inbox.queue == &from->queue;
+  if (!isOwn && (inbox.ownOnly || from->options.ownOnly)) return false;
+  return inbox.hears(*from) && !(isOwn && inbox.isAtOnce());
+}
+
 void Bus::deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from) {
   DispatchQueue* first = nullptr;
   {
     const std::lock_guard lock(mutex_);
     for (Inbox* inbox : channel.inboxes) {
-      const bool hasHeard = inbox->heardAtOnce && from != nullptr && inbox->queue == &from->queue;
-      if (hasHeard || (from != nullptr && inbox->except == from)) continue;
-      if (!inbox->wants()) continue;
+      if (!isFor(*inbox, from) || !inbox->wants()) continue;
       putInto(*inbox, buffer);
       if (first == nullptr) first = inbox->queue;
       if (first != inbox->queue) inbox->queue->arrived.notify_one();
@@ -509,9 +580,9 @@ void Bus::requestArrived(DispatchQueue& queue) {
   queue.arrived.notify_one();
 }
 
-bool Bus::waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout) {
+bool Bus::waitForSubscribers(const PublisherState& publisher, std::chrono::nanoseconds timeout) {
   std::unique_lock lock(mutex_);
-  return subscribersChanged_.wait_until(lock, deadlineAfter(timeout), [&] { return hasSubscribers(channel); });
+  return subscribersChanged_.wait_until(lock, deadlineAfter(timeout), [&] { return hasSubscribers(publisher); });
 }
 
 bool Bus::waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout) {

@@ -48,10 +48,14 @@ class Channel {
   struct Users {
     int publishers = 0;
     int latchedPublishers = 0;
+    int relayingPublishers = 0;
+    int ownOnlyPublishers = 0;
     int subscriptions = 0;
+    int relayingSubscriptions = 0;
+    int ownOnlySubscriptions = 0;
   };
   /// Guarded by the bus's set-up mutex: of all, and of the transports that share the bus, by their queues. The writer
-  /// is there while a publisher is, the reader while a subscription is.
+  /// is there while a publisher is that speaks to other processes, the reader while a subscription is that hears them.
   Users users;
   std::map<const DispatchQueue*, Users> usersOf;
   std::unique_ptr<Writer> writer;
@@ -70,6 +74,8 @@ class Channel {
   /// Of how many transports they are, and of which if it is one.
   std::atomic<int> atOnceQueues = 0;
   std::atomic<const DispatchQueue*> atOnceQueue = nullptr;
+  /// Those of either kind that relay.
+  std::atomic<int> relayingCount = 0;
   /// What bytes are read into for them, or null.
   MessagePointer read;
 
@@ -101,14 +107,17 @@ class Bus {
 
   /// Types are full names, `queue` that of the transport by which it is asked for.
   /// @throws std::invalid_argument for a bad topic name; std::runtime_error where DDS refuses.
-  Channel& addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type, bool latched);
-  void endPublisher(DispatchQueue& queue, Channel& channel, bool latched);
+  Channel& addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type,
+                        const PublisherOptions& options);
+  void endPublisher(DispatchQueue& queue, Channel& channel, const PublisherOptions& options);
   Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
                          Inbox::Received received, const SubscriptionOptions& options);
   Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
                          Inbox::ReceivedBytes received, const SubscriptionOptions& options);
   /// Of one that hears at once what is published by its own transport.
   Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type, HeardAtOnce heard,
+                         const SubscriptionOptions& options);
+  Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type, HeardBytesAtOnce heard,
                          const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
   /// Of one that takes messages of any type.
@@ -119,12 +128,12 @@ class Bus {
   /// Those of the queue's transport.
   std::vector<OwnTopic> ownTopics(const DispatchQueue& queue);
 
-  bool hasSubscribers(const Channel& channel) const;
+  bool hasSubscribers(const PublisherState& publisher) const;
   std::uint64_t newSubscribers(PublisherState& publisher) const;
   void publish(PublisherState& publisher, const Message& message);
   void publish(PublisherState& publisher, const Message& message, const Bulk& bulk);
   void publishBytes(PublisherState& publisher, std::span<const std::byte> bytes);
-  bool waitForSubscribers(const Channel& channel, std::chrono::nanoseconds timeout);
+  bool waitForSubscribers(const PublisherState& publisher, std::chrono::nanoseconds timeout);
   bool waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout);
   std::uint64_t received(const Inbox& inbox) const;
   std::uint64_t dropped(const Inbox& inbox) const;
@@ -153,21 +162,30 @@ class Bus {
   }
   /// Does not have the request's function called any more.
   void forgetRequest(std::uint64_t number) { client_.forget(number); }
+  std::vector<OwnService> ownServices(const DispatchQueue& queue) const { return server_.services(queue); }
+  std::uint64_t ownServicesVersion() const { return server_.version(); }
+  std::uint64_t addGateway(CallElsewhere call) { return client_.addGateway(std::move(call)); }
+  void endGateway(std::uint64_t number) { client_.endGateway(number); }
   std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:
   Channel& channelFor(std::string_view topic, const std::string& type);
   Inbox& addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
+  Inbox& addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
+  static void count(Channel& channel, DispatchQueue& queue, const PublisherOptions& publisher, int change);
+  static void count(Channel& channel, const Inbox& inbox, int change);
   void openReader(Channel& channel);
   void hear(AnyType& any, const std::string& type);
   void publisherFound(const std::string& topic, const std::string& type);
   void hearFoundTypes();
   bool isAwaited(const PublisherState& publisher) const;
+  static bool isFor(const Inbox& inbox, const PublisherState* from);
   static bool isForInboxes(const PublisherState& publisher);
   bool isWantedInBytes(PublisherState& publisher);
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
   void hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk);
+  void hearBytesAtOnce(PublisherState& publisher, std::span<const std::byte> bytes);
   static void countAtOnceQueues(Channel& channel);
   /// @param from Null for another process's.
   void deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from);
@@ -210,16 +228,16 @@ class Bus {
 /// A publisher's share in its topic.
 class PublisherState {
  public:
-  PublisherState(Bus& owner, DispatchQueue& asker, Channel& topic, bool isLatched)
-      : bus(owner), queue(asker), channel(topic), latched(isLatched) {}
-  ~PublisherState() { bus.endPublisher(queue, channel, latched); }
+  PublisherState(Bus& owner, DispatchQueue& asker, Channel& topic, const PublisherOptions& given)
+      : bus(owner), queue(asker), channel(topic), options(given) {}
+  ~PublisherState() { bus.endPublisher(queue, channel, options); }
   PublisherState(const PublisherState&) = delete;
   PublisherState& operator=(const PublisherState&) = delete;
 
   Bus& bus;
   DispatchQueue& queue;
   Channel& channel;
-  const bool latched;
+  const PublisherOptions options;
   std::atomic<std::uint64_t> sent = 0;
   /// Subscribers that it has been told of.
   std::uint64_t knownSubscribers = 0;
@@ -244,6 +262,18 @@ class RequestState {
   ~RequestState() { bus.forgetRequest(number); }
   RequestState(const RequestState&) = delete;
   RequestState& operator=(const RequestState&) = delete;
+
+  Bus& bus;
+  const std::uint64_t number;
+};
+
+/// A gateway's share in its transport.
+class GatewayState {
+ public:
+  GatewayState(Bus& owner, std::uint64_t gateway) : bus(owner), number(gateway) {}
+  ~GatewayState() { bus.endGateway(number); }
+  GatewayState(const GatewayState&) = delete;
+  GatewayState& operator=(const GatewayState&) = delete;
 
   Bus& bus;
   const std::uint64_t number;

@@ -15,11 +15,11 @@ TrafficReport Bus::traffic() {
   TrafficReport report;
   report.at = std::chrono::steady_clock::now().time_since_epoch();
   for (const auto& [key, channel] : channels_) {
-    if (channel->users.publishers > 0) {
+    if (channel->users.publishers > channel->users.ownOnlyPublishers) {
       report.endpoints.push_back({channel->topic, channel->type, Role::kPublisher, channel->sent,
                                   channel->writer ? channel->writer->dropped() : 0});
     }
-    if (channel->users.subscriptions == 0) continue;
+    if (channel->users.subscriptions == channel->users.ownOnlySubscriptions) continue;
     EndpointTraffic heard{channel->topic, channel->type, Role::kSubscriber, 0,
                           channel->reader ? channel->reader->lost() : 0};
     const std::lock_guard inboxesLock(mutex_);

@@ -7,6 +7,7 @@
 
 #include "msgs/bytes.hh"
 #include "msgs/number_check.hh"
+#include "transport/bus.hh"
 
 namespace pongsim::transport {
 
@@ -32,6 +33,8 @@ std::optional<std::string> refusal(const Message& message, double largest) {
 Inbox::Inbox(Channel& channel, const SubscriptionOptions& options)
     : channel_(channel), limit_(std::max<std::size_t>(options.queueLength, 1)) {
   except = excepted(options);
+  relays = options.relays;
+  ownOnly = options.ownOnly;
   if (!options.messagesPerSecond) return;
   const std::chrono::duration<double> period(1 / std::max(*options.messagesPerSecond, kLowestRate));
   period_ = std::chrono::duration_cast<Clock::duration>(period);
@@ -61,6 +64,10 @@ Inbox::~Inbox() = default;
 
 const void* Inbox::excepted(const SubscriptionOptions& options) {
   return options.except == nullptr ? nullptr : options.except->state_.get();
+}
+
+bool Inbox::hears(const PublisherState& publisher) const {
+  return except != &publisher && !(relays && publisher.options.relays);
 }
 
 bool Inbox::wants() {

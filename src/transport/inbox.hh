@@ -17,6 +17,7 @@ namespace pongsim::transport {
 
 class Channel;
 class DispatchQueue;
+class PublisherState;
 
 /// A message on its way to one subscription.
 struct Arrival {
@@ -65,12 +66,20 @@ class Inbox {
   /// Whether its subscription has gone.
   bool ended = false;
 
-  /// Hears what its own transport publishes at once, rather than from here; empty for others. Guarded by the channel's
-  /// mutex for that.
+  /// Hear what their own transport publishes at once, rather than from here: one of them, or none for others. Guarded
+  /// by the channel's mutex for that.
   HeardAtOnce heardAtOnce;
+  HeardBytesAtOnce heardBytesAtOnce;
+  bool isAtOnce() const { return heardAtOnce || heardBytesAtOnce; }
+
+  /// @return Whether it is to hear that publisher of its own transport.
+  bool hears(const PublisherState& publisher) const;
 
   /// The publisher that it does not hear, or null.
   const void* except = nullptr;
+  /// As the subscription's options say.
+  bool relays = false;
+  bool ownOnly = false;
 
   /// What its channel's reader had lost before there was this subscription.
   std::uint64_t lostBefore = 0;

@@ -30,6 +30,18 @@ std::function<void(Arguments...)> guarded(CallGuard* guard, std::function<void(A
   };
 }
 
+/// @return `call`, for what is called in another's turn, which must not end with it.
+template <class... Arguments>
+std::function<void(Arguments...)> failingToItself(CallGuard& guard, std::function<void(Arguments...)> call) {
+  return [&guard, inner = std::move(call)](Arguments... arguments) {
+    try {
+      inner(arguments...);
+    } catch (const std::exception& error) {
+      guard.failed(error);
+    }
+  };
+}
+
 void checkRate(const SubscriptionOptions& options) {
   const std::optional<double>& rate = options.messagesPerSecond;
   if (!rate || (std::isfinite(*rate) && *rate > 0)) return;
@@ -45,7 +57,7 @@ Publisher::Publisher(Publisher&&) noexcept = default;
 Publisher& Publisher::operator=(Publisher&&) noexcept = default;
 Publisher::~Publisher() = default;
 
-bool Publisher::hasSubscribers() const { return state_ && state_->bus.hasSubscribers(state_->channel); }
+bool Publisher::hasSubscribers() const { return state_ && state_->bus.hasSubscribers(*state_); }
 
 std::uint64_t Publisher::newSubscribers() { return state_ ? state_->bus.newSubscribers(*state_) : 0; }
 
@@ -64,7 +76,7 @@ void Publisher::publishBytes(std::span<const std::byte> bytes) {
 std::uint64_t Publisher::sent() const { return state_ ? state_->sent.load() : 0; }
 
 bool Publisher::waitForSubscribers(std::chrono::nanoseconds timeout) const {
-  return state_ && state_->bus.waitForSubscribers(state_->channel, timeout);
+  return state_ && state_->bus.waitForSubscribers(*state_, timeout);
 }
 
 bool Publisher::waitForDelivery(std::chrono::nanoseconds timeout) const {
@@ -114,17 +126,15 @@ std::string Node::fullName(std::string_view name) const {
 void Node::wake() { bus_->wake(*queue_); }
 
 Publisher Node::advertise(std::string_view topic, std::string_view type, const PublisherOptions& options) {
-  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::knownType(type), options.latched),
-                     options.latched);
+  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::knownType(type), options), options);
 }
 
 Publisher Node::advertiseBytes(std::string_view topic, std::string_view type, const PublisherOptions& options) {
-  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::anyType(type), options.latched),
-                     options.latched);
+  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::anyType(type), options), options);
 }
 
-Publisher Node::advertiseOn(transport::Channel& channel, bool latched) {
-  auto state = std::make_unique<transport::PublisherState>(*bus_, *queue_, channel, latched);
+Publisher Node::advertiseOn(transport::Channel& channel, const PublisherOptions& options) {
+  auto state = std::make_unique<transport::PublisherState>(*bus_, *queue_, channel, options);
   if (guard_ != nullptr) guard_->advertised(channel.topic, channel.type);
   return Publisher(std::move(state));
 }
@@ -157,16 +167,16 @@ Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type
                                    const SubscriptionOptions& options) {
   checkRate(options);
   const std::string name = transport::knownType(type);
-  if (guard_ != nullptr) {
-    // it is another's turn that it is called in, which must not end with it
-    heard = [guard = guard_, inner = std::move(heard)](const Message& message, const Bulk* bulk) {
-      try {
-        inner(message, bulk);
-      } catch (const std::exception& error) {
-        guard->failed(error);
-      }
-    };
-  }
+  if (guard_ != nullptr) heard = failingToItself(*guard_, std::move(heard));
+  return Subscription(std::make_unique<transport::SubscriptionState>(
+      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, std::move(heard), options)));
+}
+
+Subscription Node::subscribeBytesAtOnce(std::string_view topic, std::string_view type, HeardBytesAtOnce heard,
+                                        const SubscriptionOptions& options) {
+  checkRate(options);
+  const std::string name = transport::anyType(type);
+  if (guard_ != nullptr) heard = failingToItself(*guard_, std::move(heard));
   return Subscription(std::make_unique<transport::SubscriptionState>(
       *bus_, bus_->addSubscription(*queue_, fullName(topic), name, std::move(heard), options)));
 }
@@ -174,6 +184,20 @@ Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type
 std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(*queue_); }
 
 std::uint64_t Node::ownTopicsVersion() const { return queue_->ownTopicsVersion.load(std::memory_order_relaxed); }
+
+std::vector<OwnService> Node::ownServices() const { return bus_->ownServices(*queue_); }
+
+std::uint64_t Node::ownServicesVersion() const { return bus_->ownServicesVersion(); }
+
+Gateway::Gateway() = default;
+Gateway::Gateway(std::unique_ptr<transport::GatewayState> state) : state_(std::move(state)) {}
+Gateway::Gateway(Gateway&&) noexcept = default;
+Gateway& Gateway::operator=(Gateway&&) noexcept = default;
+Gateway::~Gateway() = default;
+
+Gateway Node::openGateway(CallElsewhere call) {
+  return Gateway(std::make_unique<transport::GatewayState>(*bus_, bus_->addGateway(std::move(call))));
+}
 
 Service::Service() = default;
 Service::Service(std::unique_ptr<transport::ServiceState> state) : state_(std::move(state)) {}

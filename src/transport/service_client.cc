@@ -82,8 +82,12 @@ CallResult ServiceClient::call(const DispatchQueue& asker, std::string_view serv
     }
     return failed(CallOutcome::kOtherTypes, name, takes(types->first, types->second));
   }
-  if (network_ == nullptr) return {CallOutcome::kNoService, "there is no service '" + name + "'"};
-  return callOther(name, request, reply, deadline);
+  if (std::optional<CallResult> result = gateways_.call(name, request, reply, deadline)) return *result;
+  CallResult result{CallOutcome::kNoService, "there is no service '" + name + "'"};
+  if (network_ != nullptr) result = callOther(name, request, reply, deadline);
+  if (result.outcome != CallOutcome::kNoService) return result;
+  // it may have come meanwhile
+  return gateways_.call(name, request, reply, deadline).value_or(std::move(result));
 }
 
 CallResult ServiceClient::callOwn(const DispatchQueue& asker, const std::string& service, const Message& request,

@@ -10,10 +10,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pongsim/service.hh"
 #include "transport/deadline.hh"
+#include "transport/gateways.hh"
 #include "transport/inbox.hh"
 #include "transport/service_payload.hh"
 
@@ -50,6 +52,10 @@ class ServiceClient {
 
   /// Does not call the function of that request any more.
   void forget(std::uint64_t request);
+
+  /// Ways to services elsewhere.
+  std::uint64_t addGateway(CallElsewhere call) { return gateways_.add(std::move(call)); }
+  void endGateway(std::uint64_t number) { gateways_.end(number); }
 
   /// Takes the answer to a call to this transport's own service, of `queue`; nothing where the service has gone.
   void answerOwn(const DispatchQueue& queue, std::uint64_t call, const std::optional<ReplyHeader>& header,
@@ -96,6 +102,7 @@ class ServiceClient {
   Network* network_;
   ServiceServer& own_;
   std::function<void(DispatchQueue&)> arrived_;
+  Gateways gateways_;
   std::mutex setUp_;
   std::map<std::string, std::unique_ptr<Line>> lines_;
 

@@ -66,6 +66,7 @@ Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::s
     }
     offers.push_back(std::move(owned));
     isFirst = offers.size() == 1;
+    ++version_;
   }
   if (!isFirst) {
     serverLog().warning("service '" + offer.name +
@@ -119,6 +120,7 @@ void ServiceServer::end(Offer& offer, bool inDispatch) {
     owned = std::move(*found);
     offers->second.erase(found);
     if (offers->second.empty()) offers_.erase(offers);
+    ++version_;
     offer.ended = true;
     unanswered.swap(offer.waiting);
   }
@@ -147,6 +149,17 @@ std::optional<std::pair<std::string, std::string>> ServiceServer::typesOf(const 
   const Offer* offer = find(asker, service);
   if (offer == nullptr) return std::nullopt;
   return std::pair(offer->requestType, offer->replyType);
+}
+
+std::vector<OwnService> ServiceServer::services(const DispatchQueue& queue) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<OwnService> services;
+  for (const auto& [name, offers] : offers_) {
+    for (const auto& offer : offers) {
+      if (&offer->queue == &queue) services.push_back({name, offer->requestType, offer->replyType});
+    }
+  }
+  return services;
 }
 
 void ServiceServer::wake(DispatchQueue& queue) {

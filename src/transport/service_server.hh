@@ -93,6 +93,11 @@ class ServiceServer {
   std::optional<std::pair<std::string, std::string>> typesOf(const DispatchQueue& asker,
                                                              const std::string& service) const;
 
+  /// @return What that queue offers, sorted by name.
+  std::vector<OwnService> services(const DispatchQueue& queue) const;
+  /// @return Another number when one has come or gone.
+  std::uint64_t version() const { return version_.load(std::memory_order_relaxed); }
+
   /// Lets a request of this bus wait for the service.
   /// @return False where there is no such service any more or no room.
   bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message);
@@ -125,6 +130,7 @@ class ServiceServer {
   /// Under each name in the order in which they came.
   std::map<std::string, std::vector<std::unique_ptr<Offer>>> offers_;
   std::uint64_t nextNumber_ = 0;
+  std::atomic<std::uint64_t> version_ = 0;
 };
 
 }  // namespace pongsim::transport

@@ -15,7 +15,7 @@ class PlacesTest : public testing::Test {
  protected:
   PlacesTest() {
     for (const char* name : {"PONGSIM_RESOURCE_PATH", "SDF_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH",
-                             "IGN_FUEL_CACHE_PATH", "HOME"}) {
+                             "IGN_FILE_PATH", "IGN_FUEL_CACHE_PATH", "HOME"}) {
       const char* const value = std::getenv(name);
       before_.emplace_back(name, value != nullptr ? std::optional<std::string>(value) : std::nullopt);
       unsetenv(name);
@@ -39,11 +39,12 @@ TEST_F(PlacesTest, AreNowhereWithoutVariables) {
 }
 
 TEST_F(PlacesTest, ComeInTheOrderOfTheVariables) {
+  setenv("IGN_FILE_PATH", "/f", 1);
   setenv("GZ_SIM_RESOURCE_PATH", "/e", 1);
   setenv("IGN_GAZEBO_RESOURCE_PATH", ":/c::/d:", 1);
   setenv("SDF_PATH", "/b", 1);
   setenv("PONGSIM_RESOURCE_PATH", "/a", 1);
-  EXPECT_EQ(Places::fromEnvironment().folders, (Folders{"/a", "/b", "/c", "/d", "/e"}));
+  EXPECT_EQ(Places::fromEnvironment().folders, (Folders{"/a", "/b", "/c", "/d", "/e", "/f"}));
 }
 
 TEST_F(PlacesTest, HaveTheFuelCacheBelowHomeOrWhereItIsSaidToBe) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/console.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::cli {
@@ -38,10 +39,10 @@ class ExtensionTest : public testing::Test {
 
   std::vector<Element> systemsOf(const std::string& arguments) {
     CLI::App command("", "run");
-    std::vector<Element> systems;
-    addRunOptions(command, read(kDescriptor), systems);
+    RunAdditions additions;
+    addRunOptions(command, read(kDescriptor), additions);
     command.parse(arguments);
-    return systems;
+    return additions.systems;
   }
 
   test::TempFolder folder_;
@@ -49,7 +50,7 @@ class ExtensionTest : public testing::Test {
 
 TEST_F(ExtensionTest, IsReadFromItsDescriptor) {
   const Extension extension = read(kDescriptor);
-  EXPECT_EQ(extension.systemFile, "pongsim-x-system");
+  EXPECT_EQ(extension.system.file, "pongsim-x-system");
   ASSERT_EQ(extension.runOptions.size(), 4U);
   EXPECT_TRUE(extension.runOptions[3].isRepeated);
   ASSERT_TRUE(extension.command.has_value());
@@ -83,6 +84,33 @@ TEST_F(ExtensionTest, AnOptionWithoutAValueMaySetOne) {
   const std::vector<Element> systems = systemsOf("--x-only");
   ASSERT_EQ(systems.size(), 1U);
   EXPECT_EQ(systems[0].child("all")->text, "false");
+}
+
+TEST_F(ExtensionTest, AnOptionMayBringTheWorldAndASystemOfItsOwn) {
+  const Extension extension = read(R"({
+    "run": {"system": {"filename": "x", "name": "X"},
+            "options": [{"option": "--keep", "help": "", "element": "a", "sets": "1",
+                         "implies": [{"element": "b", "sets": "2"}]},
+                        {"option": "--play", "value": "PATH", "help": "", "element": "path",
+                         "system": {"filename": "x", "name": "Y"}, "excludes": ["--keep"],
+                         "world": {"program": "pongsim-x", "arguments": ["world"]}}]}})");
+  const auto parse = [&](const char* arguments) {
+    CLI::App command("", "run");
+    RunAdditions additions;
+    addRunOptions(command, extension, additions);
+    command.parse(arguments);
+    checkExcluded(command, extension);
+    return additions;
+  };
+  const RunAdditions kept = parse("--keep");
+  EXPECT_EQ(kept.systems.at(0).child("b")->text, "2");
+  EXPECT_FALSE(kept.world);
+  const RunAdditions played = parse("--play rec");
+  EXPECT_EQ(played.systems.at(0).attribute("name")->value, "Y");
+  EXPECT_EQ(played.worldOption, "--play");
+  EXPECT_EQ(played.world->program, "pongsim-x");
+  EXPECT_EQ(played.world->arguments, (std::vector<std::string>{"world", "rec"}));
+  EXPECT_THROW(parse("--keep --play rec"), UsageError);
 }
 
 TEST_F(ExtensionTest, AnOptionWithASettingAsksForItToo) { EXPECT_EQ(systemsOf("--x-topic /a").size(), 1U); }

@@ -134,6 +134,49 @@ TEST(SdfPrint, PrintsNothingOfAFileWithErrors) {
   EXPECT_EQ(runSdf({"--print", "a.sdf", "b.sdf"}).exitCode, 2);
 }
 
+/// A world at an angle, with a model that it includes.
+class SdfPrintOptions : public testing::Test {
+ protected:
+  std::string print(std::vector<std::string> options) {
+    options.insert(options.begin(), {"--print", world_});
+    const SdfOutcome outcome = runSdf(options);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+    return outcome.output;
+  }
+
+  test::TempFolder folder_;
+  std::string model_ =
+      folder_.write("m.sdf", "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>").string();
+  std::string world_ = folder_.write("w.sdf", "<sdf version='1.9'><world name='w'><include><uri>" + model_ +
+                                                  "</uri><pose>1 2 3 0 0 1.57</pose></include></world></sdf>");
+};
+
+TEST_F(SdfPrintOptions, LeaveIncludesAsTheyStand) {
+  EXPECT_EQ(print({}).find("<include>"), std::string::npos);
+  const std::string text = print({"-i"});
+  EXPECT_NE(text.find("<uri>" + model_ + "</uri>"), std::string::npos) << text;
+  EXPECT_EQ(text.find("<link"), std::string::npos) << text;
+}
+
+TEST_F(SdfPrintOptions, TurnRotationsToDegrees) {
+  EXPECT_NE(print({}).find("<pose>1 2 3 0 0 1.57</pose>"), std::string::npos) << print({});
+  EXPECT_NE(print({"--degrees"}).find(">1 2 3   0 0 89.9544</pose>"), std::string::npos) << print({"--degrees"});
+  const std::string snapped = print({"--snap-to-degrees", "45", "--snap-tolerance", "0.1"});
+  EXPECT_NE(snapped.find("degrees=\"true\" rotation_format=\"euler_rpy\">1 2 3   0 0 90</pose>"), std::string::npos)
+      << snapped;
+}
+
+TEST_F(SdfPrintOptions, TellOfAModelsInertia) {
+  const SdfOutcome stats = runSdf({"--inertial-stats", model_});
+  EXPECT_EQ(stats.exitCode, 0) << stats.error;
+  EXPECT_TRUE(stats.output.starts_with("Inertial statistics for model: m\n---\nTotal mass of the model: 1\n"))
+      << stats.output;
+  const SdfOutcome world = runSdf({"--inertial-stats", world_});
+  EXPECT_EQ(world.exitCode, 1);
+  EXPECT_EQ(world.error,
+            "pongsim: error: '" + world_ + "' has a world\n  hint: --inertial-stats takes the file of a model\n");
+}
+
 TEST(SdfGraph, PrintsText) {
   const test::TempFolder folder;
   const std::string world = folder.write("w.sdf", "<sdf version='1.8'><world name='w'/></sdf>").string();
@@ -151,6 +194,11 @@ TEST(SdfDescribe, PrintsWhatTheFormatSays) {
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.error, "");
   EXPECT_TRUE(outcome.output.starts_with("<limit> in joint/axis\n")) << outcome.output;
+  const SdfOutcome all = runSdf({"-d"});
+  EXPECT_EQ(all.exitCode, 0) << all.error;
+  EXPECT_TRUE(all.output.starts_with("<element name ='sdf' required ='1'>\n")) << all.output.substr(0, 200);
+  EXPECT_EQ(runSdf({"-d", "1.9"}).output, all.output);
+  EXPECT_EQ(runSdf({"-d", "1.3"}).exitCode, 2);
 }
 
 }  // namespace

@@ -194,9 +194,9 @@ TEST(Run, IsCalledAsIgnToo) {
   std::filesystem::create_symlink(PONGSIM_PROGRAM, ign);
   Process runs({ign, "gazebo", "-s", "-r", "-v", "4", ownWorld("pong_world.sdf"), "--iterations", "10"});
   EXPECT_EQ(runs.wait(), 0) << runs.error();
-  Process window({ign, "gazebo", "-g"});
+  Process window({ign, "gazebo", "-g", "empty.sdf"});
   EXPECT_EQ(window.wait(), 2);
-  EXPECT_TRUE(window.error().starts_with("pongsim: error: there is no display here")) << window.error();
+  EXPECT_TRUE(window.error().starts_with("pongsim: error: there are no windows here")) << window.error();
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::string roverWorld(const std::string& name, const std::string& stepSize) {
                      "<physics name='p' type='ignored'><max_step_size>" + stepSize + "</max_step_size></physics>");
 }
 
-class Worlds : public testing::Test {
+class SeveralWorlds : public testing::Test {
  protected:
   std::string write(const std::string& worlds) const {
     return folder_.write("worlds.sdf", "<sdf version=\"1.9\">\n" + worlds + "</sdf>\n").string();
@@ -54,7 +54,7 @@ std::string stateOf(const std::string& world) {
   return stats.output;
 }
 
-TEST_F(Worlds, AreSaidInALineEach) {
+TEST_F(SeveralWorlds, AreSaidInALineEach) {
   const Outcome outcome = runToEnd({"run", ownWorld(kThree), "--iterations", "1"});
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.error,
@@ -64,7 +64,7 @@ TEST_F(Worlds, AreSaidInALineEach) {
 }
 
 // three DiffDrives, each driven by itself
-TEST_F(Worlds, HaveTopicsAndServicesOfTheirOwn) {
+TEST_F(SeveralWorlds, HaveTopicsAndServicesOfTheirOwn) {
   const auto process = start({"run", writeRovers()});
   ASSERT_TRUE(process->waitForError("world 'lab'")) << process->error();
   for (const char* world : {"maze", "yard", "lab"}) {
@@ -93,7 +93,7 @@ TEST_F(Worlds, HaveTopicsAndServicesOfTheirOwn) {
   EXPECT_EQ(process->wait(), 0) << process->error();
 }
 
-TEST_F(Worlds, AreNamedWhereACommandMeansOne) {
+TEST_F(SeveralWorlds, AreNamedWhereACommandMeansOne) {
   const auto process = start({"run", ownWorld(kThree), "--paused"});
   ASSERT_TRUE(process->waitForError("world 'fast'")) << process->error();
   EXPECT_NE(stateOf("fast").find(" 0 iterations, paused"), std::string::npos);
@@ -114,7 +114,7 @@ TEST_F(Worlds, AreNamedWhereACommandMeansOne) {
   EXPECT_NE(chosen.output.find("- cart_coarse\n"), std::string::npos) << chosen.output;
 }
 
-TEST_F(Worlds, HaveTheSameBitsWhateverRunsBesideThem) {
+TEST_F(SeveralWorlds, HaveTheSameBitsWhateverRunsBesideThem) {
   const std::string file = writeRovers();
   const std::vector<std::string> options = {"-z", "0", "--iterations", "400", "--hash", "--seed", "7"};
   const auto run = [&](std::vector<std::string> arguments) {
@@ -135,7 +135,7 @@ TEST_F(Worlds, HaveTheSameBitsWhateverRunsBesideThem) {
   }
 }
 
-TEST_F(Worlds, EndAtASignalWhereverTheyAre) {
+TEST_F(SeveralWorlds, EndAtASignalWhereverTheyAre) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const auto process = start({"run", ownWorld(kThree)});
     ASSERT_TRUE(process->waitForError("world 'fast'"));
@@ -149,7 +149,7 @@ TEST_F(Worlds, EndAtASignalWhereverTheyAre) {
   EXPECT_EQ(process->wait(), 0) << process->error();
 }
 
-TEST_F(Worlds, AreAllReadForMistakes) {
+TEST_F(SeveralWorlds, AreAllReadForMistakes) {
   const std::string file = write(
       "<world name='good'/>\n"
       "<world name='bad'><model name='m'><link name='l'/><joint name='j' type='fixed'><parent>world</parent>"
@@ -162,7 +162,7 @@ TEST_F(Worlds, AreAllReadForMistakes) {
   EXPECT_NE(outcome.error.find("pongsim: 2 errors\n"), std::string::npos) << outcome.error;
 }
 
-TEST_F(Worlds, MustHaveNamesOfTheirOwn) {
+TEST_F(SeveralWorlds, MustHaveNamesOfTheirOwn) {
   const Outcome same = runToEnd({"run", write("<world name='a'/>\n<world name='a'/>\n")});
   EXPECT_EQ(same.exitCode, 1);
   EXPECT_NE(same.error.find("worlds.sdf:3:1: error: world 'a' has the same name as another world of this file"),
@@ -188,7 +188,7 @@ std::string faultyWorld(const std::string& name, const std::string& fault) {
          fault + "</fault></plugin></model></world>\n";
 }
 
-TEST_F(Worlds, AreNamedWhereTheirSystemsFail) {
+TEST_F(SeveralWorlds, AreNamedWhereTheirSystemsFail) {
   setenv("PONGSIM_PLUGIN_PATH", PONGSIM_TEST_SYSTEMS, 1);
   const std::string file = write("<world name='good'/>\n" + faultyWorld("bad", "throw"));
   const Outcome outcome = runToEnd({"run", file, "-z", "0", "--iterations", "50"});
@@ -207,7 +207,7 @@ TEST_F(Worlds, AreNamedWhereTheirSystemsFail) {
       << crash.error;
 }
 
-TEST_F(Worlds, AreWarnedOfTopicsThatTheyShare) {
+TEST_F(SeveralWorlds, AreWarnedOfTopicsThatTheyShare) {
   setenv("PONGSIM_PLUGIN_PATH", PONGSIM_TEST_SYSTEMS, 1);
   const Outcome outcome =
       runToEnd({"run", write(faultyWorld("one", "throw") + faultyWorld("two", "throw")), "--iterations", "1"});

@@ -1,4 +1,4 @@
-#include "msgs/field_path.hh"
+#include "pongsim/field_path.hh"
 
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>

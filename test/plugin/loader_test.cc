@@ -111,11 +111,13 @@ TEST(LoaderSearchPath, TakesTheFirstFolderThatHasTheLibrary) {
 TEST(LoaderSearchPath, BeginsWithTheFoldersOfTheEnvironment) {
   setenv("PONGSIM_PLUGIN_PATH", "/first:/second", 1);
   setenv("IGN_GAZEBO_SYSTEM_PLUGIN_PATH", ":/third:", 1);
+  setenv("GZ_SIM_SYSTEM_PLUGIN_PATH", "/fourth", 1);
   const std::vector<std::filesystem::path> folders = defaultSearchPath();
-  ASSERT_GE(folders.size(), 3U);
+  ASSERT_GE(folders.size(), 4U);
   EXPECT_EQ(folders[0], "/first");
   EXPECT_EQ(folders[1], "/second");
   EXPECT_EQ(folders[2], "/third");
+  EXPECT_EQ(folders[3], "/fourth");
 }
 
 }  // namespace

@@ -22,6 +22,15 @@ const std::string kWorld =
 
 // The nodes and arrows are those of libsdformat's `ign sdf -g`, in another order.
 
+TEST(FrameDot, AttachesAStaticModelToNoLink) {
+  const std::string dot =
+      graphs("<world name='w'><model name='m'><static>true</static><link name='a'/><frame name='f'/></model></world>",
+             FrameGraphKind::kFrame);
+  EXPECT_EQ(dot.find("2 -> 3"), std::string::npos) << dot;
+  EXPECT_NE(dot.find("1 -> 2"), std::string::npos) << dot;
+  EXPECT_NE(dot.find("4 -> 2"), std::string::npos) << dot;
+}
+
 TEST(FrameDot, ShowsWhatFramesAreAttachedTo) {
   EXPECT_EQ(graphs(kWorld, FrameGraphKind::kFrame),
             "digraph {\n"

@@ -6,6 +6,8 @@
 #include <ignition/msgs/stringmsg.pb.h>
 
 #include <algorithm>
+#include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -177,6 +179,86 @@ TEST_F(HearAtOnce, OwnTopicsAreWhatTheTransportHas) {
   publisher = {};
   EXPECT_NE(node_.ownTopicsVersion(), before);
   EXPECT_EQ(node_.ownTopics().size(), 1U);
+}
+
+/// What is heard as bytes, read back.
+class HearBytesAtOnce : public HearAtOnce {
+ protected:
+  template <class M>
+  Subscription hearBytes(const std::string& topic, std::vector<M>& heard, const SubscriptionOptions& options = {}) {
+    return node_.subscribeBytesAtOnce(
+        topic, M::descriptor()->full_name(),
+        [&heard](std::size_t size, const std::function<void(std::span<std::byte>)>& write) {
+          std::string bytes(size, '?');
+          write(std::as_writable_bytes(std::span(bytes)));
+          EXPECT_TRUE(heard.emplace_back().ParseFromString(bytes));
+        },
+        options);
+  }
+};
+
+TEST_F(HearBytesAtOnce, IsGivenMessagesBytesAndBulkInOneForm) {
+  std::vector<Image> heard;
+  Publisher publisher = node_.advertise<Image>("/camera");
+  const Subscription subscription = hearBytes("/camera", heard);
+  BulkImage image;
+  publisher.publish(imageOf(2), image.bulk);
+  publisher.publish(imageOf(3));
+  const std::string bytes = imageOf(4).SerializeAsString();
+  publisher.publishBytes(std::as_bytes(std::span(bytes)));
+  ASSERT_EQ(heard.size(), 3U);
+  EXPECT_EQ(heard[0].data(), "xxxxxx");
+  EXPECT_EQ(image.written, 1);
+  EXPECT_EQ(heard[1].width(), 3U);
+  EXPECT_EQ(heard[2].width(), 4U);
+}
+
+TEST_F(HearBytesAtOnce, IsToldLaterWhatWasLatchedBefore) {
+  Publisher publisher = node_.advertise<StringMsg>("/chatter", {.latched = true});
+  publisher.publish(textOf("hello"));
+  std::vector<StringMsg> heard;
+  const Subscription subscription = hearBytes("/chatter", heard);
+  EXPECT_TRUE(heard.empty());
+  transport_.dispatch();
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_EQ(heard[0].data(), "hello");
+}
+
+TEST_F(HearAtOnce, WhoRelaysDoesNotHearWhoRelays) {
+  Publisher relay = node_.advertise<StringMsg>("/chatter", {.relays = true});
+  Publisher publisher = node_.advertise<StringMsg>("/chatter");
+  std::vector<std::string> carried, heard, queued;
+  const Subscription carrier = hear(carried, {.relays = true});
+  EXPECT_FALSE(relay.hasSubscribers());
+  EXPECT_TRUE(publisher.hasSubscribers());
+  const Subscription listener = hear(heard);
+  const Subscription slow = node_.subscribe<StringMsg>(
+      "/chatter", [&queued](const StringMsg& message) { queued.push_back(message.data()); }, {.relays = true});
+  relay.publish(textOf("from outside"));
+  publisher.publish(textOf("from here"));
+  const std::string bytes = textOf("bytes").SerializeAsString();
+  relay.publishBytes(std::as_bytes(std::span(bytes)));
+  transport_.dispatch();
+  EXPECT_EQ(carried, std::vector<std::string>{"from here"});
+  EXPECT_EQ(queued, std::vector<std::string>{"from here"});
+  EXPECT_EQ(heard, (std::vector<std::string>{"from outside", "from here", "bytes"}));
+}
+
+TEST_F(HearAtOnce, OwnTopicsAreWithoutThoseThatRelay) {
+  const std::uint64_t atFirst = node_.ownTopicsVersion();
+  const Publisher relay = node_.advertise<StringMsg>("/a", {.relays = true});
+  const Subscription carrier =
+      node_.subscribe<StringMsg>("/b", [](const StringMsg&) {}, {.relays = true, .ownOnly = true});
+  EXPECT_EQ(node_.ownTopicsVersion(), atFirst);
+  EXPECT_TRUE(node_.ownTopics().empty());
+  EXPECT_THROW(node_.advertise<StringMsg>("/a", {.latched = true, .relays = true}), std::invalid_argument);
+}
+
+TEST_F(HearAtOnce, OwnTopicsTellOfWhoTakesAnyType) {
+  const std::uint64_t atFirst = node_.ownTopicsVersion();
+  const Subscription any = node_.subscribeAnyType("/a", [](auto, auto) {});
+  EXPECT_NE(node_.ownTopicsVersion(), atFirst);
+  EXPECT_EQ(node_.ownTopics(), (std::vector<OwnTopic>{{"/a", "*", 0, 1, false}}));
 }
 
 }  // namespace pongsim

@@ -112,6 +112,19 @@ TEST_F(ServiceHere, RunsOnTheThreadThatDispatchesAfterTheMessages) {
   EXPECT_EQ(order.front(), "message");
 }
 
+TEST_F(ServiceHere, IsListedAmongTheTransportsOwn) {
+  Transport transport({.network = false});
+  Node node = transport.node();
+  const std::uint64_t atFirst = node.ownServicesVersion();
+  Service service = node.serve<StringMsg, Boolean>("s", [](const StringMsg&, Boolean&) { return true; });
+  EXPECT_NE(node.ownServicesVersion(), atFirst);
+  EXPECT_EQ(node.ownServices(), (std::vector<OwnService>{{"/s", "ignition.msgs.StringMsg", "ignition.msgs.Boolean"}}));
+  const std::uint64_t before = node.ownServicesVersion();
+  service = {};
+  EXPECT_NE(node.ownServicesVersion(), before);
+  EXPECT_TRUE(node.ownServices().empty());
+}
+
 TEST_F(ServiceHere, SaysWhatWentWrong) {
   EXPECT_EQ(node_.call("/s", saying(""), reply_, kDeadline).outcome, CallOutcome::kNoService);
   const Service service = echo(node_, "/s");

@@ -5,20 +5,26 @@
 #include <string_view>
 #include <vector>
 
+#include "pongsim/export.hh"
 #include "pongsim/message.hh"
 
 namespace google::protobuf {
+class Descriptor;
 class FieldDescriptor;
-}
+}  // namespace google::protobuf
 
-namespace pongsim::msgs {
+namespace pongsim {
 
 /// A value inside the messages of one type, by its path: `pose.position.x`, `pose[0].name`, `header.stamp`.
-class FieldPath {
+class PONGSIM_API FieldPath {
  public:
   /// @param type Full name of the message type.
   /// @return The path, or what is wrong with it (line 1, the column of the name) in `error`.
   static std::optional<FieldPath> parse(const std::string& type, std::string_view path, MessageError& error);
+
+  /// As the other, for a type that need not be one of those that `newMessage` knows. It must outlive the path.
+  static std::optional<FieldPath> parse(const google::protobuf::Descriptor& type, std::string_view path,
+                                        MessageError& error);
 
   const std::string& text() const { return text_; }
 
@@ -48,7 +54,8 @@ class FieldPath {
 };
 
 /// @return The paths of all single numbers, texts and booleans in messages of that type, in the order of the
-/// definition, with lists and the headers of inner messages left out.
-std::vector<std::string> scalarPaths(const std::string& type);
+/// definition, with lists and the headers of inner messages left out; of the first 100,000 fields.
+PONGSIM_API std::vector<std::string> scalarPaths(const std::string& type);
+PONGSIM_API std::vector<std::string> scalarPaths(const google::protobuf::Descriptor& type);
 
-}  // namespace pongsim::msgs
+}  // namespace pongsim

@@ -1,0 +1,58 @@
+#include "ign/courier.hh"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <ignition/transport/NodeShared.hh>
+
+#include "support/wait_until.hh"
+
+namespace pongsim::ign {
+namespace {
+
+class CourierTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    setenv("IGN_PARTITION", ("courier_test_" + std::to_string(getpid())).c_str(), 1);
+    setenv("IGN_IP", "127.0.0.1", 1);
+  }
+
+  Logger log_{"test"};
+  Courier courier_{log_, "127.0.0.1", [] {}};
+  std::shared_ptr<OutgoingTopic> topic_ = std::make_shared<OutgoingTopic>("/out", "ignition.msgs.StringMsg");
+};
+
+TEST_F(CourierTest, DropsTheOldestWithoutHoldingUpWhoSends) {
+  const std::size_t before = Payload::total();
+  {
+    // as others of the library's threads hold it
+    const std::lock_guard library(ignition::transport::NodeShared::Instance()->mutex);
+    courier_.open(topic_);
+    for (int i = 0; i < 10'100; ++i) courier_.send(topic_, Payload(10));
+    EXPECT_GE(courier_.dropped(), 100U);
+    const std::uint64_t small = courier_.dropped();
+    for (int i = 0; i < 100; ++i) courier_.send(topic_, Payload(1 << 20));
+    EXPECT_GT(courier_.dropped(), small);
+    EXPECT_LE(Payload::total() - before, (64U << 20) + (1 << 20));
+  }
+  // nobody listens
+  EXPECT_TRUE(test::waitUntil([&] { return Payload::total() == before; }));
+}
+
+TEST_F(CourierTest, DoesInOrderWhatItIsAskedBeforeItEnds) {
+  std::string done;
+  {
+    Courier other(log_, "127.0.0.1", [] {});
+    other.post([&done] { done += "a"; });
+    other.post([&done] { done += "b"; });
+  }
+  EXPECT_EQ(done, "ab");
+}
+
+}  // namespace
+}  // namespace pongsim::ign

@@ -1,0 +1,77 @@
+#include "ign/heartbeats.hh"
+
+#include <arpa/inet.h>
+#include <ignition/msgs/discovery.pb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <ignition/transport/NodeShared.hh>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+namespace pongsim::ign {
+
+namespace {
+
+// Each says so once a second; on a machine that is busy it may be late.
+constexpr std::chrono::seconds kSilence{10};
+// Somebody who makes up processes must not make this one grow.
+constexpr std::size_t kMostProcesses = 10'000;
+constexpr int kMostAtOnce = 1000;
+
+/// @return A socket that hears the group by way of that address, or -1. It is bound to the group, so that it takes
+/// nothing that is sent to the library's alone.
+int openGroup(const std::string& address) {
+  const auto* shared = ignition::transport::NodeShared::Instance();
+  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (socket < 0) return -1;
+  const int yes = 1;
+  sockaddr_in group{};
+  group.sin_family = AF_INET;
+  group.sin_port = htons(static_cast<std::uint16_t>(shared->msgDiscPort));
+  group.sin_addr.s_addr = inet_addr(shared->discoveryIP.c_str());
+  const ip_mreq membership{group.sin_addr, {inet_addr(address.c_str())}};
+  const bool isOpen = setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
+                      setsockopt(socket, SOL_SOCKET, SO_REUSEPORT, &yes, sizeof yes) == 0 &&
+                      bind(socket, reinterpret_cast<const sockaddr*>(&group), sizeof group) == 0 &&
+                      setsockopt(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) == 0;
+  if (isOpen) return socket;
+  ::close(socket);
+  return -1;
+}
+
+}  // namespace
+
+Heartbeats::Heartbeats(const std::string& address) : socket_(openGroup(address)) {}
+
+Heartbeats::~Heartbeats() {
+  if (socket_ >= 0) ::close(socket_);
+}
+
+void Heartbeats::read() {
+  std::array<char, 65536> packet{};
+  for (int i = 0; socket_ >= 0 && i < kMostAtOnce; ++i) {
+    const ssize_t size = recv(socket_, packet.data(), packet.size(), 0);
+    if (size < 0) return;
+    // the length of what follows stands in front
+    std::uint16_t length = 0;
+    if (size < static_cast<ssize_t>(sizeof length)) continue;
+    std::memcpy(&length, packet.data(), sizeof length);
+    ignition::msgs::Discovery message;
+    if (static_cast<std::size_t>(size) != sizeof length + length) continue;
+    if (!message.ParseFromArray(packet.data() + sizeof length, length) || message.process_uuid().empty()) continue;
+    if (heard_.size() < kMostProcesses || heard_.contains(message.process_uuid())) {
+      heard_[message.process_uuid()] = Clock::now();
+    }
+  }
+}
+
+bool Heartbeats::isAlive(const std::string& process, Clock::time_point now) const {
+  const auto found = heard_.find(process);
+  return found == heard_.end() || now - found->second < kSilence;
+}
+
+}  // namespace pongsim::ign

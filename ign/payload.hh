@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <utility>
+
+namespace pongsim::ign {
+
+/// A message's bytes on the heap, in the form in which ZeroMQ takes them over without a copy.
+class Payload {
+ public:
+  /// @throws std::bad_alloc
+  explicit Payload(std::size_t size);
+  Payload(Payload&& other) noexcept : data_(std::exchange(other.data_, nullptr)), size_(other.size_) {}
+  Payload& operator=(Payload&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  ~Payload() { free(data_, nullptr); }
+
+  std::size_t size() const { return size_; }
+  std::span<std::byte> bytes() const { return {static_cast<std::byte*>(data_), size_}; }
+
+  /// Gives the bytes away, to who calls `free` with them.
+  char* release() { return static_cast<char*>(std::exchange(data_, nullptr)); }
+  /// As ZeroMQ wants it.
+  static void free(void* data, void* hint);
+
+  /// @return The bytes of all payloads that are there, given away or not.
+  static std::size_t total();
+
+ private:
+  void* data_;
+  std::size_t size_;
+};
+
+}  // namespace pongsim::ign

@@ -1,0 +1,73 @@
+#include "ign/place.hh"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace pongsim::ign {
+namespace {
+
+class PlaceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"IGN_IP", "IGN_PARTITION", "IGN_TRANSPORT_SNDHWM", "PONGSIM_NETWORK"}) unsetenv(name);
+  }
+  void TearDown() override { SetUp(); }
+
+  static std::string errorOf() {
+    try {
+      placeOfEnvironment();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(PlaceTest, IsThisMachineAlone) {
+  const Place place = placeOfEnvironment();
+  EXPECT_EQ(place.address, "127.0.0.1");
+  EXPECT_FALSE(place.isOpen);
+  EXPECT_NE(place.partition, "");
+}
+
+TEST_F(PlaceTest, IsWhatFortressIsTold) {
+  setenv("IGN_IP", "127.0.0.1", 1);
+  setenv("IGN_PARTITION", "here", 1);
+  setenv("PONGSIM_NETWORK", "no_such_interface", 1);
+  EXPECT_EQ(placeOfEnvironment().address, "127.0.0.1");
+  EXPECT_EQ(placeOfEnvironment().partition, "here");
+}
+
+TEST_F(PlaceTest, IsAnInterfacesAddress) {
+  setenv("PONGSIM_NETWORK", "lo", 1);
+  EXPECT_EQ(placeOfEnvironment().address, "127.0.0.1");
+}
+
+TEST_F(PlaceTest, SaysWhatIsWrong) {
+  setenv("IGN_IP", "192.0.2.77", 1);
+  EXPECT_NE(errorOf().find("IGN_IP is '192.0.2.77', which is no IPv4 address of this machine; it has 127.0.0.1 (lo)"),
+            std::string::npos)
+      << errorOf();
+  setenv("IGN_IP", "127.zero", 1);
+  EXPECT_NE(errorOf(), "");
+  unsetenv("IGN_IP");
+  setenv("PONGSIM_NETWORK", "no_such_interface", 1);
+  EXPECT_NE(errorOf().find("no network interface 'no_such_interface'"), std::string::npos) << errorOf();
+  unsetenv("PONGSIM_NETWORK");
+  setenv("IGN_PARTITION", "a b", 1);
+  EXPECT_NE(errorOf().find("IGN_PARTITION is 'a b'"), std::string::npos) << errorOf();
+}
+
+TEST_F(PlaceTest, IsToldToTheLibraryButForWhatTheUserSaid) {
+  settle({"127.0.0.1", false, "p"}, 100);
+  EXPECT_STREQ(std::getenv("IGN_IP"), "127.0.0.1");
+  EXPECT_STREQ(std::getenv("IGN_TRANSPORT_SNDHWM"), "100");
+  settle({"127.0.0.1", false, "p"}, 1000);
+  EXPECT_STREQ(std::getenv("IGN_TRANSPORT_SNDHWM"), "100");
+}
+
+}  // namespace
+}  // namespace pongsim::ign

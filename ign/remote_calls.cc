@@ -1,0 +1,126 @@
+#include "ign/remote_calls.hh"
+
+#include <google/protobuf/message.h>
+
+#include <ignition/transport/NodeShared.hh>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "ign/names.hh"
+
+namespace pongsim::ign {
+
+namespace {
+
+using ignition::transport::NodeShared;
+using ignition::transport::ServicePublisher;
+using ignition::transport::Uuid;
+
+/// What other processes offer under that name.
+std::vector<ServicePublisher> offersOf(const std::string& wireName) {
+  std::map<std::string, std::vector<ServicePublisher>> byProcess;
+  std::vector<ServicePublisher> offers;
+  NodeShared* shared = NodeShared::Instance();
+  if (!shared->TopicPublishers(wireName, byProcess)) return offers;
+  for (const auto& [process, publishers] : byProcess) {
+    if (process != shared->pUuid) offers.insert(offers.end(), publishers.begin(), publishers.end());
+  }
+  return offers;
+}
+
+}  // namespace
+
+/// A request as the library knows it, whatever its types.
+class RemoteCalls::Request final : public ignition::transport::IReqHandler {
+ public:
+  struct Answer {
+    bool isThere = false;
+    bool isDone = false;
+    std::string reply;
+  };
+
+  Request(const RemoteCalls& calls, const Message& request, std::string replyType)
+      : IReqHandler(calls.nodeUuid_),
+        shared_(calls.shared_),
+        bytes_(request.SerializeAsString()),
+        requestType_(request.GetTypeName()),
+        replyType_(std::move(replyType)) {}
+
+  void NotifyResult(const std::string& reply, const bool isDone) override {
+    const std::lock_guard lock(shared_->mutex);
+    answer_ = {true, isDone, reply};
+    shared_->changed.notify_all();
+  }
+  bool Serialize(std::string& bytes) const override {
+    bytes = bytes_;
+    return true;
+  }
+  std::string ReqTypeName() const override { return requestType_; }
+  std::string RepTypeName() const override { return replyType_; }
+
+  /// Waits for the answer, until the timeout or until the calls end.
+  Answer wait(std::chrono::nanoseconds timeout) {
+    std::unique_lock lock(shared_->mutex);
+    shared_->changed.wait_for(lock, timeout, [this] { return answer_.isThere || shared_->hasEnded; });
+    return answer_;
+  }
+
+ private:
+  const std::shared_ptr<Shared> shared_;
+  Answer answer_;
+  const std::string bytes_;
+  const std::string requestType_;
+  const std::string replyType_;
+};
+
+RemoteCalls::RemoteCalls() : nodeUuid_(Uuid().ToString()) {}
+
+void RemoteCalls::end() {
+  const std::lock_guard lock(shared_->mutex);
+  shared_->hasEnded = true;
+  shared_->changed.notify_all();
+}
+
+std::optional<CallResult> RemoteCalls::call(const std::string& service, const Message& request, Message& reply,
+                                            std::chrono::nanoseconds timeout) {
+  const std::optional<std::string> name = wireName(service);
+  if (!name) return std::nullopt;
+  NodeShared* shared = NodeShared::Instance();
+  const std::vector<ServicePublisher> offers = offersOf(*name);
+  if (offers.empty()) {
+    // who asks again may find it
+    shared->DiscoverService(*name);
+    return std::nullopt;
+  }
+  const auto pending = std::make_shared<Request>(*this, request, reply.GetTypeName());
+  const auto fits = [&](const ServicePublisher& offer) {
+    return offer.ReqTypeName() == pending->ReqTypeName() && offer.RepTypeName() == pending->RepTypeName();
+  };
+  const std::string quoted = "service '" + service + "' ";
+  if (std::ranges::none_of(offers, fits)) {
+    return CallResult{CallOutcome::kOtherTypes, quoted + "takes " + offers.front().ReqTypeName() + " and answers " +
+                                                    offers.front().RepTypeName()};
+  }
+  const std::string number = pending->HandlerUuid();
+  {
+    const std::lock_guard lock(shared->mutex);
+    shared->requests.AddHandler(*name, nodeUuid_, pending);
+  }
+  shared->SendPendingRemoteReqs(*name, pending->ReqTypeName(), pending->RepTypeName());
+  if (pending->RepTypeName() == kNoReply) return CallResult{CallOutcome::kDone, {}};
+
+  const Request::Answer answer = pending->wait(timeout);
+  {
+    const std::lock_guard lock(shared->mutex);
+    shared->requests.RemoveHandler(*name, nodeUuid_, number);
+  }
+  if (!answer.isThere) return CallResult{CallOutcome::kNoAnswer, quoted + "did not answer in time"};
+  if (!answer.isDone) return CallResult{CallOutcome::kRefused, quoted + "refused"};
+  if (reply.ParseFromString(answer.reply)) return CallResult{CallOutcome::kDone, {}};
+  return CallResult{CallOutcome::kNoAnswer, quoted + "answered with what is no " + pending->RepTypeName()};
+}
+
+}  // namespace pongsim::ign

@@ -1,0 +1,142 @@
+"""What the tests of ign-transport share: a world that runs, clients of Fortress, and where they meet."""
+
+import contextlib
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "test/support"))
+
+from test_domain import take_domain  # noqa: E402
+
+PONGSIM = os.environ["PONGSIM"]
+PEER = os.environ["PONGSIM_IGN_PEER"]
+DRIVER = os.environ["PONGSIM_IGN_DRIVER"]
+TUTORIAL = ROOT.parent / "shared/fortress/tutorials/moving_robot.sdf"
+DEADLINE = 90
+
+DOMAIN = take_domain()
+ENVIRONMENT = {
+    **{name: value for name, value in os.environ.items() if not name.startswith("IGN_")},
+    "PONGSIM_DOMAIN": str(DOMAIN),
+    # the domain is this process's alone
+    "IGN_PARTITION": f"pongsim_test_{DOMAIN}_{os.getpid()}",
+    "IGN_IP": "127.0.0.1",
+}
+
+
+def until(condition, what):
+    """What the condition gives as soon as it is something."""
+    end = time.monotonic() + DEADLINE
+    while time.monotonic() < end:
+        if value := condition():
+            return value
+        time.sleep(0.02)
+    raise AssertionError(f"waited in vain for {what}")
+
+
+def run(*words, environment=None):
+    """What a command says."""
+    result = subprocess.run([str(word) for word in words], env={**ENVIRONMENT, **(environment or {})},
+                            capture_output=True, text=True, timeout=DEADLINE, stdin=subprocess.DEVNULL)
+    assert result.returncode == 0, f"{words}: {result.returncode}\n{result.stdout}{result.stderr}"
+    return result.stdout
+
+
+# What `ign topic` and `ign service` run. Debian 12's `ign` itself looks for them in another folder.
+CLIENTS = pathlib.Path("/usr/libexec/ignition/transport11")
+
+
+def client(name):
+    """The program that `ign NAME` is."""
+    return CLIENTS / f"ign-transport-{name}"
+
+
+def ign(name, *words):
+    """What Fortress's own client says."""
+    return run(client(name), *words)
+
+
+class Running:
+    """A program whose lines are looked at while it runs."""
+
+    def __init__(self, *words, environment=None):
+        self.process = subprocess.Popen([str(word) for word in words], env={**ENVIRONMENT, **(environment or {})},
+                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        os.set_blocking(self.process.stdout.fileno(), False)
+        self.text = ""
+
+    @property
+    def pid(self):
+        return self.process.pid
+
+    def output(self):
+        while chunk := self.process.stdout.read():
+            self.text += chunk.decode(errors="replace")
+        return self.text
+
+    def wait_for(self, pattern):
+        def found():
+            match = re.search(pattern, self.output(), re.MULTILINE)
+            assert match or self.process.poll() is None, f"ended with {self.process.returncode}: {self.output()}"
+            return match
+        return until(found, f"'{pattern}' of {self.process.args}; it said: {self.text[-2000:]}")
+
+    def finish(self):
+        """Interrupts it and gives back all that it says."""
+        self.process.send_signal(signal.SIGINT)
+        os.set_blocking(self.process.stdout.fileno(), True)
+        rest, _ = self.process.communicate(timeout=DEADLINE)
+        self.text += rest.decode(errors="replace")
+        return self.text
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGCONT)
+            self.process.send_signal(signal.SIGINT)
+            try:
+                self.process.wait(DEADLINE)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.wait()
+        self.process.stdout.close()
+
+
+@contextlib.contextmanager
+def running(*words, environment=None):
+    program = Running(*words, environment=environment)
+    try:
+        yield program
+    finally:
+        program.end()
+
+
+@contextlib.contextmanager
+def world(path, *options, environment=None):
+    """A world on ign-transport."""
+    with running(PONGSIM, "run", path, "--ign", *options, environment=environment) as simulation:
+        until(lambda: "/clock" in run(PONGSIM, "topic", "-l"), "the world")
+        yield simulation
+
+
+def resident(pid):
+    """Megabytes that a process holds."""
+    status = pathlib.Path(f"/proc/{pid}/status").read_text()
+    return int(re.search(r"VmRSS:\s+(\d+)", status).group(1)) / 1024
+
+
+def steps(world_name):
+    """Steps that a world has done."""
+    text = run(PONGSIM, "topic", "-e", "-t", f"/world/{world_name}/stats", "-n", "1")
+    match = re.search(r"^iterations: (\d+)", text, re.MULTILINE)
+    return int(match.group(1)) if match else 0
+
+
+needs_ign = unittest.skipUnless(client("topic").exists(), "ignition-transport-cli is not installed")
+needs_tutorial = unittest.skipUnless(TUTORIAL.exists(), f"{TUTORIAL} is not there")

@@ -1,0 +1,127 @@
+// A process that speaks ign-transport and knows nothing of pongsim, for the tests.
+//   ign_peer listen TOPIC TYPE        prints "heard" at the first message, and how many came when it is interrupted
+//   ign_peer raw TOPIC                prints the type of each message
+//   ign_peer flood TOPIC              publishes Int32 as fast as it goes, until it is killed
+//   ign_peer serve NAME               answers StringMsg with the text twice; refuses "no"; prints "ready"
+//   ign_peer serve-one-way NAME       prints what it is asked
+//   ign_peer call NAME TEXT           calls such a service, and prints the answer, "refused" or "no answer"
+//   ign_peer publish TOPIC TEXT...    publishes each text as a StringMsg once somebody listens
+
+#include <ignition/msgs/int32.pb.h>
+#include <ignition/msgs/stringmsg.pb.h>
+
+#include <ignition/transport/Node.hh>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using ignition::msgs::Int32;
+using ignition::msgs::StringMsg;
+using ignition::transport::Node;
+
+void say(const std::string& line) {
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+int listen(Node& node, const std::string& topic, const std::string& type) {
+  std::atomic<int> count = 0;
+  node.SubscribeRaw(
+      topic,
+      [&count](const char*, std::size_t, const ignition::transport::MessageInfo&) {
+        if (count++ == 0) say("heard");
+      },
+      type);
+  say("ready");
+  ignition::transport::waitForShutdown();
+  say(std::to_string(count));
+  return 0;
+}
+
+int raw(Node& node, const std::string& topic) {
+  node.SubscribeRaw(topic,
+                    [](const char*, std::size_t, const ignition::transport::MessageInfo& info) { say(info.Type()); });
+  say("ready");
+  ignition::transport::waitForShutdown();
+  return 0;
+}
+
+[[noreturn]] void flood(Node& node, const std::string& topic) {
+  Node::Publisher publisher = node.Advertise<Int32>(topic);
+  Int32 message;
+  say("ready");
+  for (int i = 0;; ++i) {
+    message.set_data(i);
+    publisher.Publish(message);
+  }
+}
+
+int serve(Node& node, const std::string& name) {
+  std::function<bool(const StringMsg&, StringMsg&)> twice = [](const StringMsg& request, StringMsg& reply) {
+    reply.set_data(request.data() + request.data());
+    return request.data() != "no";
+  };
+  if (!node.Advertise(name, twice)) return 1;
+  say("ready");
+  ignition::transport::waitForShutdown();
+  return 0;
+}
+
+int serveOneWay(Node& node, const std::string& name) {
+  std::function<void(const StringMsg&)> heard = [](const StringMsg& request) { say(request.data()); };
+  if (!node.Advertise(name, heard)) return 1;
+  say("ready");
+  ignition::transport::waitForShutdown();
+  return 0;
+}
+
+int call(Node& node, const std::string& name, const std::string& text) {
+  StringMsg request, reply;
+  request.set_data(text);
+  bool isDone = false;
+  if (!node.Request(name, request, 30'000, reply, isDone)) {
+    say("no answer");
+  } else {
+    say(isDone ? reply.data() : "refused");
+  }
+  return 0;
+}
+
+int publish(Node& node, const std::string& topic, const std::vector<std::string>& texts) {
+  Node::Publisher publisher = node.Advertise<StringMsg>(topic);
+  while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  // its connection is there a little after it is known
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  for (const std::string& text : texts) {
+    StringMsg message;
+    message.set_data(text);
+    publisher.Publish(message);
+  }
+  say("published");
+  ignition::transport::waitForShutdown();
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const std::vector<std::string> arguments(words + 1, words + count);
+  if (arguments.size() < 2) return 2;
+  Node node;
+  const std::string& action = arguments[0];
+  if (action == "listen" && arguments.size() == 3) return listen(node, arguments[1], arguments[2]);
+  if (action == "raw") return raw(node, arguments[1]);
+  if (action == "flood") flood(node, arguments[1]);
+  if (action == "serve") return serve(node, arguments[1]);
+  if (action == "serve-one-way") return serveOneWay(node, arguments[1]);
+  if (action == "call" && arguments.size() == 3) return call(node, arguments[1], arguments[2]);
+  if (action == "publish") return publish(node, arguments[1], {arguments.begin() + 2, arguments.end()});
+  return 2;
+}

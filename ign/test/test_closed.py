@@ -1,0 +1,81 @@
+"""Nothing of another machine gets in, which a network namespace stands for."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+from ign_world import PEER, ROOT, client, run, running, world
+
+HERE, THERE = "198.51.100.1", "198.51.100.2"
+NAMESPACES = ["unshare", "--user", "--map-root-user", "--net", "--mount"]
+# In namespaces of its own, where it may make interfaces whoever it is.
+SET_UP = f"""
+set -e
+mount -t tmpfs none /run
+ip link set lo up
+ip netns add other
+ip link add here type veth peer name there netns other
+ip address add {HERE}/24 dev here
+ip link set here up
+ip netns exec other ip link set lo up
+ip netns exec other ip address add {THERE}/24 dev there
+ip netns exec other ip link set there up
+exec "$@"
+"""
+# To discovery, directly and by its group.
+NOISE = f"""
+import socket, sys
+noise = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+noise.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(sys.argv[1]))
+for i in range(10):
+    for port in (10317, 10318):
+        for address in ("{HERE}", "239.255.0.7"):
+            noise.sendto(b"\\x05\\x00hello", (address, port))
+"""
+
+
+def drops(port):
+    """Packets that the sockets at a port have dropped."""
+    lines = [line.split() for line in pathlib.Path("/proc/net/udp").read_text().splitlines()[1:]]
+    return sum(int(line[-1]) for line in lines if line[1].endswith(f":{port:04X}"))
+
+
+class Inside(unittest.TestCase):
+    """What goes on within the namespaces."""
+
+    def test_noise_of_another_machine_is_dropped_and_clients_here_are_met(self):
+        with world(ROOT / "worlds/pong_world.sdf", environment={"IGN_IP": ""}):
+            before = drops(10317), drops(10318)
+            run(sys.executable, "-c", NOISE, HERE)
+            self.assertEqual((drops(10317), drops(10318)), before)
+            run("ip", "netns", "exec", "other", sys.executable, "-c", NOISE, THERE)
+            self.assertGreaterEqual(drops(10317), before[0] + 10)
+            self.assertGreaterEqual(drops(10318), before[1] + 10)
+            # with default settings, which speak at the network's address
+            with running(PEER, "listen", "/clock", "ignition.msgs.Clock", environment={"IGN_IP": ""}) as listener:
+                listener.wait_for("heard")
+            # and from the other machine there is nobody to be found
+            if client("topic").exists():
+                there = run("ip", "netns", "exec", "other", client("topic"), "-l", environment={"IGN_IP": ""})
+                self.assertNotIn("/clock", there)
+
+
+class Closed(unittest.TestCase):
+    def test_it_is(self):
+        environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin"}
+        if not shutil.which("ip", path=environment["PATH"]) or not shutil.which("unshare"):
+            self.skipTest("iproute2 or unshare is not installed")
+        # not in a chroot, and not in every container
+        may = subprocess.run([*NAMESPACES, "true"], env=environment, capture_output=True, text=True, timeout=60)
+        if may.returncode != 0:
+            self.skipTest(f"no namespaces can be made here: {may.stderr.strip()}")
+        result = subprocess.run([*NAMESPACES, "bash", "-c", SET_UP, "bash", sys.executable, __file__, "Inside"],
+                                env=environment, capture_output=True, text=True, timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr[-3000:])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv if len(sys.argv) > 1 else [sys.argv[0], "Closed"])

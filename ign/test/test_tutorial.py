@@ -1,0 +1,105 @@
+"""Fortress's moving robot tutorial, unmodified, with Debian's own clients and a program for Fortress."""
+
+import re
+import unittest
+
+from ign_world import DRIVER, PONGSIM, TUTORIAL, client, ign, needs_ign, needs_tutorial, run, running, until, world
+
+ODOMETRY = "/model/vehicle_blue/odometry"
+
+
+def position():
+    """Where the robot is, as Fortress's client is told."""
+    text = ign("topic", "-e", "-t", ODOMETRY, "-n", "1")
+    match = re.search(r"position \{\s*(?:x: (\S+))?", text)
+    return float(match.group(1) or 0) if match else 0.0
+
+
+def publish(topic, kind, content):
+    """Has Fortress's client say it. It ends at once, and not all that it says leaves it: ask until it has an effect."""
+    ign("topic", "-t", topic, "-m", f"ignition.msgs.{kind}", "-p", content)
+
+
+@needs_ign
+@needs_tutorial
+class MovingRobot(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.enterer = world(TUTORIAL)
+        cls.simulation = cls.enterer.__enter__()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.enterer.__exit__(None, None, None)
+
+    def test_topics_have_fortress_names_and_types(self):
+        topics = until(lambda: (lines := ign("topic", "-l").split()) and ODOMETRY in lines and lines, "the topics")
+        for name in ("/clock", "/stats", "/cmd_vel", "/world/Moving_robot/clock", "/world/Moving_robot/stats",
+                     "/world/Moving_robot/pose/info", "/world/Moving_robot/dynamic_pose/info",
+                     "/world/Moving_robot/scene/info", "/world/Moving_robot/state"):
+            self.assertIn(name, topics)
+        # only listened to, which Fortress does not list either
+        self.assertNotIn("/keyboard/keypress", topics)
+        self.assertRegex(ign("topic", "-i", "-t", ODOMETRY),
+                         r"Publishers \[Address, Message Type\]:\n  tcp://127\.0\.0\.1:\d+, ignition\.msgs\.Odometry\n")
+        self.assertIn("No publishers on topic [/nothing]", ign("topic", "-i", "-t", "/nothing"))
+
+    def test_services_have_fortress_names_and_types(self):
+        services = until(lambda: (lines := ign("service", "-l").split()) and "/gazebo/worlds" in lines and lines,
+                         "the services")
+        for name in ("control", "create", "remove", "set_pose", "scene/info", "state", "state_async"):
+            self.assertIn(f"/world/Moving_robot/{name}", services)
+        self.assertRegex(ign("service", "-i", "-s", "/world/Moving_robot/control"),
+                         r"tcp://127\.0\.0\.1:\d+, ignition\.msgs\.WorldControl, ignition\.msgs\.Boolean\n")
+
+    def test_commands_move_the_robot_and_keys_do(self):
+        before = position()
+
+
+        def moved():
+            publish("/cmd_vel", "Twist", "linear: {x: 0.5}, angular: {z: 0.05}")
+            return position() > before + 0.1
+
+        until(moved, "the robot to move")
+        # the tutorial's arrow key: a message to the world, which publishes a Twist, which drives
+        with running(client("topic"), "-e", "-t", "/cmd_vel") as echo:
+            def turned():
+                publish("/keyboard/keypress", "Int32", "data: 16777234")
+                return "z: 0.5" in echo.output()
+            until(turned, "the Twist of a key")
+
+    def test_a_program_for_fortress_drives_it(self):
+        self.assertRegex(run(DRIVER), r"went 1\.\d+ m")
+
+    def test_absurd_commands_are_refused(self):
+        for kind, content, words in (
+                ("Twist", "linear: {x: 1e308}", r"/cmd_vel.*is refused: linear\.x is 1e\+308"),
+                ("Int32", "data: 7", r"messages of ignition\.msgs\.Int32 came.*the world takes ignition\.msgs\.Twist")):
+            def said(kind=kind, content=content, words=words):
+                publish("/cmd_vel", kind, content)
+                return re.search(words, self.simulation.output())
+
+            until(said, words)
+
+    def test_the_world_obeys_services(self):
+        def call(name, request_type, reply_type, request):
+            return ign("service", "-s", f"/world/Moving_robot/{name}", "--reqtype", f"ignition.msgs.{request_type}",
+                       "--reptype", f"ignition.msgs.{reply_type}", "--timeout", "30000", "--req", request)
+
+        self.assertIn("data: true", call("control", "WorldControl", "Boolean", "pause: true"))
+        # also while it is paused
+        self.assertIn("data: true", call("control", "WorldControl", "Boolean", "pause: false"))
+        box = "<sdf version='1.9'><model name='box'><link name='link'/></model></sdf>"
+        self.assertIn("data: true", call("create", "EntityFactory", "Boolean", f'sdf: "{box}"'))
+        until(lambda: "box" in run(PONGSIM, "model", "--list"), "the box")
+        # what `ign model` asks for
+        worlds = ign("service", "-s", "/gazebo/worlds", "--reqtype", "ignition.msgs.Empty", "--reptype",
+                     "ignition.msgs.StringMsg_V", "--timeout", "30000", "--req", "")
+        self.assertIn('data: "Moving_robot"', worlds)
+        state = call("state", "Empty", "SerializedStepMap", "")
+        self.assertIn("stats {", state)
+        self.assertIn("entities {", state)
+
+
+if __name__ == "__main__":
+    unittest.main()

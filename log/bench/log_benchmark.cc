@@ -1,0 +1,109 @@
+// What recording costs the simulation's thread, beside the same run without, and how large its files are.
+#include <ignition/msgs/twist.pb.h>
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pongsim/log.hh"
+#include "pongsim/simulation.hh"
+#include "support/temp_folder.hh"
+
+namespace {
+
+using namespace pongsim;
+
+constexpr int kRobots = 10, kSteps = 2000, kRuns = 7;
+
+std::string robot(int number) {
+  const auto link = [](const std::string& name, const std::string& pose, const std::string& shape) {
+    return "<link name='" + name + "'><pose>" + pose +
+           "</pose><inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy>"
+           "<izz>0.1</izz></inertia></inertial><collision name='c'><geometry>" +
+           shape + "</geometry></collision><visual name='v'><geometry>" + shape + "</geometry></visual></link>";
+  };
+  const std::string wheel = "<cylinder><radius>0.2</radius><length>0.1</length></cylinder>";
+  const auto joint = [](const std::string& name, const char* type) {
+    return "<joint name='" + name + "_joint' type='" + type + "'><parent>chassis</parent><child>" + name +
+           "</child><axis><xyz expressed_in='__model__'>0 1 0</xyz></axis></joint>";
+  };
+  const std::string name = "robot" + std::to_string(number);
+  return "<model name='" + name + "'><pose>0 " + std::to_string(3 * number) + " 0.2 0 0 0</pose>" +
+         link("chassis", "0 0 0.1 0 0 0", "<box><size>1 0.5 0.2</size></box>") +
+         link("left", "0.3 0.35 0 1.5708 0 0", wheel) + link("right", "0.3 -0.35 0 1.5708 0 0", wheel) +
+         link("caster", "-0.4 0 -0.1 0 0 0", "<sphere><radius>0.1</radius></sphere>") + joint("left", "revolute") +
+         joint("right", "revolute") + joint("caster", "ball") +
+         "<plugin filename='ignition-gazebo-diff-drive-system' name='ignition::gazebo::systems::DiffDrive'>"
+         "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint><wheel_separation>0.7</"
+         "wheel_separation>"
+         "<wheel_radius>0.2</wheel_radius><topic>/cmd_vel</topic></plugin></model>";
+}
+
+std::string world(const std::string& record) {
+  std::string text =
+      "<sdf version='1.9'><world name='w'><plugin filename='ignition-gazebo-physics-system' "
+      "name='ignition::gazebo::systems::Physics'/>" +
+      record +
+      "<model name='ground'><static>true</static><link name='l'><collision "
+      "name='c'><geometry><plane/></geometry></collision>"
+      "</link></model>";
+  for (int i = 0; i < kRobots; ++i) text += robot(i);
+  return text + "</world></sdf>";
+}
+
+/// @return Time of this thread alone [s].
+double threadTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// @return What a step takes of the simulation's thread [us].
+double run(const std::filesystem::path& file) {
+  Diagnostics diagnostics;
+  const std::unique_ptr<Simulation> simulation = Simulation::fromFile(file, {}, diagnostics);
+  for (const Diagnostic& each : diagnostics.all()) std::fprintf(stderr, "%s\n", format(each).c_str());
+  Publisher drive = simulation->transport().node().advertise<ignition::msgs::Twist>("/cmd_vel");
+  ignition::msgs::Twist twist;
+  twist.mutable_linear()->set_x(0.5);
+  twist.mutable_angular()->set_z(0.2);
+  drive.publish(twist);
+  simulation->step(500);
+  const double start = threadTime();
+  simulation->step(kSteps);
+  return (threadTime() - start) / kSteps * 1e6;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+}  // namespace
+
+int main() {
+  setLogLevel(LogLevel::kNone);
+  const test::TempFolder folder;
+  const std::filesystem::path recording = folder.path() / "rec";
+  const std::filesystem::path plain = folder.write("plain.sdf", world(""));
+  const std::filesystem::path recorded = folder.write(
+      "recorded.sdf", world("<plugin filename='ignition-gazebo-log-system' name='ignition::gazebo::systems::LogRecord'>"
+                            "<record_path>" +
+                            recording.string() + "</record_path></plugin>"));
+  std::vector<double> without, with;
+  for (int i = 0; i < kRuns; ++i) {
+    without.push_back(run(plain));
+    with.push_back(run(recorded));
+  }
+  const double bytes = static_cast<double>(std::filesystem::file_size(recording / "state.tlog")) / (kSteps + 500);
+  std::printf("a step of %d robots, of the simulation's thread, medians of %d runs:\n", kRobots, kRuns);
+  std::printf("  without a recording  %7.2f us\n", median(without));
+  std::printf("  recorded             %7.2f us: %.3f times\n", median(with), median(with) / median(without));
+  std::printf("  its file             %7.0f bytes a step\n", bytes);
+  return 0;
+}

@@ -1,0 +1,135 @@
+#include <unistd.h>
+
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "log/command/command.hh"
+#include "log/command/console.hh"
+#include "log/command/log_file.hh"
+#include "log/command/new_log.hh"
+
+namespace pongsim::log {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ConvertCommandLine {
+  std::string file, output;
+  std::vector<std::string> topics;
+  std::string compression = "zstd";
+  bool overwrites = false;
+};
+
+/// A file beside the one that is wanted, which takes that one's place when it is whole.
+class Draft {
+ public:
+  explicit Draft(fs::path target)
+      : target_(std::move(target)),
+        path_(target_.parent_path() /
+              (target_.stem().string() + ".part" + std::to_string(getpid()) + target_.extension().string())) {}
+  ~Draft() {
+    std::error_code ignored;
+    if (!isDone_) fs::remove(path_, ignored);
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  const fs::path& path() const { return path_; }
+  void finish() {
+    std::error_code error;
+    fs::rename(path_, target_, error);
+    if (error) throw Failure("'" + target_.string() + "' can't be written: " + error.message());
+    isDone_ = true;
+  }
+
+ private:
+  fs::path target_, path_;
+  bool isDone_ = false;
+};
+
+void checkTarget(const ConvertCommandLine& given) {
+  std::error_code error;
+  if (fs::equivalent(given.file, given.output, error)) {
+    throw UsageError("'" + given.output + "' is the log that is read", "name another file with -o");
+  }
+  if (!given.overwrites && fs::exists(fs::symlink_status(given.output, error))) {
+    throw Failure("'" + given.output + "' is there already", "--force overwrites it");
+  }
+}
+
+/// A tlog has messages in protobuf only, of types with a name.
+void checkForTlog(const LogFile& log, const Selection& selection) {
+  for (const Topic& topic : log.reader().topics()) {
+    if (selection.topics && std::ranges::count(*selection.topics, topic.name) == 0) continue;
+    const Definition definition = log.definition(topic.name, topic.type);
+    if (definition.messageEncoding == "protobuf" && !topic.type.empty()) continue;
+    throw Failure("'" + topic.name + "' can't go into a tlog: its messages are " +
+                      (topic.type.empty() ? "of no type" : topic.type) + " in '" + definition.messageEncoding + "'",
+                  "a tlog has protobuf; choose topics with --topic");
+  }
+}
+
+int convert(const ConvertCommandLine& given) {
+  const Format format = formatOf(given.output);
+  const Compression compression = compressionFrom(given.compression);
+  checkTarget(given);
+  const LogFile log(given.file);
+  Selection selection;
+  if (!given.topics.empty()) {
+    selection.topics.emplace();
+    for (const std::string& topic : given.topics) {
+      selection.topics->push_back(requireTopic(log.reader(), given.file, topic));
+    }
+  }
+  if (format == Format::kTlog) checkForTlog(log, selection);
+
+  Draft draft(given.output);
+  McapOptions options{.overwrites = true, .compression = compression};
+  if (log.mcap() != nullptr) options.profile = log.mcap()->profile();
+  const auto writer = newLog(draft.path(), options, [&log](std::string_view topic, std::string_view type) {
+    return log.definition(topic, type);
+  });
+  std::uint64_t count = 0;
+  log.reader().forEach(selection, [&](const Record& record) {
+    writer->write(record);
+    ++count;
+    return true;
+  });
+  writer->close();
+  draft.finish();
+  if (const auto torn = log.reader().torn()) say("warning: " + *torn);
+  say(std::to_string(count) + (count == 1 ? " message" : " messages") + " in " + given.output);
+  return kDone;
+}
+
+}  // namespace
+
+void addConvertAction(CLI::App& program, Work& work) {
+  const auto given = std::make_shared<ConvertCommandLine>();
+  CLI::App* action =
+      program.add_subcommand("convert", "Write a log anew: in the other format, packed otherwise, with fewer topics");
+  action->set_help_flag("-h,--help", "Print this and end");
+  action->add_option("FILE", given->file, "The log, .mcap or .tlog; one that is cut off is written up to there")
+      ->type_name("")
+      ->required();
+  action->add_option("-o,--output", given->output, "The new log, .mcap or .tlog")->type_name("FILE")->required();
+  action->add_flag("--force", given->overwrites, "Overwrite a file that is there");
+  action->add_option("--topic", given->topics, "Only this topic; may be given several times")
+      ->type_name("TOPIC")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  action->add_option("--compression", given->compression, "Of MCAP: zstd, lz4 or none (zstd)")->type_name("NAME");
+  action->footer(
+      "Examples:\n"
+      "  pongsim log convert state.tlog -o state.mcap\n"
+      "  pongsim log convert run.mcap -o odometry.mcap --topic /odom");
+  action->callback([given, &work] { work = [given] { return convert(*given); }; });
+}
+
+}  // namespace pongsim::log

@@ -1,0 +1,63 @@
+#include "log/command/log_file.hh"
+
+#include <algorithm>
+#include <vector>
+
+#include "log/command/console.hh"
+#include "log/mcap/input_file.hh"
+#include "log/tlog/tlog_reader.hh"
+#include "pongsim/nearest_word.hh"
+
+namespace pongsim::log {
+
+namespace fs = std::filesystem;
+
+Format formatOf(const fs::path& file) {
+  if (file.extension() == ".mcap") return Format::kMcap;
+  if (file.extension() == ".tlog") return Format::kTlog;
+  throw UsageError("'" + file.string() + "' is no name of a log", "it ends in .mcap or .tlog, which says its format");
+}
+
+LogFile::LogFile(const fs::path& file) {
+  constexpr std::string_view kSqlite = "SQLite format 3";
+  bool isTlog = false;
+  {
+    // closed before SQLite opens it
+    const InputFile bytes(file);
+    isTlog = bytes.size() >= kSqlite.size() && bytes.read(0, kSqlite.size()) == kSqlite;
+  }
+  if (isTlog) {
+    reader_ = std::make_unique<TlogReader>(file);
+    return;
+  }
+  auto mcap = std::make_unique<McapReader>(file);
+  mcap_ = mcap.get();
+  reader_ = std::move(mcap);
+}
+
+Definition LogFile::definition(std::string_view topic, std::string_view type) const {
+  return mcap_ == nullptr ? protobufDefinition(type) : mcap_->definition(topic, type);
+}
+
+std::string requireTopic(const Reader& reader, const std::string& file, const std::string& topic) {
+  const std::vector<Topic> topics = reader.topics();
+  for (const std::string& name : {topic, "/" + topic}) {
+    if (std::ranges::find(topics, name, &Topic::name) != topics.end()) return name;
+  }
+  std::vector<std::string_view> names;
+  for (const Topic& each : topics) names.push_back(each.name);
+  const std::string near = didYouMean(topic, names);
+  throw Failure("there is no topic '" + topic + "' in '" + file + "'",
+                near.empty() ? "pongsim log info " + file + " lists them" : near);
+}
+
+Compression compressionFrom(const std::string& text) {
+  if (text == "none") return Compression::kNone;
+  const std::optional<Compression> compression = compressionOf(text);
+  if (!compression || *compression == Compression::kNone) {
+    throw UsageError("'" + text + "' is no compression", "there are zstd, lz4 and none");
+  }
+  return *compression;
+}
+
+}  // namespace pongsim::log

@@ -1,0 +1,131 @@
+#include <CLI/App.hpp>
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "log/command/command.hh"
+#include "log/command/console.hh"
+#include "log/command/log_file.hh"
+#include "log/command/new_log.hh"
+#include "log/command/recording.hh"
+#include "log/command/stop_signal.hh"
+#include "log/command/times.hh"
+#include "log/command/topic_choice.hh"
+#include "pongsim/log.hh"
+#include "pongsim/node.hh"
+
+namespace pongsim::log {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct RecordCommandLine {
+  std::vector<std::string> topics;
+  std::optional<std::string> output, pattern, duration, network;
+  std::string compression = "zstd";
+  bool overwrites = false;
+};
+
+/// As `ign log record` names it.
+std::string defaultName() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  std::array<char, 40> name{};
+  std::strftime(name.data(), name.size(), "%Y%m%d_%H%M%S.tlog", &parts);
+  return name.data();
+}
+
+std::string counted(std::uint64_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+void sayUnheard(const Recording& recording, const TopicChoice& choice) {
+  for (const std::string& topic : choice.names()) {
+    if (!recording.hasHeard(topic)) say("warning: nothing was heard on '" + topic + "'");
+  }
+  if (recording.messages() == 0) say("warning: the log is empty; pongsim topic -l lists what there is");
+}
+
+void sayLost(const Recording& recording) {
+  std::uint64_t sum = 0;
+  for (const auto& [topic, count] : recording.lost()) {
+    sum += count;
+    say("warning: " + counted(count, "message") + " of '" + topic + "' lost");
+  }
+  if (sum > 0) say("warning: this process or the disk did not keep up: record fewer topics");
+}
+
+int record(RecordCommandLine& given) {
+  if (given.pattern) given.topics.push_back(*given.pattern);
+  const TopicChoice choice(given.topics);
+  const std::chrono::nanoseconds duration(given.duration ? timeFrom("--duration", *given.duration)
+                                                         : std::numeric_limits<std::int64_t>::max() / 2);
+  const std::string file = given.output.value_or(defaultName());
+  McapOptions options{.overwrites = given.overwrites, .compression = compressionFrom(given.compression)};
+
+  takeStopSignals();
+  TransportOptions where;
+  if (given.network) where.interface = *given.network;
+  Transport transport(where);
+  const std::unique_ptr<Writer> writer =
+      newLog(file, options, [](std::string_view, std::string_view type) { return protobufDefinition(type); });
+  const Clock::time_point start = Clock::now();
+  Recording recording(transport, *writer, choice);
+  say("recording to " + file + "; Ctrl-C ends it");
+  while (!isStopped() && Clock::now() - start < duration) recording.goOn();
+  writer->close();
+  sayLost(recording);
+  say(counted(recording.messages(), "message") + " of " + counted(recording.topics(), "topic") + " in " + file);
+  sayUnheard(recording, choice);
+  return kDone;
+}
+
+}  // namespace
+
+void addRecordAction(CLI::App& program, Work& work) {
+  const auto given = std::make_shared<RecordCommandLine>();
+  CLI::App* action = program.add_subcommand("record", "Record topics of running worlds, until Ctrl-C");
+  action->set_help_flag("-h,--help", "Print this and end");
+  action
+      ->add_option("TOPIC", given->topics,
+                   "Topics as /odom, or regular expressions of whole names as '/model/.*' (all topics)")
+      ->type_name("");
+  const auto text = [action](const char* names, std::optional<std::string>& to, const char* value, const char* help) {
+    action
+        ->add_option_function<std::string>(
+            names, [&to](const std::string& word) { to = word; }, help)
+        ->type_name(value);
+  };
+  text("-o,--output,--file", given->output, "FILE", "The log, .mcap or .tlog (DATE_TIME.tlog, as ign)");
+  action->add_flag("--force", given->overwrites, "Overwrite a file that is there");
+  text("--pattern", given->pattern, "REGEX", "One more expression, as 'ign log record' takes it");
+  text("--duration", given->duration, "S", "End after S seconds");
+  action->add_option("--compression", given->compression, "Of MCAP: zstd, lz4 or none (zstd)")->type_name("NAME");
+  action
+      ->add_option_function<std::string>(
+          "-v,--verbose",
+          [](const std::string& level) {
+            if (level.size() != 1 || level[0] < '0' || level[0] > '4') {
+              throw UsageError("option '-v' takes a level from 0 to 4, not '" + level + "'");
+            }
+            setLogLevel(static_cast<LogLevel>(level[0] - '0'));
+          },
+          "How much is said: 1 errors, 2 warnings, 3 and 4 more (2)")
+      ->type_name("LEVEL");
+  text("--network", given->network, "INTERFACE", "Hear other machines too, by a network interface's name or address");
+  action->footer(
+      "Examples:\n"
+      "  pongsim log record -o run.mcap\n"
+      "  pongsim log record -o run.mcap /odom '/model/.*'\n"
+      "  pongsim log record --file state.tlog --pattern '/world/.*'");
+  action->callback([given, &work] { work = [given] { return record(*given); }; });
+}
+
+}  // namespace pongsim::log

@@ -1,0 +1,69 @@
+#include "log/command/recording.hh"
+
+#include <algorithm>
+
+#include "log/command/console.hh"
+
+namespace pongsim::log {
+
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenLooks{200};
+/// At most: a process that is stopped does not answer.
+constexpr std::chrono::milliseconds kLookTime{300};
+// 64 MiB of each topic are kept besides
+constexpr std::size_t kQueueLength = 20'000;
+
+}  // namespace
+
+Recording::Recording(Transport& transport, Writer& writer, const TopicChoice& choice)
+    : transport_(transport), writer_(writer), choice_(choice) {
+  for (const std::string& topic : choice_.names()) subscribe(topic);
+}
+
+void Recording::goOn() {
+  const Clock::time_point now = Clock::now();
+  if (now >= nextLook_) {
+    look();
+    nextLook_ = Clock::now() + kBetweenLooks;
+  }
+  transport_.dispatchFor(std::max<Clock::duration>(nextLook_ - now, std::chrono::milliseconds(1)));
+  if (failure_ != nullptr) std::rethrow_exception(failure_);
+}
+
+void Recording::look() {
+  for (const TopicInfo& topic : transport_.discover(kLookTime)) {
+    if (!topic.publishers.empty() && choice_.has(topic.name)) subscribe(topic.name);
+  }
+}
+
+void Recording::subscribe(const std::string& topic) {
+  if (subscriptions_.contains(topic)) return;
+  subscriptions_[topic] = transport_.node().subscribeAnyType(
+      topic, [this, topic](std::string_view type, std::span<const std::byte> bytes) { take(topic, type, bytes); },
+      {.queueLength = kQueueLength});
+}
+
+void Recording::take(const std::string& topic, std::string_view type, std::span<const std::byte> bytes) {
+  if (failure_ != nullptr) return;
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  try {
+    writer_.write({std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(), topic, type,
+                   std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
+    ++messages_;
+    heard_.insert(topic);
+  } catch (...) {
+    // not through those who call this
+    failure_ = std::current_exception();
+  }
+}
+
+std::map<std::string, std::uint64_t> Recording::lost() const {
+  std::map<std::string, std::uint64_t> lost;
+  for (const auto& [topic, subscription] : subscriptions_) {
+    if (subscription.dropped() > 0) lost[topic] = subscription.dropped();
+  }
+  return lost;
+}
+
+}  // namespace pongsim::log

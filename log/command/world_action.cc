@@ -1,0 +1,72 @@
+#include <ignition/msgs/stringmsg.pb.h>
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "log/command/command.hh"
+#include "log/command/console.hh"
+#include "log/playback/played_files.hh"
+#include "log/playback/played_sdf.hh"
+#include "log/tlog/tlog_reader.hh"
+
+namespace pongsim::log {
+
+namespace {
+
+/// @return The name in "/world/NAME/changed_state"; "default" where no topic has one.
+std::string worldNameIn(const TlogReader& reader) {
+  constexpr std::string_view kPrefix = "/world/", kSuffix = "/changed_state";
+  for (const std::string& topic : reader.topicsOf("ignition.msgs.SerializedStateMap")) {
+    if (topic.starts_with(kPrefix) && topic.ends_with(kSuffix) && topic.size() > kPrefix.size() + kSuffix.size())
+      return topic.substr(kPrefix.size(), topic.size() - kPrefix.size() - kSuffix.size());
+  }
+  return "default";
+}
+
+/// @return The world in SDF, as its recorder told it; empty where it did not.
+std::string recordedWorld(const TlogReader& reader) {
+  std::vector<std::string> topics;
+  for (const std::string& topic : reader.topicsOf("ignition.msgs.StringMsg")) {
+    if (topic.ends_with("/sdf")) topics.push_back(topic);
+  }
+  std::string world;
+  if (topics.empty()) return world;
+  reader.forEach({.topics = topics}, [&](const Record& record) {
+    ignition::msgs::StringMsg message;
+    if (message.ParseFromArray(record.payload.data(), static_cast<int>(record.payload.size()))) world = message.data();
+    return world.empty();
+  });
+  return world;
+}
+
+int printWorld(const std::string& path) {
+  const PlayedFiles files(path);
+  const TlogReader reader(files.stateFile());
+  const std::string world = recordedWorld(reader);
+  if (world.empty()) {
+    say("the recording does not have the world in SDF: its models are made of its states");
+    print("<sdf version='1.9'><world name='" + worldNameIn(reader) + "'/></sdf>\n");
+  } else {
+    print(playedSdf(world, files));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void addWorldAction(CLI::App& program, Work& work) {
+  const auto path = std::make_shared<std::string>();
+  CLI::App* action = program.add_subcommand("world", "Print the world of a recording as it is played, in SDF");
+  action->set_help_flag("-h,--help", "Print this and end");
+  action->add_option("PATH", *path, "Folder of the recording, zip file of one, or .tlog file")->type_name("");
+  action->footer("Examples:\n  pongsim log world ~/rec > played.sdf");
+  action->callback([path, &work] {
+    if (path->empty()) throw UsageError("no recording given", "pongsim log world PATH");
+    work = [path] { return printWorld(*path); };
+  });
+}
+
+}  // namespace pongsim::log

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "log/mcap/record_types.hh"
+
+namespace pongsim::log {
+
+/// A chunk that is being filled.
+class ChunkBuilder {
+ public:
+  void add(const mcap::Schema& schema) { appendRecord(mcap::Opcode::kSchema, schema, records_); }
+  void add(const mcap::Channel& channel) { appendRecord(mcap::Opcode::kChannel, channel, records_); }
+  void add(const mcap::Message& message);
+
+  bool isEmpty() const { return records_.empty(); }
+  /// Its records, unpacked.
+  const std::string& records() const { return records_; }
+  /// Of the messages [ns]; 0 without any.
+  std::uint64_t startTime() const { return startTime_; }
+  std::uint64_t endTime() const { return endTime_; }
+  /// One for each channel that has messages, by its id.
+  const std::map<std::uint16_t, mcap::MessageIndex>& indexes() const { return indexes_; }
+
+ private:
+  std::string records_;
+  std::uint64_t startTime_ = 0, endTime_ = 0;
+  std::map<std::uint16_t, mcap::MessageIndex> indexes_;
+};
+
+}  // namespace pongsim::log

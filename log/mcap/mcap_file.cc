@@ -1,0 +1,112 @@
+#include "log/mcap/mcap_file.hh"
+
+#include <algorithm>
+
+namespace pongsim::log {
+
+namespace {
+
+using mcap::Opcode;
+
+struct DataEnd {
+  std::uint32_t crc;
+  void write(ByteWriter& to) const { to.number(crc); }
+};
+
+}  // namespace
+
+McapFile::McapFile(const std::filesystem::path& path, bool overwrites, const std::string& profile,
+                   Compression compression)
+    : file_(path, overwrites), compression_(compression), packer_(compression) {
+  std::string bytes(mcap::kMagic);
+  appendRecord(Opcode::kHeader, mcap::Header{profile, "pongsim " PONGSIM_VERSION}, bytes);
+  put(bytes);
+}
+
+void McapFile::put(std::string_view bytes) {
+  file_.write(bytes);
+  crc_ = crc32Of(bytes, crc_);
+}
+
+void McapFile::append(const ChunkBuilder& chunk) {
+  const std::string_view packed = packer_.pack(chunk.records());
+  const mcap::Chunk head{chunk.startTime(),
+                         chunk.endTime(),
+                         chunk.records().size(),
+                         crc32Of(chunk.records()),
+                         std::string(compressionName(compression_)),
+                         packed};
+  std::string content;
+  ByteWriter writer(content);
+  head.writeBeforeRecords(writer);
+  std::string bytes;
+  ByteWriter record(bytes);
+  record.number(static_cast<std::uint8_t>(Opcode::kChunk));
+  record.number(std::uint64_t{content.size() + packed.size()});
+  bytes += content;
+
+  mcap::ChunkIndex index{.startTime = chunk.startTime(),
+                         .endTime = chunk.endTime(),
+                         .offset = file_.size(),
+                         .length = bytes.size() + packed.size(),
+                         .messageIndexOffsets = {},
+                         .messageIndexLength = 0,
+                         .compression = head.compression,
+                         .compressedSize = packed.size(),
+                         .uncompressedSize = chunk.records().size()};
+  put(bytes);
+  put(packed);
+
+  std::string indexes;
+  for (const auto& [channel, each] : chunk.indexes()) {
+    index.messageIndexOffsets[channel] = file_.size() + indexes.size();
+    appendRecord(Opcode::kMessageIndex, each, indexes);
+  }
+  index.messageIndexLength = indexes.size();
+  put(indexes);
+  chunks_.push_back(std::move(index));
+  count(chunk);
+}
+
+void McapFile::count(const ChunkBuilder& chunk) {
+  ++statistics_.chunkCount;
+  if (chunk.indexes().empty()) return;
+  const bool isFirst = statistics_.messageCount == 0;
+  statistics_.startTime = isFirst ? chunk.startTime() : std::min(statistics_.startTime, chunk.startTime());
+  statistics_.endTime = std::max(statistics_.endTime, chunk.endTime());
+  for (const auto& [channel, index] : chunk.indexes()) {
+    statistics_.messageCount += index.entries.size();
+    statistics_.channelMessageCounts[channel] += index.entries.size();
+  }
+}
+
+void McapFile::finish(const std::vector<mcap::Schema>& schemas, const std::vector<mcap::Channel>& channels) {
+  statistics_.schemaCount = static_cast<std::uint16_t>(schemas.size());
+  statistics_.channelCount = static_cast<std::uint32_t>(channels.size());
+  std::string end;
+  appendRecord(Opcode::kDataEnd, DataEnd{crc_}, end);
+  put(end);
+
+  const std::uint64_t start = file_.size();
+  std::string summary, offsets;
+  const auto addGroup = [&](Opcode opcode, const auto& records) {
+    const std::uint64_t before = summary.size();
+    for (const auto& each : records) appendRecord(opcode, each, summary);
+    if (summary.size() == before) return;
+    appendRecord(Opcode::kSummaryOffset, mcap::SummaryOffset{opcode, start + before, summary.size() - before}, offsets);
+  };
+  addGroup(Opcode::kSchema, schemas);
+  addGroup(Opcode::kChannel, channels);
+  addGroup(Opcode::kStatistics, std::vector{statistics_});
+  addGroup(Opcode::kChunkIndex, chunks_);
+
+  const mcap::Footer footer{start, start + summary.size(), 0};
+  summary += offsets;
+  ByteWriter writer(summary);
+  footer.writeBeforeCrc(writer);
+  writer.number(crc32Of(summary));
+  writer.raw(mcap::kMagic);
+  file_.write(summary);
+}
+
+}  // namespace pongsim::log

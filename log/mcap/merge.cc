@@ -1,0 +1,84 @@
+#include "log/mcap/merge.hh"
+
+#include <algorithm>
+#include <utility>
+
+#include "log/store/failure.hh"
+
+namespace pongsim::log {
+
+namespace {
+
+constexpr std::size_t kMostLoaded = std::size_t{512} << 20U;
+// 2 GiB of them
+constexpr std::size_t kMostEntries = std::size_t{1} << 26U;
+
+}  // namespace
+
+Merge::Merge(const InputFile& file, const std::vector<Block>& blocks, std::uint64_t from, std::uint64_t to,
+             IsWanted isWanted)
+    : file_(file), blocks_(blocks), isWanted_(std::move(isWanted)) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (blocks[i].startTime <= to && blocks[i].endTime >= from) order_.push_back(i);
+  }
+  std::ranges::stable_sort(order_, {}, [&blocks](std::size_t i) { return blocks[i].startTime; });
+}
+
+std::optional<mcap::Message> Merge::next() {
+  if (used_) forget(*std::exchange(used_, std::nullopt));
+  while (nextBlock_ < order_.size() &&
+         (entries_.empty() || blocks_[order_[nextBlock_]].startTime <= entries_.top().time)) {
+    load(order_[nextBlock_++]);
+  }
+  if (entries_.empty()) return std::nullopt;
+  const Entry entry = entries_.top();
+  entries_.pop();
+  used_ = entry.block;
+  const UnpackedBlock& block = unpacked(entry.block);
+  ByteReader fields(std::string_view(block.records).substr(entry.offset, entry.length), 0, "message");
+  return mcap::Message::read(fields);
+}
+
+void Merge::load(std::size_t block) {
+  const std::size_t before = entries_.size();
+  UnpackedBlock unpacked = unpackBlock(file_, blocks_[block]);
+  forEachRecord(unpacked, [&](const RecordPlace& record, ByteReader& fields) {
+    if (record.opcode != mcap::Opcode::kMessage) return;
+    const mcap::Message message = mcap::Message::read(fields);
+    if (!isWanted_(message.channelId, message.logTime)) return;
+    entries_.push({message.logTime, block, record.offset + mcap::kRecordHead, record.content.size()});
+  });
+  if (entries_.size() > kMostEntries) {
+    throw Failure(atByte(blocks_[block].offset, "more than " + std::to_string(kMostEntries) +
+                                                    " messages overlap in time, in chunks up to this one"));
+  }
+  const std::size_t wanted = entries_.size() - before;
+  if (wanted == 0) return;
+  loadedSize_ += unpacked.records.size();
+  loaded_[block] = {std::move(unpacked), wanted};
+}
+
+const UnpackedBlock& Merge::unpacked(std::size_t block) {
+  Loaded& wanted = loaded_.at(block);
+  for (auto& [number, each] : loaded_) {
+    if (loadedSize_ <= kMostLoaded) break;
+    if (number == block) continue;
+    loadedSize_ -= each.unpacked.records.size();
+    each.unpacked = {};
+  }
+  if (wanted.unpacked.records.empty()) {
+    wanted.unpacked = unpackBlock(file_, blocks_[block]);
+    loadedSize_ += wanted.unpacked.records.size();
+  }
+  return wanted.unpacked;
+}
+
+/// A message of the block has been used.
+void Merge::forget(std::size_t block) {
+  const auto found = loaded_.find(block);
+  if (--found->second.wanted > 0) return;
+  loadedSize_ -= found->second.unpacked.records.size();
+  loaded_.erase(found);
+}
+
+}  // namespace pongsim::log

@@ -1,0 +1,167 @@
+#include "log/mcap/scan.hh"
+
+#include <algorithm>
+
+#include "log/store/failure.hh"
+
+namespace pongsim::log {
+
+namespace {
+
+using mcap::Opcode;
+
+/// Of records outside of chunks, which are read together.
+constexpr std::uint64_t kBlockSize = std::uint64_t{4} << 20U;
+
+/// A record's head.
+struct Head {
+  std::uint8_t opcode = 0;
+  std::uint64_t length = 0;
+};
+
+/// In one block.
+struct Found {
+  std::vector<mcap::Schema> schemas;
+  std::vector<mcap::Channel> channels;
+  std::map<std::uint16_t, std::uint64_t> counts;
+  std::uint64_t count = 0, startTime = 0, endTime = 0;
+};
+
+class Scan {
+ public:
+  explicit Scan(const InputFile& file) : file_(file) {}
+
+  Contents run() {
+    try {
+      while (next()) {
+      }
+    } catch (const Failure& failure) {
+      contents_.torn = std::string(failure.what()) + "; what comes from there on is left out";
+    }
+    return std::move(contents_);
+  }
+
+ private:
+  /// @return Whether there is more.
+  bool next() {
+    const std::uint64_t left = file_.size() - at_;
+    if (left < mcap::kRecordHead) return cutOff("a record");
+    const Head head = headAt(at_);
+    if (head.opcode == 0) throw Failure(atByte(at_, "a record should begin here, and does not"));
+    const bool isChunk = head.opcode == static_cast<std::uint8_t>(Opcode::kChunk);
+    if (head.length > left - mcap::kRecordHead) return cutOff(isChunk ? "a chunk" : "a record");
+    const std::uint64_t size = mcap::kRecordHead + head.length;
+    switch (static_cast<Opcode>(head.opcode)) {
+      case Opcode::kChunk:
+        addBlock(blockAt(size, true));
+        break;
+      case Opcode::kSchema:
+      case Opcode::kChannel:
+      case Opcode::kMessage:
+        addLoose(size);
+        break;
+      case Opcode::kDataEnd:
+      case Opcode::kFooter:
+        return false;
+      default:
+        break;
+    }
+    at_ += size;
+    return true;
+  }
+
+  bool cutOff(const std::string& what) {
+    contents_.torn = atByte(at_, "it is cut off: " + what + " that begins here is not whole");
+    if (at_ == file_.size()) contents_.torn = atByte(at_, "it is cut off: it has no end");
+    return false;
+  }
+
+  Block blockAt(std::uint64_t size, bool isChunk) const {
+    Block block;
+    block.offset = at_;
+    block.length = size;
+    block.isChunk = isChunk;
+    return block;
+  }
+
+  Head headAt(std::uint64_t offset) const {
+    const std::string bytes = file_.read(offset, mcap::kRecordHead);
+    ByteReader reader(bytes, offset, "record");
+    Head head;
+    head.opcode = reader.number<std::uint8_t>();
+    head.length = reader.number<std::uint64_t>();
+    return head;
+  }
+
+  /// A record outside of chunks, which goes into the block before it where it stands right behind that.
+  void addLoose(std::uint64_t size) {
+    std::vector<Block>& blocks = contents_.blocks;
+    Block loose = blockAt(size, false);
+    if (blocks.empty() || blocks.back().isChunk || blocks.back().offset + blocks.back().length != at_ ||
+        blocks.back().length + size > kBlockSize) {
+      addBlock(loose);
+      return;
+    }
+    readBlock(loose);
+    Block& last = blocks.back();
+    last.length += size;
+    last.uncompressedSize += size;
+    last.startTime = std::min(last.startTime, loose.startTime);
+    last.endTime = std::max(last.endTime, loose.endTime);
+  }
+
+  void addBlock(Block block) {
+    readBlock(block);
+    contents_.blocks.push_back(std::move(block));
+  }
+
+  /// Takes note of all that is in it, or of nothing where it is damaged.
+  void readBlock(Block& block) {
+    const UnpackedBlock unpacked = unpackBlock(file_, block);
+    Found found;
+    forEachRecord(unpacked, [&](const RecordPlace& record, ByteReader& fields) { take(record, fields, found); });
+    block.uncompressedSize = unpacked.records.size();
+    block.compression = unpacked.compression;
+    block.startTime = found.startTime;
+    block.endTime = found.endTime;
+    add(found);
+  }
+
+  void take(const RecordPlace& record, ByteReader& fields, Found& found) const {
+    if (record.opcode == Opcode::kSchema) {
+      found.schemas.push_back(mcap::Schema::read(fields));
+    } else if (record.opcode == Opcode::kChannel) {
+      found.channels.push_back(mcap::Channel::read(fields));
+    } else if (record.opcode == Opcode::kMessage) {
+      const mcap::Message message = mcap::Message::read(fields);
+      if (!contents_.channels.contains(message.channelId) &&
+          std::ranges::find(found.channels, message.channelId, &mcap::Channel::id) == found.channels.end()) {
+        fields.fail("a message of channel " + std::to_string(message.channelId) + ", which there is not");
+      }
+      found.startTime = found.count == 0 ? message.logTime : std::min(found.startTime, message.logTime);
+      found.endTime = std::max(found.endTime, message.logTime);
+      ++found.count;
+      ++found.counts[message.channelId];
+    }
+  }
+
+  void add(Found& found) {
+    for (mcap::Schema& each : found.schemas) contents_.schemas[each.id] = std::move(each);
+    for (mcap::Channel& each : found.channels) contents_.channels[each.id] = std::move(each);
+    if (found.count == 0) return;
+    contents_.startTime = contents_.count == 0 ? found.startTime : std::min(contents_.startTime, found.startTime);
+    contents_.endTime = std::max(contents_.endTime, found.endTime);
+    contents_.count += found.count;
+    for (const auto& [channel, count] : found.counts) contents_.counts[channel] += count;
+  }
+
+  const InputFile& file_;
+  Contents contents_;
+  std::uint64_t at_ = mcap::kMagic.size();
+};
+
+}  // namespace
+
+Contents contentsByScan(const InputFile& file) { return Scan(file).run(); }
+
+}  // namespace pongsim::log

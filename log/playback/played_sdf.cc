@@ -1,0 +1,67 @@
+#include "log/playback/played_sdf.hh"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <array>
+
+#include "log/record/resources.hh"
+#include "log/store/failure.hh"
+
+namespace pongsim::log {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+// They see where things are. What knows velocities or forces is not among them.
+constexpr std::array<std::string_view, 11> kLooking{"scene-broadcaster",
+                                                    "sensors",
+                                                    "pose-publisher",
+                                                    "joint-state-publisher",
+                                                    "odometry-publisher",
+                                                    "magnetometer",
+                                                    "air-pressure",
+                                                    "logical-camera",
+                                                    "thermal",
+                                                    "label",
+                                                    "logicalaudiosensorplugin"};
+
+void removePlugins(XMLElement& element) {
+  for (XMLElement* child = element.FirstChildElement(); child != nullptr;) {
+    XMLElement* const next = child->NextSiblingElement();
+    const char* const file = child->Attribute("filename");
+    if (std::string_view(child->Name()) == "plugin" && !isOfUseInPlayback(file == nullptr ? "" : file)) {
+      element.DeleteChild(child);
+    } else if (std::string_view(child->Name()) != "plugin") {
+      removePlugins(*child);
+    }
+    child = next;
+  }
+}
+
+}  // namespace
+
+bool isOfUseInPlayback(std::string_view filename) {
+  return std::ranges::any_of(kLooking, [&](std::string_view name) {
+    return filename.find("-" + std::string(name) + "-system") != std::string_view::npos;
+  });
+}
+
+std::string playedSdf(const std::string& sdf, const PlayedFiles& files) {
+  tinyxml2::XMLDocument document;
+  const std::string placed = withAddresses(sdf, [&](const std::string& address) { return files.placeOf(address); });
+  XMLElement* root = document.Parse(placed.c_str()) == tinyxml2::XML_SUCCESS ? document.RootElement() : nullptr;
+  if (root == nullptr) {
+    throw Failure("the recording's world can't be read: " +
+                  std::string(document.ErrorStr() == nullptr ? "it is empty" : document.ErrorStr()));
+  }
+  removePlugins(*root);
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  const std::string text = printer.CStr();
+  if (std::string_view(root->Name()) == "sdf") return text;
+  return "<sdf version='1.9'>" + text.substr(text.find(std::string("<") + root->Name())) + "</sdf>";
+}
+
+}  // namespace pongsim::log

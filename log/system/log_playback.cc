@@ -1,0 +1,75 @@
+#include "log/system/log_playback.hh"
+
+#include <ignition/msgs/world_control.pb.h>
+
+#include <algorithm>
+
+#include "log/store/failure.hh"
+#include "pongsim/parameters.hh"
+#include "pongsim/scene.hh"
+
+namespace pongsim::log {
+
+void PlaybackSystem::declare(Declaration& declaration) {
+  declaration.is("Plays a recording: all is where LogRecord saw it, in a world without physics.",
+                 Declaration::Place::kWorld);
+  declaration.parameter("playback_path", &path_, "", "folder of the recording, zip file of one, or .tlog file")
+      .required();
+}
+
+void PlaybackSystem::configure(const SystemContext& context) {
+  log_ = &context.log;
+  node_ = context.node;
+  controlService_ = cleanTopic("/world/" + std::string(context.world.name()) + "/control");
+  const bool isSecond = std::ranges::any_of(
+      context.before, [](System* other) { return dynamic_cast<PlaybackSystem*>(other) != nullptr; });
+  if (isSecond) refuse(context.sdf, "a recording is played already", "leave out one of the two LogPlayback systems");
+  try {
+    open(context);
+  } catch (const Failure& why) {
+    refuse(context.sdf, why.what(), why.hint());
+  }
+}
+
+void PlaybackSystem::open(const SystemContext& context) {
+  files_ = std::make_unique<PlayedFiles>(path_);
+  reader_ = std::make_unique<TlogReader>(files_->stateFile());
+  player_.emplace(Scene(context.world));
+  replay_ = std::make_unique<Replay>(*reader_, *files_, context);
+  if (!replay_->range()) throw Failure("'" + path_ + "' has no state of a world");
+  if (const auto torn = reader_->torn()) log_->warning(*torn);
+  // for the first step
+  goTo(player_->stepSize());
+}
+
+void PlaybackSystem::goTo(Time time) {
+  at_ = time;
+  replay_->goTo(time);
+}
+
+void PlaybackSystem::preUpdate(const StepInfo& info) {
+  // another step size, or a time that was set
+  if (!info.paused && info.time != at_) goTo(info.time);
+  replay_->place();
+}
+
+void PlaybackSystem::postUpdate(const StepInfo& info) {
+  if (info.paused) return;
+  pauseAtEnd(info);
+  // the models of the next step come and go at the end of this one
+  goTo(info.time + info.dt);
+}
+
+void PlaybackSystem::pauseAtEnd(const StepInfo& info) {
+  if (info.time.count() < replay_->range()->last) return;
+  ignition::msgs::WorldControl pause;
+  pause.set_pause(true);
+  pause_ = node_->request(controlService_, pause, "ignition.msgs.Boolean", {});
+  log_->info("the recording ends at " + std::to_string(toSeconds(info.time)) + " s");
+}
+
+void PlaybackSystem::worldChanged() { replay_->worldChanged(); }
+
+void PlaybackSystem::reset() { goTo(player_->time()); }
+
+}  // namespace pongsim::log
