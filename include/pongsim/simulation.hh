@@ -21,6 +21,8 @@
 
 namespace pongsim {
 
+class System;
+
 namespace sim {
 class Runner;
 }
@@ -89,6 +91,19 @@ class PONGSIM_API Simulation {
   double realTimeFactor() const;
 
   World world();
+
+  /// Adds a system of the program's own, as one of the world's, behind all that are there: it is declared and
+  /// configured at once, and called from the next step on. It stays through a reset, and its memory is in a saved
+  /// state, which can be restored only where the same systems are.
+  /// @param name Names it in messages, and its random stream; no other added system may have it.
+  /// @return Whether it can be used; else `diagnostics` says why not.
+  bool addSystem(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics);
+
+  /// Offers on `transport()`, for as long as this lives, the services that change the world (`/world/W/create`,
+  /// `remove`, `set_pose` and so on) and tell where files are looked for (`/gazebo/resource_paths/...`), as `pongsim
+  /// run` does. They are met when messages are handed over.
+  /// @throws std::invalid_argument where another simulation, or a run, offers them there.
+  void offerEdits();
 
   // What follows changes the world between two steps. What is refused changes nothing.
 

@@ -39,10 +39,10 @@ std::vector<std::unique_ptr<btConstraintSolver>> makeSolvers(const Settings& set
 
 }  // namespace
 
-DynamicsWorld::DynamicsWorld(const Settings& settings, GroupWork& work)
+DynamicsWorld::DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, GroupWork& work)
     : workers_(settings.threads),
-      dispatcher_(configuration_, workers_),
-      world_(dispatcher_, broadphase_, configuration_, makeSolvers(settings), workers_, work) {
+      dispatcher_(configuration, workers_),
+      world_(dispatcher_, broadphase_, configuration, makeSolvers(settings), workers_, work) {
   world_.setGravity(btVector3(0, 0, 0));
   world_.setForceUpdateAllAabbs(false);
 

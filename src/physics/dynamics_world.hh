@@ -15,7 +15,8 @@ namespace pongsim::physics {
 /// A Bullet world with all that it stands on, set up as `Settings` say.
 class DynamicsWorld {
  public:
-  DynamicsWorld(const Settings& settings, GroupWork& work);
+  /// @param configuration Must outlive it, and may serve another world after it.
+  DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, GroupWork& work);
 
   GroupedWorld& bullet() { return world_; }
 
@@ -46,7 +47,6 @@ class DynamicsWorld {
  private:
   void forgetRolledContacts(double dt);
 
-  CollisionConfiguration configuration_;
   base::Workers workers_;
   Dispatcher dispatcher_;
   btDbvtBroadphase broadphase_;

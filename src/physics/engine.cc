@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "physics/body.hh"
+#include "physics/collision_configuration.hh"
 #include "physics/contact_filter.hh"
 #include "physics/contact_list.hh"
 #include "physics/convert.hh"
@@ -26,13 +27,13 @@ namespace pongsim::physics {
 
 struct Engine::Parts final : GroupWork {
   Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, HullStore& hullsOfWorld,
-        std::shared_ptr<btRigidBody> fixed)
+        CollisionConfiguration& configuration, std::shared_ptr<btRigidBody> fixed)
       : entities(entitiesOfWorld),
         settings(settingsOfWorld),
         hulls(hullsOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
-        world(settings, *this),
+        world(settings, configuration, *this),
         anchor(std::move(fixed)) {
     world.bullet().getPairCache()->setOverlapFilterCallback(&filter);
     grow();
@@ -280,7 +281,8 @@ void Engine::Parts::reportExplosion(world::Slot link) const {
 
 Engine::Engine(const world::Entities& entities, const Settings& settings)
     : hulls_(std::make_unique<HullStore>(settings.hullCache)),
-      parts_(std::make_unique<Parts>(entities, settings, *hulls_, makeAnchor())) {
+      configuration_(std::make_unique<CollisionConfiguration>()),
+      parts_(std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, makeAnchor())) {
   combineSurfacesAsFortress();
 }
 
@@ -332,7 +334,7 @@ void Engine::reset() {
   const Settings settings = parts_->settings;
   std::shared_ptr<btRigidBody> anchor = parts_->anchor;
   parts_.reset();
-  parts_ = std::make_unique<Parts>(entities, settings, *hulls_, std::move(anchor));
+  parts_ = std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, std::move(anchor));
 }
 
 void Engine::setGravity(const Vector3& gravity) {

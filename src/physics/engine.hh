@@ -17,6 +17,7 @@
 
 namespace pongsim::physics {
 
+class CollisionConfiguration;
 class HullStore;
 
 /// The bodies and joints of a group of entities that is set aside, and where they touched, with all that they remember.
@@ -145,6 +146,8 @@ class Engine {
   struct Parts;
   /// Of meshes, which stay the same when all else is made anew.
   std::unique_ptr<HullStore> hulls_;
+  /// Has pools of several MB, which take longer to make than all else of a small world.
+  std::unique_ptr<CollisionConfiguration> configuration_;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -35,7 +35,7 @@ std::vector<const Record*> allOf(const Access& access, const std::vector<Record>
 }
 
 /// @return A number made of who is in the world and how it began, but for joints: a state fits where it is the same.
-std::uint64_t structureOf(const Access& access, const SystemSet* systems) {
+std::uint64_t structureOf(const Access& access, const SystemSet& systems) {
   base::Hash hash;
   hash.add(access.entities.description().name);
   for (const world::ModelRecord* model : allOf(access, access.entities.models(), &world::Records::models)) {
@@ -49,7 +49,7 @@ std::uint64_t structureOf(const Access& access, const SystemSet* systems) {
     add(hash, link->X_WorldLinkStart);
   }
   for (const auto& [level, isLoaded] : access.levels.list()) hash.add(level);
-  if (systems != nullptr) systems->addTo(hash);
+  systems.addTo(hash);
   return hash.value();
 }
 
@@ -103,7 +103,7 @@ struct SavedWho {
 
 /// Lets those be set aside that are in the saved state.
 /// @return Why that can't be, and nothing is changed then.
-std::optional<std::string> restoreWho(const SavedWho& who, Access& access, SystemSet* systems) {
+std::optional<std::string> restoreWho(const SavedWho& who, Access& access, SystemSet& systems) {
   const std::vector<SavedGroup> before = listGroups(access);
   bringAllBack(access);
   if (auto error = restoreJoints(access, who.joints)) {
@@ -114,22 +114,22 @@ std::optional<std::string> restoreWho(const SavedWho& who, Access& access, Syste
     // what is set aside is not made anew with the others
     access.engine.reset();
     // nor can its systems look for anything then
-    if (systems != nullptr) systems->restore(who.systems, false);
+    systems.restore(who.systems, false);
   }
   setAside(who.groups, access);
-  if (systems == nullptr || who.groups == before) return std::nullopt;
+  if (who.groups == before) return std::nullopt;
   // who holds sensors that have come or gone must know it before those are restored
-  systems->updateWhoRests();
-  systems->announceChanges();
+  systems.updateWhoRests();
+  systems.announceChanges();
   return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<std::byte> saveState(Access& access, SystemSet* systems) {
+std::vector<std::byte> saveState(Access& access, SystemSet& systems) {
   StateArchive content;
   SavedWho who{listGroups(access), listJoints(access), {}};
-  if (systems != nullptr) who.systems = systems->save();
+  who.systems = systems.save();
   content(who);
   transfer(content, access);
   const std::vector<std::byte> rest = content.take();
@@ -145,7 +145,7 @@ std::vector<std::byte> saveState(Access& access, SystemSet* systems) {
   return bytes;
 }
 
-std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet* systems) {
+std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet& systems) {
   constexpr std::size_t kHeader = kMark.size() + 2 * sizeof(std::uint64_t);
   std::array<char, kMark.size()> mark{};
   std::uint64_t structure = 0;
@@ -165,7 +165,7 @@ std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access
   content(who);
   if (const auto error = restoreWho(who, access, systems)) return error;
   transfer(content, access);
-  if (systems != nullptr) systems->restore(who.systems, true);
+  systems.restore(who.systems, true);
   return std::nullopt;
 }
 

@@ -13,10 +13,9 @@ namespace pongsim::sim {
 
 // The bytes: "pongsim4", a number made of who is in the world, a number made of the rest, and the rest.
 
-/// @param systems Null where there are none.
-std::vector<std::byte> saveState(Access& access, SystemSet* systems);
+std::vector<std::byte> saveState(Access& access, SystemSet& systems);
 
 /// @return Why not, or nothing. What is refused changes nothing.
-std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet* systems);
+std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access& access, SystemSet& systems);
 
 }  // namespace pongsim::sim

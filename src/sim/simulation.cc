@@ -19,10 +19,12 @@
 #include "pongsim/log.hh"
 #include "sdf/loader.hh"
 #include "sim/access.hh"
+#include "sim/edit_services.hh"
 #include "sim/editor.hh"
 #include "sim/levels.hh"
 #include "sim/light_edits.hh"
 #include "sim/model_edits.hh"
+#include "sim/resource_services.hh"
 #include "sim/saved_state.hh"
 #include "sim/server_config.hh"
 #include "sim/shared_topics.hh"
@@ -48,20 +50,17 @@ physics::Settings settingsFor(const description::PhysicsProfile& profile, const 
 }  // namespace
 
 struct Simulation::Parts {
-  Parts(description::World world, const SimulationOptions& options, bool sharesTransport)
+  Parts(description::World world, const sim::WorldPlace& place, bool sharesTransport, const SimulationOptions& options)
       : description(std::move(world)),
         entities(description),
         state(entities),
         engine(entities, settingsFor(description.physics, options)),
         access{entities, state, engine},
         edits(access, places),
+        transport(chooseTransport(options, sharesTransport)),
+        systems(access, edits, transport, options.seed, options.strict, place),
         wantsPhysics(options.physics) {
-    if (options.transport == nullptr) {
-      ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
-    } else if (sharesTransport) {
-      ownTransport.emplace(*options.transport, Transport::Sharing());
-    }
-    transport = ownTransport ? &*ownTransport : options.transport;
+    edits.setSystems(systems);
   }
 
   /// @return The simulation of one of the file's worlds; null, with the reason in `diagnostics`, if it can't run.
@@ -70,20 +69,21 @@ struct Simulation::Parts {
   static std::unique_ptr<Simulation> make(description::World world, const sim::WorldPlace& place, bool sharesTransport,
                                           const SimulationOptions& options, Diagnostics& diagnostics);
 
-  sim::SystemSet* systemSet() { return systems ? &*systems : nullptr; }
-  void announceChanges() {
-    if (systems) systems->announceChanges();
+  /// @return The program's transport, or one of the simulation's own.
+  Transport& chooseTransport(const SimulationOptions& options, bool sharesTransport) {
+    if (options.transport == nullptr) return ownTransport.emplace(TransportOptions{.network = false, .domain = {}});
+    return sharesTransport ? ownTransport.emplace(*options.transport, Transport::Sharing()) : *options.transport;
   }
 
   /// Loads and unloads levels. The systems are told when they are called next.
   void updateLevels() {
     const std::uint64_t before = access.changes;
     access.levels.update(access);
-    if (systems && access.changes != before) systems->updateWhoRests();
+    if (access.changes != before) systems.updateWhoRests();
   }
   void stepEngine(Time dt);
 
-  bool hasPhysics() const { return wantsPhysics && (!systems || systems->wantsPhysics()); }
+  bool hasPhysics() const { return wantsPhysics && systems.wantsPhysics(); }
   StepInfo nextStep(Time dt) const {
     const bool paused = dt == Time::zero();
     return {state.time + dt, dt, state.iterations + (paused ? 0 : 1), paused};
@@ -98,8 +98,16 @@ struct Simulation::Parts {
   sim::Access access;
   sim::ModelEdits edits;
   std::optional<Transport> ownTransport;
-  Transport* transport = nullptr;
-  std::optional<sim::SystemSet> systems;
+  Transport& transport;
+  /// None but added ones where the options want none.
+  sim::SystemSet systems;
+  struct Offers {
+    explicit Offers(Simulation& simulation) : edits(simulation), resources(simulation, [](const auto&) {}) {}
+
+    sim::EditServices edits;
+    sim::ResourceServices resources;
+  };
+  std::optional<Offers> offers;
   const bool wantsPhysics;
   /// Links of which it was said that they turn too fast.
   std::set<LinkId> slowedDown;
@@ -198,17 +206,15 @@ std::unique_ptr<Simulation> Simulation::Parts::make(description::World world, co
                         "they stand in a <plugin filename=\"dummy\" name=\"gz::sim\"> of the world");
   }
   const bool isConfigured = options.loadSystems && sim::applyServerConfig(world, diagnostics);
-  auto parts = std::make_unique<Parts>(std::move(world), options, sharesTransport);
+  auto parts = std::make_unique<Parts>(std::move(world), place, sharesTransport, options);
   if (options.levels) parts->access.levels.use();
   parts->access.levels.start(parts->access);
   if (options.loadSystems) {
-    parts->systems.emplace(parts->access, parts->edits, *parts->transport, options.seed, options.strict, place);
-    parts->edits.setSystems(*parts->systems);
-    parts->systems->load(parts->description, isConfigured, options, diagnostics);
+    parts->systems.load(parts->description, isConfigured, options, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
   }
   parts->updateLevels();
-  parts->announceChanges();
+  parts->systems.announceChanges();
   return std::unique_ptr<Simulation>(new Simulation(std::move(parts)));
 }
 
@@ -254,13 +260,13 @@ Simulation::~Simulation() = default;
 
 void Simulation::step(std::uint64_t count) {
   for (std::uint64_t i = 0; i < count; ++i) {
-    parts_->transport->dispatch();
+    parts_->transport.dispatch();
     advance(stepSize());
   }
 }
 
 void Simulation::stepPaused() {
-  parts_->transport->dispatch();
+  parts_->transport.dispatch();
   advance(Time::zero());
 }
 
@@ -280,16 +286,14 @@ void Simulation::advance(Time dt) {
   Parts& parts = *parts_;
   const StepInfo info = parts.nextStep(dt);
   parts.updateLevels();
-  if (parts.systems) {
-    parts.systems->preUpdate(info);
-    parts.systems->update(info);
-  }
+  parts.systems.preUpdate(info);
+  parts.systems.update(info);
   if (!info.paused) {
     if (parts.hasPhysics()) parts.stepEngine(info.dt);
     parts.state.time = info.time;
     parts.state.iterations = info.iteration;
   }
-  if (parts.systems) parts.systems->postUpdate(info);
+  parts.systems.postUpdate(info);
 }
 
 Time Simulation::time() const { return parts_->state.time; }
@@ -317,19 +321,19 @@ std::optional<Model> Simulation::insertCopy(const Model& model, const InsertOpti
 
 Outcome<std::string> Simulation::insertLight(const Message& light, const InsertOptions& options) {
   Outcome<std::string> name = sim::insertLight(parts_->access, light, options);
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
   return name;
 }
 
 std::optional<std::string> Simulation::changeLight(const Message& light) {
   const std::optional<std::string> refusal = sim::changeLight(parts_->access, light);
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
   return refusal;
 }
 
 std::optional<std::string> Simulation::removeLight(LightId id, const std::string& name) {
   const std::optional<std::string> refusal = sim::removeLight(parts_->access, id.value, name);
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
   return refusal;
 }
 
@@ -392,9 +396,9 @@ std::optional<std::string> Simulation::setRealTimeFactor(double factor) { return
 void Simulation::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   sim::Editor(parts_->access).reset();
   parts_->access.levels.start(parts_->access);
-  if (parts_->systems) parts_->systems->reset(diagnostics, seed);
+  parts_->systems.reset(diagnostics, seed);
   parts_->updateLevels();
-  parts_->announceChanges();
+  parts_->systems.announceChanges();
 }
 
 std::optional<std::string> Simulation::setTime(Time time) {
@@ -402,17 +406,25 @@ std::optional<std::string> Simulation::setTime(Time time) {
   if (time < Time::zero()) return "there is nothing before time zero";
   parts_->state.time = time;
   parts_->state.iterations = static_cast<std::uint64_t>(time / stepSize());
-  if (parts_->systems) parts_->systems->jump();
+  parts_->systems.jump();
   return std::nullopt;
 }
 
-std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systemSet()); }
+std::vector<std::byte> Simulation::saveState() { return sim::saveState(parts_->access, parts_->systems); }
 
 std::optional<std::string> Simulation::restoreState(std::span<const std::byte> state) {
-  return sim::restoreState(state, parts_->access, parts_->systemSet());
+  return sim::restoreState(state, parts_->access, parts_->systems);
 }
 
 World Simulation::world() { return World(parts_->access); }
+
+bool Simulation::addSystem(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics) {
+  return parts_->systems.add(std::move(name), std::move(system), diagnostics);
+}
+
+void Simulation::offerEdits() {
+  if (!parts_->offers) parts_->offers.emplace(*this);
+}
 
 std::uint64_t Simulation::stateHash() const {
   std::vector<const world::StatePart*> parts;
@@ -420,6 +432,6 @@ std::uint64_t Simulation::stateHash() const {
   return world::stateHash(parts_->state, parts);
 }
 
-Transport& Simulation::transport() { return *parts_->transport; }
+Transport& Simulation::transport() { return parts_->transport; }
 
 }  // namespace pongsim

@@ -153,18 +153,42 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   }
   const std::string& nameSpace = access_.entities.nameSpace(holder.model);
   const Node node = nameSpace.empty() ? transport_.node() : transport_.node().below(nameSpace);
+  start({model ? model->id() : ModelId(), number, name, plugin.sdf.position, node,
+         stream(SystemSlot::streamOf(name, number)), std::move(system), actor ? actor->id() : ActorId(), where()},
+        plugin.sdf, model, actor, diagnostics);
+}
+
+bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics) {
+  if (name.empty() ||
+      std::ranges::any_of(slots_, [&](const SystemSlot& slot) { return slot.isAdded() && slot.name() == name; })) {
+    diagnostics.error({},
+                      name.empty() ? "an added system has no name" : "there is an added system '" + name + "' already");
+    return false;
+  }
+  const auto number = static_cast<std::size_t>(std::ranges::count_if(slots_, &SystemSlot::isAdded));
+  Element plugin;
+  plugin.name = "plugin";
+  const Random random = stream(SystemSlot::streamOf(name, number));
+  const bool isUsed =
+      start({{}, number, std::move(name), {}, transport_.node(), random, std::move(system), {}, where(), true}, plugin,
+            {}, {}, diagnostics);
+  collectAwake();
+  return isUsed;
+}
+
+bool SystemSet::start(SystemSlot::Parts parts, const Element& plugin, const std::optional<Model>& model,
+                      const std::optional<Actor>& actor, Diagnostics& diagnostics) {
   std::vector<System*> before;
   for (SystemSlot& slot : slots_) before.push_back(&slot.system());
-  SystemSlot& slot = slots_.emplace_back(
-      SystemSlot::Parts{model ? model->id() : ModelId(), number, name, plugin.sdf.position, node,
-                        stream(SystemSlot::streamOf(name, number)), std::move(system), actor ? actor->id() : ActorId(),
-                        place_.isAlone ? "" : " (world " + std::string(world_.name()) + ")"},
-      access_, queue_, [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
-  if (slot.start(plugin.sdf, world_, model, actor, before, diagnostics)) {
-    warnOfSharedTopics(slot, diagnostics);
-  } else {
+  SystemSlot& slot =
+      slots_.emplace_back(std::move(parts), access_, queue_,
+                          [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
+  if (!slot.start(plugin, world_, model, actor, before, diagnostics)) {
     slots_.pop_back();
+    return false;
   }
+  warnOfSharedTopics(slot, diagnostics);
+  return true;
 }
 
 void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const {
@@ -186,6 +210,8 @@ void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnost
 Random SystemSet::stream(const std::string& name) const {
   return {seed_, place_.number == 0 ? name : std::string(world_.name()) + ": " + name};
 }
+
+std::string SystemSet::where() const { return place_.isAlone ? "" : " (world " + std::string(world_.name()) + ")"; }
 
 void SystemSet::noteFailure(const SystemSlot& slot, const std::string& what) {
   if (!strict_) {
@@ -277,10 +303,11 @@ void SystemSet::addTo(base::Hash& hash) const {
   for (const SystemSlot& slot : slots_) hash.add(slot.stream());
 }
 
-/// As they were loaded at the start: the world's, then each model's, then each actor's.
+/// As they were loaded at the start: the world's, then each model's, then each actor's, then those that were added.
 void SystemSet::putInOrder() {
   const auto place = [this](const SystemSlot& slot) {
-    return std::tuple(slot.actor(), slot.model() ? access_.entities.slot(slot.model()) + 1 : 0, slot.number());
+    return std::tuple(slot.isAdded(), slot.actor(), slot.model() ? access_.entities.slot(slot.model()) + 1 : 0,
+                      slot.number());
   };
   slots_.sort([&](const SystemSlot& a, const SystemSlot& b) { return place(a) < place(b); });
 }

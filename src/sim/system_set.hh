@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +43,11 @@ class SystemSet {
   /// @param options Which systems there are beside them, and whether it matters that the world lists no physics.
   void load(const description::World& world, bool isConfigured, const SimulationOptions& options,
             Diagnostics& diagnostics);
+
+  /// Configures a system of the program's own, behind all others.
+  /// @param name No other added system may have it.
+  /// @return Whether it can be used; else `diagnostics` says why not.
+  bool add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics);
 
   /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.
   bool wantsPhysics() const { return wantsPhysics_; }
@@ -91,10 +97,15 @@ class SystemSet {
     const world::ActorRecord* actor = nullptr;
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
+  /// @return Whether it can be used.
+  bool start(SystemSlot::Parts parts, const Element& plugin, const std::optional<Model>& model,
+             const std::optional<Actor>& actor, Diagnostics& diagnostics);
   void putInOrder();
   void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   Random stream(const std::string& name) const;
+  /// @return What stands behind the name of a system where it speaks.
+  std::string where() const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
   /// Ends the step where a system must not have failed.
   void check() const;

@@ -38,6 +38,8 @@ class SystemSlot final : public CallGuard {
     ActorId actor = {};
     /// Behind the name where it speaks: " (world b)", or empty.
     std::string where = {};
+    /// The program itself has added it.
+    bool isAdded = false;
   };
   /// Told why the system has been switched off, each time.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
@@ -50,6 +52,7 @@ class SystemSlot final : public CallGuard {
   ActorId actor() const { return parts_.actor; }
   std::size_t number() const { return parts_.number; }
   const std::string& name() const { return parts_.name; }
+  bool isAdded() const { return parts_.isAdded; }
   /// @return The name by which it speaks.
   std::string label() const { return parts_.name + parts_.where; }
   const SourcePosition& position() const { return parts_.position; }

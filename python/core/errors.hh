@@ -1,0 +1,32 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "pongsim/diagnostic.hh"
+
+namespace pongsim::python {
+
+namespace py = pybind11;
+
+/// @return An exception class of pongsim/errors.py.
+py::object errorClass(const char* name);
+
+/// Raises one of these.
+[[noreturn]] void raise(const char* name, const std::string& text);
+
+/// Raises a LoadError that has all of them.
+[[noreturn]] void raiseLoadError(const std::vector<Diagnostic>& found);
+
+/// Tells of each as a Python warning.
+void warnOf(const std::vector<Diagnostic>& found);
+
+/// @return "ValueError: too far (judge.py:12)".
+std::string describe(const py::error_already_set& error);
+
+/// What C++ throws becomes exceptions of errors.py.
+void translateErrors();
+
+}  // namespace pongsim::python

@@ -1,0 +1,228 @@
+#include "core/handles.hh"
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/errors.hh"
+#include "core/values.hh"
+#include "pongsim/nearest_word.hh"
+
+namespace pongsim::python {
+
+namespace {
+
+template <class Inner>
+std::vector<Handle<Inner>> handles(const std::shared_ptr<Life>& life, std::vector<Inner> inner) {
+  std::vector<Handle<Inner>> result;
+  result.reserve(inner.size());
+  for (Inner& each : inner) result.push_back({life, each});
+  return result;
+}
+
+/// Raises KeyError for a name that is not there, with the one that is spelt most like it.
+template <class Inner>
+Handle<Inner> found(const std::shared_ptr<Life>& life, const std::optional<Inner>& inner, const std::string& what,
+                    const std::string& name, const std::vector<Inner>& others) {
+  if (inner) return {life, *inner};
+  std::vector<std::string_view> names;
+  for (const Inner& other : others) names.push_back(other.name());
+  const std::string hint = didYouMean(name, names);
+  throw py::key_error(what + " has no '" + name + "'" + (hint.empty() ? "" : "; " + hint));
+}
+
+double finite(double number, const char* what) {
+  if (!std::isfinite(number)) throw py::value_error(std::string(what) + " must be finite");
+  return number;
+}
+
+/// @return An axis that the joint has.
+int axisOf(const Joint& joint, int axis) {
+  if (axis >= 0 && axis < joint.axisCount()) return axis;
+  throw py::index_error("joint '" + std::string(joint.name()) + "' has " + std::to_string(joint.axisCount()) +
+                        " axes with a position; there is no axis " + std::to_string(axis));
+}
+
+AfterMove afterMove(bool stop) { return stop ? AfterMove::kStop : AfterMove::kKeepVelocity; }
+
+/// What all handles have.
+template <class PyHandle>
+py::class_<PyHandle> bindCommon(py::module_& module, const char* name, const char* text) {
+  return py::class_<PyHandle>(module, name, text)
+      .def_property_readonly(
+          "exists", [](PyHandle& self) { return !self.life->isClosed() && self.use().exists(); },
+          "Whether it is still there. If not, everything else but `id` raises Gone.")
+      .def_property_readonly(
+          "id", [](PyHandle& self) { return self.inner.id().value; }, "Its number, never used twice in a run.")
+      .def_property_readonly(
+          "name", [](PyHandle& self) { return std::string(self.use().name()); },
+          "Its own name, without those of what holds it.")
+      .def("__eq__",
+           [](PyHandle& self, py::object other) {
+             if (!py::isinstance<PyHandle>(other)) return false;
+             auto& that = other.cast<PyHandle&>();
+             return self.life == that.life && self.inner.id() == that.inner.id();
+           })
+      .def("__hash__", [](PyHandle& self) { return std::hash<std::uint64_t>()(self.inner.id().value); })
+      .def("__repr__", [name = std::string(name)](PyHandle& self) {
+        const bool isThere = !self.life->isClosed() && !self.life->isStepping() && self.inner.exists();
+        return "<pongsim." + name + " " +
+               (isThere ? "'" + std::string(self.inner.name()) + "'" : std::string("that is gone")) + ">";
+      });
+}
+
+void bindModel(py::module_& module) {
+  bindCommon<PyModel>(module, "Model", "One model of a running world. Equal to any other object for the same model.")
+      .def_property_readonly(
+          "scoped_name", [](PyModel& self) { return self.use().scopedName(); },
+          "Its name with the models that it is nested in: \"outer::inner\".")
+      .def_property_readonly(
+          "pose", [](PyModel& self) { return poseOf(self.use().pose()); },
+          "Pose of the model frame in the world frame.")
+      .def_property_readonly(
+          "is_static", [](PyModel& self) { return self.use().isStatic(); }, "Whether it never moves by itself.")
+      .def(
+          "move",
+          [](PyModel& self, py::handle pose, bool stop) {
+            const Pose X_WorldModel = poseFrom(pose);
+            checkRefusal(self.edit("a move").setPose(X_WorldModel, afterMove(stop)));
+          },
+          py::arg("pose"), py::kw_only(), py::arg("stop") = false,
+          "Puts the model frame somewhere else, between two steps, with all its links: they keep their places in "
+          "it.\n\n"
+          "pose: a Pose, x y z, or x y z roll pitch yaw, in the world frame [m, rad].\n"
+          "stop: take its velocity away; otherwise it turns with it, as in Fortress.\n"
+          "Raises Refused where a joint holds it to something outside of it.")
+      .def(
+          "set_velocity",
+          [](PyModel& self, py::handle linear, py::handle angular) {
+            self.use().setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
+          },
+          py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
+          "Sets the velocity of the model frame's origin [m/s] and the angular velocity [rad/s], both in the world "
+          "frame. "
+          "All its links take part; the joints' velocities stay.")
+      .def_property_readonly(
+          "links", [](PyModel& self) { return handles(self.life, self.use().links()); },
+          "Its links, without nested ones.")
+      .def_property_readonly(
+          "joints", [](PyModel& self) { return handles(self.life, self.use().joints()); },
+          "Its joints, without nested ones.")
+      .def_property_readonly(
+          "models", [](PyModel& self) { return handles(self.life, self.use().models()); }, "The models nested in it.")
+      .def(
+          "link",
+          [](PyModel& self, const std::string& name) {
+            Model& model = self.use();
+            return found<Link>(self.life, model.link(name), "model '" + model.scopedName() + "'", name, model.links());
+          },
+          py::arg("name"), "The link of that name; of nested models by \"inner::wheel\". Raises KeyError.")
+      .def(
+          "joint",
+          [](PyModel& self, const std::string& name) {
+            Model& model = self.use();
+            return found<Joint>(self.life, model.joint(name), "model '" + model.scopedName() + "'", name,
+                                model.joints());
+          },
+          py::arg("name"), "The joint of that name; of nested models by \"inner::hinge\". Raises KeyError.");
+}
+
+void bindLink(py::module_& module) {
+  bindCommon<PyLink>(module, "Link", "One link of a running world. Equal to any other object for the same link.")
+      .def_property_readonly(
+          "scoped_name", [](PyLink& self) { return self.use().scopedName(); },
+          "Its name with the models that hold it: \"model::link\".")
+      .def_property_readonly(
+          "model",
+          [](PyLink& self) {
+            return PyModel{self.life, self.use().model()};
+          },
+          "The model that it belongs to.")
+      .def_property_readonly(
+          "pose", [](PyLink& self) { return poseOf(self.use().pose()); }, "Pose of the link frame in the world frame.")
+      .def_property_readonly(
+          "linear_velocity", [](PyLink& self) { return tupleOf(self.use().linearVelocity()); },
+          "Velocity of the link frame's origin, world frame [m/s].")
+      .def_property_readonly(
+          "angular_velocity", [](PyLink& self) { return tupleOf(self.use().angularVelocity()); },
+          "Angular velocity, world frame [rad/s].")
+      .def_property_readonly(
+          "mass", [](PyLink& self) { return self.use().mass().mass; }, "Mass [kg].")
+      .def(
+          "add_wrench",
+          [](PyLink& self, py::handle force, py::handle torque) {
+            self.use().addWrench(vectorOf(force, "a force"), vectorOf(torque, "a torque"));
+          },
+          py::arg("force"), py::arg("torque") = py::make_tuple(0.0, 0.0, 0.0),
+          "Applies a force at the link frame's origin [N] and a torque [N m] during the next step, both in the world "
+          "frame. Several calls add up.")
+      .def(
+          "set_velocity",
+          [](PyLink& self, py::handle linear, py::handle angular) {
+            self.use().setVelocity(vectorOf(linear, "a velocity"), vectorOf(angular, "an angular velocity"));
+          },
+          py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
+          "Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], both in the world "
+          "frame.");
+}
+
+void bindJoint(py::module_& module) {
+  bindCommon<PyJoint>(
+      module, "Joint",
+      "One joint of a running world. Angles in rad and torques in N m for an axis that turns, m and N for "
+      "one that slides.")
+      .def_property_readonly(
+          "type", [](PyJoint& self) { return std::string(self.use().type()); }, "The format's name: \"revolute\".")
+      .def_property_readonly(
+          "axis_count", [](PyJoint& self) { return self.use().axisCount(); },
+          "Axes that have a position: 0 for a fixed or ball joint, 1 or 2.")
+      .def(
+          "position", [](PyJoint& self, int axis) { return self.use().position(axisOf(self.inner, axis)); },
+          py::arg("axis") = 0, "Position of the axis since the start, not wrapped [rad or m].")
+      .def(
+          "velocity", [](PyJoint& self, int axis) { return self.use().velocity(axisOf(self.inner, axis)); },
+          py::arg("axis") = 0, "Velocity of the axis [rad/s or m/s].")
+      .def(
+          "drive",
+          [](PyJoint& self, std::optional<double> velocity, int axis) {
+            Joint& joint = self.use();
+            if (velocity) {
+              joint.setVelocityTarget(finite(*velocity, "a velocity"), axisOf(joint, axis));
+            } else {
+              joint.clearVelocityTarget(axisOf(joint, axis));
+            }
+          },
+          py::arg("velocity"), py::arg("axis") = 0,
+          "Drives the axis at that velocity [rad/s or m/s] from the next step on, as far as its effort limit allows; 0 "
+          "brakes; None lets it go.")
+      .def(
+          "add_force",
+          [](PyJoint& self, double force, int axis) {
+            self.use().addForce(finite(force, "a force"), axisOf(self.inner, axis));
+          },
+          py::arg("force"), py::arg("axis") = 0,
+          "Applies a force along the axis [N m or N] during the next step. Several calls add up.")
+      .def(
+          "reset",
+          [](PyJoint& self, std::optional<double> position, std::optional<double> velocity, int axis) {
+            Joint& joint = self.edit("a joint's reset");
+            if (position) checkRefusal(joint.resetPosition(finite(*position, "a position"), axisOf(joint, axis)));
+            if (velocity) checkRefusal(joint.resetVelocity(finite(*velocity, "a velocity"), axisOf(joint, axis)));
+          },
+          py::arg("position") = py::none(), py::arg("velocity") = py::none(), py::arg("axis") = 0,
+          "Puts the axis to a position and a velocity between two steps, with all that hangs on it. Raises Refused "
+          "where "
+          "other joints hold that.");
+}
+
+}  // namespace
+
+void bindHandles(py::module_& module) {
+  bindModel(module);
+  bindLink(module);
+  bindJoint(module);
+}
+
+}  // namespace pongsim::python

@@ -1,0 +1,33 @@
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "core/errors.hh"
+#include "core/handles.hh"
+#include "core/python_system.hh"
+#include "core/sensor.hh"
+#include "core/simulation.hh"
+#include "core/topics.hh"
+#include "pongsim/log.hh"
+
+namespace {
+
+/// As Fortress numbers it.
+void setLogLevel(int level) {
+  if (level < 0 || level > 4) throw pybind11::value_error("a log level is from 0 (nothing) to 4 (debug)");
+  pongsim::setLogLevel(static_cast<pongsim::LogLevel>(level));
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+  namespace python = pongsim::python;
+  python::translateErrors();
+  python::bindSensors(module);
+  python::bindHandles(module);
+  python::bindTopics(module);
+  python::bindSystems(module);
+  python::bindSimulation(module);
+  module.attr("version") = PONGSIM_VERSION;
+  module.def("set_log_level", &setLogLevel, pybind11::arg("level"),
+             "Sets how much the process says on stderr: 0 nothing, 1 errors, 2 warnings (the default), 3 more, 4 all.");
+}

@@ -1,0 +1,91 @@
+#include "core/python_system.hh"
+
+#include <stdexcept>
+#include <utility>
+
+#include "core/errors.hh"
+
+namespace pongsim::python {
+
+PythonSystem::PythonSystem(Life& life, py::object system) : life_(life), self_(life.keep(std::move(system))) {
+  preUpdate_ = own("pre_update");
+  update_ = own("update");
+  postUpdate_ = own("post_update");
+  reset_ = own("reset");
+  worldChanged_ = own("world_changed");
+  save_ = own("save");
+  restore_ = own("restore");
+}
+
+PythonSystem::~PythonSystem() = default;
+
+PythonSystem::Method PythonSystem::own(const char* name) const {
+  const py::object type = py::type::of(self_->get());
+  const py::object base = py::module_::import("pongsim.system").attr("System");
+  if (type.attr(name).is(base.attr(name))) return nullptr;
+  return life_.keep(self_->get().attr(name));
+}
+
+void PythonSystem::declare(Declaration& declaration) {
+  declaration.is("A system in Python.", Declaration::Place::kWorld);
+}
+
+void PythonSystem::configure(const SystemContext&) {
+  guarded([this] { self_->get().attr("configure")(); });
+}
+
+void PythonSystem::reset() {
+  guarded([this] { self_->get().attr("error") = py::none(); });
+  call(reset_, nullptr);
+}
+
+/// Of what goes wrong the simulation is told as of a system in C++; Python keeps the exception itself.
+template <class Work>
+void PythonSystem::guarded(Work work) {
+  const py::gil_scoped_acquire gil;
+  try {
+    work();
+  } catch (py::error_already_set& error) {
+    // Ctrl-C and sys.exit are no faults of the system's
+    if (!error.matches(PyExc_Exception)) return life_.noteError(error);
+    py::object exception = error.value();
+    if (error.trace()) PyException_SetTraceback(exception.ptr(), error.trace().ptr());
+    const std::string what = describe(error);
+    const bool isGone = error.matches(errorClass("Gone"));
+    self_->get().attr("error") = exception;
+    life_.noteFailure(std::move(exception));
+    if (isGone) throw Gone(what);
+    throw std::runtime_error(what);
+  }
+}
+
+void PythonSystem::call(const Method& method, const StepInfo* info) {
+  if (!method) return;
+  guarded([&] { info == nullptr ? method->get()() : method->get()(*info); });
+}
+
+void PythonSystem::transfer(StateArchive& archive) {
+  if (!save_ || !restore_) return;
+  std::string bytes;
+  guarded([&] {
+    const py::module_ pickle = py::module_::import("pickle");
+    if (!archive.isGiving()) bytes = pickle.attr("dumps")(save_->get()()).cast<std::string>();
+    archive(bytes);
+    if (archive.isGiving()) restore_->get()(pickle.attr("loads")(py::bytes(bytes)));
+  });
+}
+
+void bindSystems(py::module_& module) {
+  py::class_<StepInfo>(module, "StepInfo", "Where a run stands when a system is called.")
+      .def_property_readonly(
+          "time", [](const StepInfo& info) { return toSeconds(info.time); },
+          "Simulated time at the end of this step [s].")
+      .def_property_readonly(
+          "time_ns", [](const StepInfo& info) { return info.time.count(); }, "The same in whole nanoseconds.")
+      .def_property_readonly(
+          "dt", [](const StepInfo& info) { return toSeconds(info.dt); }, "Length of the step [s].")
+      .def_property_readonly(
+          "iteration", [](const StepInfo& info) { return info.iteration; }, "Steps made, this one included.");
+}
+
+}  // namespace pongsim::python

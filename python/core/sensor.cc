@@ -1,0 +1,267 @@
+#include "core/sensor.hh"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+#include <ignition/msgs/laserscan.pb.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "core/errors.hh"
+#include "core/message_dict.hh"
+#include "core/values.hh"
+#include "pongsim/nearest_word.hh"
+
+namespace pongsim::python {
+
+namespace {
+
+using google::protobuf::FieldDescriptor;
+
+const FieldDescriptor& fieldOf(const Message& message, const char* name) {
+  const FieldDescriptor* field = message.GetDescriptor()->FindFieldByName(name);
+  if (field == nullptr) throw std::logic_error(message.GetTypeName() + " has no field " + name);
+  return *field;
+}
+
+std::size_t countIn(const Message& message, const char* name) {
+  return message.GetReflection()->GetUInt32(message, &fieldOf(message, name));
+}
+
+std::int64_t stampOf(const Message& message) {
+  const auto& header = message.GetReflection()->GetMessage(message, &fieldOf(message, "header"));
+  const auto& stamp = header.GetReflection()->GetMessage(header, &fieldOf(header, "stamp"));
+  return stamp.GetReflection()->GetInt64(stamp, &fieldOf(stamp, "sec")) * 1'000'000'000 +
+         stamp.GetReflection()->GetInt32(stamp, &fieldOf(stamp, "nsec"));
+}
+
+/// What a sensor of a type says where.
+struct Way {
+  const char* kind;
+  const char* message;
+  /// Of `Sensor::topic`, and what stands behind that.
+  const char* suffix;
+  const char* behind;
+};
+
+constexpr const char* kScan = "ignition.msgs.LaserScan";
+constexpr const char* kCloud = "ignition.msgs.PointCloudPacked";
+constexpr const char* kImage = "ignition.msgs.Image";
+
+/// @return The ways of a type, the main one first; empty for one that has no system.
+std::vector<Way> waysOf(std::string_view type) {
+  if (type == "gpu_lidar" || type == "lidar" || type == "gpu_ray" || type == "ray") {
+    return {{"ranges", kScan, "/scan", ""}, {"points", kCloud, "/scan", "/points"}};
+  }
+  if (type == "camera") return {{"image", kImage, "/image", ""}};
+  if (type == "depth_camera" || type == "depth") {
+    return {{"depth", kImage, "/depth_image", ""}, {"points", kCloud, "/depth_image", "/points"}};
+  }
+  if (type == "rgbd_camera" || type == "rgbd") {
+    return {{"image", kImage, "", "/image"}, {"depth", kImage, "", "/depth_image"}, {"points", kCloud, "", "/points"}};
+  }
+  struct Plain {
+    const char* type;
+    Way way;
+  };
+  static constexpr Plain kPlain[] = {
+      {"imu", {"message", "ignition.msgs.IMU", "/imu", ""}},
+      {"magnetometer", {"message", "ignition.msgs.Magnetometer", "/magnetometer", ""}},
+      {"altimeter", {"message", "ignition.msgs.Altimeter", "/altimeter", ""}},
+      {"air_pressure", {"message", "ignition.msgs.FluidPressure", "/air_pressure", ""}},
+      {"force_torque", {"message", "ignition.msgs.Wrench", "/forcetorque", ""}},
+      {"logical_camera", {"message", "ignition.msgs.LogicalCameraImage", "/logical_camera", ""}},
+      {"navsat", {"message", "ignition.msgs.NavSat", "/navsat", ""}},
+      {"contact", {"message", "ignition.msgs.Contacts", "/contact", ""}}};
+  for (const Plain& plain : kPlain) {
+    if (plain.type == type) return {plain.way};
+  }
+  return {};
+}
+
+void collect(const Model& model, std::vector<Sensor>& sensors) {
+  for (const Link& link : model.links()) {
+    for (const Sensor& sensor : link.sensors()) sensors.push_back(sensor);
+  }
+  for (const Joint& joint : model.joints()) {
+    for (const Sensor& sensor : joint.sensors()) sensors.push_back(sensor);
+  }
+  for (const Model& nested : model.models()) collect(nested, sensors);
+}
+
+std::vector<Sensor> allSensors(Simulation& simulation) {
+  std::vector<Sensor> sensors;
+  for (const Model& model : simulation.world().models()) collect(model, sensors);
+  return sensors;
+}
+
+}  // namespace
+
+Stream::Stream(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& messageType,
+               const std::string& what)
+    : kind(what), type(messageType), life_(life) {
+  subscription_ = life->use().transport().node().subscribeAtOnce(
+      topic, type, [this](const Message& heard, const Bulk* bulk) { hear(heard, bulk); });
+}
+
+const Stream& Stream::use() const {
+  const auto life = life_.lock();
+  if (!life) raise("Gone", "the simulation is gone");
+  life->use();
+  return *this;
+}
+
+void Stream::hear(const Message& heard, const Bulk* bulk) {
+  if (kind == "message") {
+    heard.SerializeToString(&message);
+  } else if (kind == "ranges") {
+    hearScan(heard);
+  } else {
+    hearBulk(heard, bulk);
+  }
+  time = stampOf(heard);
+  ++count;
+}
+
+/// @return Where so many bytes are to be written: where the ones before were, unless there are others now.
+void* Stream::place(std::shared_ptr<Memory>& at, std::size_t size) {
+  if (at == nullptr || at->bytes.size() != size) at = std::make_shared<Memory>(size);
+  return at->bytes.data();
+}
+
+void Stream::hearScan(const Message& heard) {
+  const auto& scan = static_cast<const ignition::msgs::LaserScan&>(heard);
+  const auto size = static_cast<std::size_t>(scan.ranges_size());
+  const std::size_t rows = std::max<std::size_t>(scan.vertical_count(), 1);
+  shape = rows > 1 && size % rows == 0 ? std::vector{rows, size / rows} : std::vector{size};
+  format = "f8";
+  written = place(memory, size * sizeof(double));
+  std::memcpy(memory->bytes.data(), scan.ranges().data(), size * sizeof(double));
+  const auto strengthSize = static_cast<std::size_t>(scan.intensities_size()) * sizeof(double);
+  std::memcpy(place(intensities, strengthSize), scan.intensities().data(), strengthSize);
+}
+
+void Stream::hearBulk(const Message& heard, const Bulk* bulk) {
+  const std::size_t height = countIn(heard, "height"), width = countIn(heard, "width");
+  std::string scratch;
+  const std::string& data = heard.GetReflection()->GetStringReference(heard, &fieldOf(heard, "data"), &scratch);
+  const std::size_t size = bulk != nullptr ? bulk->size : data.size();
+  const std::size_t pixels = std::max<std::size_t>(height * width, 1);
+  if (kind == "points") {
+    shape = {height, width, size / pixels / sizeof(float)};
+    format = "f4";
+  } else if (kind == "depth") {
+    shape = {height, width};
+    format = "f4";
+  } else {
+    const std::size_t bytes = size / pixels;
+    shape = bytes == 3 ? std::vector{height, width, bytes} : std::vector{height, width};
+    format = bytes == 2 ? "u2" : "u1";
+  }
+  written = place(memory, size);
+  if (bulk != nullptr) {
+    bulk->write(memory->bytes);
+  } else {
+    std::memcpy(memory->bytes.data(), data.data(), size);
+  }
+}
+
+Stream& PySensor::listen(const std::string& kind) {
+  std::shared_ptr<Stream>& stream = streams[kind];
+  if (stream) return *stream;
+  const Sensor& sensor = use();
+  std::string known;
+  for (const Way& way : waysOf(sensor.type())) {
+    known += (known.empty() ? "" : ", ") + std::string(way.kind);
+    if (way.kind != kind) continue;
+    stream = std::make_shared<Stream>(life, cleanTopic(sensor.topic(way.suffix)) + way.behind, way.message, kind);
+    life->tell(stream);
+    return *stream;
+  }
+  streams.erase(kind);
+  throw py::value_error("sensor '" + sensor.scopedName() + "' of type " + std::string(sensor.type()) + " has no " +
+                        kind + (known.empty() ? "; subscribe to its topic" : "; it has " + known));
+}
+
+PySensor findSensor(const std::shared_ptr<Life>& life, const std::string& name) {
+  std::vector<std::string> scoped;
+  std::vector<Sensor> named;
+  for (const Sensor& sensor : allSensors(life->use())) {
+    scoped.push_back(sensor.scopedName());
+    if (scoped.back() == name) return {life, sensor, {}};
+    if (sensor.name() == name) named.push_back(sensor);
+  }
+  if (named.size() == 1) return {life, named.front(), {}};
+  if (!named.empty()) {
+    throw py::key_error("several sensors are called '" + name + "'; one is " + named.front().scopedName());
+  }
+  const std::vector<std::string_view> words(scoped.begin(), scoped.end());
+  const std::string hint = didYouMean(name, words);
+  throw py::key_error("there is no sensor '" + name + "'" + (hint.empty() ? "" : "; " + hint));
+}
+
+std::vector<std::string> sensorNames(Life& life) {
+  std::vector<std::string> names;
+  for (const Sensor& sensor : allSensors(life.use())) names.push_back(sensor.scopedName());
+  return names;
+}
+
+void bindSensors(py::module_& module) {
+  py::class_<Memory, std::shared_ptr<Memory>>(module, "Memory", py::buffer_protocol(), "Bytes that arrays look at.")
+      .def_buffer([](Memory& memory) {
+        return py::buffer_info(memory.bytes.data(), 1, py::format_descriptor<std::uint8_t>::format(), 1,
+                               {static_cast<py::ssize_t>(memory.bytes.size())}, {1}, true);
+      });
+  py::class_<Stream, std::shared_ptr<Stream>>(module, "Stream", "One kind of reading of a sensor.")
+      .def_property_readonly("shape", [](const Stream& self) { return py::tuple(py::cast(self.use().shape)); })
+      .def_property_readonly("format", [](const Stream& self) { return self.use().format; })
+      .def_property_readonly("time_ns", [](const Stream& self) { return self.use().time; })
+      .def_property_readonly("count", [](const Stream& self) { return self.use().count; })
+      .def_property_readonly("memory", [](const Stream& self) { return self.use().memory; })
+      .def_property_readonly("intensities", [](const Stream& self) { return self.use().intensities; })
+      .def_property_readonly("written_at",
+                             [](const Stream& self) { return reinterpret_cast<std::uintptr_t>(self.use().written); })
+      .def("message", [](const Stream& self, py::handle type) {
+        return messageAs(type, self.use().type, std::as_bytes(std::span(self.message)));
+      });
+  py::class_<PySensor>(module, "Sensor", "One sensor of a running world.")
+      .def_property_readonly(
+          "exists", [](PySensor& self) { return !self.life->isClosed() && self.use().exists(); },
+          "Whether it is still there.")
+      .def_property_readonly(
+          "name", [](PySensor& self) { return std::string(self.use().name()); }, "Its own name.")
+      .def_property_readonly(
+          "scoped_name", [](PySensor& self) { return self.use().scopedName(); }, "\"model::link::sensor\".")
+      .def_property_readonly(
+          "type", [](PySensor& self) { return std::string(self.use().type()); }, "As the file has it: \"gpu_lidar\".")
+      .def_property_readonly(
+          "pose", [](PySensor& self) { return poseOf(self.use().pose()); }, "Pose of its frame in the world frame.")
+      .def_property_readonly(
+          "update_rate", [](PySensor& self) { return self.use().updateRate(); },
+          "Readings a simulated second; 0: one every step.")
+      .def_property_readonly(
+          "kinds",
+          [](PySensor& self) {
+            std::vector<std::string> kinds;
+            for (const Way& way : waysOf(self.use().type())) kinds.emplace_back(way.kind);
+            return kinds;
+          },
+          "What it has, the main one first: \"ranges\", \"points\", \"image\", \"depth\" or \"message\".")
+      .def(
+          "stream",
+          [](PySensor& self, const std::string& kind) {
+            if (self.use().exists())
+              self.listen(kind);
+            else
+              raise("Gone", "the sensor is gone: its model was removed");
+            return self.streams.at(kind);
+          },
+          py::arg("kind"), "What comes of one of its kinds; the first call begins to listen.");
+}
+
+}  // namespace pongsim::python

@@ -1,0 +1,406 @@
+#include "core/simulation.hh"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/errors.hh"
+#include "core/handles.hh"
+#include "core/life.hh"
+#include "core/memory.hh"
+#include "core/message_dict.hh"
+#include "core/python_system.hh"
+#include "core/sensor.hh"
+#include "core/topics.hh"
+#include "core/values.hh"
+#include "pongsim/nearest_word.hh"
+
+namespace pongsim::python {
+
+namespace {
+
+/// What Python's Simulation holds: when it goes, the simulation goes.
+struct Owner {
+  explicit Owner(std::shared_ptr<Life> owned) : life(std::move(owned)) {}
+  Owner(Owner&&) = default;
+  ~Owner() {
+    if (life) life->close();
+  }
+  std::shared_ptr<Life> life;
+  std::vector<Diagnostic> found;
+};
+
+/// @return Whether `world` is the text of a world rather than a file's name.
+bool isText(const std::string& world) { return world.find('<') != std::string::npos; }
+
+std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool loadSystems, bool strict, int threads,
+                            bool levels, bool network, std::optional<int> domain,
+                            std::optional<std::string> interface) {
+  if (threads < 1) throw py::value_error("threads must be 1 or more, not " + std::to_string(threads));
+  if (!network && (domain || interface)) throw py::value_error("domain and interface are for network=True");
+  std::unique_ptr<Transport> transport;
+  if (network) transport = std::make_unique<Transport>(TransportOptions{true, domain, std::move(interface)});
+  SimulationOptions options;
+  options.seed = seed;
+  options.loadSystems = loadSystems;
+  options.strict = strict;
+  options.threads = threads;
+  options.levels = levels;
+  options.transport = transport.get();
+  Diagnostics diagnostics;
+  std::unique_ptr<Simulation> simulation;
+  {
+    const py::gil_scoped_release released;
+    simulation = isText(world) ? Simulation::fromText(world, "<text>", options, diagnostics)
+                               : Simulation::fromFile(world, options, diagnostics);
+    if (simulation) simulation->offerEdits();
+  }
+  if (!simulation) raiseLoadError(diagnostics.all());
+  auto owner = std::make_unique<Owner>(std::make_shared<Life>(std::move(transport), std::move(simulation)));
+  owner->found = diagnostics.all();
+  return owner;
+}
+
+/// Raises what a step has raised: a strict one with the exception of the system that failed.
+template <class Work>
+void takeSteps(Life& life, Work work) {
+  try {
+    life.stepping(work);
+  } catch (const py::error_already_set&) {
+    throw;
+  } catch (const Gone&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    const py::object type = errorClass("SystemFailed");
+    const py::object exception = type(py::str(error.what()));
+    const py::object cause = life.failure();
+    if (!cause.is_none()) PyException_SetCause(exception.ptr(), py::object(cause).release().ptr());
+    PyErr_SetObject(type.ptr(), exception.ptr());
+    throw py::error_already_set();
+  }
+}
+
+void step(Owner& owner, std::uint64_t count) {
+  Life& life = *owner.life;
+  Simulation& simulation = life.edit("a step");
+  takeSteps(life, [&] {
+    if (count == 1) return simulation.step();
+    for (std::uint64_t i = 0; i < count && !life.mustStop(); ++i) simulation.step();
+  });
+}
+
+void runUntil(Owner& owner, double seconds) {
+  if (!std::isfinite(seconds) || std::abs(seconds) > 9e9) {
+    throw py::value_error("run_until wants a time in seconds, finite and below 9e9");
+  }
+  Life& life = *owner.life;
+  Simulation& simulation = life.edit("run_until");
+  const Time end = fromSeconds(seconds);
+  takeSteps(life, [&] {
+    while (simulation.time() < end && !life.mustStop()) simulation.step();
+  });
+}
+
+void reset(Owner& owner, std::optional<std::uint64_t> seed) {
+  Diagnostics diagnostics;
+  takeSteps(*owner.life, [&, &simulation = owner.life->edit("a reset")] { simulation.reset(diagnostics, seed); });
+  warnOf(diagnostics.all());
+}
+
+py::bytes save(Owner& owner) {
+  const std::vector<std::byte> state = owner.life->edit("saving").saveState();
+  return py::bytes(reinterpret_cast<const char*>(state.data()), state.size());
+}
+
+void restore(Owner& owner, const py::bytes& state) {
+  char* data = nullptr;
+  Py_ssize_t size = 0;
+  if (PyBytes_AsStringAndSize(state.ptr(), &data, &size) != 0) throw py::error_already_set();
+  checkRefusal(owner.life->edit("restoring")
+                   .restoreState({reinterpret_cast<const std::byte*>(data), static_cast<std::size_t>(size)}));
+}
+
+void collect(const std::vector<Model>& from, std::vector<Model>& models) {
+  for (const Model& model : from) {
+    models.push_back(model);
+    collect(model.models(), models);
+  }
+}
+
+std::vector<Model> allModels(Simulation& simulation) {
+  std::vector<Model> models;
+  collect(simulation.world().models(), models);
+  return models;
+}
+
+template <class Number>
+void put(Number number, std::byte*& to) {
+  std::memcpy(to, &number, sizeof(number));
+  to += sizeof(number);
+}
+
+/// @return Seven numbers a model, in the order of `model_names`.
+std::shared_ptr<Memory> poses(Owner& owner) {
+  const std::vector<Model> models = allModels(owner.life->use());
+  auto memory = std::make_shared<Memory>(models.size() * 7 * sizeof(double));
+  std::byte* to = memory->bytes.data();
+  for (const Model& model : models) {
+    const Pose pose = model.pose();
+    for (int i = 0; i < 3; ++i) put(pose.position[i], to);
+    for (int i = 0; i < 4; ++i) put(pose.rotation.coeffs()[i], to);
+  }
+  return memory;
+}
+
+/// Calls `use(joint, axis)` for all axes of all joints.
+template <class Use>
+void forAxes(Simulation& simulation, Use use) {
+  for (const Model& model : allModels(simulation)) {
+    for (const Joint& joint : model.joints()) {
+      for (int axis = 0; axis < joint.axisCount(); ++axis) use(model, joint, axis);
+    }
+  }
+}
+
+std::vector<std::string> modelNames(Owner& owner) {
+  std::vector<std::string> names;
+  for (const Model& model : allModels(owner.life->use())) names.push_back(model.scopedName());
+  return names;
+}
+
+std::vector<std::string> jointNames(Owner& owner) {
+  std::vector<std::string> names;
+  forAxes(owner.life->use(), [&](const Model& model, const Joint& joint, int axis) {
+    names.push_back(model.scopedName() + "::" + std::string(joint.name()) +
+                    (axis > 0 ? "#" + std::to_string(axis) : ""));
+  });
+  return names;
+}
+
+/// @return A position and a velocity for each of `joint_names`.
+std::shared_ptr<Memory> jointStates(Owner& owner) {
+  std::vector<double> numbers;
+  forAxes(owner.life->use(), [&](const Model&, const Joint& joint, int axis) {
+    numbers.push_back(joint.position(axis));
+    numbers.push_back(joint.velocity(axis));
+  });
+  auto memory = std::make_shared<Memory>(numbers.size() * sizeof(double));
+  if (!numbers.empty()) std::memcpy(memory->bytes.data(), numbers.data(), memory->bytes.size());
+  return memory;
+}
+
+PyModel findModel(Owner& owner, const std::string& name) {
+  Simulation& simulation = owner.life->use();
+  if (const auto model = simulation.world().model(name)) return {owner.life, *model};
+  const std::vector<std::string> known = modelNames(owner);
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  const std::string hint = didYouMean(name, words);
+  throw py::key_error("there is no model '" + name + "'" + (hint.empty() ? "" : "; " + hint));
+}
+
+std::vector<PyModel> models(Owner& owner) {
+  std::vector<PyModel> result;
+  for (const Model& model : owner.life->use().world().models()) result.push_back({owner.life, model});
+  return result;
+}
+
+PyModel insert(Owner& owner, py::handle given, std::string name, py::handle pose, bool allowRenaming,
+               std::string nameSpace) {
+  const auto source = py::module_::import("os").attr("fspath")(given).cast<std::string>();
+  InsertOptions options;
+  options.name = std::move(name);
+  if (!pose.is_none()) options.pose = poseFrom(pose);
+  options.allowRenaming = allowRenaming;
+  options.nameSpace = std::move(nameSpace);
+  Simulation& simulation = owner.life->edit("insertion");
+  Diagnostics diagnostics;
+  const auto model = isText(source) ? simulation.insertText(source, "<text>", options, diagnostics)
+                                    : simulation.insertFile(source, options, diagnostics);
+  if (!model) raiseLoadError(diagnostics.all());
+  warnOf(diagnostics.all());
+  return {owner.life, *model};
+}
+
+void remove(Owner& owner, PyModel& model) {
+  if (model.life != owner.life) throw py::value_error("the model is one of another simulation");
+  checkRefusal(owner.life->edit("removal").remove(model.inner));
+}
+
+void addSystem(Owner& owner, const std::string& name, py::object system) {
+  Simulation& simulation = owner.life->edit("adding a system");
+  Diagnostics diagnostics;
+  auto added = std::make_unique<PythonSystem>(*owner.life, std::move(system));
+  if (!simulation.addSystem(name, std::move(added), diagnostics)) {
+    const py::object type = errorClass("SystemFailed");
+    const py::object exception = type(py::str(diagnostics.all().front().message));
+    const py::object cause = owner.life->failure();
+    if (!cause.is_none()) PyException_SetCause(exception.ptr(), py::object(cause).release().ptr());
+    PyErr_SetObject(type.ptr(), exception.ptr());
+    throw py::error_already_set();
+  }
+}
+
+Owner* ownerIn(PyObject* self) {
+  auto* instance = reinterpret_cast<py::detail::instance*>(self);
+  return static_cast<Owner*>(instance->get_value_and_holder().value_ptr());
+}
+
+/// Lets the collector see the callbacks and systems that the simulation holds.
+void setUpCollection(PyHeapTypeObject* heapType) {
+  PyTypeObject& type = heapType->ht_type;
+  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+  type.tp_traverse = [](PyObject* self, visitproc visit, void* arg) -> int {
+    Py_VISIT(Py_TYPE(self));
+    const Owner* owner = ownerIn(self);
+    return owner != nullptr && owner->life ? owner->life->traverse(visit, arg) : 0;
+  };
+  type.tp_clear = [](PyObject* self) -> int {
+    const Owner* owner = ownerIn(self);
+    if (owner != nullptr && owner->life) owner->life->close();
+    return 0;
+  };
+}
+
+void bindDiagnostic(py::module_& module) {
+  py::class_<Diagnostic>(module, "Diagnostic", "One thing that is wrong with a file, where, and what to do about it.")
+      .def_property_readonly(
+          "is_error", [](const Diagnostic& self) { return self.severity == Severity::kError; },
+          "Whether it is an error; else a warning.")
+      .def_property_readonly(
+          "file",
+          [](const Diagnostic& self) {
+            return self.position.file ? std::optional<std::string>(*self.position.file) : std::nullopt;
+          },
+          "The file's name as it was given; None where there is none.")
+      .def_property_readonly(
+          "line", [](const Diagnostic& self) { return self.position.line; }, "From 1; 0: not known.")
+      .def_property_readonly(
+          "column", [](const Diagnostic& self) { return self.position.column; }, "From 1; 0: not known.")
+      .def_readonly("message", &Diagnostic::message, "One line that names the thing.")
+      .def_readonly("hint", &Diagnostic::hint, "One line of help, or empty.")
+      .def("__str__", [](const Diagnostic& self) { return format(self); })
+      .def("__repr__", [](const Diagnostic& self) { return "<pongsim.Diagnostic " + format(self) + ">"; });
+}
+
+}  // namespace
+
+void bindSimulation(py::module_& module) {
+  bindDiagnostic(module);
+  py::class_<Owner>(module, "Simulation", py::custom_type_setup(setUpCollection))
+      .def(py::init(&open), py::arg("world"), py::arg("seed"), py::arg("load_systems"), py::arg("strict"),
+           py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"))
+      .def("step", &step, py::arg("count") = 1,
+           "Makes `count` steps: hands over messages, calls the systems, moves the bodies. Other Python threads run "
+           "meanwhile; Ctrl-C ends it between two steps. Raises what a callback raises, and SystemFailed where the "
+           "simulation is strict.")
+      .def("run_until", &runUntil, py::arg("time"),
+           "Makes steps until the simulated time is `time` [s] or more; none if it is already.")
+      .def(
+          "step_paused",
+          [](Owner& self) {
+            takeSteps(*self.life, [&, &simulation = self.life->edit("a step")] { simulation.stepPaused(); });
+          },
+          "Hands over messages and calls the systems with `dt` zero; nothing moves.")
+      .def(
+          "dispatch",
+          [](Owner& self) {
+            std::size_t count = 0;
+            takeSteps(*self.life,
+                      [&, &transport = self.life->edit("dispatch").transport()] { count = transport.dispatch(); });
+            return count;
+          },
+          "Hands over the messages and requests that have come, without a step. Returns how many.")
+      .def("reset", &reset, py::arg("seed") = py::none(),
+           "Sets the world back to its start, every bit of it, with that seed for all random numbers, or the one of "
+           "before. Models inserted since go, removed ones come back; systems and subscriptions stay.")
+      .def("save", &save,
+           "All that the next steps depend on, as bytes for `restore`. Messages on their way are not in it.")
+      .def("restore", &restore, py::arg("state"),
+           "Puts the world into a saved state, from which it goes on with the same bits. Raises Refused for another "
+           "world's, or where models, joints or systems have come or gone since.")
+      .def(
+          "state_hash", [](Owner& self) { return self.life->use().stateHash(); },
+          "A number made of all bits of the state: equal for two runs of the same world with the same seed and inputs. "
+          "As `pongsim run --hash` prints it: format(sim.state_hash(), \"016x\").")
+      .def(
+          "close", [](Owner& self) { self.life->close(); },
+          "Ends the simulation. Everything that came of it raises Gone from then on.")
+      .def_property_readonly(
+          "is_closed", [](Owner& self) { return self.life->isClosed(); }, "Whether it has ended.")
+      .def_property_readonly(
+          "time", [](Owner& self) { return toSeconds(self.life->use().time()); }, "Simulated time since the start [s].")
+      .def_property_readonly(
+          "time_ns", [](Owner& self) { return self.life->use().time().count(); }, "The same in whole nanoseconds.")
+      .def_property_readonly(
+          "iterations", [](Owner& self) { return self.life->use().iterations(); }, "Steps since the start.")
+      .def_property(
+          "step_size", [](Owner& self) { return toSeconds(self.life->use().stepSize()); },
+          [](Owner& self, double seconds) {
+            if (!std::isfinite(seconds) || std::abs(seconds) > 1e6) throw py::value_error("a step is up to 1 s");
+            checkRefusal(self.life->edit("the step's length").setStepSize(fromSeconds(seconds)));
+          },
+          "Length of a step [s]: <max_step_size> of the world unless it was changed.")
+      .def_property(
+          "gravity", [](Owner& self) { return tupleOf(self.life->use().world().gravity()); },
+          [](Owner& self, py::handle gravity) {
+            checkRefusal(self.life->use().world().setGravity(vectorOf(gravity, "gravity")));
+          },
+          "Gravity in the world frame [m/s^2].")
+      .def_property_readonly(
+          "name", [](Owner& self) { return std::string(self.life->use().world().name()); }, "The world's name.")
+      .def_readonly("diagnostics", &Owner::found, "What was found wrong while the world was loaded, in that order.")
+      .def_property_readonly("models", &models, "The models at the top level, in the order of the file.")
+      .def_property_readonly("model_names", &modelNames, "The scoped names of all models, nested ones too.")
+      .def_property_readonly("joint_names", &jointNames,
+                             "\"model::joint\" for each axis that has a position; \"#1\" behind a second one.")
+      .def_property_readonly(
+          "sensor_names", [](Owner& self) { return sensorNames(*self.life); }, "The scoped names of all sensors.")
+      .def_property_readonly(
+          "topics",
+          [](Owner& self) {
+            py::dict topics;
+            for (const OwnTopic& each : self.life->use().transport().node().ownTopics()) {
+              topics[py::str(each.name)] = each.type;
+            }
+            return topics;
+          },
+          "The topics that are spoken and heard in this simulation, with the types of their messages.")
+      .def("model", &findModel, py::arg("name"),
+           "The model of that name, nested ones as \"outer::inner\". Raises KeyError.")
+      .def("insert", &insert, py::arg("source"), py::kw_only(), py::arg("name") = "", py::arg("pose") = py::none(),
+           py::arg("allow_renaming") = false, py::arg("namespace") = "",
+           "Inserts the first model of a file, of a model's folder, or of SDF or URDF text, with its systems.\n\n"
+           "name: in place of its own.\n"
+           "pose: of the model frame in the world, in place of the file's: a Pose, x y z, or x y z roll pitch yaw [m, "
+           "rad].\n"
+           "allow_renaming: take NAME_0, NAME_1 and so on where there is one of the name already.\n"
+           "namespace: \"/robot1\": in front of all its topics.\n"
+           "Raises LoadError, with the place in the file.")
+      .def("remove", &remove, py::arg("model"),
+           "Removes a model of the top level with its systems and the joints that hold on to it. Raises Refused.")
+      .def("poses_memory", &poses)
+      .def("joint_states_memory", &jointStates)
+      .def("find_sensor", [](Owner& self, const std::string& name) { return findSensor(self.life, name); })
+      .def("add_system", &addSystem, py::arg("name"), py::arg("system"))
+      .def("open_subscription",
+           [](Owner& self, const std::string& topic, py::object callback, py::object type, std::size_t length) {
+             auto ear = Ear::open(self.life, topic, std::move(callback), std::move(type), length);
+             return ear;
+           })
+      .def("publish_message", [](Owner& self, const std::string& topic, py::handle message,
+                                 const std::string& type) { publish(*self.life, topic, message, type); })
+      .def("ask",
+           [](Owner& self, const std::string& service, py::handle message, const std::string& type, py::handle reply,
+              double timeout) { return request(self.life, service, message, type, reply, timeout); });
+}
+
+}  // namespace pongsim::python

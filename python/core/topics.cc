@@ -1,0 +1,165 @@
+#include "core/topics.hh"
+
+#include <google/protobuf/message.h>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/errors.hh"
+#include "core/message_dict.hh"
+
+namespace pongsim::python {
+
+namespace {
+
+/// @return The type of the messages on a topic, by who has it in this simulation.
+std::string typeOfTopic(Life& life, const std::string& topic) {
+  const std::string whole = topic.starts_with('/') ? topic : "/" + topic;
+  std::vector<std::string> types;
+  std::vector<OwnTopic> topics = life.use().transport().node().ownTopics();
+  for (const OwnTopic& each : topics) {
+    if (each.name == whole && each.type != "*") types.push_back(each.type);
+  }
+  if (types.size() == 1) return types.front();
+  throw py::value_error(types.empty() ? "nobody in this simulation has the topic '" + whole +
+                                            "', so its type is not known; give it, as type=\"Twist\""
+                                      : "the topic '" + whole + "' has several types here; give one, as type=\"" +
+                                            types.front() + "\"");
+}
+
+std::chrono::nanoseconds nanoseconds(double seconds) {
+  if (!std::isfinite(seconds) || seconds < 0 || seconds > 1e6) {
+    throw py::value_error("a timeout is from 0 to 1e6 s, not " + std::to_string(seconds));
+  }
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+}
+
+/// @return The answer of a service of this simulation, or nothing where it has none with these types.
+std::optional<CallResult> askOwn(Life& life, const std::string& service, const Message& request, Message& reply) {
+  Transport& transport = life.edit("a request").transport();
+  std::optional<CallResult> result;
+  const std::string type = reply.GetTypeName();
+  PendingRequest pending =
+      transport.node().request(service, request, type, [&](const CallResult& came, const Message& answer) {
+        result = came;
+        if (came) reply.CopyFrom(answer);
+      });
+  if (!pending) return std::nullopt;
+  life.stepping([&] { transport.dispatch(); });
+  if (!result) result = CallResult{CallOutcome::kNoAnswer, "service '" + service + "' did not answer"};
+  return result;
+}
+
+}  // namespace
+
+std::shared_ptr<Ear> Ear::open(const std::shared_ptr<Life>& life, const std::string& topic, py::object callback,
+                               py::object type, std::size_t length) {
+  Simulation& simulation = life->use();
+  if (length == 0) throw py::value_error("a length of 0 holds no message");
+  auto ear = std::make_shared<Ear>();
+  ear->topic_ = topic;
+  ear->life_ = life;
+  ear->callback_ = life->keep(std::move(callback));
+  ear->type_ = life->keep(std::move(type));
+  Ear* raw = ear.get();
+  Life* owner = life.get();
+  ear->subscription_ = simulation.transport().node().subscribeAnyType(
+      topic, [raw, owner](std::string_view name, std::span<const std::byte> bytes) { raw->hear(*owner, name, bytes); },
+      {.queueLength = length});
+  life->hold(ear);
+  return ear;
+}
+
+void Ear::close() {
+  letGo();
+  if (const auto life = life_.lock()) life->drop(*this);
+}
+
+void Ear::letGo() {
+  end(subscription_);
+  callback_.reset();
+  type_.reset();
+}
+
+void Ear::hear(Life& life, std::string_view name, std::span<const std::byte> bytes) {
+  const py::gil_scoped_acquire gil;
+  if (!callback_) return;
+  try {
+    const py::object callback = callback_->get();
+    callback(messageAs(type_->get(), std::string(name), bytes));
+  } catch (py::error_already_set& error) {
+    life.noteError(error);
+  } catch (const py::builtin_exception& wrong) {
+    wrong.set_error();
+    py::error_already_set error;
+    life.noteError(error);
+  }
+}
+
+void publish(Life& life, const std::string& topic, py::handle message, const std::string& type) {
+  Node node = life.use().transport().node();
+  std::string name = type.empty() ? typeOfObject(message) : type;
+  name = name.empty() ? typeOfTopic(life, topic) : knownType(name);
+  const MessagePointer filled = newMessage(name);
+  fillIn(*filled, message);
+  Publisher& publisher = life.publishers[{topic, name}];
+  if (!publisher) publisher = node.advertise(topic, name);
+  publisher.publish(*filled);
+}
+
+py::object request(const std::shared_ptr<Life>& life, const std::string& service, py::handle message,
+                   const std::string& requestType, py::handle replyType, double timeout) {
+  const std::chrono::nanoseconds patience = nanoseconds(timeout);
+  std::string asked = requestType.empty() ? typeOfObject(message) : requestType;
+  if (asked.empty()) {
+    throw py::value_error(
+        "what type the request has is not known; give it, as type=\"Entity\", or a message's own class");
+  }
+  const bool isNamed = PyUnicode_Check(replyType.ptr());
+  const std::string answered = knownType(isNamed ? replyType.cast<std::string>()
+                                                 : replyType.attr("DESCRIPTOR").attr("full_name").cast<std::string>());
+  const MessagePointer filled = newMessage(knownType(asked));
+  const MessagePointer reply = newMessage(answered);
+  fillIn(*filled, message);
+
+  std::optional<CallResult> result = askOwn(*life, service, *filled, *reply);
+  if (!result && life->isOnNetwork()) {
+    Node node = life->use().transport().node();
+    life->stepping([&] { result = node.call(service, *filled, *reply, patience); });
+  }
+  if (!result) {
+    raise("ServiceError", "this simulation has no service '" + service + "' that takes " + filled->GetTypeName() +
+                              " and answers with " + answered +
+                              (life->isOnNetwork() ? "" : "; services of other processes are asked with network=True"));
+  }
+  if (!*result) raise("ServiceError", result->error);
+  const std::string bytes = reply->SerializeAsString();
+  return messageAs(isNamed ? py::handle(Py_None) : replyType, answered, std::as_bytes(std::span(bytes)));
+}
+
+void bindTopics(py::module_& module) {
+  py::class_<Ear, std::shared_ptr<Ear>>(module, "Subscription",
+                                        "What hears a topic, until `close` or the end of the simulation.")
+      .def("close", &Ear::close, "Ends it: nothing comes any more.")
+      .def_property_readonly("topic", &Ear::topic, "The topic's name, as it was given.")
+      .def_property_readonly("is_open", &Ear::isOpen, "Whether it still hears.")
+      .def_property_readonly("received", &Ear::received, "Messages that have come so far.")
+      .def_property_readonly("dropped", &Ear::dropped,
+                             "Messages lost so far because more than `length` came between two steps.");
+  module.def("message_types", &messageTypes, "The full names of all message types, sorted.");
+  module.def("message_type", &knownType, py::arg("name"),
+             "The full name of the message type that `name` stands for: \"ignition.msgs.Twist\" for \"Twist\" or "
+             "\"gz.msgs.Twist\". Raises ValueError where there is none.");
+  module.def(
+      "message_files", &filesOf, py::arg("type"),
+      "The file that describes a message type and those that it needs, as FileDescriptorProto in binary form, each "
+      "behind those that it needs itself.");
+}
+
+}  // namespace pongsim::python

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+#include <string>
+
+#include "pongsim/types.hh"
+
+namespace pongsim::python {
+
+namespace py = pybind11;
+
+/// @return (x, y, z)
+inline py::tuple tupleOf(const Vector3& vector) { return py::make_tuple(vector.x(), vector.y(), vector.z()); }
+
+/// @param what What it is, for the message: "force".
+/// Raises TypeError or ValueError where it is not three finite numbers.
+Vector3 vectorOf(py::handle three, const char* what);
+
+/// @return A pongsim.Pose.
+py::object poseOf(const Pose& pose);
+
+/// @param from A pongsim.Pose; x, y, z; or x, y, z, roll, pitch, yaw as SDF has it.
+Pose poseFrom(py::handle from);
+
+/// Raises Refused where a change was.
+void checkRefusal(const std::optional<std::string>& refusal);
+
+}  // namespace pongsim::python

@@ -1,0 +1,54 @@
+"""pongsim: worlds written for Gazebo Fortress, simulated in this process, without a display or ROS.
+
+    import pongsim
+
+    with pongsim.Simulation("worlds/pong_world.sdf", seed=7) as sim:
+        sim.publish("/cmd_vel", {"linear": {"x": 0.5}})
+        sim.run_until(2.0)
+        print(sim.model("pong_bot").pose)
+"""
+
+from . import messages
+from ._core import Diagnostic, Joint, Link, Model, StepInfo, Subscription, message_types, set_log_level
+from ._core import version as __version__
+from .errors import (
+    Busy,
+    Error,
+    Gone,
+    LoadError,
+    NoReading,
+    Refused,
+    ServiceError,
+    SystemFailed,
+    WorldWarning,
+)
+from .sensor import Sensor
+from .simulation import Simulation
+from .system import System
+from .values import Pose
+
+__all__ = [
+    "Busy",
+    "Diagnostic",
+    "Error",
+    "Gone",
+    "Joint",
+    "Link",
+    "LoadError",
+    "Model",
+    "NoReading",
+    "Pose",
+    "Refused",
+    "Sensor",
+    "ServiceError",
+    "Simulation",
+    "StepInfo",
+    "Subscription",
+    "System",
+    "SystemFailed",
+    "WorldWarning",
+    "__version__",
+    "message_types",
+    "messages",
+    "set_log_level",
+]

@@ -1,0 +1,59 @@
+"""The classes of all message types, made when they are asked for: `pongsim.messages.Twist`.
+
+They are classes of Google's protobuf package, which must be installed (`python3-protobuf`, or protobuf of PyPI). A message
+can be a dict everywhere, for which nothing is needed.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any
+
+from . import _core
+
+_pool: Any = None
+_classes: dict[str, Any] = {}
+
+
+def message_class(name: str) -> Any:
+    """The class of a message type, by its name with or without `ignition.msgs.`. Raises ValueError and ImportError."""
+    global _pool
+    full = _core.message_type(name)
+    if full in _classes:
+        return _classes[full]
+    try:
+        descriptor_pb2, descriptor_pool, message_factory = (
+            importlib.import_module("google.protobuf." + part)
+            for part in ("descriptor_pb2", "descriptor_pool", "message_factory")
+        )
+    except ImportError as missing:
+        raise ImportError("classes of messages need Google's protobuf package; dicts do without") from missing
+    if _pool is None:
+        # of its own, so that classes of the same names from elsewhere do not clash with these
+        _pool = descriptor_pool.DescriptorPool()
+    for data in _core.message_files(full):
+        file = descriptor_pb2.FileDescriptorProto.FromString(data)
+        try:
+            _pool.FindFileByName(file.name)
+        except KeyError:
+            _pool.AddSerializedFile(data)
+    descriptor = _pool.FindMessageTypeByName(full)
+    if hasattr(message_factory, "GetMessageClass"):
+        made = message_factory.GetMessageClass(descriptor)
+    else:
+        made = message_factory.MessageFactory(_pool).GetPrototype(descriptor)
+    _classes[full] = made
+    return made
+
+
+def __getattr__(name: str) -> Any:
+    if name.startswith("_"):
+        raise AttributeError(name)
+    try:
+        return message_class(name)
+    except ValueError as unknown:
+        raise AttributeError(str(unknown)) from None
+
+
+def __dir__() -> list[str]:
+    return ["message_class", *(name.rpartition(".")[2] for name in _core.message_types())]

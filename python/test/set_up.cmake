@@ -1,0 +1,13 @@
+# Makes the virtual environment VENV with REQUIREMENTS. Leaves VENV/why where that can't be, for the tests to say.
+file(REMOVE_RECURSE ${VENV})
+execute_process(COMMAND ${PYTHON} -m venv ${VENV} RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
+if(NOT failed)
+  execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${REQUIREMENTS}
+                  RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
+endif()
+file(MAKE_DIRECTORY ${VENV})
+if(failed)
+  file(WRITE ${VENV}/why "${why}")
+  message(WARNING "the tests of Python are skipped: ${why}")
+endif()
+file(TOUCH ${VENV}/tried)

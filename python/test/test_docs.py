@@ -1,0 +1,27 @@
+"""The examples of docs/python.md run, from the project's folder."""
+
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+from conftest import PROJECT
+
+PAGE = (PROJECT / "docs/python.md").read_text()
+# a block that is indented, behind the mark
+BLOCKS = re.findall(r"<!-- python(?:: prints (.*?))? -->\n((?:(?:    .*)?\n)+)", PAGE)
+
+
+def test_there_are_examples():
+    assert len(BLOCKS) >= 5
+
+
+@pytest.mark.parametrize("prints, block", BLOCKS, ids=[str(i) for i in range(len(BLOCKS))])
+def test_example(prints, block):
+    code = "\n".join(line[4:] for line in block.splitlines())
+    result = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, cwd=PROJECT,
+                            env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+    assert result.returncode == 0, code + result.stderr
+    if prints:
+        assert re.search(prints, result.stdout), result.stdout
