@@ -4,11 +4,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <future>
 #include <memory>
-#include <mutex>
 #include <string>
-
-#include <ignition/transport/NodeShared.hh>
 
 #include "support/wait_until.hh"
 
@@ -30,8 +28,13 @@ class CourierTest : public testing::Test {
 TEST_F(CourierTest, DropsTheOldestWithoutHoldingUpWhoSends) {
   const std::size_t before = Payload::total();
   {
-    // as others of the library's threads hold it
-    const std::lock_guard library(ignition::transport::NodeShared::Instance()->mutex);
+    // as where others of the library's threads hold up its own
+    std::promise<void> begun, end;
+    courier_.post([&begun, ended = end.get_future().share()] {
+      begun.set_value();
+      ended.wait();
+    });
+    begun.get_future().wait();
     courier_.open(topic_);
     for (int i = 0; i < 10'100; ++i) courier_.send(topic_, Payload(10));
     EXPECT_GE(courier_.dropped(), 100U);
@@ -39,6 +42,7 @@ TEST_F(CourierTest, DropsTheOldestWithoutHoldingUpWhoSends) {
     for (int i = 0; i < 100; ++i) courier_.send(topic_, Payload(1 << 20));
     EXPECT_GT(courier_.dropped(), small);
     EXPECT_LE(Payload::total() - before, (64U << 20) + (1 << 20));
+    end.set_value();
   }
   // nobody listens
   EXPECT_TRUE(test::waitUntil([&] { return Payload::total() == before; }));
