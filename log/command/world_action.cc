@@ -50,7 +50,7 @@ int printWorld(const std::string& path) {
     say("the recording does not have the world in SDF: its models are made of its states");
     print("<sdf version='1.9'><world name='" + worldNameIn(reader) + "'/></sdf>\n");
   } else {
-    print(playedSdf(world, files));
+    print(playedSdf(world, files, worldNameIn(reader)));
   }
   return kDone;
 }

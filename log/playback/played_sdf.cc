@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "log/record/resources.hh"
 #include "log/store/failure.hh"
+#include "pongsim/node.hh"
 
 namespace pongsim::log {
 
@@ -40,6 +42,21 @@ void removePlugins(XMLElement& element) {
   }
 }
 
+/// Takes away a file's worlds but the one of that name.
+void keepWorld(XMLElement& root, std::string_view name) {
+  std::vector<XMLElement*> others;
+  bool isThere = false;
+  for (XMLElement* world = root.FirstChildElement("world"); world != nullptr;
+       world = world->NextSiblingElement("world")) {
+    const char* const own = world->Attribute("name");
+    const bool isIt = cleanTopic(own == nullptr ? "" : own) == name;
+    isThere = isThere || isIt;
+    if (!isIt) others.push_back(world);
+  }
+  if (!isThere) return;
+  for (XMLElement* other : others) root.DeleteChild(other);
+}
+
 }  // namespace
 
 bool isOfUseInPlayback(std::string_view filename) {
@@ -48,7 +65,7 @@ bool isOfUseInPlayback(std::string_view filename) {
   });
 }
 
-std::string playedSdf(const std::string& sdf, const PlayedFiles& files) {
+std::string playedSdf(const std::string& sdf, const PlayedFiles& files, std::string_view world) {
   tinyxml2::XMLDocument document;
   const std::string placed = withAddresses(sdf, [&](const std::string& address) { return files.placeOf(address); });
   XMLElement* root = document.Parse(placed.c_str()) == tinyxml2::XML_SUCCESS ? document.RootElement() : nullptr;
@@ -56,6 +73,7 @@ std::string playedSdf(const std::string& sdf, const PlayedFiles& files) {
     throw Failure("the recording's world can't be read: " +
                   std::string(document.ErrorStr() == nullptr ? "it is empty" : document.ErrorStr()));
   }
+  keepWorld(*root, world);
   removePlugins(*root);
   tinyxml2::XMLPrinter printer;
   document.Print(&printer);

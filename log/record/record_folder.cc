@@ -16,6 +16,12 @@ namespace {
 
 fs::path zipOf(const fs::path& folder) { return folder.string() + ".zip"; }
 
+FolderLock lockOf(const fs::path& folder) {
+  std::optional<FolderLock> lock = FolderLock::take(folder);
+  if (lock) return *std::move(lock);
+  throw Failure("'" + folder.string() + "' is recorded into already", "give each recording a folder of its own");
+}
+
 }  // namespace
 
 fs::path defaultRecordFolder() {
@@ -36,8 +42,9 @@ RecordFolder makeRecordFolder(fs::path folder, const fs::path& zip, WhereTaken w
   std::error_code error;
   folder = fs::absolute(folder, error).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();
-  RecordFolder made{folder, zip.empty() ? zipOf(folder) : fs::absolute(zip, error)};
+  RecordFolder made{.folder = folder, .zip = zip.empty() ? zipOf(folder) : fs::absolute(zip, error)};
   if (where == WhereTaken::kDelete) {
+    if (fs::is_directory(made.folder, error)) lockOf(made.folder);
     fs::remove_all(made.folder, error);
     if (!error) fs::remove(made.zip, error);
     if (error) throw Failure("'" + made.folder.string() + "' can't be deleted: " + error.message());
@@ -52,6 +59,7 @@ RecordFolder makeRecordFolder(fs::path folder, const fs::path& zip, WhereTaken w
     throw Failure("the folder '" + made.folder.string() +
                   "' can't be made: " + (error ? error.message() : "there is a file of that name"));
   }
+  made.lock = lockOf(made.folder);
   return made;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "log/record/folder_lock.hh"
 
 namespace pongsim::log {
 
@@ -13,6 +16,8 @@ struct RecordFolder {
   std::filesystem::path folder;
   /// Into which it is packed at the end, if at all.
   std::filesystem::path zip;
+  /// While it is recorded into.
+  std::optional<FolderLock> lock = {};
 };
 
 /// What is done where there is such a folder or zip file already.
@@ -30,7 +35,7 @@ std::filesystem::path defaultRecordFolder();
 
 /// Makes the folder.
 /// @param zip Empty: the folder's name with ".zip".
-/// @throws Failure where it can't be made.
+/// @throws Failure where it can't be made, or another recording has it.
 RecordFolder makeRecordFolder(std::filesystem::path folder, const std::filesystem::path& zip, WhereTaken where);
 
 }  // namespace pongsim::log

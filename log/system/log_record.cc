@@ -199,6 +199,7 @@ void RecordSystem::finish() {
   sink_.reset();
   stateRecorder_.reset();
   writer_.reset();
+  folder_.lock.reset();
 }
 
 }  // namespace pongsim::log

@@ -191,6 +191,23 @@ TEST_F(LogRecordTest, IsNoLargerThanFortresssLogOfTheSameWorld) {
   EXPECT_LE(fs::file_size(state()), fs::file_size(golden));
 }
 
+TEST_F(LogRecordTest, OfTwoWorldsThatNameAFolderTheFirstHasIt) {
+  const std::string recorder = test::plugin("LogRecord", "<record_path>" + recording().string() + "</record_path>");
+  const fs::path file = folder_.write("two.sdf", "<sdf version='1.9'><world name='w'>" + recorder +
+                                                     "</world><world name='v'>" + recorder + "</world></sdf>");
+  Diagnostics diagnostics;
+  {
+    const auto worlds = Simulation::allFromFile(file, {.physics = false}, diagnostics);
+    ASSERT_EQ(worlds.size(), 2U);
+    for (const auto& world : worlds) world->step(10);
+  }
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_NE(diagnostics.all()[0].message.find("is recorded into already"), std::string::npos)
+      << diagnostics.all()[0].message;
+  EXPECT_GE(count(state(), "/world/w/changed_state"), 1U);
+  EXPECT_EQ(count(state(), "/world/v/changed_state"), 0U);
+}
+
 TEST_F(LogRecordTest, WhatCantBeRecordedIsSaidAndTheWorldRuns) {
   folder_.write("rec", "a file");
   for (const std::string parameters : {"", "<overwrite>true</overwrite><record_topic>[</record_topic>"}) {

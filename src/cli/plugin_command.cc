@@ -73,6 +73,10 @@ std::filesystem::path libraryNamed(const std::string& name) {
   if (const auto found = plugin::findLibrary(searchPath, name)) return *found;
   const std::vector<std::string> names = plugin::systemsIn(searchPath);
   const std::string shortName = plugin::systemName(name);
+  if (const std::string package(plugin::packageOf(shortName)); !package.empty()) {
+    throw UsageError("the system '" + shortName + "' comes with the package " + package + ", which is not installed",
+                     "apt-get install " + package);
+  }
   if (std::ranges::count(plugin::missingSystems(names), shortName) > 0) {
     throw UsageError("the system '" + shortName + "' of Gazebo is not there yet", "pongsim plugin -l lists what is");
   }

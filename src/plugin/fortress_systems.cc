@@ -75,7 +75,8 @@ std::span<const std::string_view> fortressSystems() {
 std::vector<std::string_view> missingSystems(std::span<const std::string> available) {
   std::vector<std::string_view> missing;
   for (const std::string_view name : fortressSystems()) {
-    if (coreSystem(name) == nullptr && std::ranges::find(available, name) == available.end()) missing.push_back(name);
+    const bool isHere = coreSystem(name) != nullptr || std::ranges::find(available, name) != available.end();
+    if (!isHere && packageOf(name).empty()) missing.push_back(name);
   }
   return missing;
 }
@@ -87,6 +88,7 @@ bool isForeignPlugin(std::string_view name) {
 }
 
 std::string_view packageOf(std::string_view name) {
+  if (name == "log") return "pongsim-log";
   constexpr std::array<std::string_view, 3> kOfRos2{"gz_ros2_control-system", "ign_ros2_control-system", "ros2"};
   return std::ranges::find(kOfRos2, name) != kOfRos2.end() ? "pongsim-ros2" : "";
 }

@@ -11,7 +11,8 @@ namespace pongsim::plugin {
 std::span<const std::string_view> fortressSystems();
 
 /// @param available Short names of those that are here.
-/// @return The short names of those of Fortress that are not, and that pongsim does not do the work of itself.
+/// @return The short names of those of Fortress that are not, that no package of pongsim has, and that pongsim does not
+/// do the work of itself.
 std::vector<std::string_view> missingSystems(std::span<const std::string> available);
 
 /// @param name As `systemName` has it: "gazebo_ros_control".

@@ -93,11 +93,11 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
   if (isOfFortress || isForeignPlugin(name)) {
     if (std::ranges::find(missed_, name) != missed_.end()) return;
     missed_.push_back(name);
-    if (isOfFortress) {
-      diagnostics.warning(plugin.sdf.position, "the system '" + name + "' of Gazebo is not there yet: it is left out");
-    } else if (!package.empty()) {
+    if (!package.empty()) {
       diagnostics.warning(plugin.sdf.position, "plugin '" + plugin.filename + "' is not installed: it is left out",
                           install);
+    } else if (isOfFortress) {
+      diagnostics.warning(plugin.sdf.position, "the system '" + name + "' of Gazebo is not there yet: it is left out");
     } else {
       diagnostics.warning(plugin.sdf.position,
                           "plugin '" + plugin.filename + "' is one of Gazebo Classic or ROS: it is left out",

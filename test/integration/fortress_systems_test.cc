@@ -168,17 +168,23 @@ class FortressSystems : public testing::TestWithParam<ListedWorld> {
  protected:
   FortressSystems() {
     if (const auto folder = fortressWorlds()) setenv(kVariable, (*folder / "test/models").c_str(), 1);
+    // what they write goes there
+    setenv("HOME", workingFolder_.path().c_str(), 1);
   }
-  ~FortressSystems() override { unsetenv(kVariable); }
+  ~FortressSystems() override {
+    unsetenv(kVariable);
+    setenv("HOME", home_.c_str(), 1);
+  }
 
  private:
   static constexpr const char* kVariable = "IGN_GAZEBO_RESOURCE_PATH";
+  const std::string home_ = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
+  const WorkingFolder workingFolder_;
 };
 
 TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {
   const auto folder = fortressWorlds();
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
-  const WorkingFolder workingFolder;
   Diagnostics diagnostics;
   const auto simulation =
       Simulation::fromFile(*folder / GetParam().file, {.strict = true, .levels = GetParam().usesLevels}, diagnostics);

@@ -79,17 +79,21 @@ TEST_F(LoaderTest, WarnsOnceOfEachPluginOfGazeboClassicOrRos) {
 }
 
 TEST_F(LoaderTest, NamesThePackageThatHasAPlugin) {
-  for (const char* filename : {"libgz_ros2_control-system.so", "gz_ros2_control-system", "pongsim-ros2-system"}) {
+  for (const char* filename : {"libgz_ros2_control-system.so", "gz_ros2_control-system", "pongsim-ros2-system",
+                               "ignition-gazebo-log-system"}) {
     EXPECT_EQ(loader_.load(plugin(filename), diagnostics_), nullptr);
   }
   const std::vector<Diagnostic>& all = diagnostics_.all();
-  ASSERT_EQ(all.size(), 2U);
+  ASSERT_EQ(all.size(), 3U);
   const std::string ending = "\n  hint: the package pongsim-ros2 has it: apt-get install pongsim-ros2";
   EXPECT_EQ(format(all[0]),
             "world.sdf:12:5: warning: plugin 'libgz_ros2_control-system.so' is not installed: it is "
             "left out" +
                 ending);
   EXPECT_EQ(format(all[1]), "world.sdf:12:5: error: plugin 'pongsim-ros2-system' was not found" + ending);
+  EXPECT_EQ(format(all[2]),
+            "world.sdf:12:5: warning: plugin 'ignition-gazebo-log-system' is not installed: it is left out\n"
+            "  hint: the package pongsim-log has it: apt-get install pongsim-log");
 }
 
 TEST_F(LoaderTest, SaysWhyALibraryCannotBeUsed) {
