@@ -80,6 +80,7 @@ SystemSet::~SystemSet() = default;
 
 void SystemSet::load(const description::World& world, bool isConfigured, const SimulationOptions& options,
                      Diagnostics& diagnostics) {
+  loadsPlugins_ = true;
   loadWorldPlugins(world, isConfigured, options, diagnostics);
   for (world::Slot model : access_.entities.topLevelModels()) loadModelPlugins(model, diagnostics);
   for (const world::ActorRecord& actor : access_.entities.actors()) {
@@ -127,6 +128,7 @@ void SystemSet::loadModelPlugins(world::Slot model, Diagnostics& diagnostics) {
 }
 
 void SystemSet::loadOwnPlugins(world::Slot model, Diagnostics& diagnostics) {
+  if (!loadsPlugins_) return;
   const std::vector<description::Plugin>& plugins = access_.entities.models()[model].description->plugins;
   for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.model = model}, diagnostics);
 }

@@ -118,6 +118,8 @@ class SystemSet {
   World world_;
   const description::Plugin defaultSceneBroadcaster_;
   bool wantsPhysics_ = true;
+  /// Whether the plugins of files count, and those of models that come while it runs, and not added systems alone.
+  bool loadsPlugins_ = false;
   // The libraries must be there until the systems are gone.
   plugin::Loader loader_;
   /// Models whose systems have ended: they come back with them.

@@ -57,6 +57,14 @@ class AddedSystemTest : public testing::Test {
   std::unique_ptr<Simulation> simulation_;
 };
 
+TEST_F(AddedSystemTest, IsAloneWhereThePluginsOfFilesDoNotCount) {
+  start({.loadSystems = false});
+  Diagnostics diagnostics;
+  const char* model =
+      "<sdf version='1.9'><model name='m'><link name='l'/><plugin filename='nobody' name='nobody'/></model></sdf>";
+  EXPECT_TRUE(simulation_->insertText(model, "m.sdf", {}, diagnostics));
+}
+
 TEST_F(AddedSystemTest, IsCalledBehindThoseThatAreThereAndStaysThroughAReset) {
   using Calls = std::vector<std::string>;
   start();
