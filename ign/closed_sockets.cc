@@ -14,7 +14,7 @@
 #include <system_error>
 #include <vector>
 
-#include "ign/interfaces.hh"
+#include "pongsim/network_interface.hh"
 
 namespace pongsim::ign {
 
@@ -44,7 +44,7 @@ sock_filter statement(std::uint32_t code, std::uint32_t value) {
 /// drops what comes from elsewhere and claims to come from these.
 std::vector<sock_filter> ownSendersOnly() {
   std::vector<std::uint32_t> own;
-  for (const Interface& each : interfaces()) own.push_back(ntohl(inet_addr(each.address.c_str())));
+  for (const NetworkInterface& each : networkInterfaces()) own.push_back(ntohl(inet_addr(each.address.c_str())));
   // a jump is at most so long
   own.resize(std::min<std::size_t>(own.size(), 200));
   std::vector<sock_filter> filter;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ign/interfaces.hh"
+#include "pongsim/network_interface.hh"
 
 namespace pongsim::ign {
 
@@ -22,24 +22,24 @@ std::string environment(const char* name) {
   return text == nullptr ? "" : text;
 }
 
-std::string listOf(const std::vector<Interface>& all) {
+std::string listOf(const std::vector<NetworkInterface>& all) {
   std::string list;
-  for (const Interface& each : all) list += (list.empty() ? "" : ", ") + each.address + " (" + each.name + ")";
+  for (const NetworkInterface& each : all) list += (list.empty() ? "" : ", ") + each.address + " (" + each.name + ")";
   return list.empty() ? "none" : list;
 }
 
 std::string chosenAddress() {
-  const std::vector<Interface> known = interfaces();
+  const std::vector<NetworkInterface> known = networkInterfaces();
   if (const std::string said = environment("IGN_IP"); !said.empty()) {
     const bool isLoopback = said.starts_with("127.") && inet_addr(said.c_str()) != INADDR_NONE;
-    if (isLoopback || std::ranges::find(known, said, &Interface::address) != known.end()) return said;
+    if (isLoopback || std::ranges::find(known, said, &NetworkInterface::address) != known.end()) return said;
     throw std::invalid_argument("IGN_IP is '" + said + "', which is no IPv4 address of this machine; it has " +
                                 listOf(known));
   }
   const std::string said = environment("PONGSIM_NETWORK");
   if (said.empty()) return "127.0.0.1";
-  const auto found =
-      std::ranges::find_if(known, [&said](const Interface& each) { return each.name == said || each.address == said; });
+  const auto found = std::ranges::find_if(
+      known, [&said](const NetworkInterface& each) { return each.name == said || each.address == said; });
   if (found != known.end()) return found->address;
   throw std::invalid_argument("this machine has no network interface '" + said + "'; it has " + listOf(known));
 }

@@ -57,7 +57,7 @@ DispatchQueue& Bus::addQueue() {
   return *queues_.emplace_back(std::make_unique<DispatchQueue>());
 }
 
-std::optional<Interface> Bus::interface() const { return network_ ? network_->interface() : std::nullopt; }
+std::optional<NetworkInterface> Bus::interface() const { return network_ ? network_->interface() : std::nullopt; }
 
 Channel& Bus::channelFor(std::string_view topic, const std::string& type) {
   auto& channel = channels_[{absoluteTopic(topic), type}];

@@ -100,7 +100,7 @@ class Bus {
   Bus& operator=(const Bus&) = delete;
 
   /// @return Where it talks to other machines, if it does.
-  std::optional<Interface> interface() const;
+  std::optional<NetworkInterface> interface() const;
 
   /// @return A queue that stays until the bus ends.
   DispatchQueue& addQueue();

@@ -11,13 +11,13 @@
 #include <memory>
 #include <stdexcept>
 
-namespace pongsim::transport {
+namespace pongsim {
 
-std::vector<Interface> interfaces() {
+std::vector<NetworkInterface> networkInterfaces() {
   ifaddrs* first = nullptr;
   if (getifaddrs(&first) != 0) return {};
   const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owned(first, freeifaddrs);
-  std::vector<Interface> all;
+  std::vector<NetworkInterface> all;
   for (const ifaddrs* each = first; each != nullptr; each = each->ifa_next) {
     if (each->ifa_addr == nullptr || each->ifa_addr->sa_family != AF_INET || (each->ifa_flags & IFF_UP) == 0) continue;
     sockaddr_in address{};
@@ -28,21 +28,26 @@ std::vector<Interface> interfaces() {
   return all;
 }
 
-std::optional<Interface> chosenInterface(const std::optional<std::string>& wanted) {
+namespace transport {
+
+std::optional<NetworkInterface> chosenInterface(const std::optional<std::string>& wanted) {
   std::string name = wanted.value_or("");
   if (const char* said = std::getenv("PONGSIM_NETWORK"); name.empty() && said != nullptr) name = said;
   if (name.empty()) return std::nullopt;
 
-  const std::vector<Interface> known = interfaces();
-  const auto found =
-      std::ranges::find_if(known, [&name](const Interface& each) { return each.name == name || each.address == name; });
+  const std::vector<NetworkInterface> known = networkInterfaces();
+  const auto found = std::ranges::find_if(
+      known, [&name](const NetworkInterface& each) { return each.name == name || each.address == name; });
   if (found == known.end()) {
     std::string list;
-    for (const Interface& each : known) list += (list.empty() ? "" : ", ") + each.name + " (" + each.address + ")";
+    for (const NetworkInterface& each : known)
+      list += (list.empty() ? "" : ", ") + each.name + " (" + each.address + ")";
     throw std::invalid_argument("this machine has no network interface '" + name + "'; it has " +
                                 (list.empty() ? "none" : list));
   }
   return found->address.starts_with("127.") ? std::nullopt : std::optional(*found);
 }
 
-}  // namespace pongsim::transport
+}  // namespace transport
+
+}  // namespace pongsim

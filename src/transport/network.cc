@@ -84,7 +84,7 @@ std::shared_ptr<GatedUdp> udpOn(const std::string& address, GatedUdp::Side side,
   return std::make_shared<GatedUdp>(udp, side, domain, gate);
 }
 
-rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::optional<Interface>& interface,
+rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::optional<NetworkInterface>& interface,
                                                       const std::shared_ptr<UdpGate>& gate) {
   rtps::RTPSParticipantAttributes attributes;
   attributes.setName((std::string(kNamePrefix) + std::to_string(getpid())).c_str());

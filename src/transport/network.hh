@@ -36,7 +36,7 @@ class Network : private rtps::RTPSParticipantListener {
   Directory& directory() { return directory_; }
   const ParticipantId& id() const { return own_; }
   /// @return Where it talks to other machines; nothing: nowhere.
-  const std::optional<Interface>& interface() const { return interface_; }
+  const std::optional<NetworkInterface>& interface() const { return interface_; }
 
   std::unique_ptr<Writer> makeWriter(const std::string& topic, const std::string& type,
                                      std::function<void()> readersChanged);
@@ -68,7 +68,7 @@ class Network : private rtps::RTPSParticipantListener {
 
   int domain_;
   std::string partition_;
-  std::optional<Interface> interface_;
+  std::optional<NetworkInterface> interface_;
   Directory directory_;
   rtps::RTPSParticipant* participant_ = nullptr;
   ParticipantId own_{};

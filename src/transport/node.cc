@@ -265,7 +265,7 @@ Transport::Transport(const Transport& other, Sharing) : bus_(other.bus_), queue_
 Transport::~Transport() = default;
 
 std::optional<std::string> Transport::openTo() const {
-  const std::optional<transport::Interface> interface = bus_->interface();
+  const std::optional<NetworkInterface> interface = bus_->interface();
   return interface ? std::optional(interface->name + ", " + interface->address) : std::nullopt;
 }
 

@@ -20,14 +20,16 @@ class Interfaces : public testing::Test {
 }  // namespace
 
 TEST_F(Interfaces, HaveLoopbackAmongThem) {
-  const std::vector<Interface> all = interfaces();
-  EXPECT_TRUE(std::ranges::any_of(all, [](const Interface& each) { return each.address == "127.0.0.1"; }));
+  const std::vector<NetworkInterface> all = networkInterfaces();
+  const auto found = std::ranges::find(all, "127.0.0.1", &NetworkInterface::address);
+  ASSERT_NE(found, all.end());
+  EXPECT_EQ(found->name, "lo");
 }
 
 TEST_F(Interfaces, AreChosenByNameOrAddressElseByTheEnvironment) {
   EXPECT_FALSE(chosenInterface({}));
   EXPECT_FALSE(chosenInterface("127.0.0.1")) << "loopback is no opening";
-  for (const Interface& each : interfaces()) {
+  for (const NetworkInterface& each : networkInterfaces()) {
     if (each.address.starts_with("127.")) continue;
     setenv("PONGSIM_NETWORK", each.address.c_str(), 1);
     ASSERT_TRUE(chosenInterface({}));
