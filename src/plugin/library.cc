@@ -29,10 +29,11 @@ std::variant<std::unique_ptr<Library>, std::string> Library::open(const std::fil
   if (const auto version = interfaceVersion(file); version && *version != kAbiVersion) return otherVersion(*version);
   const auto opened = base::SharedLibrary::open(file);
   if (const auto* why = std::get_if<std::string>(&opened)) return withAdvice(*why);
-  const auto* table = std::get<base::SharedLibrary>(opened).find<const SystemTable>("pongsim_systems");
+  const auto& library = std::get<base::SharedLibrary>(opened);
+  const auto* table = library.find<const SystemTable>("pongsim_systems");
   if (table == nullptr) return "it does not export any pongsim system";
   if (table->abiVersion != kAbiVersion) return otherVersion(table->abiVersion);
-  return std::unique_ptr<Library>(new Library(file, table));
+  return std::unique_ptr<Library>(new Library(file, table, library.find<const EncoderTable>("pongsim_encoder")));
 }
 
 }  // namespace pongsim::plugin

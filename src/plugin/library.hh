@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "pongsim/message_encoder.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim::plugin {
@@ -18,12 +19,16 @@ class Library {
 
   const std::filesystem::path& file() const { return file_; }
   std::span<const SystemEntry> systems() const { return table_->entries; }
+  /// @return Null where it has none.
+  const EncoderTable* encoder() const { return encoder_; }
 
  private:
-  Library(std::filesystem::path file, const SystemTable* table) : file_(std::move(file)), table_(table) {}
+  Library(std::filesystem::path file, const SystemTable* table, const EncoderTable* encoder)
+      : file_(std::move(file)), table_(table), encoder_(encoder) {}
 
   std::filesystem::path file_;
   const SystemTable* table_;
+  const EncoderTable* encoder_;
 };
 
 }  // namespace pongsim::plugin
