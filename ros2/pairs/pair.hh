@@ -13,6 +13,7 @@
 #include "ros2/pairs/frames.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/finite.hh"
+#include "ros2/types/message_definition.hh"
 #include "ros2/types/type_info.hh"
 
 namespace pongsim::ros2 {
@@ -40,6 +41,8 @@ struct Pair {
   /// Whether messages of the type of ROS have a header of their own, with a frame.
   bool hasHeader;
   TypeInfo (*type)();
+  /// The type of ROS, in the language of .msg files.
+  std::string (*definition)();
   ToRos (*toRos)(const Frames& frames);
   ToIgnition (*toIgnition)(const Frames& frames);
 };
@@ -133,6 +136,7 @@ Pair pairOf(Choice choice) {
           choice == Choice::kDefault,
           detail::HasHeader<typename P::Ros>,
           typeInfo<typename P::Ros>,
+          messageDefinition<typename P::Ros>,
           detail::toRosOf<P>,
           detail::toIgnitionOf<P>};
 }

@@ -1,0 +1,143 @@
+#include "ros2/recording/ros2_encoder.hh"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <google/protobuf/message.h>
+
+#include "ros2/config/bridge_file.hh"
+#include "ros2/config/quality.hh"
+#include "ros2/config/rules.hh"
+#include "ros2/node/names.hh"
+#include "ros2/pairs/pairs.hh"
+#include "ros2/recording/offered_quality.hh"
+
+namespace pongsim::ros2 {
+
+namespace {
+
+constexpr const char* kConfigFile = "config_file";
+constexpr const char* kTransforms = "/tf";
+constexpr const char* kFixedTransforms = "/tf_static";
+
+/// @return Whether the topic is the one on which a drive tells where its robot is, unless it says otherwise:
+/// "/model/M/tf".
+bool isOdometry(std::string_view topic, std::string_view type) {
+  return type == "ignition.msgs.Pose_V" && topic.starts_with("/model/") && topic.ends_with("/tf") &&
+         std::ranges::count(topic, '/') == 3;
+}
+
+TopicRule automaticRule(const std::string& topic, const std::string& ros, const Pair& pair) {
+  TopicRule rule;
+  rule.ignition = topic;
+  rule.ros = ros;
+  rule.pair = &pair;
+  return rule;
+}
+
+EncodedTopic encodedTopicOf(const TopicRule& rule) {
+  const TypeInfo type = rule.pair->type();
+  const Qos qos = writerQos(rule, rule.ros == kFixedTransforms);
+  return {rule.ros,
+          type.name,
+          "cdr",
+          "ros2msg",
+          rule.pair->definition(),
+          {{"offered_qos_profiles", offeredQuality(qos)}, {"topic_type_hash", type.hash}}};
+}
+
+class Ros2TopicEncoder final : public TopicEncoder {
+ public:
+  /// @param rules One or more, of one topic and type of the simulation.
+  explicit Ros2TopicEncoder(const std::vector<TopicRule>& rules) : message_(newMessage(rules.front().pair->ignition)) {
+    for (const TopicRule& rule : rules) {
+      topics_.push_back(encodedTopicOf(rule));
+      conversions_.push_back(rule.pair->toRos({.prefix = rule.framePrefix.value_or(""), .frameId = rule.frameId}));
+    }
+  }
+
+  const std::vector<EncodedTopic>& topics() const override { return topics_; }
+
+  void encode(std::span<const std::byte> message, const Take& take) override {
+    if (!std::in_range<int>(message.size()) ||
+        !message_->ParseFromArray(message.data(), static_cast<int>(message.size()))) {
+      throw std::runtime_error(std::to_string(message.size()) + " bytes are no " + message_->GetTypeName());
+    }
+    for (std::size_t i = 0; i < conversions_.size(); ++i) {
+      conversions_[i](*message_, nullptr, [this](std::size_t size, const Fill& fill) {
+        payload_.resize(size);
+        fill(payload_);
+      });
+      take(i, payload_);
+    }
+  }
+
+ private:
+  std::vector<EncodedTopic> topics_;
+  std::vector<ToRos> conversions_;
+  MessagePointer message_;
+  std::vector<std::byte> payload_;
+};
+
+}  // namespace
+
+std::unique_ptr<MessageEncoder> Ros2Encoder::make(const EncoderSettings& settings, Diagnostics& diagnostics) {
+  Diagnostics found;
+  Rules rules;
+  for (const auto& [name, value] : settings) {
+    if (name == kConfigFile) {
+      rules = makeRules(readBridgeFile(value, found), {}, found);
+    } else {
+      found.error({}, "encoding for ROS 2 has no setting '" + name + "'");
+    }
+  }
+  for (const Diagnostic& each : found.all()) diagnostics.add(each);
+  if (found.hasErrors()) return nullptr;
+  return std::make_unique<Ros2Encoder>(std::move(rules.topics));
+}
+
+/// @return How the topic is there in ROS, in one way or several; or why it is not.
+std::variant<std::vector<TopicRule>, std::string> Ros2Encoder::rulesFor(const std::string& topic,
+                                                                        const std::string& type) const {
+  std::vector<TopicRule> found;
+  for (const TopicRule& rule : rules_) {
+    if (rule.ignition == topic && rule.pair->ignition == type) found.push_back(rule);
+  }
+  if (!found.empty()) return found;
+  const Pair* pair = defaultPair(type);
+  if (pair == nullptr) return type + " has no partner in ROS";
+  TopicRule rule = automaticRule(topic, rosNameFor(topic), *pair);
+  if (const auto wrong = rosNameError(rule.ros)) return "its name in ROS, '" + rule.ros + "', " + *wrong;
+  if (std::string other = takenBy(rule); !other.empty()) return other;
+  found.push_back(std::move(rule));
+  if (isOdometry(topic, type)) {
+    rule = automaticRule(topic, kTransforms, *pair);
+    if (takenBy(rule).empty()) found.push_back(std::move(rule));
+  }
+  return found;
+}
+
+/// @return Who has the name in ROS so that the topic can't have it, as the end of a sentence; empty: nobody.
+std::string Ros2Encoder::takenBy(const TopicRule& rule) const {
+  const auto said = std::ranges::find(rules_, rule.ros, &TopicRule::ros);
+  // transforms of several robots are in one topic
+  const bool isShared = rule.ros == kTransforms && said != rules_.end() && said->pair->ros == rule.pair->ros;
+  if (said != rules_.end() && !isShared) return "in ROS '" + rule.ros + "' is '" + said->ignition + "', as a rule says";
+  const auto other = taken_.find(rule.ros);
+  if (other == taken_.end() || other->second.pair->ros == rule.pair->ros) return {};
+  return "'" + rule.ros + "' is " + std::string(other->second.pair->ros) + " in ROS already, of '" +
+         other->second.ignition + "'";
+}
+
+std::variant<std::unique_ptr<TopicEncoder>, std::string> Ros2Encoder::openTopic(std::string_view topic,
+                                                                                std::string_view type) {
+  const std::string fullType = messageTypeName(type).value_or(std::string(type));
+  const auto found = rulesFor(std::string(topic), fullType);
+  if (const auto* why = std::get_if<std::string>(&found)) return *why;
+  const auto& rules = std::get<std::vector<TopicRule>>(found);
+  for (const TopicRule& rule : rules) taken_.emplace(rule.ros, rule);
+  return std::make_unique<Ros2TopicEncoder>(rules);
+}
+
+}  // namespace pongsim::ros2
