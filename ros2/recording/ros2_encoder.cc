@@ -1,10 +1,10 @@
 #include "ros2/recording/ros2_encoder.hh"
 
+#include <google/protobuf/message.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
-
-#include <google/protobuf/message.h>
 
 #include "ros2/config/bridge_file.hh"
 #include "ros2/config/quality.hh"

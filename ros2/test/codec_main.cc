@@ -1,5 +1,7 @@
 // Reads lines "TYPE HEX", a payload of that type each, and writes what becomes of it when it is read and written again;
-// a line "TYPE" alone gives the type's hash. For test_codec.py.
+// a line "TYPE" alone gives the type's hash, "TYPE definition" its definition with '|' for the ends of lines. For
+// test_codec.py.
+#include <algorithm>
 #include <charconv>
 #include <functional>
 #include <iostream>
@@ -9,6 +11,7 @@
 
 #include "ros2/test/all_types.hh"
 #include "ros2/types/cdr.hh"
+#include "ros2/types/message_definition.hh"
 #include "ros2/types/type_hash.hh"
 
 namespace pongsim::ros2::test {
@@ -39,6 +42,7 @@ std::string toHex(const Bytes& bytes) {
 struct Codec {
   std::function<std::string(const Bytes&)> again;
   std::function<std::string()> hash;
+  std::function<std::string()> definition;
 };
 
 template <class Type>
@@ -51,7 +55,9 @@ std::string again(const Bytes& payload) {
 
 int run() {
   std::map<std::string, Codec> codecs;
-  forAllTypes([&codecs]<class Type>() { codecs[nameOf<Type>()] = {again<Type>, typeHash<Type>}; });
+  forAllTypes([&codecs]<class Type>() {
+    codecs[nameOf<Type>()] = {again<Type>, typeHash<Type>, messageDefinition<Type>};
+  });
   for (std::string type, rest; std::cin >> type;) {
     std::getline(std::cin, rest);
     const auto codec = codecs.find(type);
@@ -59,6 +65,10 @@ int run() {
       std::cout << "error: no such type" << std::endl;
     } else if (rest.empty()) {
       std::cout << codec->second.hash() << std::endl;
+    } else if (rest == " definition") {
+      std::string text = codec->second.definition();
+      std::ranges::replace(text, '\n', '|');
+      std::cout << text << std::endl;
     } else {
       std::cout << codec->second.again(fromHex(rest.substr(1))) << std::endl;
     }
