@@ -1,4 +1,8 @@
-// What recording costs the simulation's thread, beside the same run without, and how large its files are.
+// What recording costs the simulation's thread, beside the same run without, how large its files are, and what a
+// message takes of who records topics, as it is and as one of ROS.
+#include <ignition/msgs/image.pb.h>
+#include <ignition/msgs/laserscan.pb.h>
+#include <ignition/msgs/odometry.pb.h>
 #include <ignition/msgs/twist.pb.h>
 #include <time.h>
 
@@ -10,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "log/mcap/encoded_writer.hh"
+#include "log/mcap/mcap_writer.hh"
 #include "pongsim/log.hh"
 #include "pongsim/simulation.hh"
 #include "support/temp_folder.hh"
@@ -84,6 +90,59 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+std::vector<std::unique_ptr<Message>> someMessages() {
+  auto odometry = std::make_unique<ignition::msgs::Odometry>();
+  odometry->mutable_pose()->mutable_position()->set_x(1);
+  auto scan = std::make_unique<ignition::msgs::LaserScan>();
+  scan->set_count(640);
+  for (int i = 0; i < 640; ++i) {
+    scan->add_ranges(1 + 0.001 * i);
+    scan->add_intensities(0);
+  }
+  auto image = std::make_unique<ignition::msgs::Image>();
+  image->set_width(640);
+  image->set_height(480);
+  image->set_step(3 * 640);
+  image->set_pixel_format_type(ignition::msgs::RGB_INT8);
+  image->set_data(std::string(std::size_t{3} * 640 * 480, 'x'));
+  std::vector<std::unique_ptr<Message>> messages;
+  messages.push_back(std::move(odometry));
+  messages.push_back(std::move(scan));
+  messages.push_back(std::move(image));
+  return messages;
+}
+
+/// @return What a message takes of the thread that hands it to the writer [us].
+double writing(log::Writer& writer, const Message& message) {
+  constexpr int kMessages = 300;
+  const std::string bytes = message.SerializeAsString(), type = message.GetTypeName();
+  const double start = threadTime();
+  for (int i = 0; i < kMessages; ++i) writer.write({i, "/topic", type, bytes});
+  const double time = threadTime() - start;
+  writer.close();
+  return time / kMessages * 1e6;
+}
+
+void measureWriting(const std::filesystem::path& file) {
+  std::printf("a message, of the thread that records it to MCAP, medians of %d runs:\n", kRuns);
+  for (const std::unique_ptr<Message>& message : someMessages()) {
+    std::vector<double> plain, ros;
+    for (int i = 0; i < kRuns; ++i) {
+      log::McapWriter writer(file, {.overwrites = true},
+                             [](std::string_view, std::string_view type) { return log::protobufDefinition(type); });
+      plain.push_back(writing(writer, *message));
+      Diagnostics diagnostics;
+      std::unique_ptr<MessageEncoder> encoder = makeMessageEncoder("ros2", {}, diagnostics);
+      for (const Diagnostic& each : diagnostics.all()) std::fprintf(stderr, "%s\n", format(each).c_str());
+      if (!encoder) continue;
+      log::EncodedWriter encoded(file, {.overwrites = true}, std::move(encoder), [](const std::string&) {});
+      ros.push_back(writing(encoded, *message));
+    }
+    std::printf("  %-24s %8.1f us\n", message->GetTypeName().c_str(), median(plain));
+    if (!ros.empty()) std::printf("    as one of ROS          %8.1f us\n", median(ros));
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -105,5 +164,6 @@ int main() {
   std::printf("  without a recording  %7.2f us\n", median(without));
   std::printf("  recorded             %7.2f us: %.3f times\n", median(with), median(with) / median(without));
   std::printf("  its file             %7.0f bytes a step\n", bytes);
+  measureWriting(folder.path() / "a.mcap");
   return 0;
 }

@@ -5,13 +5,16 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "log/command/command.hh"
 #include "log/command/console.hh"
 #include "log/command/log_file.hh"
 #include "log/command/new_log.hh"
+#include "log/command/ros2_option.hh"
 
 namespace pongsim::log {
 
@@ -24,6 +27,7 @@ struct ConvertCommandLine {
   std::vector<std::string> topics;
   std::string compression = "zstd";
   bool overwrites = false;
+  Ros2Wish ros2;
 };
 
 /// A file beside the one that is wanted, which takes that one's place when it is whole.
@@ -75,9 +79,57 @@ void checkForTlog(const LogFile& log, const Selection& selection) {
   }
 }
 
+/// @return The messages in the new log.
+std::uint64_t copy(const LogFile& log, const Selection& selection, const fs::path& to, McapOptions options) {
+  if (log.mcap() != nullptr) options.profile = log.mcap()->profile();
+  const auto writer = newLog(
+      to, options, [&log](std::string_view topic, std::string_view type) { return log.definition(topic, type); });
+  std::uint64_t count = 0;
+  log.reader().forEach(selection, [&](const Record& record) {
+    writer->write(record);
+    ++count;
+    return true;
+  });
+  writer->close();
+  return count;
+}
+
+/// Topics, with their types, whose messages are not in protobuf. Of those that are wanted the user is told.
+std::set<std::pair<std::string, std::string>, std::less<>> topicsOfOthers(const LogFile& log,
+                                                                          const Selection& selection) {
+  std::set<std::pair<std::string, std::string>, std::less<>> found;
+  for (const Topic& topic : log.reader().topics()) {
+    const std::string encoding = log.definition(topic.name, topic.type).messageEncoding;
+    if (encoding == "protobuf") continue;
+    found.emplace(topic.name, topic.type);
+    if (selection.topics && std::ranges::count(*selection.topics, topic.name) == 0) continue;
+    say("warning: '" + topic.name + "' is left out: its messages are in '" + encoding + "', not in 'protobuf'");
+  }
+  return found;
+}
+
+/// As `copy`, as messages of ROS.
+std::uint64_t copyForRos2(const LogFile& log, const Selection& selection, const fs::path& to,
+                          const McapOptions& options, const ConvertCommandLine& given) {
+  const auto writer = newRos2Log(to, options, given.ros2);
+  const auto others = topicsOfOthers(log, selection);
+  bool hasOthers = false;
+  log.reader().forEach(selection, [&](const Record& record) {
+    const bool isOther =
+        !others.empty() && others.contains(std::pair(std::string(record.topic), std::string(record.type)));
+    hasOthers |= isOther;
+    if (!isOther) writer->write(record);
+    return true;
+  });
+  writer->close();
+  requireSomeOfRos2(*writer, hasOthers || writer->hasLeftOut(), "'" + given.file + "'");
+  return writer->messages();
+}
+
 int convert(const ConvertCommandLine& given) {
   const Format format = formatOf(given.output);
-  const Compression compression = compressionFrom(given.compression);
+  const McapOptions options{.overwrites = true, .compression = compressionFrom(given.compression)};
+  if (given.ros2.isWanted) checkRos2Name(given.output);
   checkTarget(given);
   const LogFile log(given.file);
   Selection selection;
@@ -90,18 +142,8 @@ int convert(const ConvertCommandLine& given) {
   if (format == Format::kTlog) checkForTlog(log, selection);
 
   Draft draft(given.output);
-  McapOptions options{.overwrites = true, .compression = compression};
-  if (log.mcap() != nullptr) options.profile = log.mcap()->profile();
-  const auto writer = newLog(draft.path(), options, [&log](std::string_view topic, std::string_view type) {
-    return log.definition(topic, type);
-  });
-  std::uint64_t count = 0;
-  log.reader().forEach(selection, [&](const Record& record) {
-    writer->write(record);
-    ++count;
-    return true;
-  });
-  writer->close();
+  const std::uint64_t count = given.ros2.isWanted ? copyForRos2(log, selection, draft.path(), options, given)
+                                                  : copy(log, selection, draft.path(), options);
   draft.finish();
   if (const auto torn = log.reader().torn()) say("warning: " + *torn);
   say(std::to_string(count) + (count == 1 ? " message" : " messages") + " in " + given.output);
@@ -125,10 +167,12 @@ void addConvertAction(CLI::App& program, Work& work) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   action->add_option("--compression", given->compression, "Of MCAP: zstd, lz4 or none (zstd)")->type_name("NAME");
+  addRos2Options(*action, given->ros2);
   action->footer(
       "Examples:\n"
       "  pongsim log convert state.tlog -o state.mcap\n"
-      "  pongsim log convert run.mcap -o odometry.mcap --topic /odom");
+      "  pongsim log convert run.mcap -o odometry.mcap --topic /odom\n"
+      "  pongsim log convert run.mcap -o bag.mcap --ros2");
   action->callback([given, &work] { work = [given] { return convert(*given); }; });
 }
 

@@ -13,6 +13,7 @@
 #include "log/command/log_file.hh"
 #include "log/command/new_log.hh"
 #include "log/command/recording.hh"
+#include "log/command/ros2_option.hh"
 #include "log/command/stop_signal.hh"
 #include "log/command/times.hh"
 #include "log/command/topic_choice.hh"
@@ -30,16 +31,17 @@ struct RecordCommandLine {
   std::optional<std::string> output, pattern, duration, network;
   std::string compression = "zstd";
   bool overwrites = false;
+  Ros2Wish ros2;
 };
 
-/// As `ign log record` names it.
-std::string defaultName() {
+/// As `ign log record` names it, but for the end.
+std::string defaultName(const Ros2Wish& ros2) {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   localtime_r(&now, &parts);
   std::array<char, 40> name{};
-  std::strftime(name.data(), name.size(), "%Y%m%d_%H%M%S.tlog", &parts);
-  return name.data();
+  std::strftime(name.data(), name.size(), "%Y%m%d_%H%M%S", &parts);
+  return name.data() + std::string(ros2.isWanted ? ".mcap" : ".tlog");
 }
 
 std::string counted(std::uint64_t count, const std::string& what) {
@@ -62,27 +64,49 @@ void sayLost(const Recording& recording) {
   if (sum > 0) say("warning: this process or the disk did not keep up: record fewer topics");
 }
 
+/// Records until the user or the time ends it.
+void recordWhile(Recording& recording, const std::string& file, std::chrono::nanoseconds duration) {
+  const Clock::time_point start = Clock::now();
+  say("recording to " + file + "; Ctrl-C ends it");
+  while (!isStopped() && Clock::now() - start < duration) recording.goOn();
+}
+
+void sayWritten(std::uint64_t messages, std::size_t topics, const std::string& file) {
+  say(counted(messages, "message") + " of " + counted(topics, "topic") + " in " + file);
+}
+
 int record(RecordCommandLine& given) {
   if (given.pattern) given.topics.push_back(*given.pattern);
   const TopicChoice choice(given.topics);
   const std::chrono::nanoseconds duration(given.duration ? timeFrom("--duration", *given.duration)
                                                          : std::numeric_limits<std::int64_t>::max() / 2);
-  const std::string file = given.output.value_or(defaultName());
-  McapOptions options{.overwrites = given.overwrites, .compression = compressionFrom(given.compression)};
+  const std::string file = given.output.value_or(defaultName(given.ros2));
+  const McapOptions options{.overwrites = given.overwrites, .compression = compressionFrom(given.compression)};
 
   takeStopSignals();
   TransportOptions where;
   if (given.network) where.interface = *given.network;
   Transport transport(where);
+  if (given.ros2.isWanted) {
+    const std::unique_ptr<EncodedWriter> writer = newRos2Log(file, options, given.ros2);
+    Recording recording(transport, *writer, choice, [&writer](std::string_view topic, std::string_view type) {
+      return writer->takes(topic, type);
+    });
+    recordWhile(recording, file, duration);
+    writer->close();
+    sayLost(recording);
+    requireSomeOfRos2(*writer, writer->hasLeftOut(), "what was heard");
+    sayWritten(writer->messages(), writer->topics(), file);
+    sayUnheard(recording, choice);
+    return kDone;
+  }
   const std::unique_ptr<Writer> writer =
       newLog(file, options, [](std::string_view, std::string_view type) { return protobufDefinition(type); });
-  const Clock::time_point start = Clock::now();
   Recording recording(transport, *writer, choice);
-  say("recording to " + file + "; Ctrl-C ends it");
-  while (!isStopped() && Clock::now() - start < duration) recording.goOn();
+  recordWhile(recording, file, duration);
   writer->close();
   sayLost(recording);
-  say(counted(recording.messages(), "message") + " of " + counted(recording.topics(), "topic") + " in " + file);
+  sayWritten(recording.messages(), recording.topics(), file);
   sayUnheard(recording, choice);
   return kDone;
 }
@@ -119,11 +143,13 @@ void addRecordAction(CLI::App& program, Work& work) {
           },
           "How much is said: 1 errors, 2 warnings, 3 and 4 more (2)")
       ->type_name("LEVEL");
+  addRos2Options(*action, given->ros2);
   text("--network", given->network, "INTERFACE", "Hear other machines too, by a network interface's name or address");
   action->footer(
       "Examples:\n"
       "  pongsim log record -o run.mcap\n"
       "  pongsim log record -o run.mcap /odom '/model/.*'\n"
+      "  pongsim log record -o bag.mcap --ros2\n"
       "  pongsim log record --file state.tlog --pattern '/world/.*'");
   action->callback([given, &work] { work = [given] { return record(*given); }; });
 }

@@ -1,6 +1,7 @@
 #include "log/command/recording.hh"
 
 #include <algorithm>
+#include <utility>
 
 #include "log/command/console.hh"
 
@@ -16,8 +17,8 @@ constexpr std::size_t kQueueLength = 20'000;
 
 }  // namespace
 
-Recording::Recording(Transport& transport, Writer& writer, const TopicChoice& choice)
-    : transport_(transport), writer_(writer), choice_(choice) {
+Recording::Recording(Transport& transport, Writer& writer, const TopicChoice& choice, CanWrite canWrite)
+    : transport_(transport), writer_(writer), choice_(choice), canWrite_(std::move(canWrite)) {
   for (const std::string& topic : choice_.names()) subscribe(topic);
 }
 
@@ -33,8 +34,14 @@ void Recording::goOn() {
 
 void Recording::look() {
   for (const TopicInfo& topic : transport_.discover(kLookTime)) {
-    if (!topic.publishers.empty() && choice_.has(topic.name)) subscribe(topic.name);
+    if (choice_.has(topic.name) && isUseful(topic)) subscribe(topic.name);
   }
+}
+
+bool Recording::isUseful(const TopicInfo& topic) const {
+  return std::ranges::any_of(topic.publishers, [&](const TopicInfo::Endpoint& publisher) {
+    return !canWrite_ || canWrite_(topic.name, publisher.type);
+  });
 }
 
 void Recording::subscribe(const std::string& topic) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
@@ -18,8 +19,13 @@ namespace pongsim::log {
 /// Records topics of other processes, by the clock of the wall, until it is told to end.
 class Recording {
  public:
-  /// @param transport, writer Must outlive it.
-  Recording(Transport& transport, Writer& writer, const TopicChoice& choice);
+  /// Whether a topic of that type can be written.
+  using CanWrite = std::function<bool(std::string_view topic, std::string_view type)>;
+
+  /// @param transport, writer, choice Must outlive it.
+  /// @param canWrite Topics of which it takes no type are not listened to, but for those that are chosen by their
+  /// names. Null: it takes all.
+  Recording(Transport& transport, Writer& writer, const TopicChoice& choice, CanWrite canWrite = nullptr);
 
   /// Takes what comes, for a while; looks for new topics now and then.
   /// @throws Failure where it can't be written.
@@ -36,12 +42,14 @@ class Recording {
   using Clock = std::chrono::steady_clock;
 
   void look();
+  bool isUseful(const TopicInfo& topic) const;
   void subscribe(const std::string& topic);
   void take(const std::string& topic, std::string_view type, std::span<const std::byte> bytes);
 
   Transport& transport_;
   Writer& writer_;
   const TopicChoice& choice_;
+  CanWrite canWrite_;
   Clock::time_point nextLook_ = Clock::now();
   std::uint64_t messages_ = 0;
   std::set<std::string> heard_;
