@@ -31,6 +31,11 @@ std::string_view ByteReader::text() { return raw(number<std::uint32_t>()); }
 
 std::string_view ByteReader::rest() { return raw(bytes_.size() - at_); }
 
+ByteReader ByteReader::part(std::uint64_t size) {
+  const std::uint64_t start = offset();
+  return {raw(size), start, what_};
+}
+
 void ByteReader::fail(const std::string& why) const { throw Failure(atByte(offset(), why)); }
 
 }  // namespace pongsim::log

@@ -49,6 +49,8 @@ class ByteReader {
   /// @throws Failure where so many are not left.
   std::string_view raw(std::uint64_t size);
   std::string_view rest();
+  /// @return A reader of the next bytes, which passes them here.
+  ByteReader part(std::uint64_t size);
 
   bool isAtEnd() const { return at_ == bytes_.size(); }
   /// In the file.

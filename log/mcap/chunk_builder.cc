@@ -10,7 +10,7 @@ void ChunkBuilder::add(const mcap::Message& message) {
   mcap::MessageIndex& index = indexes_[message.channelId];
   index.channelId = message.channelId;
   index.entries.emplace_back(message.logTime, records_.size());
-  appendRecord(mcap::Opcode::kMessage, message, records_);
+  appendRecord(message, records_);
 }
 
 }  // namespace pongsim::log

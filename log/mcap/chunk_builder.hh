@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "log/mcap/record_archive.hh"
 #include "log/mcap/record_types.hh"
 
 namespace pongsim::log {
@@ -11,8 +12,8 @@ namespace pongsim::log {
 /// A chunk that is being filled.
 class ChunkBuilder {
  public:
-  void add(const mcap::Schema& schema) { appendRecord(mcap::Opcode::kSchema, schema, records_); }
-  void add(const mcap::Channel& channel) { appendRecord(mcap::Opcode::kChannel, channel, records_); }
+  void add(const mcap::Schema& schema) { appendRecord(schema, records_); }
+  void add(const mcap::Channel& channel) { appendRecord(channel, records_); }
   void add(const mcap::Message& message);
 
   bool isEmpty() const { return records_.empty(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "log/mcap/compression.hh"
+#include "log/mcap/record_archive.hh"
 #include "log/mcap/scan.hh"
 #include "log/mcap/summary.hh"
 #include "log/store/failure.hh"
@@ -31,7 +32,7 @@ mcap::Header readHeader(const InputFile& file) {
   if (length > file.size() - start) return {};
   const std::string content = file.read(start, length);
   ByteReader fields(content, start, "header");
-  return mcap::Header::read(fields);
+  return mcap::readRecord<mcap::Header>(fields);
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ UnpackedBlock unpackBlock(const InputFile& file, const Block& block) {
   const RecordPlace record = nextRecord(reader);
   if (record.opcode != mcap::Opcode::kChunk) throw Failure(atByte(block.offset, "a chunk should be here, and is not"));
   ByteReader fields(record.content, block.offset + mcap::kRecordHead, "chunk");
-  const mcap::Chunk chunk = mcap::Chunk::read(fields);
+  const mcap::Chunk chunk = mcap::readRecord<mcap::Chunk>(fields);
   const std::optional<Compression> compression = compressionOf(chunk.compression);
   if (!compression) {
     throw Failure(atByte(block.offset, "the chunk is packed by '" + chunk.compression + "', which is not known"),

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "log/mcap/bytes.hh"
 #include "log/mcap/input_file.hh"
 #include "log/mcap/record_types.hh"
 

@@ -2,24 +2,15 @@
 
 #include <algorithm>
 
+#include "log/mcap/record_archive.hh"
+
 namespace pongsim::log {
-
-namespace {
-
-using mcap::Opcode;
-
-struct DataEnd {
-  std::uint32_t crc;
-  void write(ByteWriter& to) const { to.number(crc); }
-};
-
-}  // namespace
 
 McapFile::McapFile(const std::filesystem::path& path, bool overwrites, const std::string& profile,
                    Compression compression)
     : file_(path, overwrites), compression_(compression), packer_(compression) {
   std::string bytes(mcap::kMagic);
-  appendRecord(Opcode::kHeader, mcap::Header{profile, "pongsim " PONGSIM_VERSION}, bytes);
+  appendRecord(mcap::Header{profile, "pongsim " PONGSIM_VERSION}, bytes);
   put(bytes);
 }
 
@@ -30,37 +21,25 @@ void McapFile::put(std::string_view bytes) {
 
 void McapFile::append(const ChunkBuilder& chunk) {
   const std::string_view packed = packer_.pack(chunk.records());
-  const mcap::Chunk head{chunk.startTime(),
-                         chunk.endTime(),
-                         chunk.records().size(),
-                         crc32Of(chunk.records()),
-                         std::string(compressionName(compression_)),
-                         packed};
-  std::string content;
-  ByteWriter writer(content);
-  head.writeBeforeRecords(writer);
   std::string bytes;
-  ByteWriter record(bytes);
-  record.number(static_cast<std::uint8_t>(Opcode::kChunk));
-  record.number(std::uint64_t{content.size() + packed.size()});
-  bytes += content;
-
+  appendRecord(mcap::Chunk{chunk.startTime(), chunk.endTime(), chunk.records().size(), crc32Of(chunk.records()),
+                           std::string(compressionName(compression_)), packed},
+               bytes);
   mcap::ChunkIndex index{.startTime = chunk.startTime(),
                          .endTime = chunk.endTime(),
                          .offset = file_.size(),
-                         .length = bytes.size() + packed.size(),
+                         .length = bytes.size(),
                          .messageIndexOffsets = {},
                          .messageIndexLength = 0,
-                         .compression = head.compression,
+                         .compression = std::string(compressionName(compression_)),
                          .compressedSize = packed.size(),
                          .uncompressedSize = chunk.records().size()};
   put(bytes);
-  put(packed);
 
   std::string indexes;
   for (const auto& [channel, each] : chunk.indexes()) {
     index.messageIndexOffsets[channel] = file_.size() + indexes.size();
-    appendRecord(Opcode::kMessageIndex, each, indexes);
+    appendRecord(each, indexes);
   }
   index.messageIndexLength = indexes.size();
   put(indexes);
@@ -84,26 +63,28 @@ void McapFile::finish(const std::vector<mcap::Schema>& schemas, const std::vecto
   statistics_.schemaCount = static_cast<std::uint16_t>(schemas.size());
   statistics_.channelCount = static_cast<std::uint32_t>(channels.size());
   std::string end;
-  appendRecord(Opcode::kDataEnd, DataEnd{crc_}, end);
+  appendRecord(mcap::DataEnd{crc_}, end);
   put(end);
 
   const std::uint64_t start = file_.size();
   std::string summary, offsets;
-  const auto addGroup = [&](Opcode opcode, const auto& records) {
+  const auto addGroup = [&]<class Record>(const std::vector<Record>& records) {
     const std::uint64_t before = summary.size();
-    for (const auto& each : records) appendRecord(opcode, each, summary);
+    for (const Record& each : records) appendRecord(each, summary);
     if (summary.size() == before) return;
-    appendRecord(Opcode::kSummaryOffset, mcap::SummaryOffset{opcode, start + before, summary.size() - before}, offsets);
+    appendRecord(mcap::SummaryOffset{Record::kOpcode, start + before, summary.size() - before}, offsets);
   };
-  addGroup(Opcode::kSchema, schemas);
-  addGroup(Opcode::kChannel, channels);
-  addGroup(Opcode::kStatistics, std::vector{statistics_});
-  addGroup(Opcode::kChunkIndex, chunks_);
+  addGroup(schemas);
+  addGroup(channels);
+  addGroup(std::vector{statistics_});
+  addGroup(chunks_);
 
   const mcap::Footer footer{start, start + summary.size(), 0};
   summary += offsets;
+  appendRecord(footer, summary);
+  // its last field is the sum of all before it
+  summary.resize(summary.size() - sizeof(footer.summaryCrc));
   ByteWriter writer(summary);
-  footer.writeBeforeCrc(writer);
   writer.number(crc32Of(summary));
   writer.raw(mcap::kMagic);
   file_.write(summary);

@@ -114,20 +114,15 @@ TEST_F(McapReaderTest, ReadsAllWhereTheIndexIsDamaged) {
 
 TEST_F(McapReaderTest, ReadsRecordsOutsideOfChunksWithoutASummary) {
   std::string bytes(mcap::kMagic);
-  appendRecord(mcap::Opcode::kHeader, mcap::Header{"", "somebody"}, bytes);
-  appendRecord(mcap::Opcode::kSchema, mcap::Schema{1, "some.A", "protobuf", "x"}, bytes);
-  appendRecord(mcap::Opcode::kChannel, mcap::Channel{7, 1, "/a", "protobuf", {}}, bytes);
+  appendRecord(mcap::Header{"", "somebody"}, bytes);
+  appendRecord(mcap::Schema{1, "some.A", "protobuf", "x"}, bytes);
+  appendRecord(mcap::Channel{7, 1, "/a", "protobuf", {}}, bytes);
   for (std::uint64_t i = 0; i < 3; ++i) {
-    appendRecord(mcap::Opcode::kMessage, mcap::Message{7, 0, 30 - i, 0, "data"}, bytes);
+    appendRecord(mcap::Message{7, 0, 30 - i, 0, "data"}, bytes);
   }
-  std::string end;
-  ByteWriter writer(end);
-  writer.number(static_cast<std::uint8_t>(mcap::Opcode::kDataEnd));
-  writer.number(std::uint64_t{4});
-  writer.number(std::uint32_t{0});
-  mcap::Footer{}.writeBeforeCrc(writer);
-  writer.number(std::uint32_t{0});
-  const McapReader reader(write(bytes + end + std::string(mcap::kMagic)));
+  appendRecord(mcap::DataEnd{}, bytes);
+  appendRecord(mcap::Footer{}, bytes);
+  const McapReader reader(write(bytes + std::string(mcap::kMagic)));
   EXPECT_EQ(reader.torn(), std::nullopt);
   EXPECT_EQ(reader.library(), "somebody");
   EXPECT_EQ(
@@ -150,16 +145,8 @@ TEST_F(McapReaderTest, IsNotBlownUpByAChunk) {
   const std::string packed(packer.pack(zeros));
   for (const std::uint64_t claim : {std::uint64_t{1} << 62U, std::uint64_t{1000}}) {
     std::string bytes(mcap::kMagic);
-    appendRecord(mcap::Opcode::kHeader, mcap::Header{}, bytes);
-    std::string content;
-    ByteWriter writer(content);
-    const mcap::Chunk chunk{0, 0, claim, 0, "zstd", packed};
-    chunk.writeBeforeRecords(writer);
-    writer.raw(packed);
-    ByteWriter record(bytes);
-    record.number(static_cast<std::uint8_t>(mcap::Opcode::kChunk));
-    record.number(std::uint64_t{content.size()});
-    record.raw(content);
+    appendRecord(mcap::Header{}, bytes);
+    appendRecord(mcap::Chunk{0, 0, claim, 0, "zstd", packed}, bytes);
     const McapReader reader(write(bytes));
     EXPECT_NE(reader.torn().value_or("").find("the chunk is damaged"), std::string::npos);
     EXPECT_TRUE(reader.topics().empty());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "log/mcap/record_archive.hh"
 #include "log/store/failure.hh"
 
 namespace pongsim::log {
@@ -36,7 +37,7 @@ std::optional<mcap::Message> Merge::next() {
   used_ = entry.block;
   const UnpackedBlock& block = unpacked(entry.block);
   ByteReader fields(std::string_view(block.records).substr(entry.offset, entry.length), 0, "message");
-  return mcap::Message::read(fields);
+  return mcap::readRecord<mcap::Message>(fields);
 }
 
 void Merge::load(std::size_t block) {
@@ -44,7 +45,7 @@ void Merge::load(std::size_t block) {
   UnpackedBlock unpacked = unpackBlock(file_, blocks_[block]);
   forEachRecord(unpacked, [&](const RecordPlace& record, ByteReader& fields) {
     if (record.opcode != mcap::Opcode::kMessage) return;
-    const mcap::Message message = mcap::Message::read(fields);
+    const mcap::Message message = mcap::readRecord<mcap::Message>(fields);
     if (!isWanted_(message.channelId, message.logTime)) return;
     entries_.push({message.logTime, block, record.offset + mcap::kRecordHead, record.content.size()});
   });

@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "log/mcap/bytes.hh"
-
 /// The records of which an MCAP file is made (https://mcap.dev/spec), as plain values. Times are in ns, offsets and
-/// lengths in bytes; offsets count from the start of the file unless it says otherwise. `read` throws Failure where the
-/// content is cut off or lies; what a later version of the format may have added at its end is passed over.
+/// lengths in bytes; offsets count from the start of the file unless it says otherwise. `visit` names the fields in
+/// their order, for reading and for writing (record_archive.hh).
 namespace pongsim::log::mcap {
 
 inline constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
@@ -38,36 +36,36 @@ inline constexpr std::size_t kFooterSize = kRecordHead + 8 + 8 + 4;
 inline constexpr std::size_t kMessageHead = 2 + 4 + 8 + 8;
 
 struct Header {
+  static constexpr Opcode kOpcode = Opcode::kHeader;
   std::string profile;
   std::string library;
-  static Header read(ByteReader& from);
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) { fields(self.profile, self.library); }
 };
 
 struct Footer {
+  static constexpr Opcode kOpcode = Opcode::kFooter;
   /// 0 where there is no summary.
   std::uint64_t summaryStart = 0;
   std::uint64_t summaryOffsetStart = 0;
   /// 0 where there is none.
   std::uint32_t summaryCrc = 0;
-  static Footer read(ByteReader& from);
-  /// Without the sum, which is that of all before it, too.
-  void writeBeforeCrc(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) { fields(self.summaryStart, self.summaryOffsetStart, self.summaryCrc); }
 };
 
 struct Schema {
+  static constexpr Opcode kOpcode = Opcode::kSchema;
   /// Above 0.
   std::uint16_t id = 0;
   std::string name;
   /// "protobuf", "ros2msg", or "" where nothing is known but the name.
   std::string encoding;
   std::string data;
-  static Schema read(ByteReader& from);
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) { fields(self.id, self.name, self.encoding, self.data); }
   bool operator==(const Schema&) const = default;
 };
 
 struct Channel {
+  static constexpr Opcode kOpcode = Opcode::kChannel;
   std::uint16_t id = 0;
   /// 0 where it has none.
   std::uint16_t schemaId = 0;
@@ -75,24 +73,29 @@ struct Channel {
   /// "protobuf", "cdr", ...
   std::string messageEncoding;
   std::map<std::string, std::string> metadata;
-  static Channel read(ByteReader& from);
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) {
+    fields(self.id, self.schemaId, self.topic, self.messageEncoding, self.metadata);
+  }
   bool operator==(const Channel&) const = default;
 };
 
 /// The data is not copied.
 struct Message {
+  static constexpr Opcode kOpcode = Opcode::kMessage;
   std::uint16_t channelId = 0;
   std::uint32_t sequence = 0;
   std::uint64_t logTime = 0;
   std::uint64_t publishTime = 0;
   std::string_view data;
-  static Message read(ByteReader& from);
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) {
+    fields(self.channelId, self.sequence, self.logTime, self.publishTime);
+    fields.rest(self.data);
+  }
 };
 
 /// The records in it are not copied.
 struct Chunk {
+  static constexpr Opcode kOpcode = Opcode::kChunk;
   std::uint64_t startTime = 0;
   std::uint64_t endTime = 0;
   std::uint64_t uncompressedSize = 0;
@@ -100,20 +103,23 @@ struct Chunk {
   std::uint32_t uncompressedCrc = 0;
   std::string compression;
   std::string_view records;
-  static Chunk read(ByteReader& from);
-  /// All but the records, which follow.
-  void writeBeforeRecords(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) {
+    fields(self.startTime, self.endTime, self.uncompressedSize, self.uncompressedCrc, self.compression);
+    fields.block(self.records);
+  }
 };
 
 /// Where the messages of a channel are in the chunk before it.
 struct MessageIndex {
+  static constexpr Opcode kOpcode = Opcode::kMessageIndex;
   std::uint16_t channelId = 0;
   /// Time, and offset in the unpacked chunk.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> entries;
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) { fields(self.channelId, self.entries); }
 };
 
 struct ChunkIndex {
+  static constexpr Opcode kOpcode = Opcode::kChunkIndex;
   std::uint64_t startTime = 0;
   std::uint64_t endTime = 0;
   std::uint64_t offset = 0;
@@ -123,11 +129,14 @@ struct ChunkIndex {
   std::string compression;
   std::uint64_t compressedSize = 0;
   std::uint64_t uncompressedSize = 0;
-  static ChunkIndex read(ByteReader& from);
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) {
+    fields(self.startTime, self.endTime, self.offset, self.length, self.messageIndexOffsets, self.messageIndexLength,
+           self.compression, self.compressedSize, self.uncompressedSize);
+  }
 };
 
 struct Statistics {
+  static constexpr Opcode kOpcode = Opcode::kStatistics;
   std::uint64_t messageCount = 0;
   std::uint16_t schemaCount = 0;
   std::uint32_t channelCount = 0;
@@ -137,27 +146,25 @@ struct Statistics {
   std::uint64_t startTime = 0;
   std::uint64_t endTime = 0;
   std::map<std::uint16_t, std::uint64_t> channelMessageCounts;
-  static Statistics read(ByteReader& from);
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) {
+    fields(self.messageCount, self.schemaCount, self.channelCount, self.attachmentCount, self.metadataCount,
+           self.chunkCount, self.startTime, self.endTime, self.channelMessageCounts);
+  }
 };
 
 struct SummaryOffset {
+  static constexpr Opcode kOpcode = Opcode::kSummaryOffset;
   Opcode group = Opcode::kSchema;
   std::uint64_t start = 0;
   std::uint64_t length = 0;
-  void write(ByteWriter& to) const;
+  static void visit(auto& self, auto& fields) { fields(self.group, self.start, self.length); }
 };
 
-/// Appends a record, head and all.
-template <class Record>
-void appendRecord(Opcode opcode, const Record& record, std::string& to) {
-  const std::size_t start = to.size();
-  ByteWriter writer(to);
-  writer.number(static_cast<std::uint8_t>(opcode));
-  writer.number(std::uint64_t{0});
-  record.write(writer);
-  const std::uint64_t length = to.size() - start - kRecordHead;
-  for (std::size_t i = 0; i < 8; ++i) to[start + 1 + i] = static_cast<char>(length >> (8 * i) & 0xffU);
-}
+struct DataEnd {
+  static constexpr Opcode kOpcode = Opcode::kDataEnd;
+  /// Of all before it; 0 where there is none.
+  std::uint32_t crc = 0;
+  static void visit(auto& self, auto& fields) { fields(self.crc); }
+};
 
 }  // namespace pongsim::log::mcap

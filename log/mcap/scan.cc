@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "log/mcap/record_archive.hh"
 #include "log/store/failure.hh"
 
 namespace pongsim::log {
@@ -129,11 +130,11 @@ class Scan {
 
   void take(const RecordPlace& record, ByteReader& fields, Found& found) const {
     if (record.opcode == Opcode::kSchema) {
-      found.schemas.push_back(mcap::Schema::read(fields));
+      found.schemas.push_back(mcap::readRecord<mcap::Schema>(fields));
     } else if (record.opcode == Opcode::kChannel) {
-      found.channels.push_back(mcap::Channel::read(fields));
+      found.channels.push_back(mcap::readRecord<mcap::Channel>(fields));
     } else if (record.opcode == Opcode::kMessage) {
-      const mcap::Message message = mcap::Message::read(fields);
+      const mcap::Message message = mcap::readRecord<mcap::Message>(fields);
       if (!contents_.channels.contains(message.channelId) &&
           std::ranges::find(found.channels, message.channelId, &mcap::Channel::id) == found.channels.end()) {
         fields.fail("a message of channel " + std::to_string(message.channelId) + ", which there is not");

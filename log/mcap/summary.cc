@@ -1,6 +1,7 @@
 #include "log/mcap/summary.hh"
 
 #include "log/mcap/compression.hh"
+#include "log/mcap/record_archive.hh"
 #include "log/store/failure.hh"
 
 namespace pongsim::log {
@@ -43,20 +44,20 @@ Contents parse(std::string_view summary, std::uint64_t start) {
     ByteReader fields(record.content, records.offset() - record.content.size(), "record of the summary");
     switch (record.opcode) {
       case mcap::Opcode::kSchema: {
-        mcap::Schema schema = mcap::Schema::read(fields);
+        mcap::Schema schema = mcap::readRecord<mcap::Schema>(fields);
         contents.schemas[schema.id] = std::move(schema);
         break;
       }
       case mcap::Opcode::kChannel: {
-        mcap::Channel channel = mcap::Channel::read(fields);
+        mcap::Channel channel = mcap::readRecord<mcap::Channel>(fields);
         contents.channels[channel.id] = std::move(channel);
         break;
       }
       case mcap::Opcode::kChunkIndex:
-        contents.blocks.push_back(blockOf(mcap::ChunkIndex::read(fields), start, fields));
+        contents.blocks.push_back(blockOf(mcap::readRecord<mcap::ChunkIndex>(fields), start, fields));
         break;
       case mcap::Opcode::kStatistics:
-        statistics = mcap::Statistics::read(fields);
+        statistics = mcap::readRecord<mcap::Statistics>(fields);
         break;
       default:
         break;
@@ -83,7 +84,7 @@ std::optional<Contents> contentsBySummary(const InputFile& file, std::string& wh
     const RecordPlace record = nextRecord(reader);
     if (record.opcode != mcap::Opcode::kFooter) throw Failure(atByte(footerOffset, "a footer should be here"));
     ByteReader fields(record.content, footerOffset + mcap::kRecordHead, "footer");
-    const mcap::Footer footer = mcap::Footer::read(fields);
+    const mcap::Footer footer = mcap::readRecord<mcap::Footer>(fields);
     if (footer.summaryStart == 0) return std::nullopt;
     if (footer.summaryStart > footerOffset || footer.summaryOffsetStart > footerOffset ||
         (footer.summaryOffsetStart != 0 && footer.summaryOffsetStart < footer.summaryStart)) {
