@@ -1,5 +1,6 @@
 #include "log/mcap/encoded_writer.hh"
 
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <variant>

@@ -32,8 +32,6 @@ enum class Opcode : std::uint8_t {
 inline constexpr std::size_t kRecordHead = 9;
 /// Bytes of a footer, its head too.
 inline constexpr std::size_t kFooterSize = kRecordHead + 8 + 8 + 4;
-/// Bytes of a message's content before its data.
-inline constexpr std::size_t kMessageHead = 2 + 4 + 8 + 8;
 
 struct Header {
   static constexpr Opcode kOpcode = Opcode::kHeader;
