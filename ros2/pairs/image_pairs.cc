@@ -77,7 +77,8 @@ struct PointCloudPair {
       const Field& field = from.field(i);
       // ROS numbers the types from 1 on, in the same order
       to.fields[static_cast<std::size_t>(i)] = {field.name(), field.offset(),
-                                                static_cast<std::uint8_t>(field.datatype() + 1), field.count()};
+                                                static_cast<std::uint8_t>(static_cast<unsigned>(field.datatype()) + 1),
+                                                field.count()};
     }
     to.is_bigendian = from.is_bigendian();
     to.point_step = from.point_step();

@@ -36,12 +36,12 @@ void LaserScanPair::convert(const Ignition& from, Ros& to, const Frames& frames)
   to.range_min = static_cast<float>(from.range_min());
   to.range_max = static_cast<float>(from.range_max());
   // of several rows the one in the middle, as ros_gz does
-  const auto count = static_cast<int>(from.count());
-  const int begin = static_cast<int>(from.vertical_count() / 2) * count;
+  const std::uint64_t count = from.count(), begin = from.vertical_count() / 2 * count;
   const auto copyRow = [&](const auto& all, std::vector<float>& row) {
     row.clear();
-    const int end = std::min(begin + count, all.size());
-    for (int i = begin; i < end; ++i) row.push_back(static_cast<float>(all.Get(i)));
+    // a message may claim any number of them
+    const std::uint64_t end = std::min(begin + count, static_cast<std::uint64_t>(all.size()));
+    for (std::uint64_t i = begin; i < end; ++i) row.push_back(static_cast<float>(all.Get(static_cast<int>(i))));
   };
   copyRow(from.ranges(), to.ranges);
   copyRow(from.intensities(), to.intensities);

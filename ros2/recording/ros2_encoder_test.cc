@@ -1,10 +1,13 @@
 #include "ros2/recording/ros2_encoder.hh"
 
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 #include <ignition/msgs/laserscan.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 #include <ignition/msgs/twist.pb.h>
 
+#include "ros2/pairs/pairs.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/geometry_msgs.hh"
 #include "ros2/types/sensor_msgs.hh"
@@ -100,6 +103,64 @@ TEST_F(Ros2EncoderTest, RefusesBytesThatAreNoMessage) {
     EXPECT_STREQ(error.what(), "3 bytes are no ignition.msgs.LaserScan");
   }
   EXPECT_EQ(encoded(*lidar, "").size(), 1U);
+}
+
+/// Gives each field, and those of messages in it, the largest number that it takes, or the smallest.
+void fillWithExtremes(Message& message, bool isLargest, int depth = 0) {
+  using google::protobuf::FieldDescriptor;
+  const auto* reflection = message.GetReflection();
+  const auto fill = [&](const FieldDescriptor& field, const auto& extremes, const auto& set, const auto& add) {
+    const auto value = isLargest ? extremes.second : extremes.first;
+    if (field.is_repeated()) {
+      (reflection->*add)(&message, &field, value);
+    } else {
+      (reflection->*set)(&message, &field, value);
+    }
+  };
+  using R = google::protobuf::Reflection;
+  for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
+    const FieldDescriptor& field = *message.GetDescriptor()->field(i);
+    switch (field.cpp_type()) {
+      case FieldDescriptor::CPPTYPE_INT32:
+        fill(field, std::pair(INT32_MIN, INT32_MAX), &R::SetInt32, &R::AddInt32);
+        break;
+      case FieldDescriptor::CPPTYPE_INT64:
+        fill(field, std::pair(INT64_MIN, INT64_MAX), &R::SetInt64, &R::AddInt64);
+        break;
+      case FieldDescriptor::CPPTYPE_UINT32:
+        // of sizes that are multiplied the product is what is large
+        fill(field, std::pair(0x10001U, UINT32_MAX), &R::SetUInt32, &R::AddUInt32);
+        break;
+      case FieldDescriptor::CPPTYPE_UINT64:
+        fill(field, std::pair(std::uint64_t{0}, UINT64_MAX), &R::SetUInt64, &R::AddUInt64);
+        break;
+      case FieldDescriptor::CPPTYPE_ENUM:
+        fill(field, std::pair(INT32_MIN, INT32_MAX), &R::SetEnumValue, &R::AddEnumValue);
+        break;
+      case FieldDescriptor::CPPTYPE_MESSAGE:
+        if (depth == 4 || field.is_map()) break;
+        fillWithExtremes(field.is_repeated() ? *reflection->AddMessage(&message, &field)
+                                             : *reflection->MutableMessage(&message, &field),
+                         isLargest, depth + 1);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+// a message of another process, or of a file, may be anything
+TEST_F(Ros2EncoderTest, TakesNumbersOfAnySize) {
+  for (const Pair& pair : allPairs()) {
+    if (!pair.isDefault) continue;
+    const auto encoder =
+        opened(plain_, ("/" + pair.ignition.substr(pair.ignition.rfind('.') + 1)).c_str(), pair.ignition.c_str());
+    for (const bool isLargest : {true, false}) {
+      const MessagePointer message = newMessage(pair.ignition);
+      fillWithExtremes(*message, isLargest);
+      EXPECT_EQ(encoded(*encoder, message->SerializeAsString()).size(), 1U) << pair.ignition;
+    }
+  }
 }
 
 TEST_F(Ros2EncoderTest, HasTheOdometryOfRobotsAmongTheTransforms) {

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <stdexcept>
-
 #include "pongsim/message_encoder.hh"
 #include "pongsim/system.hh"
 
