@@ -178,7 +178,7 @@ TEST_F(BridgeTest, CarriesNothingOnAndNothingBack) {
     publisher.publish(textOf("from here"));
     return count() > 1;
   }));
-  EXPECT_EQ(carried.empty(), false);
+  ASSERT_TRUE(stepUntil([&] { return !carried.empty(); }));
   EXPECT_EQ(carried.front(), "from here");
 }
 

@@ -15,6 +15,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <thread>
@@ -109,10 +110,7 @@ int publish(Node& node, const std::string& topic, const std::vector<std::string>
   return 0;
 }
 
-}  // namespace
-
-int main(int count, char** words) {
-  const std::vector<std::string> arguments(words + 1, words + count);
+int act(const std::vector<std::string>& arguments) {
   if (arguments.size() < 2) return 2;
   Node node;
   const std::string& action = arguments[0];
@@ -124,4 +122,13 @@ int main(int count, char** words) {
   if (action == "call" && arguments.size() == 3) return call(node, arguments[1], arguments[2]);
   if (action == "publish") return publish(node, arguments[1], {arguments.begin() + 2, arguments.end()});
   return 2;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const int code = act({words + 1, words + count});
+  // not by exit: the library's threads run on, and fall over what that destroys
+  std::fflush(nullptr);
+  std::_Exit(code);
 }
