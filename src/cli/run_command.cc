@@ -52,13 +52,6 @@ struct RunCommandOptions {
   FortressRunOptions fortress;
 };
 
-/// @return `value` as people write it: "1", "0.5".
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   World world = simulation.world();
   const std::size_t models = world.models().size();
