@@ -108,12 +108,6 @@ void announce(const Worlds& worlds, const RunCommandOptions& options, const Tran
   if (options.verbosity == LogLevel::kNone) return;
   for (const auto& world : worlds) say(startLine(*world, options.run));
   if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
-  if (worlds.size() > 1 && !options.additions.systems.empty() && options.verbosity >= LogLevel::kWarning) {
-    say("warning: the options of extensions count for the first world, '" +
-        std::string(worlds.front()->world().name()) +
-        "', alone\n  hint: a <plugin> gives another world the same, and "
-        "-w NAME runs one world of the file");
-  }
 }
 
 bool printHashes(const Worlds& worlds) {
