@@ -12,9 +12,7 @@
 namespace pongsim::ign {
 namespace {
 
-void say(const std::string& packet) {
-  EXPECT_TRUE(sayToGroup(packet, library().discoveryIP, library().msgDiscPort));
-}
+void say(const std::string& packet) { EXPECT_TRUE(sayToGroup(packet, library().discoveryIP, library().msgDiscPort)); }
 
 std::string beatOf(const std::string& process) { return packetOf(process, ignition::msgs::Discovery::HEARTBEAT); }
 

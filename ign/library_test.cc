@@ -36,9 +36,9 @@ TEST(Library, EndsWithItsProcessWhateverIsSaidMeanwhile) {
   });
   for (int i = 0; i < 10; ++i) {
     test::Process process({self, "--gtest_filter=Library.IsThereOnce"},
-                                   {.environment = {{"IGN_DISCOVERY_MSG_PORT", std::to_string(port)},
-                                                    {"IGN_DISCOVERY_SRV_PORT", std::to_string(port + 1)}},
-                                    .folder = {}});
+                          {.environment = {{"IGN_DISCOVERY_MSG_PORT", std::to_string(port)},
+                                           {"IGN_DISCOVERY_SRV_PORT", std::to_string(port + 1)}},
+                           .folder = {}});
     EXPECT_EQ(process.wait(), 0) << process.output() << process.error();
   }
   mustEnd = true;
