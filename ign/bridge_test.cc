@@ -1,6 +1,7 @@
 #include "ign/bridge.hh"
 
 #include <gtest/gtest.h>
+#include <ignition/msgs/empty.pb.h>
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 #include <ignition/msgs/twist.pb.h>
@@ -15,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "ign/names.hh"
 #include "pongsim/commands.hh"
 #include "support/process.hh"
 #include "support/wait_until.hh"
@@ -178,7 +180,7 @@ TEST_F(BridgeTest, CarriesNothingOnAndNothingBack) {
     publisher.publish(textOf("from here"));
     return count() > 1;
   }));
-  EXPECT_EQ(carried.empty(), false);
+  ASSERT_TRUE(stepUntil([&] { return !carried.empty(); }));
   EXPECT_EQ(carried.front(), "from here");
 }
 
@@ -192,6 +194,29 @@ TEST_F(BridgeTest, OffersServicesOfAnyTypes) {
   EXPECT_TRUE(stepUntilSaid(*caller, "abab")) << caller->output() << caller->error();
   const auto refused = peer({"call", "/twice", "no"}, "");
   EXPECT_TRUE(stepUntilSaid(*refused, "refused")) << refused->output() << refused->error();
+}
+
+TEST_F(BridgeTest, OffersServicesWithoutAnAnswer) {
+  std::vector<std::string> told;
+  const Service service =
+      node_.serve("/tell", "ignition.msgs.StringMsg", kNoReply, [&](const Message& request, Message&) {
+        told.push_back(static_cast<const StringMsg&>(request).data());
+        return true;
+      });
+  step();
+  const auto caller = peer({"call-one-way", "/tell", "ab"}, "");
+  EXPECT_TRUE(stepUntil([&] { return !told.empty(); })) << caller->output() << caller->error();
+  EXPECT_EQ(told, std::vector<std::string>{"ab"});
+}
+
+TEST_F(BridgeTest, ReachesServicesWithoutAnAnswer) {
+  const auto server = peer({"serve-one-way", "/told"});
+  step();
+  ignition::msgs::Empty none;
+  // it is told once it has been found
+  EXPECT_TRUE(test::waitUntil(
+      [&] { return node_.call("/told", textOf("ab"), none, std::chrono::seconds(20)).outcome == CallOutcome::kDone; }));
+  EXPECT_TRUE(server->waitForOutput("ab"));
 }
 
 TEST_F(BridgeTest, EndsWhileACallerWaits) {

@@ -5,8 +5,6 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
-#include <ignition/transport/NodeShared.hh>
-
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -14,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "ign/library.hh"
 #include "pongsim/network_interface.hh"
 
 namespace pongsim::ign {
@@ -24,7 +23,6 @@ namespace {
 constexpr std::uint32_t kSourceAddress = 12;
 
 bool isDiscovery(int handle) {
-  const auto* shared = ignition::transport::NodeShared::Instance();
   int type = 0;
   socklen_t size = sizeof type;
   if (getsockopt(handle, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM) return false;
@@ -32,7 +30,7 @@ bool isDiscovery(int handle) {
   size = sizeof bound;
   if (getsockname(handle, reinterpret_cast<sockaddr*>(&bound), &size) != 0 || bound.sin_family != AF_INET) return false;
   const int port = ntohs(bound.sin_port);
-  return port == shared->msgDiscPort || port == shared->srvDiscPort;
+  return port == library().msgDiscPort || port == library().srvDiscPort;
 }
 
 sock_filter statement(std::uint32_t code, std::uint32_t value) {

@@ -6,11 +6,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <ignition/transport/NodeShared.hh>
-
 #include <array>
 #include <cstdint>
 #include <cstring>
+
+#include "ign/library.hh"
 
 namespace pongsim::ign {
 
@@ -25,14 +25,14 @@ constexpr int kMostAtOnce = 1000;
 /// @return A socket that hears the group by way of that address, or -1. It is bound to the group, so that it takes
 /// nothing that is sent to the library's alone.
 int openGroup(const std::string& address) {
-  const auto* shared = ignition::transport::NodeShared::Instance();
+  const auto& shared = library();
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (socket < 0) return -1;
   const int yes = 1;
   sockaddr_in group{};
   group.sin_family = AF_INET;
-  group.sin_port = htons(static_cast<std::uint16_t>(shared->msgDiscPort));
-  group.sin_addr.s_addr = inet_addr(shared->discoveryIP.c_str());
+  group.sin_port = htons(static_cast<std::uint16_t>(shared.msgDiscPort));
+  group.sin_addr.s_addr = inet_addr(shared.discoveryIP.c_str());
   const ip_mreq membership{group.sin_addr, {inet_addr(address.c_str())}};
   const bool isOpen = setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
                       setsockopt(socket, SOL_SOCKET, SO_REUSEPORT, &yes, sizeof yes) == 0 &&

@@ -1,5 +1,3 @@
-#include <ignition/transport/NodeShared.hh>
-
 #include <exception>
 #include <optional>
 #include <string>
@@ -7,6 +5,7 @@
 
 #include "ign/bridge.hh"
 #include "ign/closed_sockets.hh"
+#include "ign/library.hh"
 #include "ign/place.hh"
 #include "pongsim/sensor.hh"
 #include "pongsim/system.hh"
@@ -40,7 +39,7 @@ class Ign final : public System {
       return;
     }
     settle(place, queueLengthFor(context.world));
-    if (ignition::transport::NodeShared::Instance()->myAddress.empty()) {
+    if (library().myAddress.empty()) {
       context.diagnostics.error(context.sdf.position, "ign-transport can't have sockets at " + place.address);
       return;
     }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ign/library.hh"
 #include "ign/names.hh"
 
 namespace pongsim::ign {
@@ -30,11 +31,11 @@ bool OutgoingTopic::look(const Heartbeats& heartbeats) {
 
 /// Not as Publisher::HasConnections, which counts what this process itself listens to, and processes that were killed.
 bool OutgoingTopic::hasListeners(const Heartbeats& heartbeats) const {
-  auto* shared = ignition::transport::NodeShared::Instance();
-  const std::lock_guard lock(shared->mutex);
-  if (!shared->remoteSubscribers.HasTopic(wireName_, type)) return false;
+  auto& shared = library();
+  const std::lock_guard lock(shared.mutex);
+  if (!shared.remoteSubscribers.HasTopic(wireName_, type)) return false;
   std::map<std::string, std::vector<ignition::transport::MessagePublisher>> byProcess;
-  shared->remoteSubscribers.Publishers(wireName_, byProcess);
+  shared.remoteSubscribers.Publishers(wireName_, byProcess);
   return std::ranges::any_of(byProcess, [&](const auto& process) {
     const auto takes = [this](const auto& listener) {
       return listener.MsgTypeName() == type || listener.MsgTypeName() == ignition::transport::kGenericMessageType;
@@ -45,7 +46,7 @@ bool OutgoingTopic::hasListeners(const Heartbeats& heartbeats) const {
 
 void OutgoingTopic::send(Payload payload) {
   const std::size_t size = payload.size();
-  ignition::transport::NodeShared::Instance()->Publish(wireName_, payload.release(), size, &Payload::free, type);
+  library().Publish(wireName_, payload.release(), size, &Payload::free, type);
 }
 
 }  // namespace pongsim::ign

@@ -2,20 +2,18 @@
 
 #include <google/protobuf/message.h>
 
-#include <ignition/transport/NodeShared.hh>
-
 #include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "ign/library.hh"
 #include "ign/names.hh"
 
 namespace pongsim::ign {
 
 namespace {
 
-using ignition::transport::NodeShared;
 using ignition::transport::ServicePublisher;
 using ignition::transport::Uuid;
 
@@ -23,10 +21,10 @@ using ignition::transport::Uuid;
 std::vector<ServicePublisher> offersOf(const std::string& wireName) {
   std::map<std::string, std::vector<ServicePublisher>> byProcess;
   std::vector<ServicePublisher> offers;
-  NodeShared* shared = NodeShared::Instance();
-  if (!shared->TopicPublishers(wireName, byProcess)) return offers;
+  auto& shared = library();
+  if (!shared.TopicPublishers(wireName, byProcess)) return offers;
   for (const auto& [process, publishers] : byProcess) {
-    if (process != shared->pUuid) offers.insert(offers.end(), publishers.begin(), publishers.end());
+    if (process != shared.pUuid) offers.insert(offers.end(), publishers.begin(), publishers.end());
   }
   return offers;
 }
@@ -88,11 +86,11 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
                                             std::chrono::nanoseconds timeout) {
   const std::optional<std::string> name = wireName(service);
   if (!name) return std::nullopt;
-  NodeShared* shared = NodeShared::Instance();
+  auto& shared = library();
   const std::vector<ServicePublisher> offers = offersOf(*name);
   if (offers.empty()) {
     // who asks again may find it
-    shared->DiscoverService(*name);
+    shared.DiscoverService(*name);
     return std::nullopt;
   }
   const auto pending = std::make_shared<Request>(*this, request, reply.GetTypeName());
@@ -106,16 +104,16 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
   }
   const std::string number = pending->HandlerUuid();
   {
-    const std::lock_guard lock(shared->mutex);
-    shared->requests.AddHandler(*name, nodeUuid_, pending);
+    const std::lock_guard lock(shared.mutex);
+    shared.requests.AddHandler(*name, nodeUuid_, pending);
   }
-  shared->SendPendingRemoteReqs(*name, pending->ReqTypeName(), pending->RepTypeName());
+  shared.SendPendingRemoteReqs(*name, pending->ReqTypeName(), pending->RepTypeName());
   if (pending->RepTypeName() == kNoReply) return CallResult{CallOutcome::kDone, {}};
 
   const Request::Answer answer = pending->wait(timeout);
   {
-    const std::lock_guard lock(shared->mutex);
-    shared->requests.RemoveHandler(*name, nodeUuid_, number);
+    const std::lock_guard lock(shared.mutex);
+    shared.requests.RemoveHandler(*name, nodeUuid_, number);
   }
   if (!answer.isThere) return CallResult{CallOutcome::kNoAnswer, quoted + "did not answer in time"};
   if (!answer.isDone) return CallResult{CallOutcome::kRefused, quoted + "refused"};

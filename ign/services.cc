@@ -2,9 +2,11 @@
 
 #include <ignition/msgs/empty.pb.h>
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 
+#include "ign/library.hh"
 #include "ign/names.hh"
 #include "pongsim/log.hh"
 
@@ -12,12 +14,12 @@ namespace pongsim::ign {
 
 namespace {
 
-using ignition::transport::NodeShared;
-
 /// @return The node's number, by which the library knows whose a service is and which it tells nobody: that of a
 /// service of a known type, which stays within this process.
 std::string uuidOf(ignition::transport::Node& node) {
-  const std::string name = "/pongsim/node";
+  // another world's may do the same at the same time
+  static std::atomic<int> count = 0;
+  const std::string name = "/pongsim/node" + std::to_string(++count);
   ignition::transport::AdvertiseServiceOptions options;
   options.SetScope(ignition::transport::Scope_t::PROCESS);
   const std::function<bool(const ignition::msgs::Empty&, ignition::msgs::Empty&)> nothing = [](const auto&, auto&) {
@@ -26,9 +28,9 @@ std::string uuidOf(ignition::transport::Node& node) {
   if (!node.Advertise(name, nothing, options)) return {};
   std::string uuid;
   {
-    const std::lock_guard lock(NodeShared::Instance()->mutex);
+    const std::lock_guard lock(library().mutex);
     std::map<std::string, std::map<std::string, std::shared_ptr<ignition::transport::IRepHandler>>> handlers;
-    NodeShared::Instance()->repliers.Handlers(wireName(name).value_or(""), handlers);
+    library().repliers.Handlers(wireName(name).value_or(""), handlers);
     for (const auto& [number, each] : handlers) uuid = number;
   }
   node.UnadvertiseSrv(name);
@@ -43,14 +45,14 @@ Services::Services() : nodeUuid_(uuidOf(node_)) {}
 void Services::advertise(const std::shared_ptr<OfferedService>& service) {
   const OwnService& offered = service->service();
   const std::optional<std::string> name = wireName(offered.name);
-  NodeShared* shared = NodeShared::Instance();
+  auto& shared = library();
   if (name) {
-    const std::lock_guard lock(shared->mutex);
-    shared->repliers.AddHandler(*name, nodeUuid_, service);
+    const std::lock_guard lock(shared.mutex);
+    shared.repliers.AddHandler(*name, nodeUuid_, service);
     const ignition::transport::ServicePublisher publisher(
-        *name, shared->myReplierAddress, shared->replierId.ToString(), shared->pUuid, nodeUuid_, offered.requestType,
+        *name, shared.myReplierAddress, shared.replierId.ToString(), shared.pUuid, nodeUuid_, offered.requestType,
         offered.replyType, ignition::transport::AdvertiseServiceOptions());
-    if (shared->AdvertisePublisher(publisher)) return;
+    if (shared.AdvertisePublisher(publisher)) return;
   }
   static const Logger log("ign");
   log.warning("service '" + offered.name + "' can't be offered by ign-transport");

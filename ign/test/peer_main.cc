@@ -1,10 +1,12 @@
 // A process that speaks ign-transport and knows nothing of pongsim, for the tests.
 //   ign_peer listen TOPIC TYPE        prints "heard" at the first message, and how many came when it is interrupted
 //   ign_peer raw TOPIC                prints the type of each message
+//   ign_peer texts TOPIC              prints each StringMsg
 //   ign_peer flood TOPIC              publishes Int32 as fast as it goes, until it is killed
 //   ign_peer serve NAME               answers StringMsg with the text twice; refuses "no"; prints "ready"
 //   ign_peer serve-one-way NAME       prints what it is asked
 //   ign_peer call NAME TEXT           calls such a service, and prints the answer, "refused" or "no answer"
+//   ign_peer call-one-way NAME TEXT   tells such a service the text, once it is there, and prints "told"
 //   ign_peer publish TOPIC TEXT...    publishes each text as a StringMsg once somebody listens
 
 #include <ignition/msgs/int32.pb.h>
@@ -15,6 +17,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <thread>
@@ -49,6 +52,13 @@ int raw(Node& node, const std::string& topic) {
   node.SubscribeRaw(topic,
                     [](const char*, std::size_t, const ignition::transport::MessageInfo& info) { say(info.Type()); });
   say("ready");
+  ignition::transport::waitForShutdown();
+  return 0;
+}
+
+int texts(Node& node, const std::string& topic) {
+  std::function<void(const StringMsg&)> heard = [](const StringMsg& message) { say(message.data()); };
+  if (!node.Subscribe(topic, heard)) return 1;
   ignition::transport::waitForShutdown();
   return 0;
 }
@@ -94,6 +104,16 @@ int call(Node& node, const std::string& name, const std::string& text) {
   return 0;
 }
 
+int callOneWay(Node& node, const std::string& name, const std::string& text) {
+  std::vector<ignition::transport::ServicePublisher> there;
+  while (!node.ServiceInfo(name, there) || there.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  StringMsg request;
+  request.set_data(text);
+  say(node.Request(name, request) ? "told" : "not told");
+  ignition::transport::waitForShutdown();
+  return 0;
+}
+
 int publish(Node& node, const std::string& topic, const std::vector<std::string>& texts) {
   Node::Publisher publisher = node.Advertise<StringMsg>(topic);
   while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -109,19 +129,27 @@ int publish(Node& node, const std::string& topic, const std::vector<std::string>
   return 0;
 }
 
-}  // namespace
-
-int main(int count, char** words) {
-  const std::vector<std::string> arguments(words + 1, words + count);
+int act(const std::vector<std::string>& arguments) {
   if (arguments.size() < 2) return 2;
   Node node;
   const std::string& action = arguments[0];
   if (action == "listen" && arguments.size() == 3) return listen(node, arguments[1], arguments[2]);
   if (action == "raw") return raw(node, arguments[1]);
+  if (action == "texts") return texts(node, arguments[1]);
   if (action == "flood") flood(node, arguments[1]);
   if (action == "serve") return serve(node, arguments[1]);
   if (action == "serve-one-way") return serveOneWay(node, arguments[1]);
   if (action == "call" && arguments.size() == 3) return call(node, arguments[1], arguments[2]);
+  if (action == "call-one-way" && arguments.size() == 3) return callOneWay(node, arguments[1], arguments[2]);
   if (action == "publish") return publish(node, arguments[1], {arguments.begin() + 2, arguments.end()});
   return 2;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const int code = act({words + 1, words + count});
+  // not by exit: the library's threads run on, and fall over what that destroys
+  std::fflush(nullptr);
+  std::_Exit(code);
 }

@@ -66,7 +66,8 @@ class PONGSIM_API Simulation {
                                               const SimulationOptions& options, Diagnostics& diagnostics);
   /// Loads all worlds of a file, in its order, with all that is wrong with any of them. Where there are several, each
   /// has a share of its own in the transport of the options (`Transport::Sharing`), so that each may be stepped by a
-  /// thread of its own. `systems` counts for the first one, `world` for none.
+  /// thread of its own. `systems` counts for each; where there are several, the attribute `beside_others` of the
+  /// `<plugin>` is `true` then, so that they keep out of each other's way. `world` counts for none.
   /// @return None if there was an error.
   static std::vector<std::unique_ptr<Simulation>> allFromFile(const std::filesystem::path& file,
                                                               const SimulationOptions& options,

@@ -2,10 +2,12 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <vector>
 
 #include "log/record/record_folder.hh"
 #include "log/store/failure.hh"
@@ -18,11 +20,27 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kFilePrefix = "file://";
+constexpr std::size_t kMostListed = 8;
 
 bool isZip(const fs::path& file) {
   char begin[2]{};
   std::ifstream(file, std::ios::binary).read(begin, sizeof begin);
   return begin[0] == 'P' && begin[1] == 'K';
+}
+
+/// @return The folder, if it is a recording; else those in it that are, as deep as told: a zip file has a folder in it,
+/// of whatever name, and a recording of several worlds one for each.
+std::vector<fs::path> recordingsIn(const fs::path& folder, int depth) {
+  std::error_code error;
+  if (fs::exists(folder / kStateFile, error)) return {folder};
+  std::vector<fs::path> found;
+  if (depth == 0) return found;
+  for (const fs::directory_entry& each : fs::directory_iterator(folder, error)) {
+    if (!each.is_directory(error)) continue;
+    const std::vector<fs::path> inside = recordingsIn(each.path(), depth - 1);
+    found.insert(found.end(), inside.begin(), inside.end());
+  }
+  return found;
 }
 
 fs::path makeTemporaryFolder() {
@@ -37,7 +55,7 @@ fs::path makeTemporaryFolder() {
 PlayedFiles::PlayedFiles(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    find(path);
+    find(path, path);
   } else if (!fs::is_regular_file(path, error)) {
     throw Failure("there is no recording '" + path.string() + "'",
                   "it is a folder, a zip file or a .tlog file that pongsim run --record made");
@@ -45,7 +63,7 @@ PlayedFiles::PlayedFiles(const fs::path& path) {
     unpacked_ = makeTemporaryFolder();
     try {
       unpackZip(path, unpacked_);
-      find(unpacked_);
+      find(unpacked_, path);
     } catch (...) {
       fs::remove_all(unpacked_, error);
       throw;
@@ -61,19 +79,21 @@ PlayedFiles::~PlayedFiles() {
   if (!unpacked_.empty()) fs::remove_all(unpacked_, ignored);
 }
 
-void PlayedFiles::find(const fs::path& folder) {
-  std::error_code error;
-  fs::path place = folder;
-  // a zip file has a folder in it, of whatever name
-  if (!fs::exists(place / kStateFile, error)) {
-    for (const fs::directory_entry& each : fs::directory_iterator(folder, error)) {
-      if (fs::exists(each.path() / kStateFile, error)) place = each.path();
-    }
+void PlayedFiles::find(const fs::path& folder, const fs::path& named) {
+  std::vector<fs::path> found = recordingsIn(folder, 2);
+  if (found.empty()) throw Failure("there is no " + std::string(kStateFile) + " in '" + named.string() + "'");
+  if (found.size() > 1) {
+    std::ranges::sort(found);
+    std::string list;
+    for (std::size_t i = 0; i < std::min(found.size(), kMostListed); ++i)
+      list += (i == 0 ? "" : ", ") + found[i].filename().string();
+    if (found.size() > kMostListed) list += " and " + std::to_string(found.size() - kMostListed) + " more";
+    throw Failure("there are several recordings in '" + named.string() + "': " + list,
+                  folder == named ? "one is played at a time: '" + found.front().string() + "', for example"
+                                  : "one is played at a time: unpack it, and name the folder of one");
   }
-  if (!fs::exists(place / kStateFile, error))
-    throw Failure("there is no " + std::string(kStateFile) + " in '" + folder.string() + "'");
-  folder_ = place;
-  stateFile_ = place / kStateFile;
+  folder_ = found.front();
+  stateFile_ = folder_ / kStateFile;
 }
 
 std::string PlayedFiles::placeOf(const std::string& address) const {

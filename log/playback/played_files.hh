@@ -24,7 +24,8 @@ class PlayedFiles {
   std::string placeOf(const std::string& address) const;
 
  private:
-  void find(const std::filesystem::path& folder);
+  /// @param named What the user calls it.
+  void find(const std::filesystem::path& folder, const std::filesystem::path& named);
 
   std::filesystem::path folder_, stateFile_, unpacked_;
 };

@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "log/store/zip.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/resolved_sdf.hh"
 #include "pongsim/scene.hh"
@@ -80,10 +79,14 @@ void RecordSystem::start(const SystemContext& context) {
   const WhereTaken where = overwrite_       ? WhereTaken::kDelete
                            : keepsExisting_ ? WhereTaken::kTakeAnother
                                             : WhereTaken::kReplaceFiles;
-  const fs::path wanted = path_.empty() ? defaultRecordFolder() : fs::path(path_);
-  folder_ = makeRecordFolder(wanted, zipPath_, where);
-  if (resources_) copies_.emplace(folder_.folder);
   const std::string world(context.world.name());
+  if (context.sdf.attributeOr("beside_others", "") == "true") {
+    worlds_ = WorldsFolder::join(path_, zipPath_, where);
+    folder_ = worlds_->folderOf(world);
+  } else {
+    folder_ = makeRecordFolder(path_.empty() ? defaultRecordFolder() : fs::path(path_), zipPath_, where);
+  }
+  if (resources_) copies_.emplace(folder_.folder);
   sdfTopic_ = cleanTopic("/" + folder_.folder.filename().string() + "/sdf");
   ignition::msgs::StringMsg sdf;
   sdf.set_data(worldText(context));
@@ -188,9 +191,11 @@ void RecordSystem::finish() {
     writer_->close();
     sink_.reset();
     console_.close();
-    if (compress_) {
-      packFolder(folder_.folder, folder_.zip);
-      fs::remove_all(folder_.folder);
+    if (worlds_) {
+      folder_.lock.reset();
+      WorldsFolder::leave(std::move(worlds_), compress_);
+    } else if (compress_) {
+      packRecording(folder_);
     }
   } catch (const std::exception& why) {
     fail(why);

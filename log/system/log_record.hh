@@ -12,6 +12,7 @@
 #include "log/record/resources.hh"
 #include "log/record/state_recorder.hh"
 #include "log/record/topic_recorder.hh"
+#include "log/record/worlds_folder.hh"
 #include "log/tlog/tlog_writer.hh"
 #include "pongsim/log_sink.hh"
 #include "pongsim/system.hh"
@@ -43,6 +44,8 @@ class RecordSystem final : public System {
   double period_ = 0;
 
   const Logger* log_ = nullptr;
+  /// Where other worlds are recorded beside this one.
+  std::shared_ptr<WorldsFolder> worlds_;
   RecordFolder folder_;
   std::string sdfTopic_;
   /// Until it has been written, an ignition.msgs.StringMsg.

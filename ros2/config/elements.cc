@@ -54,6 +54,13 @@ void SettingsElements::declare(Declaration& declaration) {
                         "whether messages to ROS are stamped with the time of the wall");
 }
 
+void SettingsElements::nameAfter(std::string_view world, const Element& plugin) {
+  const Element* const name = plugin.child("node_name");
+  // options of the command line have no line
+  const bool isOfFile = name != nullptr && name->position.line > 0;
+  if (!isOfFile) nodeName_ += "_" + rosNameFor(world).substr(1);
+}
+
 std::optional<ParticipantOptions> SettingsElements::readParticipant(const Element& plugin,
                                                                     Diagnostics& diagnostics) const {
   ParticipantOptions options;

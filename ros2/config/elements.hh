@@ -16,6 +16,10 @@ class SettingsElements {
   /// Binds the parameters to members of this, which must outlive the declaration.
   void declare(Declaration& declaration);
 
+  /// Puts the world's name behind that of the node, unless the world's own `<plugin>` names it: other worlds of the
+  /// process are nodes, too.
+  void nameAfter(std::string_view world, const Element& plugin);
+
   /// @param plugin The `<plugin>` element, for positions. A file is named from the folder of the file that it stands
   /// in.
   /// @return The settings that they make with what the environment says; nothing where something is wrong, and

@@ -25,13 +25,15 @@ class Ros2 final : public System {
                    Declaration::Place::kWorld);
     elements_.declare(declaration);
     robotSettings_.declare(declaration);
-    declaration.parameter("service_prefix", &servicePrefix_, "",
-                          "in front of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
+    declaration.parameter(
+        "service_prefix", &servicePrefix_, "",
+        "in front of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
     declaration.serves("/world/W/ros2/topics", "ignition.msgs.Empty", "ignition.msgs.Param_V",
                        "what is bridged, for pongsim ros2 topics");
   }
 
   void configure(const SystemContext& context) override {
+    if (context.sdf.attributeOr("beside_others", "") == "true") elements_.nameAfter(context.world.name(), context.sdf);
     const std::optional<Settings> settings = elements_.read(context.sdf, context.diagnostics);
     // the run does not begin
     if (!settings) return;

@@ -184,11 +184,11 @@ def test_names_of_the_simulation_are_expanded_too():
         assert peers.take_one(reader).data == "hello"
 
 
-def refused(*arguments, environment=None):
+def refused(*arguments, environment=None, code=1):
     """What a run says that does not begin."""
     result = subprocess.run([peers.PONGSIM, "run", WORLD, "--iterations", "1", *map(str, arguments)],
                             capture_output=True, text=True, env={**peers.os.environ, **(environment or {})}, timeout=60)
-    assert result.returncode == 1, result.stderr
+    assert result.returncode == code, result.stderr
     return result.stderr
 
 
@@ -203,7 +203,7 @@ def test_a_run_with_a_wrong_configuration_does_not_begin(tmp_path):
     said = refused("--ros2-topic", "/a@geometry_msgs/msg/Twist@gz.msgs.Twist",
                    "--ros2-topic", "/a@geometry_msgs/msg/TwistStamped@gz.msgs.Twist")
     assert "error: topic '/a' of ROS can't be geometry_msgs/msg/TwistStamped here and geometry_msgs/msg/Twist" in said
-    assert "the domain of ROS must be an integer between 0 and 232" in refused("--ros2-domain", "233")
+    assert "option '--ros2-domain' takes a whole number from 0 to 232, not '233'" in refused("--ros2-domain", "233", code=2)
     assert "ROS_DOMAIN_ID is '233', not an integer between 0 and 232" in refused(
         "--ros2", environment={"ROS_DOMAIN_ID": "233"})
     assert "the file can't be read" in refused("--ros2-config", tmp_path / "none.yaml")

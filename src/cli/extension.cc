@@ -32,6 +32,9 @@ Extension::Option readOption(const Descriptor& json) {
   option.name = json.at("option").get<std::string>();
   option.help = json.at("help").get<std::string>();
   option.value = json.value("value", "");
+  option.allowed = ExtensionValue(json);
+  if (option.value.empty() && option.allowed.isLimited())
+    throw std::runtime_error("option '" + option.name + "' has a type of value, but no value");
   option.element = json.value("element", "");
   option.fixed = json.value("sets", "");
   option.isRepeated = json.value("repeated", false);
@@ -107,11 +110,13 @@ void addElement(const std::string& name, const std::string& text, Element& plugi
 }
 
 /// Takes an option that the user has given, with its values, of which there are none where it takes none.
+/// @throws UsageError where one is not of the option's type.
 void take(const Extension& extension, const Extension::Option& option, const std::vector<std::string>& values,
           RunAdditions& additions) {
   Element& plugin = pluginOf(option.system.value_or(extension.system), additions.systems);
   if (option.value.empty() && !option.fixed.empty()) addElement(option.element, option.fixed, plugin);
   for (const std::string& value : values) {
+    option.allowed.check(option.name, value);
     const std::string text = option.isFile ? std::filesystem::absolute(value).string() : value;
     addElement(option.element, text, plugin);
     if (!option.world) continue;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/extension_value.hh"
 #include "pongsim/element.hh"
 
 namespace CLI {
@@ -38,6 +39,8 @@ struct Extension {
     std::string name;
     /// What stands for its value in the help; empty: it takes none.
     std::string value;
+    /// What that may be. The program of a command sees to its own.
+    ExtensionValue allowed;
     std::string help;
     /// The element below the `<plugin>` that has the value; empty: none has.
     std::string element;

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "base/parse_number.hh"
 #include "cli/console.hh"
@@ -34,6 +35,12 @@ double numberFromZero(std::string_view option, std::string_view text, std::strin
   const std::optional<double> value = base::parseDouble(text);
   if (!value || !std::isfinite(*value) || std::signbit(*value)) refuse(option, std::string(what) + " from 0", text);
   return *value;
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
 }
 
 }  // namespace pongsim::cli

@@ -20,4 +20,7 @@ std::uint64_t wholeNumber(std::string_view option, std::string_view text, std::u
 /// @throws UsageError where `text` is none.
 double numberFromZero(std::string_view option, std::string_view text, std::string_view what);
 
+/// @return `value` as people write it: "1", "0.5".
+std::string shortNumber(double value);
+
 }  // namespace pongsim::cli

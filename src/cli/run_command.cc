@@ -52,13 +52,6 @@ struct RunCommandOptions {
   FortressRunOptions fortress;
 };
 
-/// @return `value` as people write it: "1", "0.5".
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
   World world = simulation.world();
   const std::size_t models = world.models().size();
@@ -115,12 +108,6 @@ void announce(const Worlds& worlds, const RunCommandOptions& options, const Tran
   if (options.verbosity == LogLevel::kNone) return;
   for (const auto& world : worlds) say(startLine(*world, options.run));
   if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
-  if (worlds.size() > 1 && !options.additions.systems.empty() && options.verbosity >= LogLevel::kWarning) {
-    say("warning: the options of extensions count for the first world, '" +
-        std::string(worlds.front()->world().name()) +
-        "', alone\n  hint: a <plugin> gives another world the same, and "
-        "-w NAME runs one world of the file");
-  }
 }
 
 bool printHashes(const Worlds& worlds) {

@@ -9,8 +9,13 @@ std::optional<std::string> RunControl::apply(const msgs::WorldControl& asked, Ti
   if (asked.seed != 0 && asked.reset != msgs::Reset::kAll) {
     return "a new seed counts from the start on: it goes with reset {all: true}";
   }
-  paused_ = asked.pause;
-  stepsLeft_ = asked.pause ? asked.steps : 0;
+  const bool startsAmongSteps = asked.reset == msgs::Reset::kAll && !asked.pause && stepsLeft_ > 0;
+  paused_ = asked.pause || startsAmongSteps;
+  if (startsAmongSteps) {
+    --stepsLeft_;
+  } else {
+    stepsLeft_ = asked.pause ? asked.steps : 0;
+  }
   runTo_ = !asked.pause && asked.runTo && *asked.runTo > now ? asked.runTo : std::nullopt;
   return std::nullopt;
 }
@@ -19,6 +24,7 @@ void RunControl::stepped(Time now) {
   if (stepsLeft_ > 0) --stepsLeft_;
   if (!runTo_ || now < *runTo_) return;
   paused_ = true;
+  stepsLeft_ = 0;
   runTo_.reset();
 }
 

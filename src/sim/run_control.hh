@@ -16,6 +16,8 @@ class RunControl {
 
   /// Takes a request in between two steps. Without `pause` the run goes on, whatever else is asked for. Several steps
   /// and a time to run to count only with `pause` true and false, respectively; a time that has passed does not count.
+  /// A reset without `pause` among several steps lets the run pause behind those that are left, of which, as with
+  /// Fortress, the start itself is one.
   /// @param now After the reset, where one is asked for, which is for the caller to do.
   /// @return Why nothing of it was done, or nothing.
   std::optional<std::string> apply(const msgs::WorldControl& asked, Time now);

@@ -43,7 +43,9 @@ ServiceAnswer RunServices::controlPlayback(const msgs::PlaybackControl& asked) {
   if (asked.seek) {
     if (const auto refusal = simulation_.setTime(*asked.seek)) return ServiceAnswer::refused(*refusal);
   }
-  control_.apply(asked.run, simulation_.time());
+  msgs::WorldControl run = asked.run;
+  if (asked.rewind) run.reset = msgs::Reset::kAll;
+  control_.apply(run, asked.rewind ? Time::zero() : simulation_.time());
   return asked.rewind ? reset(std::nullopt) : true;
 }
 

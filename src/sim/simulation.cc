@@ -233,16 +233,18 @@ std::vector<std::unique_ptr<Simulation>> Simulation::allFromFile(const std::file
   if (diagnostics.hasErrors()) return {};
   std::vector<std::unique_ptr<Simulation>> all;
   std::vector<SourcePosition> positions;
-  SimulationOptions ofWorld = options;
+  SimulationOptions ofWorlds = options;
+  if (!isOne) {
+    for (Element& plugin : ofWorlds.systems) plugin.attributes.push_back({"beside_others", "true", plugin.position});
+  }
   bool isComplete = true;
   for (std::size_t i = 0; i < root.worlds.size(); ++i) {
     // all are tried, so that all that is wrong is said
     positions.push_back(root.worlds[i].position);
     Diagnostics found;
-    all.push_back(Parts::make(std::move(root.worlds[i]), {i, isOne}, !isOne, ofWorld, found));
+    all.push_back(Parts::make(std::move(root.worlds[i]), {i, isOne}, !isOne, ofWorlds, found));
     for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
     isComplete = isComplete && all.back() != nullptr && !found.hasErrors();
-    ofWorld.systems.clear();
   }
   if (!isComplete) return {};
   sim::warnOfSharedTopics(all, positions, diagnostics);

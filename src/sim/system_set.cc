@@ -59,6 +59,9 @@ description::Plugin joined(description::Plugin plugin, std::vector<description::
   // of elements of one name the first counts
   std::vector<Element>& children = plugin.sdf.children;
   children.insert(children.begin(), same->sdf.children.begin(), same->sdf.children.end());
+  for (const Element::Attribute& attribute : same->sdf.attributes) {
+    if (plugin.sdf.attribute(attribute.name) == nullptr) plugin.sdf.attributes.push_back(attribute);
+  }
   more.erase(same);
   return plugin;
 }

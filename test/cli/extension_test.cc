@@ -63,6 +63,10 @@ TEST_F(ExtensionTest, ThatIsWrongSaysWhy) {
         R"({"command": {"name": "x", "help": "", "program": "/bin/sh"}})",
         R"({"run": {"system": {"filename": "a", "name": "b"}, "options": [{"option": "x", "help": ""}]}})",
         R"({"run": {"system": {"filename": "a", "name": "b"},
+            "options": [{"option": "--x", "help": "", "type": "number"}]}})",
+        R"({"run": {"system": {"filename": "a", "name": "b"},
+            "options": [{"option": "--x", "help": "", "value": "N", "type": "length"}]}})",
+        R"({"run": {"system": {"filename": "a", "name": "b"},
             "options": [{"option": "--x", "help": "", "sets": "true"}]}})"}) {
     EXPECT_THROW(read(text), std::runtime_error) << text;
   }
@@ -84,6 +88,23 @@ TEST_F(ExtensionTest, AnOptionWithoutAValueMaySetOne) {
   const std::vector<Element> systems = systemsOf("--x-only");
   ASSERT_EQ(systems.size(), 1U);
   EXPECT_EQ(systems[0].child("all")->text, "false");
+}
+
+TEST_F(ExtensionTest, AValueOfAnotherTypeIsAWrongCommandLine) {
+  const Extension extension = read(R"({
+    "run": {"system": {"filename": "x", "name": "X"},
+            "options": [{"option": "--rate", "value": "HZ", "type": "number", "least": 0, "help": "", "element": "a",
+                         "repeated": true}]}})");
+  const auto parse = [&](const char* arguments) {
+    CLI::App command("", "run");
+    RunAdditions additions;
+    addRunOptions(command, extension, additions);
+    command.parse(arguments);
+    return additions;
+  };
+  EXPECT_EQ(parse("--rate 2").systems.at(0).child("a")->text, "2");
+  EXPECT_THROW(parse("--rate x"), UsageError);
+  EXPECT_THROW(parse("--rate 2 --rate=-1"), UsageError);
 }
 
 TEST_F(ExtensionTest, AnOptionMayBringTheWorldAndASystemOfItsOwn) {

@@ -42,6 +42,46 @@ TEST(RunControl, LeavesTheRestOfTheStepsAtTheNextRequest) {
   EXPECT_TRUE(control.paused());
 }
 
+TEST(RunControl, PausesBehindTheStepsThatAreLeftWhereItIsResetAmongThem) {
+  RunControl control(true);
+  control.apply({.pause = true, .steps = 5}, Time::zero());
+  control.stepped(milliseconds(1));
+  control.stepped(milliseconds(2));
+  EXPECT_EQ(control.apply({.reset = msgs::Reset::kAll}, Time::zero()), std::nullopt);
+  // the start was one of the three
+  for (int i = 1; i <= 2; ++i) {
+    EXPECT_FALSE(control.paused()) << i;
+    control.stepped(milliseconds(i));
+  }
+  EXPECT_TRUE(control.paused());
+}
+
+TEST(RunControl, PausesAtOnceWhereThatComesWithAResetAmongSteps) {
+  RunControl control(true);
+  control.apply({.pause = true, .steps = 5}, Time::zero());
+  control.stepped(milliseconds(1));
+  control.apply({.pause = true, .reset = msgs::Reset::kAll}, Time::zero());
+  EXPECT_TRUE(control.paused());
+}
+
+TEST(RunControl, GoesOnAfterAResetWhereNoStepsAreLeft) {
+  RunControl control(true);
+  control.apply({.reset = msgs::Reset::kAll}, Time::zero());
+  for (int i = 1; i <= 5; ++i) control.stepped(milliseconds(i));
+  EXPECT_FALSE(control.paused());
+}
+
+TEST(RunControl, PausesAtATimeThatComesBeforeTheStepsAreMade) {
+  RunControl control(true);
+  control.apply({.pause = true, .steps = 9}, Time::zero());
+  control.stepped(milliseconds(1));
+  control.apply({.runTo = milliseconds(2), .reset = msgs::Reset::kAll}, Time::zero());
+  control.stepped(milliseconds(1));
+  EXPECT_FALSE(control.paused());
+  control.stepped(milliseconds(2));
+  EXPECT_TRUE(control.paused());
+}
+
 TEST(RunControl, PausesAtTheTimeAskedFor) {
   RunControl control(true);
   control.apply({.runTo = milliseconds(3)}, Time::zero());

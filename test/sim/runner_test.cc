@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "support/process.hh"
 #include "support/wait_until.hh"
@@ -164,6 +165,28 @@ TEST_F(ControlledRun, GoesBackToTheStartWhenReset) {
   end();
   EXPECT_EQ(simulation_->time(), Time::zero());
   EXPECT_EQ(simulation_->stateHash(), atStart);
+}
+
+TEST_F(RunnerTest, PausesBehindTheStepsThatAreLeftWhenResetAmongThem) {
+  // all on this thread: each request is met before the step after the one that asks for it
+  Runner runner(*simulation_, {.paused = true, .updateRate = 0.0});
+  Node node = simulation_->transport().node();
+  const auto control = [&node](const std::string& text) {
+    const MessagePointer request = newMessage("WorldControl");
+    EXPECT_FALSE(parseMessage(text, *request));
+    EXPECT_TRUE(node.request("/world/w/control", *request, "ignition.msgs.Boolean", {}));
+  };
+  std::vector<std::uint64_t> counts;
+  const Subscription steps =
+      node.subscribe<ignition::msgs::WorldStatistics>("/stats", [&](const ignition::msgs::WorldStatistics& told) {
+        counts.push_back(told.iterations());
+        if (counts.size() == 1) control("pause: true, multi_step: 10");
+        if (told.iterations() == 4 && std::ranges::count(counts, 4U) == 1) control("reset {all: true}");
+        if (told.paused() && counts.size() > 8) runner.stop();
+      });
+  runner.run();
+  EXPECT_EQ(std::ranges::max(counts), 5U);
+  EXPECT_EQ(simulation_->iterations(), 5U);
 }
 
 TEST_F(ControlledRun, DoesWhatOtherThreadsPostBetweenSteps) {

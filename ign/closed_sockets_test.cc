@@ -1,0 +1,32 @@
+#include "ign/closed_sockets.hh"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+
+#include "ign/heartbeats.hh"
+#include "ign/library.hh"
+#include "ign/test/discovery_packet.hh"
+
+namespace pongsim::ign {
+namespace {
+
+TEST(ClosedSockets, AreThoseOfDiscoveryWhichHearThisMachine) {
+  setenv("IGN_IP", "127.0.0.1", 1);
+  library();
+  // of messages, of services
+  const int before = closeDiscoveryToOthers();
+  EXPECT_GE(before, 2);
+  Heartbeats heartbeats("127.0.0.1");
+  EXPECT_EQ(closeDiscoveryToOthers(), before + 1);
+  const std::string beat = packetOf("neighbour", ignition::msgs::Discovery::HEARTBEAT);
+  EXPECT_TRUE(sayToGroup(beat, library().discoveryIP, library().msgDiscPort));
+  heartbeats.read();
+  // one that was never heard counts as one that was there at the start, for so long
+  EXPECT_TRUE(heartbeats.isAlive("neighbour"));
+  EXPECT_FALSE(heartbeats.isAlive("neighbour", Heartbeats::Clock::now() + std::chrono::seconds(11)));
+}
+
+}  // namespace
+}  // namespace pongsim::ign

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <arpa/inet.h>
+#include <ignition/msgs/discovery.pb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace pongsim::ign {
+
+/// Says something on 127.0.0.1 to the group of discovery, as other processes do.
+/// @return Whether it was sent.
+inline bool sayToGroup(const std::string& packet, const std::string& group, int port) {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  const in_addr loopback{inet_addr("127.0.0.1")};
+  setsockopt(socket, IPPROTO_IP, IP_MULTICAST_IF, &loopback, sizeof loopback);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = inet_addr(group.c_str());
+  const ssize_t sent =
+      sendto(socket, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  ::close(socket);
+  return sent == static_cast<ssize_t>(packet.size());
+}
+
+/// @return A packet of that process: one of discovery, with its length in front.
+inline std::string packetOf(const std::string& process, ignition::msgs::Discovery::Type type) {
+  ignition::msgs::Discovery message;
+  message.set_version(10);
+  message.set_process_uuid(process);
+  message.set_type(type);
+  const std::string body = message.SerializeAsString();
+  const auto length = static_cast<std::uint16_t>(body.size());
+  std::string packet(sizeof length, '\0');
+  std::memcpy(packet.data(), &length, sizeof length);
+  return packet + body;
+}
+
+}  // namespace pongsim::ign

@@ -1,0 +1,55 @@
+"""Several worlds of one process on ign-transport: each with its topics and services, what they share once."""
+
+import unittest
+
+from ign_world import PEER, PONGSIM, ROOT, Running, ign, needs_ign, run, until, world
+
+WORLD = ROOT / "worlds/three_worlds.sdf"
+WORLDS = ("fine", "coarse", "fast")
+
+
+def x_of(name):
+    """How far a world's cart is [m]."""
+    return float(run(PONGSIM, "topic", "-e", "-t", f"/model/cart_{name}/odometry", "-n", "1", "--field", "pose.position.x"))
+
+
+class Worlds(unittest.TestCase):
+    def listening(self, topic, kind):
+        peer = Running(PEER, "listen", topic, kind)
+        self.addCleanup(peer.end)
+        return peer
+
+    def test_each_tells_of_itself(self):
+        with world(WORLD):
+            for name in WORLDS:
+                self.listening(f"/world/{name}/clock", "ignition.msgs.Clock").wait_for("heard")
+                self.listening(f"/model/cart_{name}/odometry", "ignition.msgs.Odometry").wait_for("heard")
+            # the first one's
+            self.listening("/clock", "ignition.msgs.Clock").wait_for("heard")
+
+    @needs_ign
+    def test_each_takes_its_commands_alone(self):
+        def moved():
+            # it ends at once, and not all that it says leaves it
+            ign("topic", "-t", "/model/cart_coarse/cmd_vel", "-m", "ignition.msgs.Twist", "-p", "linear: {x: 0.5}")
+            return x_of("coarse") > 0.1
+
+        with world(WORLD):
+            until(moved, "the cart to move")
+            for name in ("fine", "fast"):
+                self.assertAlmostEqual(x_of(name), 0, 3)
+
+    @needs_ign
+    def test_services_are_there_once(self):
+        with world(WORLD):
+            services = until(lambda: (lines := ign("service", "-l").split()) and "/world/fast/control" in lines and lines,
+                             "the services")
+            for name in WORLDS:
+                self.assertEqual(services.count(f"/world/{name}/control"), 1)
+                answer = ign("service", "-s", f"/world/{name}/control", "--reqtype", "ignition.msgs.WorldControl",
+                             "--reptype", "ignition.msgs.Boolean", "--timeout", "10000", "--req", "pause: true")
+                self.assertIn("data: true", answer)
+
+
+if __name__ == "__main__":
+    unittest.main()
