@@ -159,8 +159,8 @@ void separateAllNames(Element& element, Context& context) {
   }
 }
 
-/// Takes out what SDF 1.9 does not know any more.
-void dropRemoved(Element& element, const Schema::ElementType& type, Context& context) {
+/// Takes out what SDF 1.9 does not know any more, or tells of it only.
+void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse use, Context& context) {
   const auto isGone = [](std::span<const Schema::Part> parts, std::string_view name) {
     const Schema::Part* part = Schema::find(parts, name);
     return part != nullptr && part->row.removedIn != 0;
@@ -180,17 +180,17 @@ void dropRemoved(Element& element, const Schema::ElementType& type, Context& con
   std::erase_if(element.children, [&](const Element& child) {
     if (!isGone(type.children, child.name)) return false;
     warn("<" + child.name + ">", child.position, *Schema::find(type.children, child.name));
-    return true;
+    return use == RemovedUse::kDrop;
   });
   for (Element& child : element.children) {
     const Schema::Part* part = Schema::find(type.children, child.name);
-    if (part != nullptr && part->type != nullptr && !part->isFreeForm) dropRemoved(child, *part->type, context);
+    if (part != nullptr && part->type != nullptr && !part->isFreeForm) dropRemoved(child, *part->type, use, context);
   }
 }
 
 }  // namespace
 
-void upgrade(Element& root, Context& context) {
+void upgrade(Element& root, Context& context, RemovedUse removed) {
   const int version = context.version;
   if (version < 5) flagAxes(root);
   if (version < 6) {
@@ -203,7 +203,7 @@ void upgrade(Element& root, Context& context) {
     separateAllNames(root, context);
   }
   if (version < 8) unflattenAll(root, context);
-  dropRemoved(root, *Schema::instance().root().type, context);
+  dropRemoved(root, *Schema::instance().root().type, removed, context);
   for (Element::Attribute& attribute : root.attributes) {
     if (attribute.name == "version") attribute.value = "1." + std::to_string(kNewestVersion);
   }
