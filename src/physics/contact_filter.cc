@@ -25,11 +25,20 @@ ContactFilter::ContactFilter(const world::Entities& entities) : entities_(entiti
 
 void ContactFilter::update() {
   jointed_.clear();
-  for (const world::JointRecord& joint : entities_.joints()) {
+  known_ = 0;
+  grow();
+}
+
+void ContactFilter::grow() {
+  const auto sorted = static_cast<std::ptrdiff_t>(jointed_.size());
+  for (; known_ < entities_.joints().size(); ++known_) {
+    const world::JointRecord& joint = entities_.joints()[known_];
     if (joint.parentLink == world::kNoSlot || joint.childLink == world::kNoSlot) continue;
     jointed_.push_back(std::minmax(joint.parentLink, joint.childLink));
   }
-  std::sort(jointed_.begin(), jointed_.end());
+  const auto middle = jointed_.begin() + sorted;
+  std::sort(middle, jointed_.end());
+  std::inplace_merge(jointed_.begin(), middle, jointed_.end());
 }
 
 bool ContactFilter::mayTouch(world::Slot a, world::Slot b) const {

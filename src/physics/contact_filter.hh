@@ -18,6 +18,8 @@ class ContactFilter final : public btOverlapFilterCallback {
 
   /// To be called when joints or links have come or gone.
   void update();
+  /// As `update`, where they have come only.
+  void grow();
 
   bool mayTouch(world::Slot a, world::Slot b) const;
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
@@ -26,6 +28,8 @@ class ContactFilter final : public btOverlapFilterCallback {
   const world::Entities& entities_;
   /// Pairs of slots that a joint connects, smaller slot first, sorted.
   std::vector<std::pair<world::Slot, world::Slot>> jointed_;
+  /// How many joints have been looked at.
+  std::size_t known_ = 0;
 };
 
 }  // namespace pongsim::physics

@@ -51,11 +51,15 @@ struct Engine::Parts final : GroupWork {
   void grow();
   void prepareHulls();
   void addJoints();
-  void findFrictionFrames();
+  /// @param first The first link whose collisions are looked at.
+  void findFrictionFrames(world::Slot first);
   /// Friction directions that are those of other links go with these.
   void turnFrictionDirections();
   void remove(const world::Removal& removal);
+  /// Tells bodies and joints of their slots, and the world of who moves.
   void renumber();
+  /// As `renumber`, where nothing before these has changed.
+  void renumberFrom(world::Slot firstLink, world::Slot firstJoint);
   void take(Body& body);
   JointEnd end(world::Slot link, const Pose& X_LinkJoint);
   Joint& jointWithAxis(world::Slot slot, std::size_t axis);
@@ -75,9 +79,12 @@ struct Engine::Parts final : GroupWork {
   std::vector<Body*> moving;
   /// One a joint, in the order of their slots.
   std::vector<std::unique_ptr<Joint>> joints;
+  /// For each joint, how many constraints the world has of those up to it.
+  std::vector<std::size_t> holdingEnd;
   /// Collisions whose first friction direction is in the frame of another link.
   struct FrictionFrame {
     LinkShape::Part* part;
+    const Body* body;
     const Body* frame;
   };
   std::vector<FrictionFrame> frictionFrames;
@@ -152,23 +159,25 @@ void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
 
 void Engine::Parts::grow() {
   prepareHulls();
+  const world::Slot firstLink = bodies.size(), firstJoint = joints.size();
   std::vector<std::unique_ptr<Body>> newBodies;
   for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
     newBodies.push_back(std::make_unique<Body>(entities, link, gravity, hulls));
   }
   // before a body comes: who may touch it is asked then
-  filter.update();
+  filter.grow();
   for (auto& body : newBodies) {
     take(*body);
     bodies.push_back(std::move(body));
   }
   addJoints();
-  renumber();
+  renumberFrom(firstLink, firstJoint);
+  findFrictionFrames(firstLink);
 }
 
-void Engine::Parts::findFrictionFrames() {
-  frictionFrames.clear();
-  for (const auto& body : bodies) {
+void Engine::Parts::findFrictionFrames(world::Slot first) {
+  for (world::Slot slot = first; slot < bodies.size(); ++slot) {
+    const std::unique_ptr<Body>& body = bodies[slot];
     LinkShape& shape = body->shape();
     for (std::size_t i = 0; i < shape.partCount(); ++i) {
       const std::string& name = shape.part(i).surface->fdir1Link;
@@ -178,7 +187,7 @@ void Engine::Parts::findFrictionFrames() {
         const world::LinkRecord& link = entities.links()[other->link()];
         return link.model == model && link.description->name == name;
       });
-      if (frame != bodies.end()) frictionFrames.push_back({&shape.part(i), frame->get()});
+      if (frame != bodies.end()) frictionFrames.push_back({&shape.part(i), body.get(), frame->get()});
     }
   }
 }
@@ -230,34 +239,52 @@ void Engine::Parts::remove(const world::Removal& removal) {
     btRigidBody& rigid = bodies[slot]->rigid();
     if (rigid.getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&rigid);
   }
+  std::erase_if(frictionFrames, [&removal](const FrictionFrame& each) {
+    return std::ranges::binary_search(removal.links, each.body->link());
+  });
   world::eraseSlots(joints, removal.joints);
   // a body that has gone has no place in the broad phase any more, and must live until that has been looked at
   std::vector<std::unique_ptr<Body>> gone;
   for (const world::Slot slot : removal.links) gone.push_back(std::move(bodies[slot]));
   world::eraseSlots(bodies, removal.links);
-  renumber();
+  renumberFrom(removal.links.empty() ? bodies.size() : removal.links.front(),
+               removal.joints.empty() ? joints.size() : removal.joints.front());
   filter.update();
   for (btRigidBody* body : freed) world.findPairsOf(*body);
 }
 
 void Engine::Parts::renumber() {
-  moving.clear();
-  std::vector<btRigidBody*> movingRigid;
-  for (world::Slot link = 0; link < bodies.size(); ++link) {
+  renumberFrom(0, 0);
+  frictionFrames.clear();
+  findFrictionFrames(0);
+}
+
+void Engine::Parts::renumberFrom(world::Slot firstLink, world::Slot firstJoint) {
+  // those that have gone know their old slots still
+  const auto kept = std::ranges::lower_bound(moving, firstLink, {}, &Body::link);
+  const auto firstMember = static_cast<std::size_t>(kept - moving.begin());
+  moving.erase(kept, moving.end());
+  std::vector<btRigidBody*> members;
+  for (world::Slot link = firstLink; link < bodies.size(); ++link) {
     bodies[link]->setLink(link);
     if (!bodies[link]->moves()) continue;
     moving.push_back(bodies[link].get());
-    movingRigid.push_back(&bodies[link]->rigid());
+    members.push_back(&bodies[link]->rigid());
   }
-  findFrictionFrames();
+  world.bullet().setBodies(firstMember, members);
+
+  for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) joints[slot]->setSlot(slot);
+  const std::size_t firstHolding = firstJoint == 0 ? 0 : holdingEnd[firstJoint - 1];
+  holdingEnd.resize(firstJoint);
   std::vector<btTypedConstraint*> holding;
-  for (world::Slot slot = 0; slot < joints.size(); ++slot) {
-    joints[slot]->setSlot(slot);
-    if (!joints[slot]->holdsSomething()) continue;
-    holding.push_back(joints[slot].get());
-    if (btTypedConstraint* reference = joints[slot]->reference()) holding.push_back(reference);
+  for (world::Slot slot = firstJoint; slot < joints.size(); ++slot) {
+    if (joints[slot]->holdsSomething()) {
+      holding.push_back(joints[slot].get());
+      if (btTypedConstraint* reference = joints[slot]->reference()) holding.push_back(reference);
+    }
+    holdingEnd.push_back(firstHolding + holding.size());
   }
-  world.bullet().setMembers(std::move(movingRigid), std::move(holding));
+  world.bullet().setJoints(firstHolding, holding);
 }
 
 JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {

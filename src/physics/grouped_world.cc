@@ -52,12 +52,15 @@ GroupedWorld::GroupedWorld(btDispatcher& dispatcher, btBroadphaseInterface& broa
       workers_(workers),
       work_(work) {}
 
-void GroupedWorld::setMembers(std::vector<btRigidBody*> bodies, std::vector<btTypedConstraint*> joints) {
-  bodies_ = std::move(bodies);
-  joints_ = std::move(joints);
-  const btCollisionObjectArray& objects = getCollisionObjectArray();
-  for (int i = 0; i < objects.size(); ++i) objects[i]->setIslandTag(kNoMember);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->setIslandTag(static_cast<int>(i));
+void GroupedWorld::setBodies(std::size_t first, std::span<btRigidBody* const> bodies) {
+  bodies_.resize(first);
+  bodies_.insert(bodies_.end(), bodies.begin(), bodies.end());
+  for (std::size_t i = first; i < bodies_.size(); ++i) bodies_[i]->setIslandTag(static_cast<int>(i));
+}
+
+void GroupedWorld::setJoints(std::size_t first, std::span<btTypedConstraint* const> joints) {
+  joints_.resize(first);
+  joints_.insert(joints_.end(), joints.begin(), joints.end());
 }
 
 GroupedWorld::Aabb GroupedWorld::aabbOf(const btRigidBody& body) {

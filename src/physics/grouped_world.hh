@@ -36,9 +36,11 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   GroupedWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btCollisionConfiguration& configuration,
                std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers, GroupWork& work);
 
-  /// Sets which bodies forces move, and which joints are solved, in the order of their slots. Bullet's own list of
-  /// joints is not used.
-  void setMembers(std::vector<btRigidBody*> bodies, std::vector<btTypedConstraint*> joints);
+  /// Sets which bodies forces move, in the order of their slots.
+  /// @param first So many stay as they are; `bodies` stand behind them.
+  void setBodies(std::size_t first, std::span<btRigidBody* const> bodies);
+  /// Likewise which joints are solved. Bullet's own list of joints is not used.
+  void setJoints(std::size_t first, std::span<btTypedConstraint* const> joints);
 
  protected:
   // gravity is among the forces of `GroupWork`, and each group is moved once it is solved

@@ -21,13 +21,24 @@ std::string hintFor(std::string_view name, std::span<const Schema::Part> parts) 
   return base::didYouMean(name, known);
 }
 
-/// @param label "<axiss>" or "attribute 'nam'"
+/// An element or an attribute, to be named in messages.
+struct Label {
+  const std::string& name;
+  bool isAttribute;
+
+  /// @return "<axiss>" or "attribute 'nam'"
+  std::string text() const { return isAttribute ? "attribute '" + name + "'" : "<" + name + ">"; }
+};
+
 /// @return The part, or null, and a warning given, where this version of the format does not have it.
-const Schema::Part* knownPart(std::string_view name, std::span<const Schema::Part> parts, const std::string& label,
-                              const Element& holder, const SourcePosition& position, Context& context) {
+const Schema::Part* knownPart(const Label& which, std::span<const Schema::Part> parts, const Element& holder,
+                              const SourcePosition& position, Context& context) {
+  const std::string& name = which.name;
   const Schema::Part* part = Schema::find(parts, name);
   const bool isGone = part != nullptr && part->row.removedIn != 0 && context.version >= part->row.removedIn;
-  if ((part == nullptr || isGone) && context.firstTime("unknown " + label)) {
+  if (part != nullptr && !isGone) return part;
+  const std::string label = which.text();
+  if (context.firstTime("unknown " + label)) {
     const std::string ending = " in <" + holder.name + ">";
     if (isGone) {
       context.diagnostics.warning(position, label + " is not used any more" + ending,
@@ -36,17 +47,16 @@ const Schema::Part* knownPart(std::string_view name, std::span<const Schema::Par
       context.diagnostics.warning(position, label + " is not known" + ending, hintFor(name, parts));
     }
   }
-  return isGone ? nullptr : part;
+  return nullptr;
 }
 
-/// @param label "<mass>" or "attribute 'id'"
-void checkType(std::string_view type, const std::string& text, const std::string& label, const SourcePosition& position,
+void checkType(std::string_view type, const std::string& text, const Label& label, const SourcePosition& position,
                Context& context) {
   const std::optional<WrongValue> wrong = checkValue(type, text);
   if (!wrong) return;
   const bool isError = wrong->severity == Severity::kError;
   context.diagnostics.add({wrong->severity, position,
-                           label + " is '" + quoted(text) + "', which is not " + std::string(wrong->expected),
+                           label.text() + " is '" + quoted(text) + "', which is not " + std::string(wrong->expected),
                            isError ? "" : "Fortress takes as much of it as it can"});
 }
 
@@ -67,19 +77,19 @@ void check(const Element& element, const Schema::ElementType* type, bool isPasse
   if (isPassed) checkRequired(element, *type, context);
   for (const Element::Attribute& attribute : element.attributes) {
     if (attribute.name.find(':') != std::string::npos) continue;
-    const std::string label = "attribute '" + attribute.name + "'";
-    const Schema::Part* part = knownPart(attribute.name, type->attributes, label, element, attribute.position, context);
+    const Label label{attribute.name, true};
+    const Schema::Part* part = knownPart(label, type->attributes, element, attribute.position, context);
     if (part == nullptr || (!isPassed && part->row.use == Use::kRead)) continue;
     checkType(part->row.type, attribute.value, label, attribute.position, context);
   }
   for (const Element& child : element.children) {
     if (child.name.find(':') != std::string::npos) continue;
-    const Schema::Part* part =
-        knownPart(child.name, type->children, "<" + child.name + ">", element, child.position, context);
+    const Label label{child.name, false};
+    const Schema::Part* part = knownPart(label, type->children, element, child.position, context);
     if (part == nullptr) continue;
     const bool isUnread = isActorLink && child.name != "pose" && child.name != "visual";
     const bool isChildPassed = isPassed || isUnread || part->row.use != Use::kRead;
-    if (isChildPassed) checkType(part->row.type, child.text, "<" + child.name + ">", child.position, context);
+    if (isChildPassed) checkType(part->row.type, child.text, label, child.position, context);
     if (!part->isFreeForm) {
       check(child, part->type, isChildPassed, element.name == "actor" && child.name == "link", context);
     } else if (isChildPassed) {

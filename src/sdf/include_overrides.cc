@@ -16,9 +16,14 @@ void setAttribute(Element& element, std::string_view name, const Element& source
   }
 }
 
+/// Puts it in place of the first child of its name, the only one that counts, or behind all others.
 void setChild(Element& element, const Element& source) {
-  std::erase_if(element.children, [&source](const Element& child) { return child.name == source.name; });
-  element.children.push_back(source);
+  const auto found = std::ranges::find(element.children, source.name, &Element::name);
+  if (found != element.children.end()) {
+    *found = source;
+  } else {
+    element.children.push_back(source);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sdf/default_elements.hh"
 #include "sdf/element_check.hh"
 #include "sdf/file_text.hh"
 #include "sdf/include_overrides.hh"
@@ -73,6 +74,11 @@ bool Includes::follow(const Element& include, Context& context, const Read& read
   return true;
 }
 
+void Includes::modernize(Element& root, Context& context) const {
+  upgrade(root, context, isForPrint_ ? RemovedUse::kKeep : RemovedUse::kDrop);
+  if (isForPrint_) addDefaultElements(root);
+}
+
 const std::vector<Element>& Includes::replace(const Element& include, std::vector<Element>& parts) {
   if (!keepsReplacements_) return parts;
   return replacements_[&include] = std::move(parts);
@@ -138,7 +144,7 @@ void Includes::parse(const fs::path& path, const Name& name, File& file) {
   file.context.urdf = std::move(document->urdf);
   file.context.version = readVersion(root, diagnostics_);
   checkElements(root, file.context);
-  upgrade(root, file.context);
+  modernize(root, file.context);
   file.content = contentOf(root, diagnostics_);
 }
 

@@ -44,8 +44,16 @@ class Includes {
   /// @return False, and an error added by the first such `<include>` at least, where it can't be opened.
   bool follow(const Element& include, Context& context, const Read& read);
 
-  /// From now on what stands in place of each `<include>` is kept, and relative addresses in it are made absolute.
-  void keepReplacements() { keepsReplacements_ = true; }
+  /// Readies the load for a result that is printed: from now on elements get what Fortress adds to them.
+  /// @param keepsReplacements What stands in place of each `<include>` is kept, and relative addresses in it are made
+  /// absolute.
+  void prepareToPrint(bool keepsReplacements) {
+    isForPrint_ = true;
+    keepsReplacements_ = keepsReplacements;
+  }
+
+  /// To SDF 1.9; for the print also what Fortress adds.
+  void modernize(Element& root, Context& context) const;
 
   /// Notes what stands in place of an `<include>`.
   /// @return Those elements, to be read: `parts`, or the copy that is kept of them.
@@ -101,6 +109,7 @@ class Includes {
   std::size_t count_ = 0;
   std::size_t size_ = 0;
   int modelDepth_ = 0;
+  bool isForPrint_ = false;
   bool keepsReplacements_ = false;
   std::unordered_map<const Element*, std::vector<Element>> replacements_;
 };

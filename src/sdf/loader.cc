@@ -13,7 +13,6 @@
 #include "sdf/includes.hh"
 #include "sdf/model_document.hh"
 #include "sdf/names.hh"
-#include "sdf/upgrade.hh"
 #include "sdf/version.hh"
 #include "sdf/world_reader.hh"
 
@@ -40,7 +39,7 @@ Reading readRoot(Element& element, const std::shared_ptr<const UrdfSource>& urdf
                   .folder = std::filesystem::path(*file).parent_path(),
                   .urdf = urdf};
   checkElements(element, context);
-  upgrade(element, context);
+  includes.modernize(element, context);
 
   SiblingNames names("this file");
   for (const Element& child : element.children) {
@@ -108,7 +107,7 @@ class Load {
     return text ? read(*text) : Reading();
   }
 
-  void keepReplacements() { includes_.keepReplacements(); }
+  void prepareToPrint(IncludeUse use) { includes_.prepareToPrint(use == IncludeUse::kReplace); }
 
   /// @return The file's element, with what it includes in place; nothing if there was an error. To be asked once.
   std::optional<Element> takeResolved() {
@@ -150,7 +149,7 @@ Root loadFile(const std::filesystem::path& file, Diagnostics& diagnostics, const
 std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
                                    const assets::Finder& finder, IncludeUse use) {
   Load load(nameOf(file), finder);
-  if (use == IncludeUse::kReplace) load.keepReplacements();
+  load.prepareToPrint(use);
   load.readFile();
   load.report(diagnostics);
   return load.takeResolved();

@@ -46,7 +46,7 @@ enum class IncludeUse { kReplace, kPreserve };
 
 /// Reads a file and all that it includes as `loadFile` does.
 /// @param use What is included stands in place of each `<include>`, or that stays.
-/// @return Its `<sdf>` element, of SDF 1.9; nothing where there was an error.
+/// @return Its `<sdf>` element, of SDF 1.9, with the elements that Fortress adds; nothing where there was an error.
 std::optional<Element> resolveFile(const std::filesystem::path& file, Diagnostics& diagnostics,
                                    const assets::Finder& finder = assets::finderFromEnvironment(),
                                    IncludeUse use = IncludeUse::kReplace);

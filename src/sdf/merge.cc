@@ -44,6 +44,12 @@ void renameInside(Element& element, const std::string& frame) {
   }
 }
 
+/// @return Whether the part goes with those that are merged; others tell of the model itself.
+bool isMerged(const Element& part) {
+  constexpr std::array<std::string_view, 7> kMerged{"link", "model", "joint", "frame", "gripper", "plugin", "include"};
+  return std::ranges::find(kMerged, part.name) != kMerged.end() || part.name.find(':') != std::string::npos;
+}
+
 /// @return The shortest text that reads as the same number.
 std::string textOf(double value) {
   std::array<char, 32> text{};
@@ -79,6 +85,7 @@ void setModelFrame(Element& part, const std::string& frame) {
   if (pose == part.children.end()) {
     Element& added = part.children.emplace_back();
     added.name = "pose";
+    added.text = "0 0 0 0 0 0";
     added.position = part.position;
     pose = std::prev(part.children.end());
   }
@@ -86,8 +93,6 @@ void setModelFrame(Element& part, const std::string& frame) {
 }
 
 std::vector<Element> mergedParts(const MergedModel& model) {
-  constexpr std::array<std::string_view, 5> kNoParts{"pose", "static", "self_collide", "allow_auto_disable",
-                                                     "enable_wind"};
   const std::string frameName = mergedFrameName(model.name);
   std::vector<Element> parts(1);
   Element& frame = parts.front();
@@ -97,7 +102,7 @@ std::vector<Element> mergedParts(const MergedModel& model) {
   frame.attributes.push_back({"attached_to", model.canonicalLink, model.includedFrom});
   frame.children.push_back(poseElement(model));
   for (const Element& child : model.element.children) {
-    if (std::ranges::find(kNoParts, child.name) != kNoParts.end()) continue;
+    if (!isMerged(child)) continue;
     parts.push_back(child);
     if (child.name != "include" && child.name != "plugin" && child.name != "gripper") {
       setModelFrame(parts.back(), frameName);

@@ -159,38 +159,46 @@ void separateAllNames(Element& element, Context& context) {
   }
 }
 
-/// Takes out what SDF 1.9 does not know any more.
-void dropRemoved(Element& element, const Schema::ElementType& type, Context& context) {
-  const auto isGone = [](std::span<const Schema::Part> parts, std::string_view name) {
-    const Schema::Part* part = Schema::find(parts, name);
-    return part != nullptr && part->row.removedIn != 0;
-  };
-  const auto warn = [&](const std::string& label, const SourcePosition& position, const Schema::Part& part) {
-    if (part.row.removedIn <= context.version || !context.firstTime("removed " + label)) return;
-    context.diagnostics.warning(position, label + " has no effect in <" + element.name + ">",
-                                "SDF 1." + std::to_string(part.row.removedIn) + " took it out of the format");
-  };
-  std::erase_if(element.attributes, [&](const Element::Attribute& attribute) {
-    if (!isGone(type.attributes, attribute.name)) return false;
-    if (!attribute.value.empty()) {
-      warn("attribute '" + attribute.name + "'", attribute.position, *Schema::find(type.attributes, attribute.name));
-    }
-    return true;
-  });
-  std::erase_if(element.children, [&](const Element& child) {
-    if (!isGone(type.children, child.name)) return false;
-    warn("<" + child.name + ">", child.position, *Schema::find(type.children, child.name));
-    return true;
-  });
+void warnOfRemoved(const std::string& label, const SourcePosition& position, const Schema::Part& part,
+                   const Element& holder, Context& context) {
+  if (part.row.removedIn <= context.version || !context.firstTime("removed " + label)) return;
+  context.diagnostics.warning(position, label + " has no effect in <" + holder.name + ">",
+                              "SDF 1." + std::to_string(part.row.removedIn) + " took it out of the format");
+}
+
+bool isRemoved(const Schema::Part& part) { return part.row.removedIn != 0; }
+
+/// Takes out what SDF 1.9 does not know any more, or tells of it only.
+void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse use, Context& context) {
+  // few lose any: most are not looked for
+  if (std::ranges::any_of(type.attributes, isRemoved)) {
+    std::erase_if(element.attributes, [&](const Element::Attribute& attribute) {
+      const Schema::Part* part = Schema::find(type.attributes, attribute.name);
+      if (part == nullptr || !isRemoved(*part)) return false;
+      if (!attribute.value.empty()) {
+        warnOfRemoved("attribute '" + attribute.name + "'", attribute.position, *part, element, context);
+      }
+      return true;
+    });
+  }
+  std::size_t kept = 0;
   for (Element& child : element.children) {
     const Schema::Part* part = Schema::find(type.children, child.name);
-    if (part != nullptr && part->type != nullptr && !part->isFreeForm) dropRemoved(child, *part->type, context);
+    if (part != nullptr && isRemoved(*part)) {
+      warnOfRemoved("<" + child.name + ">", child.position, *part, element, context);
+      if (use == RemovedUse::kDrop) continue;
+    } else if (part != nullptr && part->type != nullptr && !part->isFreeForm) {
+      dropRemoved(child, *part->type, use, context);
+    }
+    Element& place = element.children[kept++];
+    if (&place != &child) place = std::move(child);
   }
+  element.children.resize(kept);
 }
 
 }  // namespace
 
-void upgrade(Element& root, Context& context) {
+void upgrade(Element& root, Context& context, RemovedUse removed) {
   const int version = context.version;
   if (version < 5) flagAxes(root);
   if (version < 6) {
@@ -203,7 +211,7 @@ void upgrade(Element& root, Context& context) {
     separateAllNames(root, context);
   }
   if (version < 8) unflattenAll(root, context);
-  dropRemoved(root, *Schema::instance().root().type, context);
+  dropRemoved(root, *Schema::instance().root().type, removed, context);
   for (Element::Attribute& attribute : root.attributes) {
     if (attribute.name == "version") attribute.value = "1." + std::to_string(kNewestVersion);
   }

@@ -5,9 +5,12 @@
 
 namespace pongsim::sdf {
 
-/// Brings a file to SDF 1.9, so that readers know that version only. What it held that 1.9 has no place for goes, with
-/// a warning where it meant something.
+/// What becomes of elements that SDF 1.9 has no place for.
+enum class RemovedUse { kDrop, kKeep };
+
+/// Brings a file to SDF 1.9, so that readers know that version only. It warns of what 1.9 has no place for where that
+/// meant something.
 /// @param root The `<sdf>` element, of version 1.`context.version`.
-void upgrade(Element& root, Context& context);
+void upgrade(Element& root, Context& context, RemovedUse removed = RemovedUse::kDrop);
 
 }  // namespace pongsim::sdf

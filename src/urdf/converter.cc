@@ -55,7 +55,6 @@ void addRobotPose(const Element& robot, Element& model) {
 Element modelOf(const Robot& robot, const Extensions& extensions, Diagnostics& diagnostics) {
   Element model = makeElement("model", robot.xml->position);
   setAttribute(model, "name", robot.xml->attributeOr("name", ""), robot.xml->attribute("name")->position);
-  addRobotPose(*robot.xml, model);
   const std::vector<bool> isMade = findMade(robot, diagnostics);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const Link& link = robot.links[i];
@@ -67,6 +66,7 @@ Element modelOf(const Robot& robot, const Extensions& extensions, Diagnostics& d
     if (link.lumpedInto && isMade[link.lumpedInto->link]) addFrames(robot, link, model);
   }
   extensions.addToModel(model);
+  addRobotPose(*robot.xml, model);
   return model;
 }
 

@@ -212,9 +212,13 @@ void Extensions::addToJoint(const std::string& joint, Element& element) const {
 }
 
 void Extensions::addToModel(Element& model) const {
+  // as Fortress's conversion, which says it of each robot with such an extension
   for (const Element* gazebo : of("")) {
+    const Element* flag = gazebo->child("static");
+    if (flag != nullptr || model.child("static") == nullptr) {
+      put(flag != nullptr ? *flag : *gazebo, "static", flag != nullptr && isSet(*flag) ? "true" : "false", model);
+    }
     for (const Element& child : gazebo->children) {
-      if (child.name == "static") put(child, "static", isSet(child) ? "true" : "false", model);
       if (isVerbatim(child.name)) model.children.push_back(child);
     }
   }

@@ -25,9 +25,9 @@ std::string typeOf(const ::urdf::Joint& joint) {
 
 void addLimits(const Joint& joint, Element& axis, Diagnostics& diagnostics) {
   const ::urdf::Joint& urdf = *joint.urdf;
-  if (urdf.limits == nullptr) return;
   const SourcePosition& position = positionIn(*joint.xml, "limit");
   Element& limit = addChild(axis, "limit", position);
+  if (urdf.limits == nullptr) return;
   if (urdf.type != ::urdf::Joint::CONTINUOUS) {
     double lower = urdf.limits->lower, upper = urdf.limits->upper;
     if (lower > upper) {
@@ -48,9 +48,9 @@ void addAxis(const Joint& joint, Element& element, Diagnostics& diagnostics) {
   Element& axis = addChild(element, "axis", position);
   addChild(axis, "xyz", position, textOf(Vector3(urdf.axis.x, urdf.axis.y, urdf.axis.z)));
   addLimits(joint, axis, diagnostics);
-  if (urdf.dynamics == nullptr) return;
   const SourcePosition& dynamicsPosition = positionIn(*joint.xml, "dynamics");
   Element& dynamics = addChild(axis, "dynamics", dynamicsPosition);
+  if (urdf.dynamics == nullptr) return;
   addChild(dynamics, "damping", dynamicsPosition, textOf(urdf.dynamics->damping));
   addChild(dynamics, "friction", dynamicsPosition, textOf(urdf.dynamics->friction));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "urdf/build.hh"
@@ -17,6 +18,12 @@ std::string nameOf(const Part& part, const Link& link, std::string_view kind, st
   return name.starts_with(link.name) ? name : link.name + "_fixed_joint_lump__" + name;
 }
 
+/// @return The address of a mesh as SDF has it.
+std::string addressOf(const std::string& file) {
+  constexpr std::string_view kPackage = "package://";
+  return file.starts_with(kPackage) ? "model://" + file.substr(kPackage.size()) : file;
+}
+
 void addGeometry(const Part& part, Element& parent) {
   const SourcePosition& position = positionIn(*part.xml, "geometry");
   Element& geometry = addChild(parent, "geometry", position);
@@ -25,14 +32,14 @@ void addGeometry(const Part& part, Element& parent) {
              textOf(Vector3(box->dim.x, box->dim.y, box->dim.z)));
   } else if (const auto* cylinder = dynamic_cast<const ::urdf::Cylinder*>(part.geometry.get())) {
     Element& shape = addChild(geometry, "cylinder", position);
-    addChild(shape, "radius", position, textOf(cylinder->radius));
     addChild(shape, "length", position, textOf(cylinder->length));
+    addChild(shape, "radius", position, textOf(cylinder->radius));
   } else if (const auto* sphere = dynamic_cast<const ::urdf::Sphere*>(part.geometry.get())) {
     addChild(addChild(geometry, "sphere", position), "radius", position, textOf(sphere->radius));
   } else if (const auto* mesh = dynamic_cast<const ::urdf::Mesh*>(part.geometry.get())) {
     Element& shape = addChild(geometry, "mesh", position);
-    addChild(shape, "uri", position, mesh->filename);
     addChild(shape, "scale", position, textOf(Vector3(mesh->scale.x, mesh->scale.y, mesh->scale.z)));
+    addChild(shape, "uri", position, addressOf(mesh->filename));
   }
 }
 

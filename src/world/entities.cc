@@ -1,6 +1,8 @@
 #include "world/entities.hh"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -60,7 +62,7 @@ Slot Entities::addModel(const description::Model& description, Slot parent, cons
     record.isStatic = record.isStatic || models_[parent].isStatic;
   }
   slotOfId_.add(record.id.value, slot);
-  modelOfName_.emplace(record.scopedName, slot);
+  modelOfName_.emplace(record.scopedName, record.id);
   models_.push_back(std::move(record));
 
   addLinks(slot, X_WorldModel);
@@ -136,14 +138,27 @@ void Entities::addLights(const std::vector<description::Light>& lights, Slot lin
 }
 
 Slot Entities::insertModel(std::shared_ptr<const description::Model> model) {
-  const Entities before = *this;
+  const std::uint64_t lastId = lastId_;
+  const std::array sizes{models_.size(),     links_.size(),   joints_.size(),
+                         collisions_.size(), sensors_.size(), lights_.size()};
   try {
     const Slot slot = addModel(*model, kNoSlot, Pose());
     models_[slot].owner = std::move(model);
     topLevelModels_.push_back(slot);
     return slot;
   } catch (const std::invalid_argument&) {
-    *this = before;
+    // what has come stands behind what was there
+    const auto shorten = [](auto& records, std::size_t size) {
+      records.erase(records.begin() + static_cast<std::ptrdiff_t>(size), records.end());
+    };
+    shorten(models_, sizes[0]);
+    shorten(links_, sizes[1]);
+    shorten(joints_, sizes[2]);
+    shorten(collisions_, sizes[3]);
+    shorten(sensors_, sizes[4]);
+    shorten(lights_, sizes[5]);
+    lastId_ = lastId;
+    index();
     throw;
   }
 }
@@ -225,26 +240,36 @@ namespace {
 
 /// The slot that is `old` once these slots have gone.
 Slot movedUp(Slot old, const std::vector<Slot>& gone) {
-  if (old == kNoSlot) return kNoSlot;
+  if (old == kNoSlot || gone.empty() || old < gone.front()) return old;
   const auto before = std::ranges::lower_bound(gone, old);
   return old - static_cast<Slot>(before - gone.begin());
 }
 
 /// Likewise for a list of slots, some of which may have gone.
 void moveUp(std::vector<Slot>& slots, const std::vector<Slot>& gone) {
+  if (gone.empty()) return;
   std::erase_if(slots, [&](Slot slot) { return std::ranges::binary_search(gone, slot); });
   for (Slot& slot : slots) slot = movedUp(slot, gone);
 }
 
 }  // namespace
 
+template <class Record>
+void Entities::erase(std::vector<Record>& records, const std::vector<Slot>& slots) {
+  if (slots.empty()) return;
+  for (const Slot slot : slots) slotOfId_.remove(records[slot].id.value);
+  eraseSlots(records, slots);
+  for (Slot slot = slots.front(); slot < records.size(); ++slot) slotOfId_.move(records[slot].id.value, slot);
+}
+
 void Entities::remove(const std::vector<Slot>& models, const Removal& removal) {
   std::vector<Slot> collisions;
   std::vector<Slot> sensors;
   std::vector<Slot> lights;
   const auto goes = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::binary_search(slots, slot); };
-  for (Slot slot = 0; slot < collisions_.size(); ++slot) {
-    if (goes(removal.links, collisions_[slot].link)) collisions.push_back(slot);
+  for (const Slot link : removal.links) {
+    const std::size_t count = links_[link].description->collisions.size();
+    for (std::size_t i = 0; i < count; ++i) collisions.push_back(links_[link].firstCollision + i);
   }
   for (Slot slot = 0; slot < sensors_.size(); ++slot) {
     if (goes(removal.links, sensors_[slot].link) || goes(removal.joints, sensors_[slot].joint)) sensors.push_back(slot);
@@ -252,34 +277,44 @@ void Entities::remove(const std::vector<Slot>& models, const Removal& removal) {
   for (Slot slot = 0; slot < lights_.size(); ++slot) {
     if (goes(removal.links, lights_[slot].link)) lights.push_back(slot);
   }
-  for (LinkRecord& link : links_) link.firstCollision = movedUp(link.firstCollision, collisions);
-  eraseSlots(models_, models);
-  eraseSlots(links_, removal.links);
-  eraseSlots(joints_, removal.joints);
-  eraseSlots(collisions_, collisions);
-  eraseSlots(sensors_, sensors);
-  eraseSlots(lights_, lights);
+  for (const Slot model : models) modelOfName_.erase(models_[model].scopedName);
+  erase(models_, models);
+  erase(links_, removal.links);
+  erase(joints_, removal.joints);
+  erase(collisions_, collisions);
+  erase(sensors_, sensors);
+  erase(lights_, lights);
   renumber(models, removal);
-  index();
+  const auto tail = [](auto& records, const std::vector<Slot>& gone) {
+    return std::span(records).subspan(gone.empty() ? records.size() : gone.front());
+  };
+  for (LinkRecord& link : tail(links_, removal.links)) link.firstCollision = movedUp(link.firstCollision, collisions);
 }
 
+// What stands before the first that goes names nothing behind it: all are in the order of their ids. Joints of the
+// world name any link.
 void Entities::renumber(const std::vector<Slot>& models, const Removal& removal) {
   moveUp(topLevelModels_, models);
-  for (ModelRecord& model : models_) {
+  for (Slot slot = models.empty() ? 0 : models.front(); slot < models_.size(); ++slot) {
+    ModelRecord& model = models_[slot];
     model.parent = movedUp(model.parent, models);
     model.canonicalLink = movedUp(model.canonicalLink, removal.links);
     moveUp(model.links, removal.links);
     moveUp(model.joints, removal.joints);
     moveUp(model.models, models);
   }
-  for (LinkRecord& link : links_) link.model = movedUp(link.model, models);
+  for (Slot slot = removal.links.empty() ? links_.size() : removal.links.front(); slot < links_.size(); ++slot) {
+    links_[slot].model = movedUp(links_[slot].model, models);
+  }
   for (JointRecord& joint : joints_) {
     joint.model = movedUp(joint.model, models);
     joint.parentLink = movedUp(joint.parentLink, removal.links);
     joint.childLink = movedUp(joint.childLink, removal.links);
     joint.referenceLink = movedUp(joint.referenceLink, removal.links);
   }
-  for (CollisionRecord& collision : collisions_) collision.link = movedUp(collision.link, removal.links);
+  const Slot firstLink = removal.links.empty() ? kNoSlot : removal.links.front();
+  const auto collision = std::ranges::lower_bound(collisions_, firstLink, {}, &CollisionRecord::link);
+  for (auto each = collision; each != collisions_.end(); ++each) each->link = movedUp(each->link, removal.links);
   for (SensorRecord& sensor : sensors_) {
     sensor.link = movedUp(sensor.link, removal.links);
     sensor.joint = movedUp(sensor.joint, removal.joints);
@@ -299,7 +334,7 @@ void Entities::index() {
   add(collisions_);
   add(sensors_);
   add(lights_);
-  for (Slot slot = 0; slot < models_.size(); ++slot) modelOfName_.emplace(models_[slot].scopedName, slot);
+  for (const ModelRecord& model : models_) modelOfName_.emplace(model.scopedName, model.id);
 }
 
 namespace {
@@ -322,7 +357,7 @@ Slot Entities::slot(LightId id) const { return slotIn(lights_, slotOfId_, id); }
 
 Slot Entities::findModel(std::string_view scopedName) const {
   const auto found = modelOfName_.find(std::string(scopedName));
-  return found == modelOfName_.end() ? kNoSlot : found->second;
+  return found == modelOfName_.end() ? kNoSlot : slot(found->second);
 }
 
 const std::string& Entities::nameSpace(Slot model) const {

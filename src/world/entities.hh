@@ -113,9 +113,10 @@ struct Removal {
 /// Takes the entries of these slots, in ascending order, out of an array; those behind move up.
 template <class Array>
 void eraseSlots(Array& array, const std::vector<Slot>& slots) {
+  if (slots.empty()) return;
   std::size_t gone = 0;
-  std::size_t kept = 0;
-  for (Slot slot = 0; slot < array.size(); ++slot) {
+  std::size_t kept = slots.front();
+  for (Slot slot = slots.front(); slot < array.size(); ++slot) {
     if (gone < slots.size() && slots[gone] == slot) {
       ++gone;
       continue;
@@ -293,6 +294,9 @@ class Entities {
   void remove(const std::vector<Slot>& models, const Removal& removal);
   void renumber(const std::vector<Slot>& models, const Removal& removal);
   void index();
+  /// Takes the records of these slots, in ascending order, out, and tells the index of those that move up.
+  template <class Record>
+  void erase(std::vector<Record>& records, const std::vector<Slot>& slots);
   Records takeRecords();
   void giveRecords(Records records);
 
@@ -308,7 +312,8 @@ class Entities {
   std::vector<ActorRecord> actors_;
   std::vector<Slot> topLevelModels_;
   IdIndex slotOfId_;
-  std::unordered_map<std::string, Slot> modelOfName_;
+  /// The id, which stays where slots change.
+  std::unordered_map<std::string, ModelId> modelOfName_;
 };
 
 }  // namespace pongsim::world

@@ -20,6 +20,23 @@ class IdIndex {
     put(id, place);
   }
 
+  /// @param id There already.
+  void move(std::uint64_t id, std::size_t place) { entries_[indexOf(id)].place = place; }
+
+  /// @param id There already.
+  void remove(std::uint64_t id) {
+    std::size_t hole = indexOf(id);
+    // what stands behind moves up, as far as it may stand there
+    for (std::size_t i = next(hole); entries_[i].id != 0; i = next(i)) {
+      const std::size_t mask = entries_.size() - 1;
+      if (((i - firstOf(entries_[i].id)) & mask) < ((i - hole) & mask)) continue;
+      entries_[hole] = entries_[i];
+      hole = i;
+    }
+    entries_[hole] = Entry();
+    --count_;
+  }
+
   /// @return Its place, or `kNowhere`.
   std::size_t find(std::uint64_t id) const {
     if (entries_.empty()) return kNowhere;
@@ -43,6 +60,12 @@ class IdIndex {
   // ids follow each other: their low bits spread them
   std::size_t firstOf(std::uint64_t id) const { return id & (entries_.size() - 1); }
   std::size_t next(std::size_t i) const { return (i + 1) & (entries_.size() - 1); }
+
+  std::size_t indexOf(std::uint64_t id) const {
+    std::size_t i = firstOf(id);
+    while (entries_[i].id != id) i = next(i);
+    return i;
+  }
 
   void put(std::uint64_t id, std::size_t place) {
     std::size_t i = firstOf(id);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "benchmark/medians.hh"
+#include "benchmark/shapes_world.hh"
 #include "pongsim/diagnostic.hh"
 #include "sdf/loader.hh"
 #include "support/fortress_worlds.hh"
@@ -29,35 +30,14 @@ struct Case {
   bool isForBoth = true;
 };
 
-/// @return A world of boxes, spheres and cylinders in rows, each with what a model of Fortress's shapes.sdf has.
-std::string shapes(int count) {
-  const char* const geometries[] = {"<box><size>1 1 1</size></box>", "<sphere><radius>0.5</radius></sphere>",
-                                    "<cylinder><radius>0.5</radius><length>1</length></cylinder>"};
-  std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.6\">\n  <world name=\"shapes\">\n";
-  for (int i = 0; i < count; ++i) {
-    const std::string geometry = std::string("<geometry>") + geometries[i % 3] + "</geometry>";
-    text += "    <model name=\"shape_" + std::to_string(i) + "\">\n      <pose>" + std::to_string(i % 50 * 2) + " " +
-            std::to_string(i / 50 * 2) + " 0.5 0 0 0</pose>\n      <link name=\"link\">\n        <inertial>\n" +
-            "          <inertia>\n            <ixx>0.16666</ixx>\n            <ixy>0</ixy>\n" +
-            "            <ixz>0</ixz>\n            <iyy>0.16666</iyy>\n            <iyz>0</iyz>\n" +
-            "            <izz>0.16666</izz>\n          </inertia>\n          <mass>1.0</mass>\n" +
-            "        </inertial>\n        <collision name=\"collision\">" + geometry +
-            "</collision>\n        <visual name=\"visual\">" + geometry +
-            "\n          <material>\n            <ambient>1 0 0 1</ambient>\n            <diffuse>1 0 0 1</diffuse>\n" +
-            "            <specular>1 0 0 1</specular>\n          </material>\n        </visual>\n      </link>\n" +
-            "    </model>\n";
-  }
-  return text + "  </world>\n</sdf>\n";
-}
-
 std::vector<Case> cases() {
   std::vector<Case> result;
   if (const auto worlds = test::fortressWorlds()) {
     std::ifstream stream(*worlds / "tutorials" / "moving_robot.sdf");
     result.push_back({"moving_robot", {std::istreambuf_iterator<char>(stream), {}}});
   }
-  result.push_back({"300_models", shapes(300)});
-  result.push_back({"3000_models", shapes(3000), false});
+  result.push_back({"300_models", shapesWorld(300)});
+  result.push_back({"3000_models", shapesWorld(3000), false});
   return result;
 }
 

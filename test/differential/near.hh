@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sdf/sdf.hh>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ namespace theirs = ::sdf;
 namespace ours = pongsim::description;
 
 constexpr double kTolerance = 1e-9;
+
+/// libsdformat takes minutes and gigabytes for larger files.
+constexpr std::uintmax_t kMostBytes = 1'000'000;
 
 inline Vector3 vector(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
 

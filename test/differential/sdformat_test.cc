@@ -19,9 +19,6 @@ namespace pongsim::test {
 namespace {
 
 namespace fs = std::filesystem;
-/// libsdformat takes minutes and gigabytes for more.
-constexpr std::uintmax_t kMostBytes = 1'000'000;
-
 /// Files that are read otherwise here, and why.
 const std::map<std::string, std::string> kOnPurpose = {
     {"test/models/include_nested/model.sdf", "it includes nested_models, below"},

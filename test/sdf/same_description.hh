@@ -85,6 +85,30 @@ class PositionEraser {
   }
 };
 
+/// Forgets the elements of sensors, which hold all that is in them, be it read or not.
+template <class Holder>
+void forgetSensorElementsOf(std::vector<Holder>& holders) {
+  for (Holder& holder : holders) {
+    for (description::Sensor& sensor : holder.sensors) sensor.sdf = {};
+  }
+}
+
+inline void forgetSensorElements(std::vector<description::Model>& models) {
+  for (description::Model& model : models) {
+    forgetSensorElementsOf(model.links);
+    forgetSensorElementsOf(model.joints);
+    forgetSensorElements(model.models);
+  }
+}
+
+inline void forgetSensorElements(Root& root) {
+  for (description::World& world : root.worlds) {
+    forgetSensorElements(world.models);
+    forgetSensorElementsOf(world.joints);
+  }
+  forgetSensorElements(root.models);
+}
+
 /// @return Whether both say the same, wherever it stands.
 inline bool isSame(Root a, Root b) {
   PositionEraser eraser;

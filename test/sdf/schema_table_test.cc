@@ -60,30 +60,10 @@ const std::map<std::string_view, Values> kSpecial = {
     {"sonar.geometry", {"sphere", "cone"}},
 };
 
-/// They hold all that is in a sensor, be it read or not.
-template <class Holder>
-void forgetSensorElementsOf(std::vector<Holder>& holders) {
-  for (Holder& holder : holders) {
-    for (description::Sensor& sensor : holder.sensors) sensor.sdf = {};
-  }
-}
-
-void forgetSensorElements(std::vector<description::Model>& models) {
-  for (description::Model& model : models) {
-    forgetSensorElementsOf(model.links);
-    forgetSensorElementsOf(model.joints);
-    forgetSensorElements(model.models);
-  }
-}
-
 Root described(const std::string& text) {
   Diagnostics ignored;
   Root root = loadText(text, "t.sdf", ignored, assets::finderIn({}));
-  for (description::World& world : root.worlds) {
-    forgetSensorElements(world.models);
-    forgetSensorElementsOf(world.joints);
-  }
-  forgetSensorElements(root.models);
+  forgetSensorElements(root);
   return root;
 }
 

@@ -112,6 +112,12 @@ TEST(Extensions, WithoutReferenceGoToTheModel) {
   EXPECT_EQ(converted.model().child("plugin")->attributeOr("filename", ""), "f");
 }
 
+TEST(Extensions, OfTheModelSayWhetherItIsStatic) {
+  EXPECT_EQ(textAt(convert(linkNamed("a") + "<gazebo><self_collide>true</self_collide></gazebo>").model(), "static"),
+            "false");
+  EXPECT_EQ(textAt(convert(linkNamed("a")).model(), "static"), "(none)");
+}
+
 TEST(Extensions, PreferAKeptJointToALockedOne) {
   const Element robot = robotWith(gazebo("j", "<disableFixedJointLumping>true</disableFixedJointLumping>") +
                                   gazebo("j", "<preserveFixedJoint>true</preserveFixedJoint>") +

@@ -39,6 +39,7 @@ TEST(JointElements, TurnWithoutEndWhereTheyAreContinuous) {
   EXPECT_EQ(textAt(element, "axis/xyz"), "1 0 0");
   EXPECT_EQ(textAt(element, "axis/limit/lower"), "(none)");
   EXPECT_EQ(textAt(element, "axis/limit/effort"), "3");
+  EXPECT_NE(element.child("axis")->child("dynamics"), nullptr);
 }
 
 TEST(JointElements, SwapLimitsThatAreTheWrongWayRound) {

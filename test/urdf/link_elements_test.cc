@@ -24,7 +24,7 @@ TEST(LinkElements, HaveShapesAndInertiaOfTheLink) {
   EXPECT_EQ(textAt(*collisions[0], "geometry/box/size"), "1 2 3");
   EXPECT_EQ(collisions[1]->attributeOr("name", ""), "a_fixed_joint_lump__mine_collision_1");
   EXPECT_EQ(textAt(*collisions[1], "geometry/cylinder/length"), "2");
-  EXPECT_EQ(textAt(link, "visual/geometry/mesh/uri"), "package://p/m.stl");
+  EXPECT_EQ(textAt(link, "visual/geometry/mesh/uri"), "model://p/m.stl");
   EXPECT_EQ(textAt(link, "visual/geometry/mesh/scale"), "1 1 -2");
 }
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace pongsim::world {
 namespace {
 
@@ -17,6 +20,19 @@ TEST(IdIndex, FindsWhatIsThereAndNothingElse) {
   }
   for (std::uint64_t id = 1; id <= 100; ++id) EXPECT_EQ(index.find(id << 40U | 3), 2000 + id);
   EXPECT_EQ(index.find(0), IdIndex::kNowhere);
+}
+
+TEST(IdIndex, ForgetsWhatGoesAndKnowsWhatMoves) {
+  IdIndex index;
+  // many that fall on the same places of the table
+  std::vector<std::uint64_t> ids;
+  for (std::uint64_t id = 1; id <= 300; ++id) ids.push_back(id % 3 == 0 ? id << 40U | 5 : id);
+  for (const std::uint64_t id : ids) index.add(id, id);
+  for (std::size_t i = 0; i < ids.size(); i += 2) index.remove(ids[i]);
+  for (std::size_t i = 1; i < ids.size(); i += 2) index.move(ids[i], i);
+  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(index.find(ids[i]), i % 2 == 0 ? IdIndex::kNowhere : i);
+  for (std::size_t i = 0; i < ids.size(); i += 2) index.add(ids[i], i);
+  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(index.find(ids[i]), i);
 }
 
 TEST(IdIndex, IsEmptyAfterClearing) {

@@ -69,11 +69,12 @@ class SceneBroadcaster : public System {
     deletionPublisher_ = context.node.advertise<im::UInt32_V>(prefix + "/scene/deletion");
     statePublisher_ = context.node.advertise<im::SerializedStepMap>(prefix + "/state");
     offer(context.node, prefix);
-    worldChanged();
+    tellOfChanges();
   }
 
   void postUpdate(const StepInfo& info) override {
     isPaused_ = info.paused;
+    if (hasToTell_) tellOfChanges();
     if (scenePublisher_.newSubscribers() > 0) {
       im::Scene message;
       scene_->fillIn(message);
@@ -99,10 +100,9 @@ class SceneBroadcaster : public System {
     states_.transfer(archive);
   }
 
+  // told once a step, however much comes and goes in it
   void worldChanged() override {
-    allPoses_.tellOf(*world_, false);
-    movingPoses_.tellOf(*world_, true);
-    tellOfChanges();
+    hasToTell_ = true;
     hasChanged_ = true;
   }
 
@@ -146,6 +146,9 @@ class SceneBroadcaster : public System {
 
   /// Who has come and who has gone since the last time.
   void tellOfChanges() {
+    hasToTell_ = false;
+    allPoses_.tellOf(*world_, false);
+    movingPoses_.tellOf(*world_, true);
     std::vector<std::uint64_t> now = scene_->topLevelIds();
     std::vector<std::uint64_t> come, gone;
     std::ranges::set_difference(now, known_, std::back_inserter(come));
@@ -178,6 +181,7 @@ class SceneBroadcaster : public System {
   /// Ids of the models and lights that have been told of, in ascending order.
   std::vector<std::uint64_t> known_;
   bool hasChanged_ = true;
+  bool hasToTell_ = false;
   bool isPaused_ = true;
   std::uint64_t pausedSteps_ = 0;
 };

@@ -61,9 +61,9 @@ class SceneBroadcasterTest : public testing::Test {
                                                         [&into](const M& message) { into.push_back(message); });
   }
 
-  void insertBox() {
+  void insertBox(const std::string& name = "box") {
     Diagnostics diagnostics;
-    simulation_->insertText("<sdf version='1.9'><model name='box'><link name='l'/></model></sdf>", "box", {},
+    simulation_->insertText("<sdf version='1.9'><model name='" + name + "'><link name='l'/></model></sdf>", "box", {},
                             diagnostics);
     EXPECT_FALSE(diagnostics.hasErrors());
   }
@@ -155,6 +155,24 @@ TEST_F(SceneBroadcasterTest, CallsBackWithTheState) {
   EXPECT_TRUE(ask("/state_async", request, reply));
   while (states.empty()) simulation_->transport().dispatchFor(std::chrono::milliseconds(10));
   EXPECT_EQ(states[0].state().entities_size(), 5);
+}
+
+TEST_F(SceneBroadcasterTest, TellsOfAllThatComeOrGoBetweenTwoStepsInOneMessage) {
+  start(world(broadcaster("")));
+  std::vector<ignition::msgs::Scene> come;
+  std::vector<ignition::msgs::UInt32_V> gone;
+  const Subscription scenes = listenTo("/scene/info", come);
+  const Subscription deletions = listenTo("/scene/deletion", gone);
+  simulation_->step(2);
+  come.clear();
+  for (const char* name : {"a", "b", "c"}) insertBox(name);
+  simulation_->step(2);
+  ASSERT_EQ(come.size(), 1U);
+  EXPECT_EQ(come[0].model_size(), 3);
+  for (const char* name : {"b", "a", "c"}) simulation_->remove(*simulation_->world().model(name));
+  simulation_->step(2);
+  ASSERT_EQ(gone.size(), 1U);
+  EXPECT_EQ(gone[0].data_size(), 3);
 }
 
 TEST_F(SceneBroadcasterTest, TellsWhoComesAndWhoGoes) {
