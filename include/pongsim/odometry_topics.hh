@@ -3,11 +3,11 @@
 #include <ignition/msgs/odometry.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "pongsim/fields.hh"
+#include "pongsim/math.hh"
 #include "pongsim/node.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/planar_odometry.hh"
@@ -76,8 +76,8 @@ class OdometryTopics {
   static void setPlace(const PlanarOdometry& odometry, ignition::msgs::Pose& pose) {
     pose.mutable_position()->set_x(odometry.x);
     pose.mutable_position()->set_y(odometry.y);
-    pose.mutable_orientation()->set_z(std::sin(odometry.heading / 2));
-    pose.mutable_orientation()->set_w(std::cos(odometry.heading / 2));
+    pose.mutable_orientation()->set_z(math::sin(odometry.heading / 2));
+    pose.mutable_orientation()->set_w(math::cos(odometry.heading / 2));
   }
 
   double frequency_ = 50;

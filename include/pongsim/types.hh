@@ -9,6 +9,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 /// Simulated time since the start of the run, or a span of it.
@@ -44,23 +46,30 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
+/// @param axis Of length 1.
+/// @return The rotation by `angle` [rad] about it, counter-clockwise seen from its tip.
+inline Quaternion rotationAbout(const Vector3& axis, double angle) {
+  const auto [sine, cosine] = math::sinCos(angle / 2);
+  return {cosine, sine * axis.x(), sine * axis.y(), sine * axis.z()};
+}
+
 /// Rotation from fixed-axis roll, pitch, yaw [rad] as SDF and URDF write it: R = Rz(yaw) Ry(pitch) Rx(roll).
 inline Quaternion fromRollPitchYaw(double roll, double pitch, double yaw) {
-  return Eigen::AngleAxisd(yaw, Vector3::UnitZ()) * Eigen::AngleAxisd(pitch, Vector3::UnitY()) *
-         Eigen::AngleAxisd(roll, Vector3::UnitX());
+  return rotationAbout(Vector3::UnitZ(), yaw) * rotationAbout(Vector3::UnitY(), pitch) *
+         rotationAbout(Vector3::UnitX(), roll);
 }
 
 /// @return Angle [rad] in (-pi, pi] about z after which the x axis of `rotation` points, seen from above.
 inline double yawOf(const Quaternion& rotation) {
   const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
-  return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+  return math::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
 }
 
 /// @return Roll, pitch, yaw [rad] from which `fromRollPitchYaw` makes this rotation; the pitch within a quarter turn.
 inline Vector3 rollPitchYawOf(const Quaternion& rotation) {
   const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
-  return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
-          std::asin(std::min(std::max(2 * (w * y - z * x), -1.0), 1.0)), yawOf(rotation)};
+  return {math::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
+          math::asin(std::min(std::max(2 * (w * y - z * x), -1.0), 1.0)), yawOf(rotation)};
 }
 
 /// An entity's number, of one kind only (a joint's does not pass for a link's). Never reused within a run;

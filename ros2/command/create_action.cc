@@ -70,9 +70,7 @@ CreateOptions optionsOf(const CreateCommandLine& given) {
     return found == given.pose.end() ? 0 : numberOf(std::string("-") + name, found->second);
   };
   options.position = {number("x"), number("y"), number("z")};
-  options.rotation = Eigen::AngleAxisd(number("Y"), Eigen::Vector3d::UnitZ()) *
-                     Eigen::AngleAxisd(number("P"), Eigen::Vector3d::UnitY()) *
-                     Eigen::AngleAxisd(number("R"), Eigen::Vector3d::UnitX());
+  options.rotation = fromRollPitchYaw(number("R"), number("P"), number("Y"));
   if (!given.timeout.empty()) {
     const double milliseconds = numberOf("--timeout", given.timeout);
     // a year is as good as for ever

@@ -8,9 +8,9 @@
 #include <ignition/msgs/navsat.pb.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "pongsim/math.hh"
 #include "ros2/pairs/convert.hh"
 #include "ros2/pairs/pairs.hh"
 #include "ros2/types/gps_msgs.hh"
@@ -139,8 +139,8 @@ struct GpsFixPair {
     to.latitude = from.latitude_deg();
     to.longitude = from.longitude_deg();
     to.altitude = from.altitude();
-    to.speed = std::hypot(from.velocity_east(), from.velocity_north());
-    to.track = std::atan2(from.velocity_north(), from.velocity_east());
+    to.speed = math::hypot(from.velocity_east(), from.velocity_north());
+    to.track = math::atan2(from.velocity_north(), from.velocity_east());
     to.climb = from.velocity_up();
     to.position_covariance_type = gps_msgs::GPSFix::kCovarianceTypeUnknown;
   }
@@ -150,8 +150,8 @@ struct GpsFixPair {
     to.set_latitude_deg(from.latitude);
     to.set_longitude_deg(from.longitude);
     to.set_altitude(from.altitude);
-    to.set_velocity_east(std::cos(from.track) * from.speed);
-    to.set_velocity_north(std::sin(from.track) * from.speed);
+    to.set_velocity_east(math::cos(from.track) * from.speed);
+    to.set_velocity_north(math::sin(from.track) * from.speed);
     to.set_velocity_up(from.climb);
   }
 };

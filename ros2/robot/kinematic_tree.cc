@@ -32,7 +32,7 @@ Pose KinematicTree::poseInParent(std::size_t index, const Model& model) const {
       return link.X_ParentLink;
     case Motion::kTurning: {
       const double angle = link.source ? link.source->position(link.sourceAxis) : 0;
-      return link.X_ParentLink * Pose{Vector3::Zero(), Quaternion(Eigen::AngleAxisd(angle, link.axis))};
+      return link.X_ParentLink * Pose{Vector3::Zero(), rotationAbout(link.axis, angle)};
     }
     case Motion::kSliding: {
       const double travel = link.source ? link.source->position(link.sourceAxis) : 0;

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "pongsim/math.hh"
+
 namespace pongsim::ros2 {
 
 namespace {
@@ -92,13 +94,13 @@ std::string XmlWriter::take() {
 
 Vector3 exactRollPitchYawOf(const Quaternion& rotation) {
   const Matrix3 matrix = rotation.toRotationMatrix();
-  const double level = std::hypot(matrix(0, 0), matrix(1, 0));
-  const double yaw = std::atan2(matrix(1, 0), matrix(0, 0));
-  const double pitch = std::atan2(-matrix(2, 0), level);
+  const double level = math::hypot(matrix(0, 0), matrix(1, 0));
+  const double yaw = math::atan2(matrix(1, 0), matrix(0, 0));
+  const double pitch = math::atan2(-matrix(2, 0), level);
   // what is left when the two are taken away turns about x, whatever became of the yaw where the pitch is a quarter
   // turn
   const Matrix3 rest = fromRollPitchYaw(0, pitch, yaw).toRotationMatrix().transpose() * matrix;
-  return {std::atan2(rest(2, 1), rest(1, 1)), pitch, yaw};
+  return {math::atan2(rest(2, 1), rest(1, 1)), pitch, yaw};
 }
 
 }  // namespace pongsim::ros2

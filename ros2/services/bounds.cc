@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "pongsim/math.hh"
 #include "ros2/services/result.hh"
 #include "ros2/types/finite.hh"
 
@@ -44,8 +45,8 @@ double windingNumber(const TriangleShape& mesh, const Pose& X, const Vector3& po
     std::array<Vector3, 3> r = corners(mesh, triangle, X);
     for (Vector3& each : r) each -= point;
     const double a = r[0].norm(), b = r[1].norm(), c = r[2].norm();
-    sum += 2 * std::atan2(r[0].dot(r[1].cross(r[2])),
-                          a * b * c + r[0].dot(r[1]) * c + r[1].dot(r[2]) * a + r[2].dot(r[0]) * b);
+    sum += 2 * math::atan2(r[0].dot(r[1].cross(r[2])),
+                           a * b * c + r[0].dot(r[1]) * c + r[1].dot(r[2]) * a + r[2].dot(r[0]) * b);
   }
   return std::abs(sum) / (4 * std::numbers::pi);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pongsim/commands.hh"
+#include "pongsim/math.hh"
 #include "pongsim/types.hh"
 #include "ros2/types/finite.hh"
 #include "ros2/types/geometry_msgs.hh"
@@ -48,7 +49,7 @@ inline std::optional<std::string> poseError(const geometry_msgs::Pose& pose) {
     return "the position is farther from the origin than 1000000 m";
   }
   const auto& q = pose.orientation;
-  if (!(std::abs(std::hypot(std::hypot(q.x, q.y), std::hypot(q.z, q.w)) - 1) <= kLooseLength)) {
+  if (!(std::abs(math::hypot(math::hypot(q.x, q.y), math::hypot(q.z, q.w)) - 1) <= kLooseLength)) {
     return "the quaternion's length is not 1";
   }
   return std::nullopt;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 namespace {
@@ -25,15 +27,15 @@ void DifferentialOdometry::update(double leftAngle, double rightAngle, double dt
   const double forward = (right + left) / 2;
   const double turn = (right - left) / separation_;
   if (std::abs(turn) < kStraightAhead) {
-    x_ += forward * std::cos(heading_ + turn / 2);
-    y_ += forward * std::sin(heading_ + turn / 2);
+    x_ += forward * math::cos(heading_ + turn / 2);
+    y_ += forward * math::sin(heading_ + turn / 2);
     heading_ += turn;
   } else {
     const double radius = forward / turn;
     const double before = heading_;
     heading_ += turn;
-    x_ += radius * (std::sin(heading_) - std::sin(before));
-    y_ -= radius * (std::cos(heading_) - std::cos(before));
+    x_ += radius * (math::sin(heading_) - math::sin(before));
+    y_ -= radius * (math::cos(heading_) - math::cos(before));
   }
   linear_.add(forward / dt);
   angular_.add(turn / dt);

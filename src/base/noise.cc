@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 Noise::Noise(const NoiseSettings& settings, Random random) : settings_(settings) {
@@ -21,8 +23,8 @@ void Noise::begin(Time time, double dt) {
   const double deviation = settings_.dynamicBiasStandardDeviation;
   const double tau = settings_.dynamicBiasCorrelationTime;
   if (deviation > 0 && tau > 0 && dt > 0) {
-    const double spread = std::sqrt(-deviation * deviation * tau / 2 * std::expm1(-2 * dt / tau));
-    bias_ = std::exp(-dt / tau) * bias_ + draws_->normal(0, spread);
+    const double spread = std::sqrt(-deviation * deviation * tau / 2 * math::expm1(-2 * dt / tau));
+    bias_ = math::exp(-dt / tau) * bias_ + draws_->normal(0, spread);
   }
 }
 

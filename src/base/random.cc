@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/hash.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim {
 
@@ -57,7 +58,7 @@ double Random::normal(double mean, double standardDeviation) {
     y = 2 * uniform() - 1;
     square = x * x + y * y;
   } while (square >= 1 || square == 0);
-  const double factor = std::sqrt(-2 * std::log(square) / square);
+  const double factor = std::sqrt(-2 * math::log(square) / square);
   spare_ = y * factor;
   hasSpare_ = true;
   return mean + standardDeviation * x * factor;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pongsim/math.hh"
+
 namespace pongsim::base {
 
 namespace {
@@ -22,7 +24,7 @@ Segment segmentOf(double radius, double limit) {
   const double square = radius * radius;
   const double y = std::sqrt(std::max(0.0, square - x * x));
   // from -radius
-  const double angle = radius > 0 ? std::asin(x / radius) + kPi / 2 : 0;
+  const double angle = radius > 0 ? math::asin(x / radius) + kPi / 2 : 0;
   const double area = square * angle + x * y;
   return {area, (x * (2 * x * x - square) * y + square * square * angle) / 6 + square * area / 3};
 }
@@ -40,8 +42,8 @@ double sliceIntegral(double radius, double sine, double cosine, double u) {
   // how far the edge is from the middle of the slice, in radii
   double edge = (u < 0) == (k >= 0) ? 1 : -1;
   if (p > 0 && rim > 0) edge = std::clamp(-k * u / rim, -1.0, 1.0);
-  return (square * u - u * u * u / 3) * std::acos(edge) + k * p * (square - p * p) / (3 * stretch) +
-         2 * square * radius / 3 * std::atan2(p, radius * k);
+  return (square * u - u * u * u / 3) * math::acos(edge) + k * p * (square - p * p) / (3 * stretch) +
+         2 * square * radius / 3 * math::atan2(p, radius * k);
 }
 
 double sliceVolume(double radius, double from, double to) {
@@ -119,7 +121,7 @@ VolumeMoments halfBallBelow(double radius, const Vector3& up, double height) {
   const double cosine = up.z();
   // all of it, or nothing
   if (height >= radius * (cosine >= 0 ? 1 : sine)) {
-    return {2 * kPi / 3 * radius * radius * radius, Vector3(0, 0, kPi / 4 * std::pow(radius, 4))};
+    return {2 * kPi / 3 * radius * radius * radius, Vector3(0, 0, kPi / 4 * (radius * radius) * (radius * radius))};
   }
   if (height <= -radius * (cosine >= 0 ? sine : 1)) return {};
   const double u = std::clamp(height, -radius, radius);
@@ -153,15 +155,16 @@ VolumeMoments cylinderBelow(double radius, double length, const Vector3& up, dou
   const double none = isLevel ? radius : endOf(height + cosine * length / 2);
   const double square = radius * radius;
   double volume = length * segmentOf(radius, full).area;
-  double alongSlope = -length * 2 / 3 * std::pow(std::max(0.0, square - full * full), 1.5);
+  const double left = std::max(0.0, square - full * full);
+  double alongSlope = -length * 2 / 3 * left * std::sqrt(left);
   double alongAxis = 0;
   if (cosine > 1e-12 && none > full) {
-    const double first = std::asin(full / radius), last = std::asin(none / radius);
+    const double first = math::asin(full / radius), last = math::asin(none / radius);
     const double middle = (first + last) / 2, half = (last - first) / 2;
     for (const auto& [node, weight] : kGauss) {
       for (const double angle : {middle - half * node, middle + half * node}) {
-        const double x = radius * std::sin(angle);
-        const double width = 2 * square * std::cos(angle) * std::cos(angle) * weight * half;
+        const double x = radius * math::sin(angle);
+        const double width = 2 * square * math::cos(angle) * math::cos(angle) * weight * half;
         const double strip = std::clamp((height - slope * x) / cosine + length / 2, 0.0, length);
         volume += width * strip;
         alongSlope += width * strip * x;

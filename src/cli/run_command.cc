@@ -1,8 +1,11 @@
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -45,6 +48,7 @@ struct RunCommandOptions {
   int threads = 1;
   LogLevel verbosity = LogLevel::kWarning;
   bool hash = false;
+  std::optional<std::uint64_t> hashPeriod;
   bool strict = false;
   bool levels = false;
   /// Of extensions.
@@ -110,15 +114,30 @@ void announce(const Worlds& worlds, const RunCommandOptions& options, const Tran
   if (const auto open = transport.openTo()) say("open to the network of " + *open + ": anybody there can command it");
 }
 
+/// @param of Empty, or " of " and the world's name, where there are several.
+/// @param when Empty, or " after " and how many steps.
+std::string hashLine(const Simulation& world, const std::string& of, const std::string& when) {
+  char number[20];
+  std::snprintf(number, sizeof number, "%016llx", static_cast<unsigned long long>(world.stateHash()));
+  return "state hash" + of + when + ": " + number + "\n";
+}
+
+std::string nameWhereSeveral(Simulation& world, std::size_t worlds) {
+  return worlds == 1 ? "" : " of " + std::string(world.world().name());
+}
+
 bool printHashes(const Worlds& worlds) {
   std::string text;
-  for (const auto& world : worlds) {
-    char number[20];
-    std::snprintf(number, sizeof number, "%016llx", static_cast<unsigned long long>(world->stateHash()));
-    text += worlds.size() == 1 ? "state hash: " : "state hash of " + std::string(world->world().name()) + ": ";
-    text += std::string(number) + "\n";
-  }
+  for (const auto& world : worlds) text += hashLine(*world, nameWhereSeveral(*world, worlds.size()), "");
   return print(text);
+}
+
+/// @return What prints a world's hash after each `period` of its steps.
+std::function<bool(Simulation&)> hashPrinter(std::uint64_t period, std::size_t worlds) {
+  return [period, worlds](Simulation& world) {
+    if (world.iterations() % period != 0) return true;
+    return print(hashLine(world, nameWhereSeveral(world, worlds), " after " + std::to_string(world.iterations())));
+  };
 }
 
 /// Says which of what Fortress hears changes nothing.
@@ -145,7 +164,15 @@ int runWorlds(const RunCommandOptions& options) {
   }
 
   announce(worlds, options, transport);
-  sim::Server server(transport, worlds, options.run);
+  sim::RunOptions run = options.run;
+  std::atomic<bool> isPrinted = true;
+  if (options.hashPeriod) {
+    run.stepped = [&isPrinted, printHash = hashPrinter(*options.hashPeriod, worlds.size())](Simulation& world) {
+      if (!printHash(world)) isPrinted = false;
+      return isPrinted.load();
+    };
+  }
+  sim::Server server(transport, worlds, run);
   signal.onStop([&server] { server.stop(); });
   std::string status;
   for (const auto& world : worlds) status += (status.empty() ? "" : "; ") + startLine(*world, options.run);
@@ -153,7 +180,8 @@ int runWorlds(const RunCommandOptions& options) {
   server.run();
   tellStopping();
   signal.onStop({});
-  return !options.hash || printHashes(worlds) ? kDone : kFailed;
+  if (options.hash && isPrinted) isPrinted = printHashes(worlds);
+  return isPrinted ? kDone : kFailed;
 }
 
 void checkAndSchedule(const RunCommandOptions& options, Work& work) {
@@ -223,6 +251,8 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addFlag("--levels", options->levels,
           "Load what is in a <level> only while a <performer> is near; without it all is loaded");
   addFlag("--hash", options->hash, "At the end print a number made of all bits of the state");
+  add("--hash-every", "N", "Print that number after each N steps, too",
+      [options](const std::string& text) { options->hashPeriod = wholeNumber("--hash-every", text, 1); });
   addNetworkOption(*command);
   addOfflineOption(*command);
   options->fortress.addTo(*command);
@@ -231,7 +261,8 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
       "  pongsim run worlds/pong_world.sdf\n"
       "  pongsim run worlds/pong_world.sdf --paused -v 3\n"
       "  pongsim run three_worlds.sdf -w maze\n"
-      "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash");
+      "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash\n"
+      "  pongsim run worlds/pong_world.sdf -z 0 --iterations 10000 --hash-every 1000");
   for (const Extension& extension : extensions) addRunOptions(*command, extension, options->additions);
   command->callback([options, &work, command, known = std::vector(extensions.begin(), extensions.end())] {
     for (const Extension& extension : known) checkExcluded(*command, extension);

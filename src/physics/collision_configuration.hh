@@ -5,24 +5,24 @@
 
 namespace pongsim::physics {
 
-/// Bullet's own ways to find where shapes touch; but a plane has no end, and so is looked at from every piece of a mesh
-/// in each step, for which a hull that is far above it is passed over. The points that are found stay the same.
+/// Bullet's own ways to find where shapes touch, but for planes. A plane has no end, and so is looked at from every
+/// piece of a mesh in each step, for which a hull that is far above it is passed over. And a body on it is tilted a
+/// little with sines that are the same on every machine. The points that are found stay the same.
 class CollisionConfiguration final : public btDefaultCollisionConfiguration {
  public:
-  /// A body on a plane finds all its corners in one step instead of one a step.
-  CollisionConfiguration();
+  CollisionConfiguration() { planeUnderConvex_.m_swapped = true; }
 
   btCollisionAlgorithmCreateFunc* getCollisionAlgorithmCreateFunc(int typeA, int typeB) override;
 
  private:
-  struct MakeHullOnPlane final : btConvexPlaneCollisionAlgorithm::CreateFunc {
+  struct MakeConvexOnPlane final : btConvexPlaneCollisionAlgorithm::CreateFunc {
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* a,
                                                    const btCollisionObjectWrapper* b) override;
   };
 
-  MakeHullOnPlane hullOnPlane_;
-  MakeHullOnPlane planeUnderHull_;
+  MakeConvexOnPlane convexOnPlane_;
+  MakeConvexOnPlane planeUnderConvex_;
 };
 
 }  // namespace pongsim::physics

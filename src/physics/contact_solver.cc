@@ -8,6 +8,7 @@
 
 #include "physics/friction.hh"
 #include "physics/gearbox.hh"
+#include "physics/motion.hh"
 
 namespace pongsim::physics {
 
@@ -47,6 +48,20 @@ void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count,
     addSlip(second, friction.slip2, info.m_timeStep);
   }
   addTorsionRows(info.m_timeStep);
+}
+
+// what takes depth back moves the bodies here already; Bullet would do so with sines of the C library
+btScalar ContactSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodyCount,
+                                                      const btContactSolverInfo& info) {
+  for (int i = 0; i < m_tmpSolverBodyPool.size(); ++i) {
+    btSolverBody& body = m_tmpSolverBodyPool[i];
+    if (body.m_originalBody == nullptr || (body.m_pushVelocity.isZero() && body.m_turnVelocity.isZero())) continue;
+    body.m_worldTransform = moved(body.m_worldTransform, body.m_pushVelocity,
+                                  body.m_turnVelocity * info.m_splitImpulseTurnErp, info.m_timeStep);
+    body.m_pushVelocity.setZero();
+    body.m_turnVelocity.setZero();
+  }
+  return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, bodyCount, info);
 }
 
 bool ContactSolver::isSoft(const btSolverConstraint& row) {

@@ -16,6 +16,8 @@ class ContactSolver : public btSequentialImpulseConstraintSolver {
   btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int bodyCount,
                                 btPersistentManifold** manifolds, int manifoldCount, btTypedConstraint** joints,
                                 int jointCount, const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
+  btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodyCount,
+                                         const btContactSolverInfo& info) override;
 
   /// Two rows of joints that are one, in ascending order: places of the first ones, which the second ones follow. What
   /// the one row asks for stands in the first.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pongsim/math.hh"
+
 namespace pongsim::physics {
 
 namespace {
@@ -37,7 +39,7 @@ double turnAbout(const btVector3& axis, const btMatrix3x3& R_WorldReference, con
   btQuaternion turn;
   (R_WorldReference.transpose() * R_WorldGear).getRotation(turn);
   const double sine = btVector3(turn.x(), turn.y(), turn.z()).dot(axis);
-  return std::remainder(2 * std::atan2(sine, turn.w()), 2 * std::numbers::pi);
+  return std::remainder(2 * math::atan2(sine, turn.w()), 2 * std::numbers::pi);
 }
 
 }  // namespace pongsim::physics

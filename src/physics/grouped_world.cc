@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "physics/dispatcher.hh"
+#include "physics/motion.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim::physics {
 
@@ -34,6 +36,15 @@ btTransform roughlyMoved(const btRigidBody& body, double dt) {
   const btMatrix3x3 turned(R[0] + turn.y() * R[2] - turn.z() * R[1], R[1] + turn.z() * R[0] - turn.x() * R[2],
                            R[2] + turn.x() * R[1] - turn.y() * R[0]);
   return btTransform(turned, now.getOrigin() + body.getLinearVelocity() * dt);
+}
+
+/// @return How much of a speed is left after `dt`, of which 1 - `damping` is left after a second.
+double leftAfter(double dt, double damping) { return math::exp(dt * math::log1p(-damping)); }
+
+// as btRigidBody::applyDamping, which asks the C library for the power
+void damp(btRigidBody& body, double dt) {
+  body.setLinearVelocity(body.getLinearVelocity() * leftAfter(dt, body.getLinearDamping()));
+  body.setAngularVelocity(body.getAngularVelocity() * leftAfter(dt, body.getAngularDamping()));
 }
 
 template <class T>
@@ -86,11 +97,22 @@ void GroupedWorld::forEachBody(Work&& work) {
 void GroupedWorld::predictUnconstraintMotion(btScalar dt) {
   aabbs_.resize(bodies_.size());
   forEachBody([&](btRigidBody& body, std::size_t i) {
-    if (body.getLinearDamping() != 0 || body.getAngularDamping() != 0) body.applyDamping(dt);
+    if (body.getLinearDamping() != 0 || body.getAngularDamping() != 0) damp(body, dt);
     body.setInterpolationWorldTransform(roughlyMoved(body, dt));
     aabbs_[i] = aabbOf(body);
   });
   aabbsAreNew_ = true;
+}
+
+// what is put somewhere is there at once; Bullet makes a speed of the rounding of its turn
+void GroupedWorld::saveKinematicState(btScalar /*dt*/) {
+  const btCollisionObjectArray& objects = getCollisionObjectArray();
+  for (int i = 0; i < objects.size(); ++i) {
+    if (!objects[i]->isKinematicObject()) continue;
+    btRigidBody& body = static_cast<btRigidBody&>(*objects[i]);
+    body.setLinearVelocity(btVector3(0, 0, 0));
+    body.setAngularVelocity(btVector3(0, 0, 0));
+  }
 }
 
 void GroupedWorld::updateAabbs() {
@@ -138,9 +160,7 @@ void GroupedWorld::solveGroup(std::size_t group, btConstraintSolver& solver, con
                     getDebugDrawer(), getDispatcher());
   for (btCollisionObject* object : bodies) {
     btRigidBody& body = static_cast<btRigidBody&>(*object);
-    btTransform moved;
-    body.predictIntegratedTransform(dt, moved);
-    body.proceedToTransform(moved);
+    body.proceedToTransform(moved(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(), dt));
   }
   work_.finish(bodies, joints);
 }

@@ -50,6 +50,7 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   void updateActivationState(btScalar) override {}
   void createPredictiveContacts(btScalar) override {}
   void predictUnconstraintMotion(btScalar dt) override;
+  void saveKinematicState(btScalar dt) override;
   void updateAabbs() override;
   void solveConstraints(btContactSolverInfo& info) override;
 

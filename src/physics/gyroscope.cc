@@ -1,6 +1,6 @@
 #include "physics/gyroscope.hh"
 
-#include <cmath>
+#include "pongsim/math.hh"
 
 namespace pongsim::physics {
 
@@ -18,8 +18,9 @@ struct Turn {
     const double angle = vector.length();
     if (angle == 0) return;
     axis = vector / angle;
-    sine = std::sin(angle);
-    cosine = std::cos(angle);
+    const math::SineAndCosine both = math::sinCos(angle);
+    sine = both.sine;
+    cosine = both.cosine;
   }
 
   // Rodrigues' formula

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "physics/convert.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim::physics {
 
@@ -88,7 +89,7 @@ double inertiaAlong(const JointEnd& end) { return end.moves ? 1 / end.body->getI
 double inSeries(double a, double b) { return 1 / (1 / a + 1 / b); }
 
 // of the directions about x, that of y is zero
-double angleAboutX(const btVector3& v) { return std::atan2(v.z(), v.y()); }
+double angleAboutX(const btVector3& v) { return math::atan2(v.z(), v.y()); }
 
 }  // namespace
 
@@ -339,7 +340,7 @@ std::array<double, 2> Joint::angles(const Frames& frames) const {
   const double first = angleAboutX(frames.axes[1] * parent) - angleAboutX(secondAxis_);
   const btVector3 start = btVector3(1, 0, 0) - secondAxis_.x() * secondAxis_;
   const btVector3 now = frames.axes[0] * child;
-  return {first, -std::atan2(now.dot(secondAxis_.cross(start)), now.dot(start))};
+  return {first, -math::atan2(now.dot(secondAxis_.cross(start)), now.dot(start))};
 }
 
 void Joint::getInfo1(btConstraintInfo1* info) {

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleInfoMap.h>
 #include <BulletCollision/CollisionShapes/btTriangleMesh.h>
 
 #include <memory>
 
 #include "description/triangle_mesh.hh"
+#include "physics/triangle_edges.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::physics {
@@ -26,7 +26,7 @@ class TriangleSurface {
 
  private:
   btTriangleMesh triangles_;
-  btTriangleInfoMap edges_;
+  TriangleEdges edges_;
   std::unique_ptr<btBvhTriangleMeshShape> shape_;
 };
 

@@ -1,13 +1,13 @@
 #include "physics/surface.hh"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
-#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
 #include <algorithm>
 
 #include "description/link.hh"
+#include "physics/triangle_edges.hh"
 
 namespace pongsim::physics {
 
@@ -25,12 +25,12 @@ const description::Surface& surfaceOf(const btCollisionShape& part) {
 namespace {
 
 bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, int /*partA*/, int /*indexA*/,
-             const btCollisionObjectWrapper* wrapperB, int partB, int indexB) {
+             const btCollisionObjectWrapper* wrapperB, int /*partB*/, int indexB) {
   const btCollisionShape* a = partOf(wrapperA);
   const btCollisionShape* b = partOf(wrapperB);
   if (a == nullptr || b == nullptr) return false;
   if (wrapperB->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE) {
-    btAdjustInternalEdgeContacts(point, wrapperB, wrapperA, partB, indexB, BT_TRIANGLE_CONCAVE_DOUBLE_SIDED);
+    TriangleEdges::smooth(point, *wrapperB, indexB);
   }
   point.m_combinedFriction = std::min(surfaceOf(*a).mu, surfaceOf(*b).mu);
   point.m_combinedRestitution = surfaceOf(*a).restitution * surfaceOf(*b).restitution;

@@ -112,7 +112,7 @@ class LevelsReader {
     level.size = *size;
     const PoseText pose = readPose(element, context_);
     level.center = pose.value.position;
-    if (pose.value.rotation.angularDistance(Quaternion::Identity()) > 1e-9) {
+    if (pose.value.rotation.vec().norm() > 5e-10) {
       warn(pose.position,
            "the box of " + label + " is not turned: it lies along the axes of the world, as in Fortress");
     }

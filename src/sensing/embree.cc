@@ -24,8 +24,6 @@ Embree openEmbree() {
   library.bind(functions.setGeometryUserPrimitiveCount, "rtcSetGeometryUserPrimitiveCount");
   library.bind(functions.setGeometryBoundsFunction, "rtcSetGeometryBoundsFunction");
   library.bind(functions.setGeometryIntersectFunction, "rtcSetGeometryIntersectFunction");
-  library.bind(functions.setGeometryIntersectFilterFunction, "rtcSetGeometryIntersectFilterFunction");
-  library.bind(functions.setNewGeometryBuffer, "rtcSetNewGeometryBuffer");
   library.bind(functions.intersect1, "rtcIntersect1");
   library.bind(functions.intersect8, "rtcIntersect8");
   return functions;

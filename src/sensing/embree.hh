@@ -24,8 +24,6 @@ struct Embree {
   decltype(&rtcSetGeometryUserPrimitiveCount) setGeometryUserPrimitiveCount;
   decltype(&rtcSetGeometryBoundsFunction) setGeometryBoundsFunction;
   decltype(&rtcSetGeometryIntersectFunction) setGeometryIntersectFunction;
-  decltype(&rtcSetGeometryIntersectFilterFunction) setGeometryIntersectFilterFunction;
-  decltype(&rtcSetNewGeometryBuffer) setNewGeometryBuffer;
   decltype(&rtcIntersect1) intersect1;
   decltype(&rtcIntersect8) intersect8;
 };

@@ -1,10 +1,9 @@
 #include "sensing/mesh.hh"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace pongsim::sensing {
@@ -14,33 +13,51 @@ namespace {
 // of the size of the mesh: more than single precision errs by
 constexpr double kMargin = 1e-5;
 
-/// A question to Embree, and what its filter has to know.
+/// A question to Embree, and what has been found so far.
 struct MeshQuery {
-  // stands first, for the filter is given its address
+  // stands first, for the callback is given its address
   RTCIntersectContext context;
-  const description::TriangleMesh* mesh;
-  Vector3 direction;
+  const description::TriangleMesh& mesh;
+  const Line& line;
+  /// Where its ray begins, on the line and in space.
+  double begin;
+  Vector3 start;
+  double from;
   bool seesInside;
+  /// The nearest so far, in lengths of the line's direction, or how far to look.
+  double nearest;
+  /// What single precision may err by, likewise.
+  double margin;
+  double length;
+  bool isHit;
 };
 
-struct Triangle {
-  Vector3 corner;
-  /// Of any length, to the side where the corners go round counter-clockwise.
-  Vector3 normal;
-};
-
-Triangle triangleOf(const description::TriangleMesh& mesh, std::uint32_t index) {
-  const auto& [a, b, c] = mesh.triangles[index];
-  const Vector3& corner = mesh.vertices[a];
-  return {corner, (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner)};
+/// @return Where the line meets a triangle, in lengths of its direction. A line along an edge meets one of those beside
+/// it: both reckon the same volume for it, but for its sign.
+std::optional<double> meet(const MeshQuery& query, std::uint32_t index) {
+  const auto& [first, second, third] = query.mesh.triangles[index];
+  const auto& vertices = query.mesh.vertices;
+  const Vector3& direction = query.line.direction;
+  const Vector3 normal = (vertices[second] - vertices[first]).cross(vertices[third] - vertices[first]);
+  const double towards = normal.dot(direction);
+  if (towards == 0 || (towards > 0 && !query.seesInside)) return std::nullopt;
+  const Vector3 a = vertices[first] - query.start, b = vertices[second] - query.start,
+                c = vertices[third] - query.start;
+  const double ab = direction.dot(a.cross(b)), bc = direction.dot(b.cross(c)), ca = direction.dot(c.cross(a));
+  const bool isThrough = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+  if (!isThrough) return std::nullopt;
+  return normal.dot(vertices[first] - query.line.origin) / towards;
 }
 
-/// Lets a beam through triangles that it meets from inside.
-void dropHiddenSides(const RTCFilterFunctionNArguments* arguments) {
-  const auto* query = reinterpret_cast<const MeshQuery*>(arguments->context);
-  if (query->seesInside) return;
-  const std::uint32_t index = RTCHitN_primID(arguments->hit, arguments->N, 0);
-  if (triangleOf(*query->mesh, index).normal.dot(query->direction) >= 0) arguments->valid[0] = 0;
+void meetTriangle(const RTCIntersectFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  auto& query = *reinterpret_cast<MeshQuery*>(arguments->context);
+  const auto found = meet(query, arguments->primID);
+  if (!found || *found < query.from || *found > query.nearest) return;
+  query.nearest = *found;
+  query.isHit = true;
+  float& end = RTCRayN_tfar(RTCRayHitN_RayN(arguments->rayhit, arguments->N), arguments->N, 0);
+  end = std::min(end, static_cast<float>((*found - query.begin) * query.length + query.margin));
 }
 
 }  // namespace
@@ -48,22 +65,28 @@ void dropHiddenSides(const RTCFilterFunctionNArguments* arguments) {
 Mesh::Mesh(RTCDevice device, std::shared_ptr<const description::TriangleMesh> triangles)
     : triangles_(std::move(triangles)), scene_(embree().newScene(device)) {
   for (const Vector3& vertex : triangles_->vertices) bounds_.extend(vertex);
-  const GeometryPointer geometry(embree().newGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  auto* vertices = static_cast<float*>(embree().setNewGeometryBuffer(
-      geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), triangles_->vertices.size()));
-  const Vector3 center = bounds_.center();
-  for (const Vector3& vertex : triangles_->vertices) {
-    for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(vertex[axis] - center[axis]);
-  }
-  auto* corners = static_cast<std::uint32_t*>(embree().setNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0,
-                                                                            RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-                                                                            triangles_->triangles.size()));
-  for (const auto& triangle : triangles_->triangles) corners = std::ranges::copy(triangle, corners).out;
-  embree().setGeometryIntersectFilterFunction(geometry.get(), dropHiddenSides);
+  const GeometryPointer geometry(embree().newGeometry(device, RTC_GEOMETRY_TYPE_USER));
+  embree().setGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(triangles_->triangles.size()));
+  // for the commit below alone: this may move
+  embree().setGeometryUserData(geometry.get(), this);
+  embree().setGeometryBoundsFunction(geometry.get(), tellBounds, nullptr);
+  embree().setGeometryIntersectFunction(geometry.get(), meetTriangle);
   embree().commitGeometry(geometry.get());
   embree().attachGeometry(scene_.get(), geometry.get());
   embree().setSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   embree().commitScene(scene_.get());
+}
+
+void Mesh::tellBounds(const RTCBoundsFunctionArguments* arguments) {
+  const auto& mesh = *static_cast<const Mesh*>(arguments->geometryUserPtr);
+  const Vector3 middle = mesh.bounds_.center();
+  Eigen::AlignedBox3d box;
+  for (const std::uint32_t corner : mesh.triangles_->triangles[arguments->primID]) {
+    box.extend(Vector3(mesh.triangles_->vertices[corner] - middle));
+  }
+  const Vector3 margin = Vector3::Constant(kMargin * mesh.bounds_.diagonal().norm());
+  const Eigen::Vector3f least = (box.min() - margin).cast<float>(), most = (box.max() + margin).cast<float>();
+  *arguments->bounds_o = {least.x(), least.y(), least.z(), 0, most.x(), most.y(), most.z(), 0};
 }
 
 double Mesh::firstHit(const Line& line, double from, double to, bool seesInside) const {
@@ -76,31 +99,23 @@ double Mesh::firstHit(const Line& line, double from, double to, bool seesInside)
   const double begin = std::max(from, within->enter), end = std::min(to, within->leave);
   if (!(begin <= end)) return kNowhere;
 
-  const double length = line.direction.norm();
-  const Vector3 start = line.origin + begin * line.direction - middle;
-  const Vector3 direction = line.direction / length;
-  MeshQuery query{{}, triangles_.get(), line.direction, seesInside};
+  const double length = line.direction.norm(), margin = kMargin * size;
+  const Vector3 start = line.origin + begin * line.direction;
+  const Vector3 origin = start - middle, direction = line.direction / length;
+  MeshQuery query{{}, *triangles_, line, begin, start, from, seesInside, to, margin, length, false};
   rtcInitIntersectContext(&query.context);
   RTCRayHit ray{};
-  ray.ray.org_x = static_cast<float>(start.x());
-  ray.ray.org_y = static_cast<float>(start.y());
-  ray.ray.org_z = static_cast<float>(start.z());
+  ray.ray.org_x = static_cast<float>(origin.x());
+  ray.ray.org_y = static_cast<float>(origin.y());
+  ray.ray.org_z = static_cast<float>(origin.z());
   ray.ray.dir_x = static_cast<float>(direction.x());
   ray.ray.dir_y = static_cast<float>(direction.y());
   ray.ray.dir_z = static_cast<float>(direction.z());
-  ray.ray.tfar = static_cast<float>((end - begin) * length + kMargin * size);
+  ray.ray.tfar = static_cast<float>((end - begin) * length + margin);
   ray.ray.mask = std::numeric_limits<unsigned>::max();
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   embree().intersect1(scene_.get(), &query.context, &ray);
-  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return kNowhere;
-
-  // which triangle it is, single precision tells; where it is met, double precision
-  const Triangle triangle = triangleOf(*triangles_, ray.hit.primID);
-  const double exact = triangle.normal.dot(triangle.corner - line.origin) / triangle.normal.dot(line.direction);
-  const double rough = begin + static_cast<double>(ray.ray.tfar) / length;
-  const bool isSound = std::abs(exact - rough) * length <= 100 * kMargin * size;
-  const double found = std::max(isSound ? exact : rough, from);
-  return found <= to ? found : kNowhere;
+  return query.isHit ? query.nearest : kNowhere;
 }
 
 }  // namespace pongsim::sensing

@@ -9,7 +9,8 @@
 
 namespace pongsim::sensing {
 
-/// Triangles that beams meet, in their own frame.
+/// Triangles that beams meet, in their own frame. Embree finds which of them may be met, in single precision and by
+/// what the processor has; which is met and where is reckoned in double precision, so that it is the same everywhere.
 class Mesh {
  public:
   /// @param triangles At least one.
@@ -23,6 +24,8 @@ class Mesh {
   double firstHit(const Line& line, double from, double to, bool seesInside) const;
 
  private:
+  static void tellBounds(const RTCBoundsFunctionArguments* arguments);
+
   std::shared_ptr<const description::TriangleMesh> triangles_;
   Eigen::AlignedBox3d bounds_;
   ScenePointer scene_;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "pongsim/math.hh"
 #include "sensing/embree.hh"
 #include "sensing/group.hh"
 #include "sensing/look.hh"
@@ -91,7 +92,9 @@ class Scene::Content {
     }
     if (distance > reach_) {
       // to a power of two, so that it seldom happens
-      reach_ = std::exp2(std::ceil(std::log2(distance)));
+      int exponent = 0;
+      const bool isPower = std::frexp(distance, &exponent) == 0.5;
+      reach_ = std::ldexp(1, isPower ? exponent - 1 : exponent);
       commit();
     }
     const Matrix3 R_WorldSensor = beams.X_WorldSensor.rotation.toRotationMatrix();

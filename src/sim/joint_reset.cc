@@ -78,7 +78,7 @@ std::optional<std::string> resetJointPosition(Access& access, world::Slot joint,
   if (found.slides) {
     X_NewOld.position = change * found.direction;
   } else {
-    X_NewOld.rotation = Quaternion(Eigen::AngleAxisd(change, found.direction));
+    X_NewOld.rotation = rotationAbout(found.direction, change);
     X_NewOld.position = found.origin - X_NewOld.rotation * found.origin + change * found.lead * found.direction;
   }
   Editor(access).move(links, X_NewOld, AfterMove::kKeepVelocity);

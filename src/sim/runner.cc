@@ -148,6 +148,7 @@ void Runner::runSteps() {
     if (parts.control.paused() || isOver()) return;
     parts.simulation.advance(parts.simulation.stepSize());
     ++parts.made;
+    if (parts.options.stepped && !parts.options.stepped(parts.simulation)) stop();
     parts.control.stepped(parts.simulation.time());
     now = Clock::now();
     parts.real = now - start;

@@ -20,6 +20,8 @@ struct RunOptions {
   std::optional<std::uint64_t> iterations = std::nullopt;
   /// Steps a second of wall time; instead of the world's `<real_time_factor>`. 0: as many as possible.
   std::optional<double> updateRate = std::nullopt;
+  /// Called after each step, on its thread; may be empty. Where it returns false the run ends.
+  std::function<bool(Simulation&)> stepped = {};
 };
 
 /// Steps a simulation at the pace of the wall clock, and tells on its topics (`/world/W/clock`, `/world/W/stats`, and

@@ -4,12 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/parse_number.hh"
 #include "urdf/build.hh"
 #include "urdf/extensions.hh"
 #include "urdf/joint_elements.hh"
 #include "urdf/link_elements.hh"
 #include "urdf/lumping.hh"
+#include "urdf/origin.hh"
 #include "urdf/robot.hh"
 #include "urdf/robot_check.hh"
 #include "urdf/structure_check.hh"
@@ -39,17 +39,11 @@ std::vector<bool> findMade(const Robot& robot, Diagnostics& diagnostics) {
   return isMade;
 }
 
-Vector3 readOrigin(const Element& origin, std::string_view name) {
-  const std::optional<std::vector<double>> values = base::parseDoubles(origin.attributeOr(name, "0 0 0"));
-  return values && values->size() == 3 ? Vector3((*values)[0], (*values)[1], (*values)[2]) : Vector3::Zero();
-}
-
 /// Where the robot as a whole is: Fortress knows an <origin> of the robot, though URDF does not.
 void addRobotPose(const Element& robot, Element& model) {
   const Element* origin = robot.child("origin");
   if (origin == nullptr) return;
-  const Vector3 rpy = readOrigin(*origin, "rpy");
-  addPose(model, {readOrigin(*origin, "xyz"), fromRollPitchYaw(rpy.x(), rpy.y(), rpy.z())}, origin->position);
+  addPose(model, originOf(robot), origin->position);
 }
 
 Element modelOf(const Robot& robot, const Extensions& extensions, Diagnostics& diagnostics) {

@@ -4,19 +4,16 @@
 #include <unordered_map>
 #include <utility>
 
+#include "urdf/origin.hh"
+
 namespace pongsim::urdf {
 
 namespace {
 
-Pose poseFrom(const ::urdf::Pose& pose) {
-  return {{pose.position.x, pose.position.y, pose.position.z},
-          Quaternion(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z).normalized()};
-}
-
 std::optional<Inertial> inertialFrom(const ::urdf::Link& link, const Element& xml) {
   if (link.inertial == nullptr) return std::nullopt;
   const ::urdf::Inertial& given = *link.inertial;
-  const Pose X_LinkCom = poseFrom(given.origin);
+  const Pose X_LinkCom = originOf(*xml.child("inertial"));
   Inertial inertial;
   inertial.mass = given.mass;
   inertial.com = X_LinkCom.position;
@@ -32,7 +29,7 @@ std::optional<Inertial> inertialFrom(const ::urdf::Link& link, const Element& xm
 /// urdfdom's parts come in the order of the file.
 template <class UrdfPart>
 Part partFrom(const UrdfPart& part, const std::string& link, const Element* xml) {
-  return {part.name, link, xml, poseFrom(part.origin), part.geometry, nullptr};
+  return {part.name, link, xml, originOf(*xml), part.geometry, nullptr};
 }
 
 Link linkFrom(const ::urdf::Link& given, const Element& xml) {
@@ -93,7 +90,8 @@ class Reader {
 
   Joint jointTo(const ::urdf::Link& link, std::size_t parent) const {
     const ::urdf::JointSharedPtr& joint = link.parent_joint;
-    return {joints_.at(joint->name), joint, parent, poseFrom(joint->parent_to_joint_origin_transform)};
+    const Element* xml = joints_.at(joint->name);
+    return {xml, joint, parent, originOf(*xml)};
   }
 
   Robot& robot_;

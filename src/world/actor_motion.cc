@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "pongsim/math.hh"
+
 namespace pongsim::world {
 
 namespace {
@@ -17,14 +19,26 @@ Vector3 logarithm(const Quaternion& rotation) {
   const double sign = rotation.w() < 0 ? -1 : 1;
   const double length = rotation.vec().norm();
   if (length < 1e-12) return Vector3::Zero();
-  return sign * rotation.vec() * (std::atan2(length, sign * rotation.w()) / length);
+  return sign * rotation.vec() * (math::atan2(length, sign * rotation.w()) / length);
 }
 
 Quaternion exponential(const Vector3& half) {
   const double angle = half.norm();
   if (angle < 1e-12) return Quaternion::Identity();
-  const Vector3 axis = half * (std::sin(angle) / angle);
-  return {std::cos(angle), axis.x(), axis.y(), axis.z()};
+  return rotationAbout(half / angle, 2 * angle);
+}
+
+/// @return The rotation a part `t` of the shorter way from one to another, at an even pace.
+Quaternion between(const Quaternion& from, double t, const Quaternion& to) {
+  // Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985; straight on where they are next to the same
+  const double cosine = from.dot(to), size = std::abs(cosine);
+  double before = 1 - t, behind = t;
+  if (size < 1 - 1e-15) {
+    const double angle = math::acos(size), sine = math::sin(angle);
+    before = math::sin((1 - t) * angle) / sine;
+    behind = math::sin(t * angle) / sine;
+  }
+  return Quaternion(before * from.coeffs() + (cosine < 0 ? -behind : behind) * to.coeffs());
 }
 
 /// The way through the waypoints of a trajectory, in the order of their times.
@@ -73,8 +87,8 @@ class Way {
   }
 
   Quaternion rotationBetween(std::size_t i, double t) const {
-    const Quaternion direct = poseOf(i).rotation.slerp(t, poseOf(i + 1).rotation);
-    return direct.slerp(2 * t * (1 - t), control(i).slerp(t, control(i + 1))).normalized();
+    const Quaternion direct = between(poseOf(i).rotation, t, poseOf(i + 1).rotation);
+    return between(direct, 2 * t * (1 - t), between(control(i), t, control(i + 1))).normalized();
   }
 
   std::vector<Waypoint> points_;

@@ -36,6 +36,28 @@ TEST(Run, GivesTheSameStateHashTwice) {
   EXPECT_NE(hashAfter("501"), first);
 }
 
+TEST(Run, PrintsTheStateHashAsOftenAsAsked) {
+  const Outcome outcome =
+      runToEnd({"run", ownWorld(kWorld), "-z", "0", "--iterations", "500", "--hash-every", "200", "--hash"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+  std::smatch found;
+  ASSERT_TRUE(std::regex_match(outcome.output, found,
+                               std::regex("state hash after 200: ([0-9a-f]{16})\n"
+                                          "state hash after 400: ([0-9a-f]{16})\n(state hash: [0-9a-f]{16}\n)")))
+      << outcome.output;
+  EXPECT_NE(found[1], found[2]);
+  EXPECT_EQ("state hash: " + found[1].str() + "\n", hashAfter("200"));
+  EXPECT_EQ(found[3], hashAfter("500"));
+}
+
+TEST(Run, NeedsANumberOfStepsBetweenStateHashes) {
+  for (const char* wrong : {"0", "-5", "1.5", "often"}) {
+    const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "--hash-every", wrong});
+    EXPECT_EQ(outcome.exitCode, 2) << wrong;
+    EXPECT_NE(outcome.error.find("--hash-every"), std::string::npos) << outcome.error;
+  }
+}
+
 /// Where memory lies and what it held, how many threads there are, and what time it is.
 struct Surroundings {
   const char* what;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <thread>
@@ -43,6 +44,16 @@ TEST_F(RunnerTest, MakesNoStepWhenAskedForNone) {
   Runner runner(*simulation_, {.iterations = 0});
   runner.run();
   EXPECT_EQ(simulation_->iterations(), 0U);
+}
+
+TEST_F(RunnerTest, CallsAfterEachStepAndEndsWhereThatSaysSo) {
+  std::vector<std::uint64_t> steps;
+  Runner runner(*simulation_, {.iterations = 250, .updateRate = 0.0, .stepped = [&](Simulation& simulation) {
+                                 steps.push_back(simulation.iterations());
+                                 return simulation.iterations() < 3;
+                               }});
+  runner.run();
+  EXPECT_EQ(steps, (std::vector<std::uint64_t>{1, 2, 3}));
 }
 
 TEST_F(RunnerTest, IsNeverAheadOfTheWallClock) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 namespace {
@@ -38,7 +40,7 @@ Flow flowAround(const AirfoilSettings& airfoil, const Vector3& velocity) {
   flow.angle = airfoil.zeroAngle;
   // of a round body in a flow from ahead there is no lift, and nowhere for it to go
   if (!flow.span.isZero(0)) {
-    const double turn = std::acos(std::clamp(flow.lift.dot(upward), -1.0, 1.0));
+    const double turn = math::acos(std::clamp(flow.lift.dot(upward), -1.0, 1.0));
     flow.angle += flow.lift.dot(airfoil.forward) >= 0 ? turn : -turn;
   }
   flow.angle = withinQuarterTurn(flow.angle);

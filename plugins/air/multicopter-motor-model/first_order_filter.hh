@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cmath>
-
+#include "pongsim/math.hh"
 #include "pongsim/state_archive.hh"
 
 namespace pongsim {
@@ -19,7 +18,7 @@ class FirstOrderFilter {
   /// @return The value now.
   double update(double input, double dt) {
     // a quotient that is infinite leaves nothing of the old value
-    const double kept = std::exp(-dt / (input > value_ ? timeUp_ : timeDown_));
+    const double kept = math::exp(-dt / (input > value_ ? timeUp_ : timeDown_));
     value_ = kept * value_ + (1 - kept) * input;
     return value_;
   }

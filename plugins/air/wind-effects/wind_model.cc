@@ -1,8 +1,9 @@
 #include "wind_model.hh"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "pongsim/math.hh"
 
 namespace pongsim {
 
@@ -17,7 +18,7 @@ double approach(double value, double goal, double riseTime, double dt) {
 }
 
 double wave(const WindPartSettings& part, double seconds) {
-  return part.waveAmplitude * std::sin(2 * std::numbers::pi * seconds / part.wavePeriod);
+  return part.waveAmplitude * math::sin(2 * std::numbers::pi * seconds / part.wavePeriod);
 }
 
 }  // namespace
@@ -32,14 +33,14 @@ WindModel::WindModel(const WindSettings& settings, const Random& random)
 Vector3 WindModel::update(const Vector3& mean, Time time, double dt) {
   noises_.begin(time, dt);
   const double seconds = toSeconds(time);
-  magnitude_ = approach(magnitude_, std::hypot(mean.x(), mean.y()), settings_.magnitude.riseTime, dt);
-  const double goal = std::atan2(mean.y(), mean.x()) / kDegree;
+  magnitude_ = approach(magnitude_, math::hypot(mean.x(), mean.y()), settings_.magnitude.riseTime, dt);
+  const double goal = math::atan2(mean.y(), mean.x()) / kDegree;
   direction_ = direction_ ? approach(*direction_, goal, settings_.direction.riseTime, dt) : goal;
   vertical_ = approach(vertical_, mean.z(), settings_.vertical.riseTime, dt);
 
   const double magnitude = magnitudeNoise_->apply(magnitude_ + wave(settings_.magnitude, seconds) * magnitude_);
   const double direction = directionNoise_->apply(*direction_ + wave(settings_.direction, seconds)) * kDegree;
-  return {magnitude * std::cos(direction), magnitude * std::sin(direction), verticalNoise_->apply(vertical_)};
+  return {magnitude * math::cos(direction), magnitude * math::sin(direction), verticalNoise_->apply(vertical_)};
 }
 
 void WindModel::reset(const Random& random) {

@@ -3,6 +3,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "pongsim/math.hh"
 
 namespace pongsim {
 
@@ -11,23 +14,24 @@ namespace {
 constexpr std::chrono::seconds kEpoch{1};
 
 /// @return Watts.
-double powerOf(double dBm) { return 1e-3 * std::pow(10, dBm / 10); }
+double powerOf(double dBm) { return 1e-3 * math::exp(dBm / 10 * std::numbers::ln10); }
 
 }  // namespace
 
 double meanReceivedPower(const RadioSettings& settings, double distance) {
   if (settings.maxRange > 0 && distance > settings.maxRange) return -std::numeric_limits<double>::infinity();
-  return settings.sendingPower - (settings.lossAtOneMetre + 10 * settings.fadingExponent * std::log10(distance));
+  return settings.sendingPower -
+         (settings.lossAtOneMetre + 10 * settings.fadingExponent * math::log(distance) / std::numbers::ln10);
 }
 
 double bitErrorRate(const RadioSettings& settings, double receivedPower) {
-  return std::erfc(std::sqrt(powerOf(receivedPower) / powerOf(settings.noiseFloor)));
+  return math::erfc(std::sqrt(powerOf(receivedPower) / powerOf(settings.noiseFloor)));
 }
 
 double lossProbability(double bitErrorRate, std::uint64_t bytes) {
   // also where no bit is right: 0 times infinity is no number
   if (bytes == 0) return bitErrorRate < 1 ? 0 : 1;
-  return -std::expm1(static_cast<double>(bytes) * std::log1p(-bitErrorRate));
+  return -math::expm1(static_cast<double>(bytes) * math::log1p(-bitErrorRate));
 }
 
 std::optional<double> RateWindow::add(Time now, std::uint64_t bytes, double capacity) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr double kStraight = 1e9;
 /// @return Radius of the turn [m], negative to the right.
 double turningRadius(const AckermannGeometry& geometry, double linear, double angular) {
   if (std::abs(angular) < kNoTurn) return kStraight;
-  const double narrowest = geometry.wheelBase / std::sin(geometry.steeringLimit);
+  const double narrowest = geometry.wheelBase / math::sin(geometry.steeringLimit);
   if (linear == 0) return std::copysign(narrowest, angular);
   const double radius = linear / angular;
   return std::abs(radius) < narrowest ? std::copysign(narrowest, radius) : radius;
@@ -26,8 +28,8 @@ double turningRadius(const AckermannGeometry& geometry, double linear, double an
 AckermannCommand ackermannCommand(const AckermannGeometry& geometry, double linear, double angular) {
   const double radius = turningRadius(geometry, linear, angular);
   AckermannCommand command;
-  command.leftAngle = std::atan(geometry.wheelBase / (radius - geometry.kingpinWidth / 2));
-  command.rightAngle = std::atan(geometry.wheelBase / (radius + geometry.kingpinWidth / 2));
+  command.leftAngle = math::atan(geometry.wheelBase / (radius - geometry.kingpinWidth / 2));
+  command.rightAngle = math::atan(geometry.wheelBase / (radius + geometry.kingpinWidth / 2));
   // the outer wheels have a longer way
   const double difference = geometry.wheelSeparation / (2 * radius);
   command.leftSpeed = linear * (1 - difference) / geometry.wheelRadius;
@@ -45,10 +47,10 @@ void AckermannOdometry::update(const AckermannGeometry& geometry, double leftAng
   const double way = geometry.wheelRadius * (leftAngle - lastLeft_ + rightAngle - lastRight_) / 2;
   lastLeft_ = leftAngle;
   lastRight_ = rightAngle;
-  const double turn = way * std::tan(steering) / geometry.wheelBase;
+  const double turn = way * math::tan(steering) / geometry.wheelBase;
   value_.heading = std::remainder(value_.heading + turn, 2 * std::numbers::pi);
-  value_.x += way * std::cos(value_.heading);
-  value_.y += way * std::sin(value_.heading);
+  value_.x += way * math::cos(value_.heading);
+  value_.y += way * math::sin(value_.heading);
   value_.linearVelocity = way / dt;
   value_.angularVelocity = turn / dt;
 }

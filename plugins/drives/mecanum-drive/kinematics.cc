@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 namespace {
@@ -40,13 +42,13 @@ void MecanumOdometry::update(const MecanumGeometry& geometry, const MecanumWheel
   double forward = way.x;
   double left = way.y;
   if (std::abs(way.yaw) >= kStraightOn) {
-    const double sine = std::sin(way.yaw) / way.yaw;
-    const double rest = (1 - std::cos(way.yaw)) / way.yaw;
+    const double sine = math::sin(way.yaw) / way.yaw;
+    const double rest = (1 - math::cos(way.yaw)) / way.yaw;
     forward = way.x * sine - way.y * rest;
     left = way.x * rest + way.y * sine;
   }
-  x_ += forward * std::cos(heading_) - left * std::sin(heading_);
-  y_ += forward * std::sin(heading_) + left * std::cos(heading_);
+  x_ += forward * math::cos(heading_) - left * math::sin(heading_);
+  y_ += forward * math::sin(heading_) + left * math::cos(heading_);
   heading_ += way.yaw;
   forward_.add(way.x / dt);
   lateral_.add(way.y / dt);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "pongsim/math.hh"
 #include "pongsim/parameters.hh"
 
 namespace pongsim {
@@ -76,10 +77,10 @@ std::vector<Vector3> Path::points(const Pose& X_WorldStart) const {
   if (kind_ == Kind::kCircle) {
     for (int i = 0; i < kPointsOfCircle; ++i) {
       const double angle = 2 * std::numbers::pi * i / kPointsOfCircle;
-      points.push_back(start + length_ * Vector3(std::cos(angle), std::sin(angle), 0));
+      points.push_back(start + length_ * Vector3(math::cos(angle), math::sin(angle), 0));
     }
   } else if (kind_ == Kind::kLine) {
-    const Vector3 way = length_ * Vector3(std::cos(direction_), std::sin(direction_), 0);
+    const Vector3 way = length_ * Vector3(math::cos(direction_), math::sin(direction_), 0);
     Vector3 end = start + X_WorldStart.rotation * way;
     end.z() = 0;
     points = {start, end};

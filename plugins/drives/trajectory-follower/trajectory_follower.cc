@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "path.hh"
+#include "pongsim/math.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -82,7 +83,7 @@ class TrajectoryFollower : public System {
     const Vector3 ahead = X_WorldLink.rotation.conjugate() * way;
     if (ahead.stableNorm() <= rangeTolerance_) return goToNext();
 
-    const double bearing = std::atan2(ahead.y(), ahead.x()) / kDegree;
+    const double bearing = math::atan2(ahead.y(), ahead.x()) / kDegree;
     const Quaternion axes = X_WorldLink.rotation * axes_;
     if (std::abs(bearing) > bearingTolerance_) {
       keepsHeading_ = false;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "pongsim/math.hh"
 #include "pongsim/sensor_system.hh"
 
 namespace pongsim {
@@ -23,7 +24,7 @@ double pressureAt(double height) {
   const double geopotential = kEarthRadius * height / (kEarthRadius + height);
   const double temperature = kTemperature + kGradient * geopotential;
   const double exponent = kGravity * kMolarMass / (kGasConstant * kGradient);
-  return kPressure * std::exp(exponent * std::log(kTemperature / temperature));
+  return kPressure * math::exp(exponent * math::log(kTemperature / temperature));
 }
 
 struct AirPressureSensor {

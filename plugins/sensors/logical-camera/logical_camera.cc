@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/math.hh"
 #include "pongsim/sensor_system.hh"
 
 namespace pongsim {
@@ -50,7 +51,7 @@ struct LogicalCameraSensor {
  private:
   /// @param point In the sensor's frame, whose x axis points ahead.
   bool sees(const Vector3& point) const {
-    const double halfWidth = point.x() * std::tan(settings_.horizontalFov / 2);
+    const double halfWidth = point.x() * math::tan(settings_.horizontalFov / 2);
     return point.x() >= settings_.near && point.x() <= settings_.far && std::abs(point.y()) <= halfWidth &&
            std::abs(point.z()) <= halfWidth / settings_.aspectRatio;
   }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 namespace {
@@ -54,7 +56,7 @@ PictureView viewOf(const CameraSettings& settings) {
     view.cy = lens.cy;
     view.skew = lens.skew;
   } else {
-    view.fx = view.fy = view.width / (2 * std::tan(settings.horizontalFov / 2));
+    view.fx = view.fy = view.width / (2 * math::tan(settings.horizontalFov / 2));
     view.cx = view.width / 2.0;
     view.cy = view.height / 2.0;
   }

@@ -9,6 +9,7 @@
 
 #include "point_cloud.hh"
 #include "pongsim/fields.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim {
 
@@ -85,7 +86,7 @@ LidarSensor::LidarSensor(const Sensor& sensor, const World&, NoiseSet& noises, M
     const double up = settings_.vertical.minAngle + row * stepZ;
     for (std::uint32_t column = 0; column < columns; ++column) {
       const double left = settings_.horizontal.minAngle + column * stepX;
-      directions_.emplace_back(std::cos(up) * std::cos(left), std::cos(up) * std::sin(left), std::sin(up));
+      directions_.emplace_back(math::cos(up) * math::cos(left), math::cos(up) * math::sin(left), math::sin(up));
     }
   }
   points_ = shared.node().advertise<PointCloudPacked>(cleanTopic(sensor.topic(kSuffix)) + "/points");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pongsim/actor.hh"
+#include "pongsim/math.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -55,7 +56,7 @@ class FollowActor : public System {
     if (!follows_) return;
     const double step = speed_ * toSeconds(info.dt);
     pose_.position += step / distance * way;
-    pose_.rotation = fromRollPitchYaw(0, 0, std::atan2(way.y(), way.x()));
+    pose_.rotation = fromRollPitchYaw(0, 0, math::atan2(way.y(), way.x()));
     animationTime_ += fromSeconds(std::abs(step) * animationSpeed_);
     actor_->move(pose_, animation_, animationTime_);
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pongsim/math.hh"
+
 namespace pongsim {
 
 double Propeller::turnFor(double thrust) {
@@ -18,7 +20,8 @@ double Propeller::turnFor(double thrust) {
 }
 
 double Propeller::speedFor(double thrust) const {
-  const double force = settings_.density * coefficient_ * std::pow(settings_.diameter, 4);
+  const double square = settings_.diameter * settings_.diameter;
+  const double force = settings_.density * coefficient_ * square * square;
   return std::copysign(std::sqrt(std::abs(thrust / force)), thrust);
 }
 

@@ -9,6 +9,7 @@
 
 #include "physics/convert.hh"
 #include "physics/margin.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim::physics {
 
@@ -42,7 +43,7 @@ std::vector<Vector3> outermost(std::span<const Vector3> points, std::size_t dire
     const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(directions);
     const double radius = std::sqrt(1 - z * z);
     const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5));
-    const Vector3 direction(radius * std::cos(angle), radius * std::sin(angle), z);
+    const Vector3 direction(radius * math::cos(angle), radius * math::sin(angle), z);
     const auto along = [&](const Vector3& p) {
       return direction.x() * p.x() + direction.y() * p.y() + direction.z() * p.z();
     };

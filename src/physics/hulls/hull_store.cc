@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -14,9 +13,10 @@
 #include "base/workers.hh"
 #include "physics/hulls/decomposition.hh"
 #include "physics/hulls/hull_code.hh"
-#include "physics/margin.hh"
 #include "physics/hulls/triangle_chain.hh"
+#include "physics/margin.hh"
 #include "pongsim/log.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim::physics {
 
@@ -123,7 +123,7 @@ HullRequest requestFor(const description::Geometry& geometry) {
       request.mostPieces = mesh->maxConvexHulls;
       request.fillsOpen = false;
       // half a voxel and less, as the one that is usual does of 200,000 voxels
-      request.standOff = 0.3 / std::cbrt(static_cast<double>(mesh->voxelResolution));
+      request.standOff = 0.3 / math::exp(math::log(static_cast<double>(mesh->voxelResolution)) / 3);
     }
   } else if (const auto* line = std::get_if<description::Polyline>(&geometry)) {
     request = {line->triangles, {1, 1, 1}, usual.mostPieces, usual.standOff, true, "polyline"};

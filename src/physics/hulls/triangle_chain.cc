@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "physics/hulls/chain_edges.hh"
+#include "pongsim/math.hh"
 
 namespace pongsim::physics {
 
@@ -110,7 +111,7 @@ double windingAround(const TriangleChain& chain, const Vector3& point) {
     const Vector3 a = chain.points[t.a] - point, b = chain.points[t.b] - point, c = chain.points[t.c] - point;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     const double below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    sum += std::atan2(a.dot(b.cross(c)), below);
+    sum += math::atan2(a.dot(b.cross(c)), below);
   }
   return sum / (2 * std::numbers::pi);
 }
