@@ -3,10 +3,9 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -29,21 +28,21 @@ class Crew {
  private:
   void begin();
   void serve();
-  void takeFrom(const std::function<void(std::size_t)>& work);
+  /// @return The round after `last`.
+  std::uint32_t waitForRound(std::uint32_t last) const;
+  void takeAll();
 
   std::size_t wanted_;
   /// Where the threads are.
   pid_t process_ = 0;
   std::vector<std::thread> threads_;
-  std::mutex mutex_;
-  std::condition_variable given_;
-  std::condition_variable done_;
   const std::function<void(std::size_t)>* work_ = nullptr;
   std::size_t count_ = 0;
   std::atomic<std::size_t> next_ = 0;
-  std::size_t round_ = 0;
-  std::size_t busy_ = 0;
-  bool ends_ = false;
+  std::atomic<std::uint32_t> round_ = 0;
+  /// How many threads beside the caller's are at it, and whether more may come.
+  std::atomic<std::uint32_t> inside_ = 0;
+  std::atomic<bool> ends_ = false;
 };
 
 }  // namespace pongsim::python
