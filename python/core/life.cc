@@ -106,6 +106,20 @@ void Life::noteError(py::error_already_set& error) {
   hasError_ = true;
 }
 
+void Life::forgetNoted() {
+  hasError_ = false;
+  error_.reset();
+}
+
+void Life::raiseFailure(const char* what) const {
+  const py::object type = errorClass("SystemFailed");
+  const py::object exception = type(py::str(what));
+  py::object cause = failure();
+  if (!cause.is_none()) PyException_SetCause(exception.ptr(), cause.release().ptr());
+  PyErr_SetObject(type.ptr(), exception.ptr());
+  throw py::error_already_set();
+}
+
 void Life::raiseNoted() {
   hasError_ = false;
   const std::shared_ptr<Kept> error = std::exchange(error_, nullptr);

@@ -2,10 +2,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,6 +83,16 @@ class Life {
   template <class Work>
   void stepping(Work work);
 
+  /// As `stepping`, for several simulations of which `work` takes steps on threads of its own, each of which says
+  /// `takeOver` to a simulation before it steps it. What callbacks of several have raised counts of the first one.
+  template <class Work>
+  static void steppingAll(std::span<const std::shared_ptr<Life>> lives, Work work);
+  /// The calling thread steps it from now on, within `steppingAll`. Without the GIL.
+  void takeOver() { stepper_ = PyThread_get_thread_ident(); }
+
+  /// Raises what a step has thrown: SystemFailed, with the exception of the system in Python that has failed.
+  [[noreturn]] void raiseFailure(const char* what) const;
+
   /// Whether the steps are to end, since a callback has raised something or a signal has come. Without the GIL, in a
   /// step.
   bool mustStop();
@@ -107,6 +119,7 @@ class Life {
   void begin();
   void end();
   void raiseNoted();
+  void forgetNoted();
 
   // the simulation, which speaks by it, goes first
   std::unique_ptr<Transport> transport_;
@@ -116,7 +129,7 @@ class Life {
   /// What must go before the simulation does.
   std::shared_ptr<Kept> failure_;
   /// The thread that takes steps, as Python numbers it, or 0.
-  unsigned long stepper_ = 0;
+  std::atomic<unsigned long> stepper_ = 0;
   std::int64_t nextLook_ = 0;
   bool hasError_ = false;
   std::shared_ptr<Kept> error_;
@@ -139,6 +152,31 @@ void Life::stepping(Work work) {
   PyEval_RestoreThread(state);
   end();
   if (hasError_) raiseNoted();
+}
+
+template <class Work>
+void Life::steppingAll(std::span<const std::shared_ptr<Life>> lives, Work work) {
+  const auto endAll = [&] {
+    for (const auto& life : lives) life->end();
+  };
+  for (const auto& life : lives) life->begin();
+  PyThreadState* state = PyEval_SaveThread();
+  try {
+    work();
+  } catch (...) {
+    PyEval_RestoreThread(state);
+    endAll();
+    throw;
+  }
+  PyEval_RestoreThread(state);
+  endAll();
+  for (const auto& life : lives) {
+    if (!life->hasError_) continue;
+    for (const auto& other : lives) {
+      if (other != life) other->forgetNoted();
+    }
+    life->raiseNoted();
+  }
 }
 
 /// A handle of the simulation's, as Python has it.

@@ -3,6 +3,8 @@
 
 #include "core/errors.hh"
 #include "core/handles.hh"
+#include "core/picture.hh"
+#include "core/pool.hh"
 #include "core/python_system.hh"
 #include "core/sensor.hh"
 #include "core/simulation.hh"
@@ -27,6 +29,8 @@ PYBIND11_MODULE(_core, module) {
   python::bindTopics(module);
   python::bindSystems(module);
   python::bindSimulation(module);
+  python::bindPool(module);
+  python::bindPictures(module);
   module.attr("version") = PONGSIM_VERSION;
   module.def("set_log_level", &setLogLevel, pybind11::arg("level"),
              "Sets how much the process says on stderr: 0 nothing, 1 errors, 2 warnings (the default), 3 more, 4 all.");

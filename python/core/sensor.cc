@@ -100,6 +100,12 @@ std::vector<Sensor> allSensors(Simulation& simulation) {
   return sensors;
 }
 
+/// @return Whether there is noise in the element or in one within it.
+bool hasNoise(const Element& element) {
+  if (element.name == "noise" && element.attributeOr("type", "none") != "none") return true;
+  return std::ranges::any_of(element.children, hasNoise);
+}
+
 }  // namespace
 
 Stream::Stream(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& messageType,
@@ -215,7 +221,7 @@ void bindSensors(py::module_& module) {
   py::class_<Memory, std::shared_ptr<Memory>>(module, "Memory", py::buffer_protocol(), "Bytes that arrays look at.")
       .def_buffer([](Memory& memory) {
         return py::buffer_info(memory.bytes.data(), 1, py::format_descriptor<std::uint8_t>::format(), 1,
-                               {static_cast<py::ssize_t>(memory.bytes.size())}, {1}, true);
+                               {static_cast<py::ssize_t>(memory.bytes.size())}, {1}, !memory.isWritable);
       });
   py::class_<Stream, std::shared_ptr<Stream>>(module, "Stream", "One kind of reading of a sensor.")
       .def_property_readonly("shape", [](const Stream& self) { return py::tuple(py::cast(self.use().shape)); })
@@ -252,6 +258,9 @@ void bindSensors(py::module_& module) {
             return kinds;
           },
           "What it has, the main one first: \"ranges\", \"points\", \"image\", \"depth\" or \"message\".")
+      .def_property_readonly(
+          "has_noise", [](PySensor& self) { return hasNoise(self.use().sdf()); },
+          "Whether its readings differ from seed to seed: a <noise> in its element is of a type other than none.")
       .def(
           "stream",
           [](PySensor& self, const std::string& kind) {

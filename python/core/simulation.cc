@@ -18,6 +18,7 @@
 #include "core/life.hh"
 #include "core/memory.hh"
 #include "core/message_dict.hh"
+#include "core/owner.hh"
 #include "core/python_system.hh"
 #include "core/sensor.hh"
 #include "core/topics.hh"
@@ -27,17 +28,6 @@
 namespace pongsim::python {
 
 namespace {
-
-/// What Python's Simulation holds: when it goes, the simulation goes.
-struct Owner {
-  explicit Owner(std::shared_ptr<Life> owned) : life(std::move(owned)) {}
-  Owner(Owner&&) = default;
-  ~Owner() {
-    if (life) life->close();
-  }
-  std::shared_ptr<Life> life;
-  std::vector<Diagnostic> found;
-};
 
 /// @return Whether `world` is the text of a world rather than a file's name.
 bool isText(const std::string& world) { return world.find('<') != std::string::npos; }
@@ -80,12 +70,7 @@ void takeSteps(Life& life, Work work) {
   } catch (const Gone&) {
     throw;
   } catch (const std::runtime_error& error) {
-    const py::object type = errorClass("SystemFailed");
-    const py::object exception = type(py::str(error.what()));
-    const py::object cause = life.failure();
-    if (!cause.is_none()) PyException_SetCause(exception.ptr(), py::object(cause).release().ptr());
-    PyErr_SetObject(type.ptr(), exception.ptr());
-    throw py::error_already_set();
+    life.raiseFailure(error.what());
   }
 }
 
@@ -240,12 +225,7 @@ void addSystem(Owner& owner, const std::string& name, py::object system) {
   Diagnostics diagnostics;
   auto added = std::make_unique<PythonSystem>(*owner.life, std::move(system));
   if (!simulation.addSystem(name, std::move(added), diagnostics)) {
-    const py::object type = errorClass("SystemFailed");
-    const py::object exception = type(py::str(diagnostics.all().front().message));
-    const py::object cause = owner.life->failure();
-    if (!cause.is_none()) PyException_SetCause(exception.ptr(), py::object(cause).release().ptr());
-    PyErr_SetObject(type.ptr(), exception.ptr());
-    throw py::error_already_set();
+    owner.life->raiseFailure(diagnostics.all().front().message.c_str());
   }
 }
 

@@ -102,10 +102,13 @@ void Ear::hear(Life& life, std::string_view name, std::span<const std::byte> byt
   }
 }
 
+std::string typeFor(Life& life, const std::string& topic, const std::string& type) {
+  return type.empty() ? typeOfTopic(life, topic) : knownType(type);
+}
+
 void publish(Life& life, const std::string& topic, py::handle message, const std::string& type) {
   Node node = life.use().transport().node();
-  std::string name = type.empty() ? typeOfObject(message) : type;
-  name = name.empty() ? typeOfTopic(life, topic) : knownType(name);
+  const std::string name = typeFor(life, topic, type.empty() ? typeOfObject(message) : type);
   const MessagePointer filled = newMessage(name);
   fillIn(*filled, message);
   Publisher& publisher = life.publishers[{topic, name}];

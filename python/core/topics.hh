@@ -33,6 +33,10 @@ class Ear final : public Life::Pending {
   Subscription subscription_;
 };
 
+/// @return The full name of a message type, or where none is given that which the topic has in this simulation. Raises
+/// ValueError where there is none, or several.
+std::string typeFor(Life& life, const std::string& topic, const std::string& type);
+
 /// Publishes a message, of the type that is asked for, that of its class, or that which the topic has.
 void publish(Life& life, const std::string& topic, py::handle message, const std::string& type);
 

@@ -1,4 +1,4 @@
-"""The examples of docs/python.md run, from the project's folder."""
+"""The examples of docs/python.md and docs/gym.md run, from the project's folder."""
 
 import os
 import re
@@ -8,13 +8,14 @@ import sys
 import pytest
 from conftest import PROJECT
 
-PAGE = (PROJECT / "docs/python.md").read_text()
 # a block that is indented, behind the mark
-BLOCKS = re.findall(r"<!-- python(?:: prints (.*?))? -->\n((?:(?:    .*)?\n)+)", PAGE)
+BLOCK = re.compile(r"<!-- python(?:: prints (.*?))? -->\n((?:(?:    .*)?\n)+)")
+PAGES = {page: BLOCK.findall((PROJECT / "docs" / page).read_text()) for page in ("python.md", "gym.md")}
+BLOCKS = [block for blocks in PAGES.values() for block in blocks]
 
 
 def test_there_are_examples():
-    assert len(BLOCKS) >= 5
+    assert len(PAGES["python.md"]) >= 5 and len(PAGES["gym.md"]) >= 3
 
 
 @pytest.mark.parametrize("prints, block", BLOCKS, ids=[str(i) for i in range(len(BLOCKS))])

@@ -34,6 +34,20 @@ bool meet(const Object& object, const BeamQuery& query, Beam& beam) {
   return true;
 }
 
+/// @param inverse Of the line's direction, number by number.
+/// @return Whether the line meets the box between its origin and `range`.
+bool passes(const Line& line, const Vector3& inverse, const Eigen::AlignedBox3d& box, double range) {
+  double enters = 0, leaves = range;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double one = (box.min()[axis] - line.origin[axis]) * inverse[axis];
+    const double other = (box.max()[axis] - line.origin[axis]) * inverse[axis];
+    // a line along the very edge may be let pass or not: the box is wider than what is in it
+    enters = std::max(enters, std::min(one, other));
+    leaves = std::min(leaves, std::max(one, other));
+  }
+  return enters <= leaves;
+}
+
 }  // namespace
 
 Group::Group(RTCDevice device)
@@ -47,23 +61,33 @@ Group::Group(RTCDevice device)
 
 void Group::commit(double reach) {
   reach_ = reach;
+  boxes_.clear();
+  if (objects_.size() <= kFew) {
+    for (const Object& object : objects_) boxes_.push_back(wideBox(object));
+    return;
+  }
   embree().setGeometryUserPrimitiveCount(geometry_.get(), static_cast<unsigned>(objects_.size()));
   embree().commitGeometry(geometry_.get());
   embree().commitScene(scene_.get());
 }
 
+Eigen::AlignedBox3d Group::wideBox(const Object& object) const {
+  const Eigen::AlignedBox3d box = object.boundsInWorld();
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (!(farthest <= kMostDistance)) return {};
+  const Vector3 margin = Vector3::Constant(kWayMargin * (farthest + reach_));
+  return {box.min() - margin, box.max() + margin};
+}
+
 void Group::tellBounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
-  const Eigen::AlignedBox3d box = group.objects_[arguments->primID].boundsInWorld();
-  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  if (!(farthest <= kMostDistance)) {
+  const Eigen::AlignedBox3d box = group.wideBox(group.objects_[arguments->primID]);
+  if (box.isEmpty()) {
     // upside down: Embree leaves it out
     *arguments->bounds_o = {1, 1, 1, 0, -1, -1, -1, 0};
     return;
   }
-  // as far as a beam in single precision goes astray
-  const Vector3 margin = Vector3::Constant(kWayMargin * (farthest + group.reach_));
-  const Vector3 least = box.min() - margin, most = box.max() + margin;
+  const Vector3 &least = box.min(), &most = box.max();
   *arguments->bounds_o = {below(least.x()), below(least.y()), below(least.z()), 0,
                           above(most.x()),  above(most.y()),  above(most.z()),  0};
 }
@@ -86,8 +110,20 @@ void Group::intersect(const RTCIntersectFunctionNArguments* arguments) {
   }
 }
 
+void Group::castAtFew(BeamQuery& query) const {
+  for (std::size_t i = 0; i < query.count; ++i) {
+    Beam& beam = query.beams[i];
+    const Vector3 inverse = beam.line.direction.cwiseInverse();
+    for (std::size_t k = 0; k < objects_.size(); ++k) {
+      const Object& object = objects_[k];
+      if ((object.visibility & query.visibilityMask) == 0 || boxes_[k].isEmpty()) continue;
+      if (passes(beam.line, inverse, boxes_[k], beam.range)) meet(object, query, beam);
+    }
+  }
+}
+
 void Group::cast(BeamQuery& query) const {
-  if (objects_.empty()) return;
+  if (objects_.size() <= kFew) return castAtFew(query);
   RTCRayHit8 rays{};
   alignas(32) std::array<int, kBeamsAtATime> valid{};
   for (std::size_t i = 0; i < query.count; ++i) {

@@ -38,6 +38,11 @@ class BeamWorld : public pongsim::test::VisualWorld {
     scene_.update(state());
   }
 
+  /// So many more, far away and tiny, that what is in the world is found by a tree of boxes.
+  void crowd(bool isStatic) {
+    for (int i = 0; i < 9; ++i) add(description::Sphere{1e-3}, {{1e7, 1e7, 1e7 + i}, Quaternion::Identity()}, isStatic);
+  }
+
   void letPass(Time time) {
     state().time += time;
     scene_.update(state());
@@ -118,7 +123,9 @@ void expectRanges(const Body& body, double farthest) {
     const double range = std::exp(random.between(-4, 5));
     const Pose X_WorldSensor{X_WorldBody * Vector3(surface.point + range * away), random.rotation()};
     BeamWorld world;
-    world.add(body, X_WorldBody, i % 2 == 0);
+    const bool isStatic = i % 2 == 0;
+    world.add(body, X_WorldBody, isStatic);
+    if (i % 4 < 2) world.crowd(isStatic);
     world.start();
     const Vector3 direction = X_WorldSensor.rotation.conjugate() * (X_WorldBody.rotation * -away);
     EXPECT_NEAR(world.cast(from(X_WorldSensor), direction).range / range, 1, 1e-6)
@@ -171,6 +178,33 @@ TEST(BeamScene, SeesTheNearestOfMany) {
   world.start();
   EXPECT_NEAR(world.cast(from({})).range, 0.9, 1e-12);
   EXPECT_NEAR(world.cast(from(at(10.5))).range, 0.4, 1e-12);
+}
+
+TEST(BeamScene, SeesTheSameToTheBitAmongFewAndAmongMany) {
+  RandomBodies random;
+  int hits = 0;
+  for (int i = 0; i < 50; ++i) {
+    BeamWorld few, many;
+    for (BeamWorld* world : {&few, &many}) {
+      RandomBodies places = random;
+      for (int k = 0; k < 8; ++k) {
+        const Pose X_WorldBody{4 * places.inBox(), places.rotation()};
+        if (k % 2 == 0) world->add(description::Box{{1, 2, 0.3}}, X_WorldBody, k < 4);
+        if (k % 2 == 1) world->add(description::Cylinder{0.4, 2}, X_WorldBody, k < 4);
+      }
+    }
+    for (const bool isStatic : {false, true}) many.crowd(isStatic);
+    few.start();
+    many.start();
+    for (int k = 0; k < 200; ++k) {
+      const Pose X_WorldSensor{4 * random.inBox(), random.rotation()};
+      const Vector3 direction = random.direction();
+      const double range = few.cast(from(X_WorldSensor), direction).range;
+      EXPECT_EQ(range, many.cast(from(X_WorldSensor), direction).range);
+      if (std::isfinite(range)) ++hits;
+    }
+  }
+  EXPECT_GT(hits, 300);
 }
 
 TEST(BeamScene, SeesWhatIsNearerThanItsFarthest) {
@@ -231,9 +265,11 @@ TEST(BeamScene, ShowsWhatItsMaskLetsThrough) {
 }
 
 TEST(BeamScene, GoesWithWhatMoves) {
-  for (const bool isStatic : {false, true}) {
+  for (const int which : {0, 1, 2, 3}) {
+    const bool isStatic = which % 2 == 1, isCrowded = which > 1;
     BeamWorld world;
     world.add(description::Sphere{1}, at(3), isStatic);
+    if (isCrowded) world.crowd(isStatic);
     world.start();
     EXPECT_NEAR(world.cast(from({})).range, 2, 1e-12);
     world.move(0, {9, 0, 0});

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pongsim/message.hh"
+
+namespace google::protobuf {
+class FieldDescriptor;
+}
+
+namespace pongsim::python {
+
+/// One number inside the messages of a type, to be set: "linear.x".
+class FieldSetter {
+ public:
+  /// Raises ValueError where the type has no such number, or it is in a list.
+  FieldSetter(const std::string& type, const std::string& path);
+  /// @param number Whole numbers are rounded to; a boolean is true from 0.5 on.
+  void set(Message& message, double number) const;
+
+ private:
+  std::vector<const google::protobuf::FieldDescriptor*> way_;
+};
+
+}  // namespace pongsim::python

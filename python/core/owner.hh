@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/life.hh"
+#include "pongsim/diagnostic.hh"
+
+namespace pongsim::python {
+
+/// What Python's Simulation holds: when it goes, the simulation goes.
+struct Owner {
+  explicit Owner(std::shared_ptr<Life> owned) : life(std::move(owned)) {}
+  Owner(Owner&&) = default;
+  ~Owner() {
+    if (life) life->close();
+  }
+  std::shared_ptr<Life> life;
+  std::vector<Diagnostic> found;
+};
+
+}  // namespace pongsim::python

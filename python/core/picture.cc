@@ -1,0 +1,121 @@
+#include "core/picture.hh"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/errors.hh"
+#include "core/life.hh"
+#include "core/memory.hh"
+#include "core/owner.hh"
+#include "core/sensor.hh"
+#include "core/values.hh"
+#include "pongsim/camera_scene.hh"
+#include "pongsim/sensor_settings.hh"
+
+namespace pongsim::python {
+
+namespace {
+
+constexpr std::uint32_t kLargestEdge = 8192;
+/// As far as nothing is drawn nearer [m].
+constexpr double kNearest = 0.01;
+
+/// Draws a world as it is, without changing it.
+class Painter final : public Life::Pending {
+ public:
+  Painter(std::shared_ptr<Life> life, std::uint32_t width, std::uint32_t height, double fieldOfView)
+      : life_(std::move(life)) {
+    if (width < 1 || height < 1 || width > kLargestEdge || height > kLargestEdge) {
+      throw py::value_error("a picture is from 1 to " + std::to_string(kLargestEdge) + " pixels wide and high");
+    }
+    if (!(fieldOfView > 0 && fieldOfView < 3.1)) throw py::value_error("a field of view is above 0 and below 3.1 rad");
+    view_.width = width;
+    view_.height = height;
+    view_.fx = view_.fy = width / (2 * std::tan(fieldOfView / 2));
+    view_.cx = width / 2.0;
+    view_.cy = height / 2.0;
+    view_.near = kNearest;
+    view_.far = INFINITY;
+    scene_ = std::make_unique<CameraScene>(life_->use().world());
+  }
+
+  void letGo() override { scene_.reset(); }
+
+  /// @return Red, green, blue of each pixel, row by row from the top.
+  std::shared_ptr<Memory> draw(py::handle frame, py::handle eye) {
+    Simulation& simulation = life_->edit("drawing");
+    view_.X_WorldEye = poseFrom(frame) * poseFrom(eye);
+    auto pixels = std::make_shared<Memory>(std::size_t{3} * view_.width * view_.height);
+    Diagnostics diagnostics;
+    life_->stepping([&] {
+      lookAround(simulation, diagnostics);
+      scene_->drawColors(view_, {reinterpret_cast<std::uint8_t*>(pixels->bytes.data()), pixels->bytes.size()});
+    });
+    warnOf(diagnostics.all());
+    return pixels;
+  }
+
+  /// @return The corners of a box around all that is drawn: least x, y, z, greatest x, y, z; a metre around the origin
+  /// where there is nothing.
+  py::tuple bounds() {
+    Diagnostics diagnostics;
+    lookAround(life_->edit("drawing"), diagnostics);
+    warnOf(diagnostics.all());
+    Eigen::AlignedBox3d box = scene_->bounds();
+    if (box.isEmpty()) box = {Vector3(-1, -1, -1), Vector3(1, 1, 1)};
+    return py::make_tuple(tupleOf(box.min()), tupleOf(box.max()));
+  }
+
+ private:
+  /// Takes in the visuals where models have come or gone, and where they are.
+  void lookAround(Simulation& simulation, Diagnostics& diagnostics) {
+    std::vector<ModelId> models;
+    for (const Model& model : simulation.world().models()) models.push_back(model.id());
+    if (!models_ || *models_ != models) scene_->rebuild(diagnostics);
+    models_ = std::move(models);
+    scene_->update();
+  }
+
+  std::shared_ptr<Life> life_;
+  std::unique_ptr<CameraScene> scene_;
+  std::optional<std::vector<ModelId>> models_;
+  PictureView view_;
+};
+
+std::shared_ptr<Painter> make(const Owner& simulation, std::uint32_t width, std::uint32_t height, double fieldOfView) {
+  auto painter = std::make_shared<Painter>(simulation.life, width, height, fieldOfView);
+  simulation.life->tell(painter);
+  return painter;
+}
+
+/// @return Width, height, horizontal field of view, and where the eye is in the sensor's frame.
+py::tuple lensOf(PySensor& sensor) {
+  const auto* settings = sensor.use().settings<CameraSettings>();
+  if (settings == nullptr) {
+    throw py::value_error("sensor '" + sensor.use().scopedName() + "' is no camera, but of type " +
+                          std::string(sensor.use().type()));
+  }
+  return py::make_tuple(settings->width, settings->height, settings->horizontalFov, poseOf(settings->X_SensorCamera));
+}
+
+}  // namespace
+
+void bindPictures(py::module_& module) {
+  py::class_<Painter, std::shared_ptr<Painter>>(module, "Painter",
+                                                "Draws a world from anywhere, without a camera in it. Changes nothing.")
+      .def(py::init(&make), py::arg("simulation"), py::arg("width"), py::arg("height"), py::arg("field_of_view"))
+      .def("draw", &Painter::draw, py::arg("frame"), py::arg("eye"),
+           "Red, green, blue of each pixel (8 bits each), row by row from the top.\n\n"
+           "frame: pose of a frame in the world frame.\n"
+           "eye: pose of the eye in that frame; it looks along its x axis with z up.")
+      .def("bounds", &Painter::bounds,
+           "A box around what is drawn: its least and its greatest corner, world frame [m].");
+  module.def("lens", &lensOf, py::arg("sensor"),
+             "Of a camera: width and height [pixels], horizontal field of view [rad], and the pose of its eye in the "
+             "sensor's frame. Raises ValueError for others.");
+}
+
+}  // namespace pongsim::python

@@ -1,0 +1,222 @@
+#include "core/pool.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "core/errors.hh"
+
+namespace pongsim::python {
+
+namespace {
+
+/// So often what waits leads to more that waits; what goes on after that is cut off.
+constexpr int kMostRounds = 8;
+
+void handOver(Simulation& simulation) {
+  for (int i = 0; i < kMostRounds && simulation.transport().dispatch() > 0; ++i) continue;
+}
+
+std::string nameOf(std::size_t world) { return "environment " + std::to_string(world); }
+
+}  // namespace
+
+void Pool::Place::letGo() {
+  // what leads into the simulation goes before it does
+  readings.clear();
+  steerings.clear();
+}
+
+Pool::Pool(std::vector<std::shared_ptr<Life>> lives, std::size_t threads) : lives_(std::move(lives)), crew_(threads) {
+  for (const auto& life : lives_) {
+    life->use();
+    worlds_.push_back(std::make_shared<Place>(life));
+    life->tell(worlds_.back());
+  }
+}
+
+Pool::Place& Pool::placeOf(std::size_t world) {
+  if (world >= worlds_.size()) throw py::index_error("there is no " + nameOf(world));
+  worlds_[world]->life->edit("a change of an environment");
+  return *worlds_[world];
+}
+
+void Pool::addReading(std::size_t world, Reading reading) {
+  if (isSealed_) throw py::value_error("the pool is sealed");
+  placeOf(world).readings.push_back(std::move(reading));
+}
+
+void Pool::addSteering(std::size_t world, Steering steering) {
+  if (isSealed_) throw py::value_error("the pool is sealed");
+  placeOf(world).steerings.push_back(std::move(steering));
+}
+
+void Pool::seal() {
+  const auto sizeOf = [](const auto& parts) {
+    std::size_t size = 0;
+    for (const auto& part : parts) size += part.size;
+    return size;
+  };
+  valueSize_ = worlds_.empty() ? 0 : sizeOf(worlds_.front()->readings);
+  for (std::size_t i = 0; i < worlds_.size(); ++i) {
+    if (sizeOf(worlds_[i]->readings) != valueSize_ || sizeOf(worlds_[i]->steerings) != actionSize()) {
+      throw py::value_error(nameOf(i) + " does not read and take as many numbers as the first one");
+    }
+  }
+  for (const Observed& each : observed_) {
+    if (each.column >= valueSize_) throw py::value_error("what is observed is not read");
+  }
+  const std::size_t rows = count();
+  const auto make = [&](std::size_t width) { return std::make_shared<Memory>(rows * width, true); };
+  actions = make(actionSize() * sizeof(double));
+  values = make(valueSize_ * sizeof(double));
+  before = make(valueSize_ * sizeof(double));
+  observations = make(observed_.size() * sizeof(float));
+  steps = make(sizeof(std::int64_t));
+  commanded = make(1);
+  restored = make(1);
+  isSealed_ = true;
+}
+
+template <class Number>
+std::span<Number> Pool::rowOf(const std::shared_ptr<Memory>& memory, std::size_t row, std::size_t width) {
+  return {reinterpret_cast<Number*>(memory->bytes.data()) + row * width, width};
+}
+
+void Pool::checkActions() const {
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (rowOf<std::uint8_t>(commanded, i, 1)[0] == 0) continue;
+    const auto action = rowOf<double>(actions, i, actionSize());
+    for (std::size_t k = 0; k < action.size(); ++k) {
+      if (std::isfinite(action[k])) continue;
+      throw py::value_error("number " + std::to_string(k) + " of the action" +
+                            (count() > 1 ? " of " + nameOf(i) : std::string()) + " is " + std::to_string(action[k]) +
+                            "; it must be finite");
+    }
+  }
+}
+
+template <class Work>
+void Pool::forAll(const char* what, Work work) {
+  if (!isSealed_) throw py::value_error("the pool is not sealed yet");
+  std::vector<Simulation*> simulations;
+  for (const auto& life : lives_) simulations.push_back(&life->edit(what));
+  std::vector<std::exception_ptr> thrown(count());
+  Life::steppingAll(lives_, [&] {
+    crew_.run(count(), [&](std::size_t i) {
+      lives_[i]->takeOver();
+      try {
+        work(i, *simulations[i]);
+      } catch (...) {
+        thrown[i] = std::current_exception();
+      }
+    });
+  });
+  raiseThrown(thrown);
+}
+
+void Pool::raiseThrown(const std::vector<std::exception_ptr>& thrown) const {
+  for (std::size_t i = 0; i < thrown.size(); ++i) {
+    if (!thrown[i]) continue;
+    try {
+      std::rethrow_exception(thrown[i]);
+    } catch (const Gone& gone) {
+      raise("Gone", nameOf(i) + ": " + gone.what());
+    } catch (const std::runtime_error& error) {
+      lives_[i]->raiseFailure((nameOf(i) + ": " + error.what()).c_str());
+    }
+  }
+}
+
+void Pool::read(std::size_t world, bool isFirst) {
+  const auto now = rowOf<double>(values, world, valueSize_);
+  double* to = now.data();
+  for (const Reading& reading : worlds_[world]->readings) {
+    reading.sample(to);
+    to += reading.size;
+  }
+  if (isFirst) std::ranges::copy(now, rowOf<double>(before, world, valueSize_).begin());
+  auto seen = rowOf<float>(observations, world, observed_.size());
+  for (std::size_t i = 0; i < observed_.size(); ++i) {
+    const auto& [column, limits] = observed_[i];
+    seen[i] = static_cast<float>(std::clamp(now[column], limits.low, limits.high));
+  }
+}
+
+void Pool::advance(std::size_t world, Simulation& simulation) {
+  const Place& place = *worlds_[world];
+  const std::int64_t wanted = rowOf<std::int64_t>(steps, world, 1)[0];
+  const bool isCommanded = rowOf<std::uint8_t>(commanded, world, 1)[0] != 0;
+  if (wanted <= 0) return;
+  auto action = rowOf<double>(actions, world, actionSize());
+  const auto steer = [&](bool isFirst) {
+    const double* numbers = action.data();
+    for (const Steering& steering : place.steerings) {
+      if (isFirst || steering.isForEachStep) steering.apply(numbers);
+      numbers += steering.size;
+    }
+  };
+  if (isCommanded) {
+    for (std::size_t i = 0; i < action.size(); ++i) {
+      action[i] = std::clamp(action[i], actionLimits_[i].low, actionLimits_[i].high);
+    }
+    std::ranges::copy(rowOf<double>(values, world, valueSize_), rowOf<double>(before, world, valueSize_).begin());
+  }
+  for (std::int64_t i = 0; i < wanted && !place.life->mustStop(); ++i) {
+    if (isCommanded) steer(i == 0);
+    simulation.step();
+  }
+  read(world, !isCommanded);
+}
+
+void Pool::step() {
+  if (isSealed_) checkActions();
+  forAll("a step", [this](std::size_t i, Simulation& simulation) { advance(i, simulation); });
+}
+
+void Pool::save(std::size_t world) {
+  Place& place = placeOf(world);
+  place.saved = place.life->edit("saving").saveState();
+  for (const Reading& reading : place.readings) {
+    if (reading.heard) reading.heard->save();
+  }
+}
+
+void Pool::putBack(std::size_t world, Simulation& simulation) {
+  if (rowOf<std::uint8_t>(restored, world, 1)[0] == 0) return;
+  const Place& place = *worlds_[world];
+  // what is on its way belongs to what was
+  handOver(simulation);
+  if (const auto refusal = simulation.restoreState(place.saved)) throw std::invalid_argument(*refusal);
+  for (const Reading& reading : place.readings) {
+    if (reading.heard) reading.heard->restore();
+  }
+  read(world, true);
+}
+
+void Pool::restore() {
+  try {
+    forAll("restoring", [this](std::size_t i, Simulation& simulation) { putBack(i, simulation); });
+  } catch (const std::invalid_argument& refusal) {
+    raise("Refused", refusal.what());
+  }
+}
+
+void Pool::forget(std::size_t world) {
+  Place& place = placeOf(world);
+  Simulation& simulation = place.life->edit("a reset");
+  place.life->stepping([&] { handOver(simulation); });
+  for (const Reading& reading : place.readings) {
+    if (reading.heard) reading.heard->forget();
+  }
+}
+
+std::string Pool::missing(std::size_t world) const {
+  for (const Reading& reading : worlds_.at(world)->readings) {
+    if (reading.heard && !reading.heard->isThere()) return reading.heard->name();
+  }
+  return {};
+}
+
+}  // namespace pongsim::python

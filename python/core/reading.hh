@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/handles.hh"
+#include "core/life.hh"
+#include "core/sensor.hh"
+
+namespace pongsim::python {
+
+/// Numbers that come by a topic, as they came last.
+class Heard {
+ public:
+  /// Writes what of a message counts.
+  using Take = std::function<void(const Message&, std::vector<double>&)>;
+
+  Heard(Life& life, std::string name, const std::string& topic, const std::string& type, std::size_t size, Take take);
+  ~Heard() { end(subscription_); }
+
+  /// What it is, for messages.
+  const std::string& name() const { return name_; }
+  const std::vector<double>& numbers() const { return now_.numbers; }
+  /// Whether a message has come since `forget`.
+  bool isThere() const { return now_.isThere; }
+  void forget() { now_ = {std::vector<double>(now_.numbers.size(), 0.0), false}; }
+  /// Keeps what is known, for `restore`.
+  void save() { saved_ = now_; }
+  void restore() { now_ = saved_; }
+
+ private:
+  struct Known {
+    std::vector<double> numbers;
+    bool isThere = false;
+  };
+  std::string name_;
+  Known now_;
+  Known saved_;
+  Subscription subscription_;
+};
+
+/// What of a world becomes numbers after each step of an environment.
+struct Reading {
+  std::size_t size = 0;
+  /// Writes what is there now. Without the GIL.
+  std::function<void(double*)> sample;
+  /// Null where it is read from the world itself.
+  std::shared_ptr<Heard> heard;
+};
+
+/// How many beams a lidar has, and how far it sees.
+struct LidarLimits {
+  std::size_t beams = 0;
+  /// [m]
+  double nearest = 0;
+  double farthest = 0;
+};
+/// @return Those of a lidar. Raises ValueError for another sensor.
+LidarLimits lidarLimits(PySensor& sensor);
+
+/// @return The ranges of a lidar [m].
+Reading rangesOf(PySensor& sensor);
+/// @return Fields of the last message on a topic. Raises ValueError where they are no numbers of that type.
+Reading fieldsOf(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& type,
+                 const std::vector<std::string>& paths);
+/// @return Position and rotation of a model in the world frame: x, y, z [m], and a quaternion x, y, z, w.
+Reading poseReading(const PyModel& model);
+/// @return Linear [m/s] and angular velocity [rad/s] of a model's canonical link, in that link's own frame.
+/// Raises ValueError for a model without one.
+Reading velocityReading(const PyModel& model);
+/// @return Position [rad or m] and velocity [rad/s or m/s] of an axis.
+Reading jointReading(const PyJoint& joint);
+
+}  // namespace pongsim::python

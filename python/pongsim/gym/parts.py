@@ -1,0 +1,170 @@
+"""What of a world is read, and what an action does to it, without Python in a step."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Mapping
+
+if TYPE_CHECKING:
+    from .._core import Joint as CoreJoint
+    from .._core import Pool
+    from ..simulation import Simulation
+
+#: The least and the greatest that a number may be.
+Limits = tuple[float, float]
+_ANY: Limits = (-math.inf, math.inf)
+
+
+class Reading:
+    """Numbers that are read of a world after each step of an environment."""
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """Has them read in one of the worlds. Returns what each number lies between where it is observed."""
+        raise NotImplementedError
+
+
+class Steering:
+    """Numbers of an action that command a world."""
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """Has them command one of the worlds. Returns what each number lies between."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Ranges(Reading):
+    """How far it is along each beam of a lidar [m], row by row from the lowest. Infinite, and where it is observed the
+    farthest that the lidar sees, where a beam meets nothing; likewise minus infinity and 0 for what is too near."""
+
+    #: Its scoped name, "model::link::sensor", or its own where no other has it.
+    sensor: str
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Reading.attach`."""
+        from .. import _core
+
+        sensor = simulation.find_sensor(self.sensor)
+        limits = _core.lidar_limits(sensor)
+        pool.read_ranges(world, sensor)
+        return [(0.0, limits.farthest)] * limits.beams
+
+
+@dataclass(frozen=True)
+class Pose(Reading):
+    """Where a model is in the world frame: x, y, z [m] and a quaternion of length 1, x, y, z, w."""
+
+    #: Its scoped name.
+    model: str
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Reading.attach`."""
+        pool.read_pose(world, simulation.model(self.model))
+        return [_ANY] * 3 + [(-1.0, 1.0)] * 4
+
+
+@dataclass(frozen=True)
+class Velocity(Reading):
+    """How a model's canonical link moves, along that link's own axes: linear x, y, z [m/s], angular x, y, z [rad/s]."""
+
+    #: The model's scoped name.
+    model: str
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Reading.attach`."""
+        pool.read_velocity(world, simulation.model(self.model))
+        return [_ANY] * 6
+
+
+@dataclass(frozen=True)
+class Joint(Reading):
+    """Position [rad or m] and velocity [rad/s or m/s] of a joint's first axis."""
+
+    #: "model::joint".
+    joint: str
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Reading.attach`."""
+        pool.read_joint(world, _joint(simulation, self.joint))
+        return [_ANY] * 2
+
+
+@dataclass(frozen=True)
+class Fields(Reading):
+    """Numbers of the last message on a topic, by their paths: `Fields("/imu", "linear_acceleration.x")`."""
+
+    topic: str
+    #: A path, or several.
+    paths: str | tuple[str, ...]
+    #: The messages' type, as "IMU"; not needed where somebody in the world has the topic.
+    type: str = ""
+    #: What each number lies between where it is observed.
+    limits: Limits = _ANY
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Reading.attach`."""
+        paths = [self.paths] if isinstance(self.paths, str) else list(self.paths)
+        pool.read_fields(world, simulation, self.topic, self.type, paths)
+        return [_checked(self.limits, f"topic {self.topic}")] * len(paths)
+
+
+@dataclass(frozen=True)
+class Command(Steering):
+    """A message that is published at the start of each step of the environment:
+    `Command("/cmd_vel", {"linear.x": (0, 1), "angular.z": (-1, 1)})`."""
+
+    topic: str
+    #: The path of each number of the action, and what it lies between.
+    fields: Mapping[str, Limits] = field(hash=False)
+    #: The message's type, as "Twist"; not needed where somebody in the world has the topic.
+    type: str = ""
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Steering.attach`."""
+        limits = [_checked(each, f"field '{path}' of {self.topic}", finite=True) for path, each in self.fields.items()]
+        pool.steer_fields(world, simulation, self.topic, self.type, list(self.fields))
+        return limits
+
+
+@dataclass(frozen=True)
+class JointVelocity(Steering):
+    """Drives a joint's first axis at a velocity [rad/s or m/s]."""
+
+    #: "model::joint".
+    joint: str
+    low: float
+    high: float
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Steering.attach`."""
+        pool.steer_velocity(world, _joint(simulation, self.joint))
+        return [_checked((self.low, self.high), f"joint '{self.joint}'", finite=True)]
+
+
+@dataclass(frozen=True)
+class JointForce(Steering):
+    """Applies a force along a joint's first axis [N m or N] in all physics steps of a step of the environment."""
+
+    #: "model::joint".
+    joint: str
+    low: float
+    high: float
+
+    def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
+        """As `Steering.attach`."""
+        pool.steer_force(world, _joint(simulation, self.joint))
+        return [_checked((self.low, self.high), f"joint '{self.joint}'", finite=True)]
+
+
+def _joint(simulation: Simulation, name: str) -> CoreJoint:
+    model, colons, joint = name.rpartition("::")
+    if not colons:
+        raise ValueError(f"a joint is named with its model, as 'robot::{name}', not '{name}'")
+    return simulation.model(model).joint(joint)
+
+
+def _checked(limits: Limits, what: str, finite: bool = False) -> Limits:
+    low, high = (float(each) for each in limits)
+    if not low < high or (finite and not (math.isfinite(low) and math.isfinite(high))):
+        raise ValueError(f"{what} must lie between two {'finite ' if finite else ''}numbers, the lesser first, not {limits}")
+    return low, high

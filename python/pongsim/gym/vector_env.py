@@ -1,0 +1,192 @@
+"""Many worlds as one environment of Gymnasium."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Sequence
+
+import gymnasium
+import numpy as np
+from gymnasium import error, logger
+from gymnasium.utils import seeding
+from gymnasium.vector import AutoresetMode
+from gymnasium.vector.utils import batch_space
+from numpy.typing import NDArray
+
+from ..errors import Gone
+from ..simulation import Simulation
+from .env import check_render_mode
+from .task import Moment, Task
+from .worlds import Worlds
+
+
+class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
+    """Many worlds of a task in this process, each of which does what an `Env` of its own would do, to the bit.
+
+    A step of all of them is one call into C++, which shares the worlds out among threads. How many there are changes
+    nothing but the time that it takes.
+    """
+
+    def __init__(
+        self,
+        task: Task,
+        num_envs: int,
+        *,
+        threads: int | None = None,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
+        render_mode: str | None = None,
+    ) -> None:
+        """Loads the worlds.
+
+        threads: how many step at a time; None: as many as there are processors for this process.
+        autoreset_mode: when a world whose episode has ended begins another: with the next step, whose action it does not
+            get; with the same step, which gives the last observation as `final_obs` in the infos; or not at all, and
+            `reset` with a "reset_mask" among its options is to be called.
+        render_mode: "rgb_array", and `render` gives pictures.
+        Raises what `Env` raises.
+        """
+        super().__init__()
+        check_render_mode(render_mode)
+        if num_envs < 1:
+            raise ValueError(f"num_envs must be 1 or more, not {num_envs}")
+        self.threads = len(os.sched_getaffinity(0)) if threads is None else threads
+        self.autoreset_mode = AutoresetMode(autoreset_mode)
+        self._worlds = Worlds(task, num_envs, self.threads)
+        self.task = task
+        self.num_envs = num_envs
+        self.render_mode = render_mode
+        self.metadata = {
+            "render_modes": ["rgb_array"],
+            "render_fps": max(1, round(1 / task.step_time)),
+            "autoreset_mode": self.autoreset_mode,
+        }
+        self.single_action_space = self._worlds.action_space
+        self.single_observation_space = self._worlds.observation_space
+        self.action_space = batch_space(self.single_action_space, num_envs)
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self._randoms: list[np.random.Generator | None] = [None] * num_envs
+        self._seeds: list[int] = [-1] * num_envs
+        self._has_begun = False
+        self._done: NDArray[np.bool_] = np.zeros(num_envs, np.bool_)
+
+    @property
+    def simulations(self) -> Sequence[Simulation]:
+        """The worlds, to look at or to change between two steps."""
+        return tuple(self._worlds.simulations)
+
+    @property
+    def moment(self) -> Moment:
+        """What the functions of the task saw last."""
+        return self._worlds.moment
+
+    @property  # type: ignore[misc]  # as Gymnasium's own vectors have it
+    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
+        """The random numbers of each environment."""
+        return tuple(self._random(i) for i in range(self.num_envs))
+
+    @property
+    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
+        """The seed of each environment's random numbers."""
+        return tuple((self._random(i), self._seeds[i])[1] for i in range(self.num_envs))
+
+    def _random(self, world: int) -> np.random.Generator:
+        random = self._randoms[world]
+        if random is None:
+            random, self._seeds[world] = seeding.np_random()
+            self._randoms[world] = random
+        return random
+
+    def reset(
+        self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[NDArray[Any], dict[str, Any]]:
+        """Begins an episode in all worlds, or in those of a mask.
+
+        seed: of the first environment, with the next numbers for the others; or one for each.
+        options: {"reset_mask": an array of num_envs booleans}.
+        Returns the observations, num_envs x those of one, and an empty dict.
+        """
+        if self._worlds.is_closed:
+            raise Gone("the environment is closed")
+        chosen = self._mask(options)
+        if not self._has_begun and not chosen.all():
+            raise error.ResetNeeded("the first reset, and one after a step that has raised something, is of all worlds")
+        seeds = self._one_each(seed)
+        for i in np.flatnonzero(chosen).tolist():
+            if (each := seeds[i]) is not None:
+                self._randoms[i], self._seeds[i] = seeding.np_random(each)
+        self._has_begun = False
+        self._worlds.begin(chosen, seeds, self.np_random)
+        self._has_begun = True
+        self._done[chosen] = False
+        return self._worlds.observations.copy(), {}
+
+    def _one_each(self, seed: int | Sequence[int | None] | None) -> list[int | None]:
+        if seed is None:
+            return [None] * self.num_envs
+        if isinstance(seed, (int, np.integer)):
+            return [int(seed) + i for i in range(self.num_envs)]
+        if len(seed) != self.num_envs:
+            raise ValueError(f"there are {len(seed)} seeds for {self.num_envs} environments")
+        return list(seed)
+
+    def _mask(self, options: dict[str, Any] | None) -> NDArray[np.bool_]:
+        mask = np.ones(self.num_envs, np.bool_)
+        for name, value in (options or {}).items():
+            if name != "reset_mask":
+                raise ValueError(f"there is no option '{name}' of a reset; there is 'reset_mask'")
+            mask = np.asarray(value)
+            if mask.dtype != np.bool_ or mask.shape != (self.num_envs,) or not mask.any():
+                raise ValueError(f"'reset_mask' is an array of {self.num_envs} booleans, one of them true at least")
+        return mask
+
+    def step(
+        self, actions: Any
+    ) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
+        """Takes a step in all worlds.
+
+        actions: num_envs x one action; numbers beyond the limits count as the limits.
+        Returns observations (num_envs x those of one), rewards, terminated, truncated (num_envs each), and infos, which
+        are empty but for what `autoreset_mode` puts there. Raises ValueError for actions of another shape or that are
+        not finite.
+        """
+        if not self._has_begun:
+            if self._worlds.is_closed:
+                raise Gone("the environment is closed")
+            raise error.ResetNeeded("call reset before the first step, and after one that has raised something")
+        batch = np.asarray(actions)
+        if batch.shape != self.action_space.shape:
+            raise ValueError(f"the actions have the shape {self.action_space.shape}, not {batch.shape}")
+        ended = self._done if self._done.any() else None
+        if ended is not None and self.autoreset_mode is AutoresetMode.DISABLED:
+            raise error.ResetNeeded(
+                f"the episodes of environments {np.flatnonzero(ended).tolist()} have ended: reset them with a 'reset_mask'"
+            )
+        self._has_begun = False
+        rewards, terminated, truncated = self._worlds.step(batch, ended, self.np_random if ended is not None else ())
+        self._done = terminated | truncated
+        infos: dict[str, Any] = {}
+        if self.autoreset_mode is AutoresetMode.SAME_STEP and self._done.any():
+            infos = self._begin_anew()
+        self._has_begun = True
+        return self._worlds.observations.copy(), rewards, terminated, truncated, infos
+
+    def _begin_anew(self) -> dict[str, Any]:
+        infos: dict[str, Any] = {}
+        for i in np.flatnonzero(self._done).tolist():
+            last = {"final_obs": self._worlds.observations[i].copy(), "final_info": {}}
+            infos = self._add_info(infos, last, i)
+        self._worlds.begin(self._done, [None] * self.num_envs, self.np_random)
+        self._done = np.zeros(self.num_envs, np.bool_)
+        return infos
+
+    def render(self) -> tuple[NDArray[np.uint8], ...] | None:
+        """A picture of each world as it is: rows x columns x red, green, blue. None without a `render_mode`."""
+        if self.render_mode is None:
+            logger.warn("render gives pictures where the environment is made with render_mode=\"rgb_array\"")
+            return None
+        return tuple(self._worlds.draw())
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Ends the worlds."""
+        self._has_begun = False
+        self._worlds.close()

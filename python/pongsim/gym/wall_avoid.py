@@ -1,0 +1,93 @@
+"""pongsim/WallAvoid-v0: a robot drives among walls without hitting them."""
+
+from __future__ import annotations
+
+import pathlib
+import numpy as np
+from gymnasium.vector import AutoresetMode
+from numpy.typing import NDArray
+
+from ..simulation import Simulation
+from .env import Env
+from .parts import Command, Ranges, Velocity
+from .task import Camera, Moment, Task
+from .vector_env import VectorEnv
+
+_WORLD = pathlib.Path(__file__).with_name("wall_avoid.sdf")
+
+# the directions of the beams in the robot's frame [rad], from -pi on
+_ANGLES = np.arange(64) * (2 * np.pi / 64) - np.pi
+# from the lidar to the robot's outline along each beam [m]: half its length, or half its width with the wheels
+_OUTLINE = np.minimum(1.0 / np.maximum(np.abs(np.cos(_ANGLES)), 1e-9), 0.7 / np.maximum(np.abs(np.sin(_ANGLES)), 1e-9))
+# what counts as a hit: a tenth of a metre from the outline [m]
+_TOO_NEAR = _OUTLINE + 0.1
+_HIT_COSTS = 5.0
+_STEP_TIME = 0.05  # [s]
+
+
+def _hits(now: Moment) -> NDArray[np.bool_]:
+    """Whether a wall is so near to the robot's outline."""
+    near: NDArray[np.bool_] = np.logical_or.reduce(now["ranges"] < _TOO_NEAR, axis=1)
+    return near
+
+
+def _reward(now: Moment) -> NDArray[np.float64]:
+    """How far it goes ahead in a step [m], less where it turns, and nothing in the sharpest turn. A hit costs 5."""
+    ahead = now["velocity"][:, 0] * _STEP_TIME
+    reward: NDArray[np.float64] = ahead * (1 - np.abs(now.action[:, 1])) - _HIT_COSTS * now.terminated
+    return reward
+
+
+def _start(simulation: Simulation, random: np.random.Generator) -> None:
+    """Puts the robot beside the island in the middle, looking anywhere."""
+    x = random.uniform(-7.0, 7.0)
+    y = random.uniform(2.5, 4.0) * (1.0 if random.random() < 0.5 else -1.0)
+    yaw = random.uniform(-np.pi, np.pi)
+    simulation.model("pong_bot").move((x, y, 0.0, 0.0, 0.0, yaw), stop=True)
+
+
+def wall_avoid() -> Task:
+    """The task of pongsim/WallAvoid-v0.
+
+    A robot of two driven wheels, 2 m long, in a court of 20 by 12 m with an island in its middle. It is told how fast to
+    drive ahead (0 to 1 m/s) and to turn (-1 to 1 rad/s, left is positive), sees how far it is along each of 64 beams, all
+    around from behind by its right (0 to 10 m), and is rewarded for each metre ahead that is no turn. An episode ends
+    where it hits a wall, which costs 5, and is broken off after 30 s. A step takes 0.05 s, in five steps of physics.
+    """
+    return Task(
+        world=_WORLD,
+        action=[Command("/cmd_vel", {"linear.x": (0.0, 1.0), "angular.z": (-1.0, 1.0)}, type="Twist")],
+        observation={"ranges": Ranges("lidar")},
+        extra={"velocity": Velocity("pong_bot")},
+        reward=_reward,
+        terminated=_hits,
+        start=_start,
+        step_time=_STEP_TIME,
+        time_limit=30.0,
+        camera=Camera(pose=(-9.0, -9.0, 12.0, 0.0, 0.8, 0.75)),
+    )
+
+
+class WallAvoidEnv(Env):
+    """pongsim/WallAvoid-v0; see `wall_avoid`."""
+
+    def __init__(self, *, render_mode: str | None = None) -> None:
+        """As `Env`."""
+        super().__init__(wall_avoid(), render_mode=render_mode)
+
+
+class WallAvoidVectorEnv(VectorEnv):
+    """Many of pongsim/WallAvoid-v0; see `wall_avoid`."""
+
+    def __init__(
+        self,
+        num_envs: int = 1,
+        *,
+        threads: int | None = None,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
+        render_mode: str | None = None,
+    ) -> None:
+        """As `VectorEnv`."""
+        super().__init__(
+            wall_avoid(), num_envs, threads=threads, autoreset_mode=autoreset_mode, render_mode=render_mode
+        )

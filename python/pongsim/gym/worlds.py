@@ -1,0 +1,291 @@
+"""The worlds of environments, stepped together: what `Env` and `VectorEnv` are made of."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import warnings
+from typing import Any, Sequence
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from .. import _core
+from ..arrays import view
+from ..errors import Gone, NoReading, WorldWarning
+from ..simulation import Simulation
+from .parts import Limits, Reading, Steering
+from .pictures import Pictures
+from .task import NUMBERS, TRUTHS, Moment, Task, TaskError, call, judge, name_of
+
+#: What a step has come to: rewards, whether terminated, whether truncated.
+Verdict = tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]]
+
+
+class Worlds:
+    """So many worlds of a task. A row of each array is a world's."""
+
+    def __init__(self, task: Task, count: int, threads: int) -> None:
+        self.task = task
+        self.count = count
+        with contextlib.ExitStack() as undo:
+            self.simulations: list[Simulation] = []
+            for i in range(count):
+                with warnings.catch_warnings():
+                    if i > 0:
+                        # the first one has said it all
+                        warnings.simplefilter("ignore", WorldWarning)
+                    self.simulations.append(Simulation(task.world, seed=i))
+                undo.callback(self.simulations[-1].close)
+            self._pool = _core.Pool(self.simulations, threads)
+            self._read()
+            self._steer()
+            self._pool.seal()
+            self._step_count = self._steps_in(task.step_time, "step_time")
+            settle_time = task.step_time if task.settle_time is None else task.settle_time
+            self._settle_count = self._steps_in(settle_time, "settle_time")
+            undo.pop_all()
+        self._steps_to_limit = (
+            None if task.time_limit is None else math.ceil(task.time_limit / task.step_time - 1e-9)
+        )
+        self._draws_noise = self._has_noise() if task.noise is None else task.noise
+        #: Steps of each episode by now.
+        self.elapsed: NDArray[np.int64] = np.zeros(count, np.int64)
+        self._look_at_memory()
+        self._no = np.zeros(count, np.bool_)
+        self._no.flags.writeable = False
+        self._is_saved = [False] * count
+        self._all_go = False
+        self._pictures: Pictures | None = None
+        self.is_closed = False
+
+    def _read(self) -> None:
+        task = self.task
+        #: Where the numbers of each reading stand.
+        self._columns: dict[str, slice] = {}
+        observed = {} if callable(task.observation) else task.observation
+        twice = set(observed) & set(task.extra)
+        if twice:
+            raise ValueError(f"'{min(twice)}' is both observed and extra; each reading needs a name of its own")
+        limits: list[Limits] = []
+        for name, reading in {**observed, **task.extra}.items():
+            if not isinstance(reading, Reading):
+                raise TypeError(f"'{name}' must be a Reading, such as Ranges(...), not {type(reading).__name__}")
+            begin = len(limits)
+            for i, simulation in enumerate(self.simulations):
+                each = reading.attach(self._pool, i, simulation)
+            limits += each
+            self._columns[name] = slice(begin, len(limits))
+            if name in observed:
+                for column in range(begin, len(limits)):
+                    self._pool.observe(column, *limits[column])
+        self._width = len(limits)
+        if callable(task.observation):
+            assert task.observation_space is not None
+            self.observation_space: spaces.Box = task.observation_space
+            return
+        shown = limits[: sum(self._columns[name].stop - self._columns[name].start for name in observed)]
+        self.observation_space = _box(shown)
+
+    def _steer(self) -> None:
+        task = self.task
+        self.action_space: spaces.Space[Any]
+        if callable(task.action):
+            assert task.action_space is not None
+            self.action_space = task.action_space
+            return
+        limits: list[Limits] = []
+        for steering in task.action:
+            if not isinstance(steering, Steering):
+                raise TypeError(f"an action is made of Steerings, such as Command(...), not {type(steering).__name__}")
+            for i, simulation in enumerate(self.simulations):
+                each = steering.attach(self._pool, i, simulation)
+            limits += each
+        for each_limits in limits:
+            self._pool.limit_action(*each_limits)
+        self.action_space = _box(limits)
+
+    def _steps_in(self, seconds: float, what: str) -> int:
+        size = self.simulations[0].step_size
+        count = round(seconds / size)
+        if count < 1 or abs(count * size - seconds) > 1e-9:
+            raise ValueError(f"{what} is {seconds:g} s, which is no whole number of the world's steps of {size:g} s")
+        return count
+
+    def _has_noise(self) -> bool:
+        first = self.simulations[0]
+        return any(first.find_sensor(name).has_noise for name in first.sensor_names)
+
+    def _look_at_memory(self) -> None:
+        pool, rows = self._pool, self.count
+        self._actions = view(pool.actions, "f8", (rows, -1)) if pool.action_size else np.zeros((rows, 0))
+        now, before = (
+            view(memory, "f8", (rows, self._width)) if self._width else np.zeros((rows, 0))
+            for memory in (pool.values, pool.before)
+        )
+        self.moment = Moment(
+            {name: now[:, columns] for name, columns in self._columns.items()},
+            {name: before[:, columns] for name, columns in self._columns.items()},
+            rows,
+            self.task.step_time,
+        )
+        self.moment.elapsed = self.elapsed
+        self.moment.action = self._actions
+        for array in (now, before):
+            array.flags.writeable = False
+        self._is_observed_here = not callable(self.task.observation)
+        shape = (rows, *(self.observation_space.shape or ()))
+        if self._is_observed_here:
+            self.observations = view(pool.observations, "f4", shape)
+        else:
+            self.observations = np.zeros(shape, self.observation_space.dtype)
+        self._steps = view(pool.steps, "i8", (rows,))
+        self._commanded = view(pool.commanded, "u1", (rows,))
+        self._restored = view(pool.restored, "u1", (rows,))
+
+    def begin(self, chosen: NDArray[np.bool_], seeds: Sequence[int | None], randoms: Sequence[np.random.Generator]) -> None:
+        """Begins an episode in the chosen worlds. A world with a seed gets all its random numbers from that."""
+        self._open()
+        fresh = self._put_back(chosen, seeds, randoms)
+        self._pool.step()
+        self._have_begun(chosen, fresh)
+
+    def step(
+        self,
+        actions: NDArray[Any],
+        chosen: NDArray[np.bool_] | None = None,
+        randoms: Sequence[np.random.Generator] = (),
+    ) -> Verdict:
+        """Takes a step in all worlds but the chosen ones, which begin an episode meanwhile."""
+        self._open()
+        fresh: list[int] = []
+        if chosen is not None:
+            fresh = self._put_back(chosen, [None] * self.count, randoms)
+            self._steps[~chosen] = self._step_count
+            self._commanded[~chosen] = 1
+        elif not self._all_go:
+            self._steps[:] = self._step_count
+            self._commanded[:] = 1
+            self._all_go = True
+        self._act(actions, chosen)
+        self._pool.step()
+        self.elapsed += 1
+        if chosen is not None:
+            self._have_begun(chosen, fresh)
+        elif not self._is_observed_here:
+            self._observe(range(self.count))
+        return self._judge(chosen)
+
+    def _act(self, actions: NDArray[Any], chosen: NDArray[np.bool_] | None) -> None:
+        act = self.task.action
+        if not callable(act):
+            self._actions[...] = actions
+            return
+        for i, simulation in enumerate(self.simulations):
+            if chosen is None or not chosen[i]:
+                call("the action", act, simulation, actions[i])
+        self.moment.action = actions
+
+    def _put_back(
+        self, chosen: NDArray[np.bool_], seeds: Sequence[int | None], randoms: Sequence[np.random.Generator]
+    ) -> list[int]:
+        """Sets the chosen worlds back, and has those settle that need it. Returns those that are to be saved then."""
+        task, pool = self.task, self._pool
+        self._all_go = False
+        self._steps[:] = 0
+        self._commanded[:] = 0
+        self._restored[:] = 0
+        to_settle: list[int] = []
+        to_save: list[int] = []
+        for i in np.flatnonzero(chosen).tolist():
+            seed = seeds[i]
+            if seed is None and self._draws_noise:
+                seed = int(randoms[i].integers(2**63))
+            if seed is None and self._is_saved[i]:
+                self._restored[i] = 1
+                if task.start is not None:
+                    to_settle.append(i)
+                continue
+            pool.forget(i)
+            # where the seed is none of 64 bits, it is cut down to them
+            self.simulations[i].reset(seed=None if seed is None else seed % 2**64)
+            to_settle.append(i)
+            if self._draws_noise:
+                continue
+            self._is_saved[i] = task.start is not None
+            if task.start is not None:
+                pool.save(i)
+            else:
+                to_save.append(i)
+        if self._restored.any():
+            pool.restore()
+        if task.start is not None:
+            for i in to_settle:
+                call("the start", task.start, self.simulations[i], randoms[i])
+        self._steps[to_settle] = self._settle_count
+        return to_save
+
+    def _have_begun(self, chosen: NDArray[np.bool_], to_save: Sequence[int]) -> None:
+        begun = np.flatnonzero(chosen).tolist()
+        self.elapsed[begun] = 0
+        for i in begun:
+            missing = self._pool.missing(i)
+            if missing:
+                raise NoReading(
+                    f"there is no reading of {missing} before the first observation; let settle_time be so long that "
+                    "one comes, and look whether something in the world publishes it"
+                )
+        for i in to_save:
+            self._pool.save(i)
+            self._is_saved[i] = True
+        if not self._is_observed_here:
+            self._observe(range(self.count))
+
+    def _observe(self, which: range) -> None:
+        observe = self.task.observation
+        assert callable(observe)
+        for i in which:
+            given = call("the observation", observe, self.simulations[i])
+            try:
+                self.observations[i] = given
+            except (TypeError, ValueError) as wrong:
+                raise TaskError(
+                    f"the observation '{name_of(observe)}' gave what does not fit into its space, {self.observation_space}: "
+                    f"{wrong}"
+                ) from wrong
+
+    def _judge(self, chosen: NDArray[np.bool_] | None) -> Verdict:
+        task, moment, no = self.task, self.moment, self._no
+        terminated = no if task.terminated is None else judge("terminated", task.terminated, moment, TRUTHS)
+        moment.terminated = terminated
+        rewards = judge("the reward", task.reward, moment, NUMBERS)
+        truncated = no if task.truncated is None else judge("truncated", task.truncated, moment, TRUTHS)
+        if self._steps_to_limit is not None:
+            late = self.elapsed >= self._steps_to_limit
+            truncated = late if truncated is no else truncated | late
+        if chosen is not None:
+            rewards, terminated, truncated = np.where(chosen, 0.0, rewards), terminated & ~chosen, truncated & ~chosen
+        return rewards, terminated, truncated
+
+    def draw(self) -> list[NDArray[np.uint8]]:
+        """A picture of each world, of rows x columns x red, green, blue."""
+        self._open()
+        if self._pictures is None:
+            self._pictures = Pictures(self.simulations, self.task.camera)
+        return self._pictures.draw()
+
+    def _open(self) -> None:
+        if self.is_closed:
+            raise Gone("the environment is closed")
+
+    def close(self) -> None:
+        """Ends all worlds."""
+        self.is_closed = True
+        for simulation in self.simulations:
+            simulation.close()
+
+
+def _box(limits: Sequence[Limits]) -> spaces.Box:
+    low, high = (np.array([each[k] for each in limits], np.float32) for k in (0, 1))
+    return spaces.Box(low, high, dtype=np.float32)
