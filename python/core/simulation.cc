@@ -43,8 +43,8 @@ struct Owner {
 bool isText(const std::string& world) { return world.find('<') != std::string::npos; }
 
 std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool loadSystems, bool strict, int threads,
-                            bool levels, bool network, std::optional<int> domain,
-                            std::optional<std::string> interface, const std::string& file) {
+                            bool levels, bool network, std::optional<int> domain, std::optional<std::string> interface,
+                            const std::string& file) {
   if (threads < 1) throw py::value_error("threads must be 1 or more, not " + std::to_string(threads));
   if (!network && (domain || interface)) throw py::value_error("domain and interface are for network=True");
   std::unique_ptr<Transport> transport;

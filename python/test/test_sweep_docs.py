@@ -7,6 +7,9 @@ import sys
 
 from conftest import PROJECT
 
+from pongsim import sweep
+from pongsim.sweep import plan, reading
+
 PAGE = (PROJECT / "docs/sweeps.md").read_text()
 BLOCK = r"((?:(?:    .*)?\n)+)"
 
@@ -30,8 +33,11 @@ def test_the_python_runs():
     assert re.search(prints, result.stdout, re.MULTILINE), result.stdout
 
 
+def test_everything_has_a_docstring():
+    assert [name for name in sweep.__all__ if not (getattr(sweep, name).__doc__ or "").strip()] == []
+
+
 def test_all_keys_are_told():
-    from pongsim.sweep import plan, reading
     for key in (*reading._KEYS, *plan.TAKES, *reading.RESERVED):
         assert f"`{key}`" in PAGE, key
 

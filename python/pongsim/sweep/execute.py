@@ -50,7 +50,7 @@ class Executor:
         #: A function may do anything to its simulation, which then is not as it was.
         self._keeps = not (plan.fresh or plan.setup is not None or functions)
         self._sim: Simulation | None = None
-        self._values: list[Any] = []
+        self._text: str | None = None
 
     def execute(self, run: Run) -> Row:
         """Makes one run. Whatever goes wrong is told in the row."""
@@ -126,24 +126,17 @@ class Executor:
 
     def _ready(self, run: Run, row: Row) -> Simulation:
         """The world at its start, with the run's parameters and seed."""
-        values = [run.parameters[target.parameter] for target in self.plan.targets]
-        values += [run.parameters for target in self.plan.targets if target.text is not None]
-        if self._sim is not None and values == self._values:
+        text = world_of(self.plan, run) if self.plan.text is not None else None
+        if self._sim is not None and text == self._text:
             self._sim.reset(run.seed)
             return self._sim
         self._drop()
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always", WorldWarning)
-            self._sim = self._load(run)
+            self._sim = Simulation(text if text is not None else self.plan.world, file=self.plan.world, seed=run.seed, strict=True)
         row.warnings = [str(each.message) for each in caught if issubclass(each.category, WorldWarning)]
-        self._values = values
+        self._text = text
         return self._sim
-
-    def _load(self, run: Run) -> Simulation:
-        plan = self.plan
-        if plan.text is None:
-            return Simulation(plan.world, seed=run.seed, strict=True)
-        return Simulation(world_of(plan, run), file=plan.world, seed=run.seed, strict=True)
 
     def _drop(self) -> None:
         if self._sim is not None:

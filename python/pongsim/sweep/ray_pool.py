@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import collections
 import socket
 from typing import Any, Iterable, Iterator
 
@@ -12,17 +13,21 @@ from .plan import Plan, Row, Run
 
 #: How often Ray starts a run again whose process or node is lost.
 _RETRIES = 5
-#: Runs that are handed to Ray and have not ended; it spreads them over its nodes.
-_OPEN = 1000
+#: Tasks for each processor of the cluster that are handed to Ray: the one at work, and those that wait there.
+_OPEN = 3
+#: How long a task is to take, which is as many runs as fit, for a task costs some milliseconds [s].
+_TASK = 0.5
+#: As many at most, for they are made again together.
+_MOST_RUNS = 32
 #: How long a cluster may take to answer [s].
 _PATIENCE = 5.0
 
 
-def _make(plan: Plan, run: Run) -> Row:
+def _make(plan: Plan, runs: list[Run]) -> list[Row]:
     if _core.version != plan.version:
-        return Row(run.number, run.parameters, run.seed,
-                   reason=f"the node has pongsim {_core.version}, the sweep was begun with {plan.version}")
-    return execute(plan, run)
+        reason = f"the node has pongsim {_core.version}, the sweep was begun with {plan.version}"
+        return [Row(run.number, run.parameters, run.seed, reason=reason) for run in runs]
+    return [execute(plan, run) for run in runs]
 
 
 class RayPool:
@@ -52,24 +57,34 @@ class RayPool:
         ray = self._ray
         plan = ray.put(self._plan)
         make = ray.remote(num_cpus=1, max_retries=_RETRIES)(_make)
-        left = iter(runs)
-        opened: dict[Any, Run] = {}
-        while True:
-            for run in left:
-                opened[make.remote(plan, run)] = run
-                if len(opened) >= _OPEN:
-                    break
-            if not opened:
-                return
-            ended, _ = ray.wait(list(opened), num_returns=1)
-            for reference in ended:
-                run = opened.pop(reference)
-                try:
-                    row: Row = ray.get(reference)
-                except Exception as error:
-                    row = Row(run.number, run.parameters, run.seed,
-                              reason=f"Ray has lost it {_RETRIES + 1} times: {_first_line(error)}")
-                yield row
+        left = collections.deque(runs)
+        opened: dict[Any, list[Run]] = {}
+        #: Those that are made each by itself, for one of them has ended its process.
+        doubtful: set[int] = set()
+        together = 1
+        while left or opened:
+            while left and len(opened) < self._room():
+                batch = [left.popleft()]
+                while left and len(batch) < together and not {batch[0].number, left[0].number} & doubtful:
+                    batch.append(left.popleft())
+                opened[make.remote(plan, batch)] = batch
+            [ended], _ = ray.wait(list(opened), num_returns=1)
+            batch = opened.pop(ended)
+            try:
+                rows: list[Row] = ray.get(ended)
+            except Exception as error:
+                if len(batch) > 1:
+                    doubtful.update(run.number for run in batch)
+                    left.extendleft(reversed(batch))
+                    continue
+                rows = [Row(run.number, run.parameters, run.seed,
+                            reason=f"Ray has lost it {_RETRIES + 1} times: {_first_line(error)}") for run in batch]
+            together = min(_MOST_RUNS, max(1, int(_TASK * len(rows) / (sum(row.wall_time for row in rows) or _TASK))))
+            yield from rows
+
+    def _room(self) -> int:
+        """How many tasks may be open, with the nodes that are there now."""
+        return _OPEN * max(1, int(self._ray.cluster_resources().get("CPU", 1)))
 
 
 def _reach(address: str) -> None:

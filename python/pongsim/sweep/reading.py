@@ -73,7 +73,7 @@ class _Reader:
         self._check_use(plan, ways)
         digests = {self.file.name if self.file is not None else "the sweep": _digest(data)}
         for name in [plan.world, *self.sources]:
-            digests[os.path.basename(name)] = _digest(pathlib.Path(name).read_bytes())
+            digests[os.path.relpath(name, self.folder)] = _digest(pathlib.Path(name).read_bytes())
         digests["pongsim"] = plan.version
         plan = dataclasses.replace(plan, key=_digest(json.dumps(digests, sort_keys=True).encode()))
         return Sweep(plan, runs, self.file, digests)
