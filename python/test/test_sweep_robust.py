@@ -141,14 +141,18 @@ sys.path.insert(0, {os.path.dirname(__file__)!r})
 from sweeps import make
 resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
 results = make({str(tmp_path)!r}, parameters=None, seeds={seeds}, options={{"parquet": False, "jobs": 2}})
+print(results.table_error, len(results), len(results.failed), results.failed[0].reason, sep="|")
 """
     process = subprocess.Popen([sys.executable, "-c", code], text=True, stderr=subprocess.PIPE, stdout=subprocess.PIPE,
                                env={**os.environ, "PYTHONPATH": PACKAGES})
     out, err = process.communicate(timeout=300)
-    # the table has no room either, which is the last thing that is said
-    assert process.returncode == 1 and "OSError" in err and "File too large" in err
     lines = (tmp_path / "out/journal.jsonl").read_text().splitlines()
     assert 1 < len(lines) < seeds and all(json.loads(line) for line in lines)
+    # the table has no room either
+    table_error, made, failed, reason = out.strip().split("|")
+    assert table_error == f"{tmp_path / 'out'}: File too large" and int(made) == seeds
+    assert int(failed) == seeds - (len(lines) - 1)
+    assert reason == f"it could not be written to {tmp_path / 'out/journal.jsonl'}: File too large"
     assert not list((tmp_path / "out").glob(".results*")) and not (tmp_path / "out/results.csv").exists()
     results = make(tmp_path, parameters=None, seeds=seeds)
     assert len(results) == seeds and not results.failed

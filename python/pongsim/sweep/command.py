@@ -148,5 +148,8 @@ def _report(results: Results) -> int:
     if len(failed) > _TOLD:
         print(f"... and {len(failed) - _TOLD} more", file=sys.stderr)
     written = " and ".join(name for name in (CSV, PARQUET) if (results.folder / name).exists())
+    if results.table_error:
+        _say_error(f"the tables can't be written: {results.table_error}; what is done stands in the journal")
+        written = "no new tables"
     print(f"{len(results)} runs, {len(results) - len(failed)} done, {len(failed)} failed; {results.folder}: {written}")
-    return _FAILED if failed else _DONE
+    return _FAILED if failed or results.table_error else _DONE

@@ -27,6 +27,8 @@ class Results:
     rows: list[Row]
     #: How many runs the sweep has.
     total: int
+    #: Why the tables could not be written; empty where they were.
+    table_error: str = ""
 
     @property
     def failed(self) -> list[Row]:

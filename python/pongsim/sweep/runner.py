@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import os
 import pathlib
 import sys
@@ -42,8 +43,9 @@ def run(
     progress: shows a bar with the time left, on a terminal.
     say: is called with what is worth saying: warnings of the world, results that could not be written.
 
-    A run that fails stands in its row, with the reason, and all others are made. Raises SweepError before the first run
-    where the sweep is wrong, and OSError at the end where the results can't be written.
+    A run that fails stands in its row, with the reason, and all others are made. Where the tables can't be written
+    `table_error` says why, and what is done stands in the journal. Raises SweepError before the first run where the sweep
+    is wrong.
     """
     if parquet:
         need("pyarrow", "Parquet")
@@ -71,8 +73,7 @@ def run(
             rows = {**journal.rows, **unwritten}
             results = Results(place, list(sweep.runs[0].parameters), sweep.plan.measure_names,
                               [rows[number] for number in sorted(rows)], len(sweep.runs))
-            results.write_csv()
-        _write_parquet(results, parquet, tell)
+            results = _write(results, parquet, tell)
         return results
 
 
@@ -122,12 +123,16 @@ def _note(row: Row, journal: Journal, unwritten: dict[int, Row]) -> None:
         unwritten[row.run] = row
 
 
-def _write_parquet(results: Results, wanted: bool | None, tell: Say) -> None:
-    if wanted is False:
-        return
+def _write(results: Results, parquet: bool | None, tell: Say) -> Results:
+    """Writes the tables; where there is no room the results say so."""
     try:
-        results.write_parquet()
+        results.write_csv()
+        if parquet is not False:
+            results.write_parquet()
     except SweepError as error:
-        if wanted:
+        if parquet:
             raise
         tell(f"only CSV was written: {error}")
+    except OSError as error:
+        return dataclasses.replace(results, table_error=f"{results.folder}: {error.strerror or error}")
+    return results
