@@ -56,7 +56,7 @@ def test_the_folder_is_that_of_an_installation(tmp_path, program):
     """Where a wheel's program and library look for what belongs to them, the build has installed it."""
     settings = PYPROJECT["tool"]["scikit-build"]
     assert settings["wheel"]["install-dir"] == "pongsim"
-    assert settings["cmake"]["define"]["PONGSIM_PYTHON_FOLDER"] == "."
+    assert settings["cmake"]["define"]["PONGSIM_PYTHON_PACKAGE_FOLDER"] == "."
     package = tmp_path / "pongsim"
     build = pathlib.Path(program).parents[1]
     package.mkdir()

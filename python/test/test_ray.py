@@ -73,8 +73,11 @@ def test_a_run_that_ends_its_process_costs_itself_only(cluster, tmp_path, monkey
     assert rows[20].reason.startswith("Ray has lost it 2 times")
 
 
-def test_a_cluster_that_is_not_there_is_told(tmp_path):
+def test_a_cluster_that_is_not_there_is_told_and_nothing_is_forgotten(tmp_path):
+    make(tmp_path)
+    before = (tmp_path / "out/journal.jsonl").read_bytes()
     for address, message in (("127.0.0.1:1", "there is no Ray cluster at '127.0.0.1:1'"), ("here", "is no address of a Ray"),
                              ("ray://127.0.0.1:1", "there is no Ray cluster"), ("local", "is no address")):
         with pytest.raises(sweep.SweepError, match=message):
-            make(tmp_path, options={"ray": address})
+            make(tmp_path, options={"ray": address, "restart": True})
+    assert (tmp_path / "out/journal.jsonl").read_bytes() == before

@@ -61,6 +61,8 @@ class _Reader:
         self.file = file
         self.folder = file.parent if file is not None else pathlib.Path(".")
         self.sources: dict[str, str] = {}
+        #: Python files: where they are, by the names that the sweep's file has for them.
+        self.judges: dict[str, str] = {}
         self.names: list[str] = []
 
     def sweep(self, data: bytes) -> Sweep:
@@ -72,8 +74,10 @@ class _Reader:
         plan = self._plan(ways)
         self._check_use(plan, ways)
         digests = {self.file.name if self.file is not None else "the sweep": _digest(data)}
-        for name in [plan.world, *self.sources]:
-            digests[os.path.relpath(name, self.folder)] = _digest(pathlib.Path(name).read_bytes())
+        digests[self.parts["world"].value] = _digest(pathlib.Path(plan.world).read_bytes())
+        # by the names that the file has for them, wherever it is looked at from
+        for name, path in self.judges.items():
+            digests[name] = _digest(self.sources[path].encode())
         digests["pongsim"] = plan.version
         plan = dataclasses.replace(plan, key=_digest(json.dumps(digests, sort_keys=True).encode()))
         return Sweep(plan, runs, self.file, digests)
@@ -231,6 +235,7 @@ class _Reader:
         if function not in defined | assigned | imported:
             node.fail(f"{path} has no function '{function}'", nearest(function, defined))
         self.sources[path] = text
+        self.judges[file] = path
         return Function(name, path, function)
 
     def _check_use(self, plan: Plan, ways: list[world.Way]) -> None:

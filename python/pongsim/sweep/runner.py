@@ -54,13 +54,14 @@ def run(
     sweep = reading.read(source)
     place = pathlib.Path(folder) if folder is not None else default_folder(sweep)
     tell: Say = say or (lambda text: None)
-    with contextlib.closing(Journal(place, sweep.digests, restart)) as journal:
+    # a cluster that is not there is found before anything is forgotten
+    with _pool(sweep, jobs, ray) as pool, contextlib.closing(Journal(place, sweep.digests, restart)) as journal:
         unwritten: dict[int, Row] = {}
         told: set[str] = set()
         left = [each for each in sweep.runs if each.number not in journal.rows or not journal.rows[each.number].is_done]
         try:
             if left:
-                with _pool(sweep, jobs, ray) as pool, _bar(sweep, len(left), progress) as bar:
+                with _bar(sweep, len(left), progress) as bar:
                     for row in pool.rows(left):
                         _note(row, journal, unwritten)
                         for warning in set(row.warnings) - told:
