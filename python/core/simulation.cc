@@ -33,8 +33,8 @@ namespace {
 bool isText(const std::string& world) { return world.find('<') != std::string::npos; }
 
 std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool loadSystems, bool strict, int threads,
-                            bool levels, bool network, std::optional<int> domain,
-                            std::optional<std::string> interface) {
+                            bool levels, bool network, std::optional<int> domain, std::optional<std::string> interface,
+                            const std::string& file) {
   if (threads < 1) throw py::value_error("threads must be 1 or more, not " + std::to_string(threads));
   if (!network && (domain || interface)) throw py::value_error("domain and interface are for network=True");
   std::unique_ptr<Transport> transport;
@@ -50,7 +50,7 @@ std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool l
   std::unique_ptr<Simulation> simulation;
   {
     const py::gil_scoped_release released;
-    simulation = isText(world) ? Simulation::fromText(world, "<text>", options, diagnostics)
+    simulation = isText(world) ? Simulation::fromText(world, file, options, diagnostics)
                                : Simulation::fromFile(world, options, diagnostics);
     if (simulation) simulation->offerEdits();
   }
@@ -277,7 +277,8 @@ void bindSimulation(py::module_& module) {
   bindDiagnostic(module);
   py::class_<Owner>(module, "Simulation", py::custom_type_setup(setUpCollection))
       .def(py::init(&open), py::arg("world"), py::arg("seed"), py::arg("load_systems"), py::arg("strict"),
-           py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"))
+           py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"),
+           py::arg("file"))
       .def("step", &step, py::arg("count") = 1,
            "Makes `count` steps: hands over messages, calls the systems, moves the bodies. Other Python threads run "
            "meanwhile; Ctrl-C ends it between two steps. Raises what a callback raises, and SystemFailed where the "

@@ -41,10 +41,12 @@ class Simulation(_core.Simulation):
         network: bool = False,
         domain: int | None = None,
         interface: str | None = None,
+        file: str | os.PathLike[str] = "<text>",
     ) -> None:
         """Loads a world.
 
         world: a file in SDF or URDF, or its text, which has a "<" in it.
+        file: of a text, the file that it stands for: what it includes is looked for from there, and faults name it.
         seed: where all random numbers come from.
         systems: systems in Python beside those of the file, as `add` takes them.
         load_systems: False: only bodies, joints and gravity.
@@ -57,7 +59,8 @@ class Simulation(_core.Simulation):
         Raises LoadError with file, line and column where the world can't run; warns with WorldWarning of what is left out.
         """
         super().__init__(
-            os.fspath(world), seed, load_systems, strict, threads, levels, network, domain, interface
+            os.fspath(world), seed, load_systems, strict, threads, levels, network, domain, interface,
+            os.fspath(file),
         )
         for diagnostic in self.diagnostics:
             warnings.warn(str(diagnostic), WorldWarning, stacklevel=2)

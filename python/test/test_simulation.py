@@ -104,6 +104,15 @@ def test_an_error_has_file_line_and_column(tmp_path):
         pongsim.Simulation("<sdf>")
 
 
+def test_a_text_may_stand_for_a_file(tmp_path):
+    (tmp_path / "box.sdf").write_text("<sdf version='1.9'><model name='box'><link name='l'/></model></sdf>")
+    text = "<sdf version='1.9'><world name='w'><include><uri>%s</uri></include></world></sdf>"
+    with pongsim.Simulation(text % "box.sdf", file=tmp_path / "world.sdf") as sim:
+        assert sim.model_names == ["box"]
+    with pytest.raises(pongsim.LoadError, match="world.sdf:1:"):
+        pongsim.Simulation(text % "no.sdf", file=tmp_path / "world.sdf")
+
+
 def test_a_warning_is_a_warning():
     text = BALL.replace("<world name=\"w\">", "<world name=\"w\"><plugin filename='ignition-gazebo-physics-system' name='x'/>"
                         "<plugin filename='libgazebo_ros_init.so' name='y'/>")

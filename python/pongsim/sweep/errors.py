@@ -1,0 +1,51 @@
+"""What goes wrong with a sweep before its runs begin."""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+from typing import Any, Iterable
+
+from ..errors import Error
+
+
+class SweepError(Error):
+    """A sweep can't be made. Its text says why: with file, line and column where the file is to blame, and a hint."""
+
+    def __init__(self, message: str, *, at: str = "", hint: str = "") -> None:
+        #: Where it is: "gains.yaml:3:5"; empty where it is in no file.
+        self.at = at
+        super().__init__((f"{at}: error: " if at else "") + message + (f" ({hint})" if hint else ""))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (Error, (str(self),))
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """A hint at what may have been meant: "did you mean 'values'?", or what there is."""
+    names = sorted(known)
+    close = difflib.get_close_matches(word, names, n=1)
+    if close:
+        return f"did you mean '{close[0]}'?"
+    shown = ", ".join(names[:12]) + (" ..." if len(names) > 12 else "")
+    return f"there is: {shown}" if names else ""
+
+
+#: What pip and apt call a module's package.
+_PACKAGES = {
+    "lxml.etree": "python3-lxml, or lxml of PyPI",
+    "matplotlib": "python3-matplotlib, or matplotlib of PyPI",
+    "pyarrow": "pyarrow of PyPI; Debian 12 has it not",
+    "ray": "ray of PyPI; Debian 12 has it not",
+    "tqdm": "python3-tqdm, or tqdm of PyPI",
+    "yaml": "python3-yaml, or PyYAML of PyPI",
+}
+
+
+def need(module: str, purpose: str) -> Any:
+    """A module of others. Raises SweepError that says what to install where it is not there."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as missing:
+        package = _PACKAGES.get(module, module)
+        raise SweepError(f"{purpose} needs the Python module {module}: {missing}", hint=f"install {package}") from missing

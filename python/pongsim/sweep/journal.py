@@ -1,0 +1,103 @@
+"""What has come of a sweep so far, on the disk: a line for each run that has ended."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import fcntl
+import io
+import json
+import os
+import pathlib
+from typing import Any, Mapping
+
+from .errors import SweepError
+from .plan import Row
+
+NAME = "journal.jsonl"
+_FORMAT = 1
+
+
+class Journal:
+    """The journal of a sweep in its folder. One process at a time has it open."""
+
+    def __init__(self, folder: pathlib.Path, digests: Mapping[str, str], restart: bool) -> None:
+        """Opens it, or begins it. Raises SweepError where another process has it, and where it is another sweep's."""
+        self.path = folder / NAME
+        #: The last row of each run, by its number.
+        self.rows: dict[int, Row] = {}
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            self._file: io.FileIO = open(self.path, "a+b", buffering=0)
+        except OSError as error:
+            raise SweepError(f"{self.path}: {error.strerror}") from None
+        try:
+            self._open(dict(digests), restart)
+        except BaseException:
+            self._file.close()
+            raise
+
+    def add(self, row: Row) -> None:
+        """Writes a row. Raises OSError where the disk is full, say, and leaves the journal as it was."""
+        self._write(dataclasses.asdict(row))
+        self.rows[row.run] = row
+
+    def close(self) -> None:
+        """Lets others have it."""
+        self._file.close()
+
+    def _open(self, digests: dict[str, str], restart: bool) -> None:
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise SweepError(f"{self.path.parent}: another pongsim sweep is at work there") from None
+        self._file.seek(0)
+        lines = self._file.read().split(b"\n")
+        # a line that was not written to its end has not been
+        torn = lines.pop()
+        if restart or not lines:
+            self._file.truncate(0)
+            try:
+                self._write({"pongsim_sweep": _FORMAT, "files": digests})
+            except OSError as error:
+                raise SweepError(f"{self.path}: {error.strerror}") from None
+            return
+        if torn:
+            self._file.truncate(os.fstat(self._file.fileno()).st_size - len(torn))
+        self._check(lines[0], digests)
+        for number, line in enumerate(lines[1:], 2):
+            try:
+                row = Row(**json.loads(line))
+            except (ValueError, TypeError):
+                raise SweepError("this is no row of a sweep", at=f"{self.path}:{number}", hint="--restart begins anew") from None
+            self.rows[row.run] = row
+
+    def _check(self, line: bytes, digests: dict[str, str]) -> None:
+        try:
+            header = json.loads(line)
+            known: dict[str, str] = header["files"]
+            version = header["pongsim_sweep"]
+        except (ValueError, TypeError, KeyError):
+            raise SweepError("this is no journal of a sweep", at=f"{self.path}:1", hint="choose another folder with --output") from None
+        changed = sorted(name for name in known.keys() | digests.keys() if known.get(name) != digests.get(name))
+        if changed or version != _FORMAT:
+            raise SweepError(
+                f"the runs in {self.path.parent} were made with another {' and another '.join(changed) or 'format'}",
+                hint="--restart forgets them, --output FOLDER leaves them alone")
+
+    def _write(self, value: dict[str, Any]) -> None:
+        line = json.dumps(value).encode() + b"\n"
+        size = os.fstat(self._file.fileno()).st_size
+        try:
+            written = self._file.write(line)
+            if written < len(line):
+                # what is left says why
+                self._file.write(line[written:])
+        except OSError:
+            with contextlib.suppress(OSError):
+                self._file.truncate(size)
+            raise
+        if os.fstat(self._file.fileno()).st_size != size + len(line):
+            with contextlib.suppress(OSError):
+                self._file.truncate(size)
+            raise OSError(0, "the line was not written to its end")

@@ -1,0 +1,107 @@
+"""Pictures of a sweep: each measure over each parameter."""
+
+from __future__ import annotations
+
+import collections
+import math
+import os
+import pathlib
+import statistics
+from typing import Sequence
+
+from .errors import SweepError, nearest, need
+from .results import read
+
+#: Of so many different values at most a line joins the means.
+_MOST_MEANS = 60
+#: The width and height of one picture [inches].
+_SIZE = (4.0, 3.0)
+
+
+def plot(
+    folder: str | os.PathLike[str],
+    output: str | os.PathLike[str] | None = None,
+    *,
+    x: Sequence[str] = (),
+    y: Sequence[str] = (),
+) -> pathlib.Path:
+    """Draws the runs that are done: a picture for each measure and parameter that are numbers, a dot a run, and the mean
+    where several runs share a value.
+
+    folder: of the sweep's results, or its results.csv.
+    output: the file, whose ending says what it is: .png, .svg, .pdf; None: plot.png in the folder.
+    x, y: only these parameters and measures.
+
+    Returns the file. Raises SweepError.
+    """
+    place = pathlib.Path(folder)
+    columns, rows = read(place)
+    done = [row for row in rows if row["status"] == "done"]
+    if not done:
+        raise SweepError(f"{place} has no run that is done")
+    seed = columns.index("seed")
+    numbers = {name: values for name in columns if (values := _numbers([row[name] for row in done])) is not None}
+    across = _chosen(x, [name for name in columns[1:seed + 1] if name in numbers], "parameter", columns)
+    up = _chosen(y, [name for name in columns[seed + 1:columns.index("status")] if name in numbers], "measure", columns)
+    if not x:
+        varied = [name for name in across if len(set(numbers[name])) > 1]
+        across = [name for name in varied if name != "seed"] or varied or across[:1]
+    if not across or not up:
+        raise SweepError(f"{place} has no measure and parameter that are numbers")
+    path = pathlib.Path(output) if output is not None else (place if place.is_dir() else place.parent) / "plot.png"
+    _draw(path, {name: numbers[name] for name in across}, {name: numbers[name] for name in up})
+    return path
+
+
+def _numbers(texts: list[str]) -> list[float] | None:
+    """As numbers, empty ones as not a number; None where they are none."""
+    try:
+        values = [float({"": "nan", "true": "1", "false": "0"}.get(text, text)) for text in texts]
+    except ValueError:
+        return None
+    return values if any(math.isfinite(value) for value in values) else None
+
+
+def _chosen(wanted: Sequence[str], there: list[str], what: str, columns: list[str]) -> list[str]:
+    for name in wanted:
+        if name not in there:
+            why = "is no number" if name in columns else "is not there"
+            raise SweepError(f"the {what} '{name}' {why}", hint=nearest(name, there))
+    return list(wanted) or there
+
+
+def _draw(path: pathlib.Path, across: dict[str, list[float]], up: dict[str, list[float]]) -> None:
+    matplotlib = need("matplotlib", "a plot")
+    matplotlib.use("Agg")
+    pyplot = need("matplotlib.pyplot", "a plot")
+    if path.suffix.lstrip(".") not in pyplot.gcf().canvas.get_supported_filetypes():
+        raise SweepError(f"a picture is no '{path.suffix}' file", hint=".png, .svg or .pdf")
+    pyplot.close()
+    figure, axes = pyplot.subplots(len(up), len(across), squeeze=False, layout="constrained",
+                                   figsize=(_SIZE[0] * len(across), _SIZE[1] * len(up)))
+    for line, (measure, values) in zip(axes, up.items()):
+        for picture, (parameter, places) in zip(line, across.items()):
+            picture.plot(places, values, ".", alpha=0.5, markersize=5)
+            means = _means(places, values)
+            if means:
+                picture.plot(list(means), list(means.values()), "-", linewidth=1)
+            picture.set_xlabel(parameter)
+            picture.set_ylabel(measure)
+            picture.grid(alpha=0.3)
+    try:
+        figure.savefig(path, dpi=120)
+    except OSError as error:
+        raise SweepError(f"{path}: {error.strerror}") from None
+    finally:
+        pyplot.close(figure)
+
+
+def _means(places: list[float], values: list[float]) -> dict[float, float]:
+    """The mean at each place, in order; none where the places are all different, or too many."""
+    groups: dict[float, list[float]] = collections.defaultdict(list)
+    for place, value in zip(places, values):
+        if math.isfinite(place) and math.isfinite(value):
+            groups[place].append(value)
+    if len(groups) > _MOST_MEANS or all(len(group) == 1 for group in groups.values()) and len(groups) > 20:
+        return {}
+    return {place: statistics.fmean(groups[place]) for place in sorted(groups)}

@@ -1,0 +1,104 @@
+"""Runs on a Ray cluster that is there."""
+
+from __future__ import annotations
+
+import collections
+import socket
+from typing import Any, Iterable, Iterator
+
+from .. import _core
+from .errors import SweepError, need
+from .execute import execute
+from .plan import Plan, Row, Run
+
+#: How often Ray starts a run again whose process or node is lost.
+_RETRIES = 5
+#: Tasks for each processor of the cluster that are handed to Ray: the one at work, and those that wait there.
+_OPEN = 3
+#: How long a task is to take, which is as many runs as fit, for a task costs some milliseconds [s].
+_TASK = 0.5
+#: As many at most, for they are made again together.
+_MOST_RUNS = 32
+#: How long a cluster may take to answer [s].
+_PATIENCE = 5.0
+
+
+def _make(plan: Plan, runs: list[Run]) -> list[Row]:
+    if _core.version != plan.version:
+        reason = f"the node has pongsim {_core.version}, the sweep was begun with {plan.version}"
+        return [Row(run.number, run.parameters, run.seed, reason=reason) for run in runs]
+    return [execute(plan, run) for run in runs]
+
+
+class RayPool:
+    """The runs of a plan as tasks of Ray, which decides where and when."""
+
+    def __init__(self, plan: Plan, address: str) -> None:
+        self._ray: Any = need("ray", "--ray")
+        self._plan = plan
+        self._is_ours = not self._ray.is_initialized()
+        if self._is_ours:
+            _reach(address)
+            try:
+                self._ray.init(address=address, log_to_driver=False, configure_logging=False)
+            except Exception as error:
+                raise SweepError(f"there is no Ray cluster at '{address}': {_first_line(error)}",
+                                 hint="begin one with: ray start --head") from None
+
+    def __enter__(self) -> RayPool:
+        return self
+
+    def __exit__(self, *raised: object) -> None:
+        if self._is_ours:
+            self._ray.shutdown()
+
+    def rows(self, runs: Iterable[Run]) -> Iterator[Row]:
+        """Makes the runs, and gives the row of each as it comes."""
+        ray = self._ray
+        plan = ray.put(self._plan)
+        make = ray.remote(num_cpus=1, max_retries=_RETRIES)(_make)
+        left = collections.deque(runs)
+        opened: dict[Any, list[Run]] = {}
+        #: Those that are made each by itself, for one of them has ended its process.
+        doubtful: set[int] = set()
+        together = 1
+        while left or opened:
+            while left and len(opened) < self._room():
+                batch = [left.popleft()]
+                while left and len(batch) < together and not {batch[0].number, left[0].number} & doubtful:
+                    batch.append(left.popleft())
+                opened[make.remote(plan, batch)] = batch
+            [ended], _ = ray.wait(list(opened), num_returns=1)
+            batch = opened.pop(ended)
+            try:
+                rows: list[Row] = ray.get(ended)
+            except Exception as error:
+                if len(batch) > 1:
+                    doubtful.update(run.number for run in batch)
+                    left.extendleft(reversed(batch))
+                    continue
+                rows = [Row(run.number, run.parameters, run.seed,
+                            reason=f"Ray has lost it {_RETRIES + 1} times: {_first_line(error)}") for run in batch]
+            together = min(_MOST_RUNS, max(1, int(_TASK * len(rows) / (sum(row.wall_time for row in rows) or _TASK))))
+            yield from rows
+
+    def _room(self) -> int:
+        """How many tasks may be open, with the nodes that are there now."""
+        return _OPEN * max(1, int(self._ray.cluster_resources().get("CPU", 1)))
+
+
+def _reach(address: str) -> None:
+    """Raises SweepError where nobody listens, which Ray itself takes minutes to find."""
+    host, colon, port = address.removeprefix("ray://").rpartition(":")
+    if address in ("auto", "local") or not colon:
+        if address != "auto":
+            raise SweepError(f"'{address}' is no address of a Ray cluster", hint="HOST:PORT, ray://HOST:PORT or auto")
+        return
+    try:
+        socket.create_connection((host, int(port)), _PATIENCE).close()
+    except (OSError, ValueError, OverflowError) as error:
+        raise SweepError(f"there is no Ray cluster at '{address}': {error}", hint="begin one with: ray start --head") from None
+
+
+def _first_line(error: BaseException) -> str:
+    return (str(error).strip() or type(error).__name__).splitlines()[0]

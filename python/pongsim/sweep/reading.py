@@ -1,0 +1,283 @@
+"""From a sweep's file to its plan and its runs."""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import hashlib
+import json
+import os
+import pathlib
+from typing import Any, Mapping, Union
+
+from .. import _core
+from . import design, document, template, world
+from .document import Node
+from .errors import SweepError, nearest
+from .plan import TAKES, Command, Condition, Function, Measure, Plan, Run, Until
+
+#: A sweep: its file, or what stands in one as a dict.
+Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+
+_KEYS = ("world", "duration", "until", "limits", "parameters", "combine", "latin_hypercube", "seeds", "commands", "setup",
+         "measures", "fresh")
+_CONDITION = ("above", "below", "equals")
+#: Columns of the results that are there already.
+RESERVED = ("run", "seed", "status", "reason", "state_hash", "sim_time", "wall_time")
+
+
+@dataclasses.dataclass(frozen=True)
+class Sweep:
+    """A sweep that was read and found to be right."""
+
+    plan: Plan
+    runs: list[Run]
+    #: The file that it was read from; None: from a dict.
+    file: pathlib.Path | None
+    #: What must not change before it is done: names and digests.
+    digests: dict[str, str]
+
+
+def read(source: Source) -> Sweep:
+    """Reads a sweep. Raises SweepError with file, line and column."""
+    if isinstance(source, Mapping):
+        text = json.dumps(source, sort_keys=True, default=str)
+        return _Reader(document.from_plain(dict(source), "sweep"), None).sweep(text.encode())
+    file = pathlib.Path(source)
+    try:
+        data = file.read_bytes()
+        root = document.read(data.decode(), str(file))
+    except OSError as error:
+        raise SweepError(f"{file}: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise SweepError(f"it is no text in UTF-8: {error.reason}", at=str(file)) from None
+    return _Reader(root, file).sweep(data)
+
+
+class _Reader:
+    def __init__(self, root: Node, file: pathlib.Path | None) -> None:
+        self.root = root
+        self.parts = root.mapping("a sweep", _KEYS)
+        self.file = file
+        self.folder = file.parent if file is not None else pathlib.Path(".")
+        self.sources: dict[str, str] = {}
+        #: Python files: where they are, by the names that the sweep's file has for them.
+        self.judges: dict[str, str] = {}
+        self.names: list[str] = []
+
+    def sweep(self, data: bytes) -> Sweep:
+        """All of it, checked."""
+        for key in ("world", "measures"):
+            if key not in self.parts:
+                self.root.fail(f"a sweep has no '{key}'")
+        runs, ways = self._runs()
+        plan = self._plan(ways)
+        self._check_use(plan, ways)
+        digests = {self.file.name if self.file is not None else "the sweep": _digest(data)}
+        digests[self.parts["world"].value] = _digest(pathlib.Path(plan.world).read_bytes())
+        # by the names that the file has for them, wherever it is looked at from
+        for name, path in self.judges.items():
+            digests[name] = _digest(self.sources[path].encode())
+        digests["pongsim"] = plan.version
+        plan = dataclasses.replace(plan, key=_digest(json.dumps(digests, sort_keys=True).encode()))
+        return Sweep(plan, runs, self.file, digests)
+
+    def _runs(self) -> tuple[list[Run], list[world.Way]]:
+        axes: list[design.Axis] = []
+        ways: list[world.Way] = []
+        parameters = self.parts["parameters"].mapping("parameters") if "parameters" in self.parts else {}
+        self.names = list(parameters)
+        for name, node in parameters.items():
+            if not name.isidentifier() or name in RESERVED:
+                node.fail(f"'{name}' can't name a parameter", "letters, digits and _, and not " + ", ".join(RESERVED))
+            node.mapping(f"parameter '{name}'", ["values", "range", "between", "xpath", "text"])
+            axes.append(design.read_axis(name, node))
+            ways += self._ways(name, node)
+        combine = self.parts["combine"].text("combine") if "combine" in self.parts else "grid"
+        if combine not in ("grid", "zip"):
+            self.parts["combine"].fail(f"combine is grid or zip, not '{combine}'")
+        samples, seed = self._sampling(axes)
+        runs = design.make_runs(axes, combine, samples, seed, design.read_seeds(self.parts.get("seeds")), self.root)
+        return runs, ways
+
+    def _sampling(self, axes: list[design.Axis]) -> tuple[int, int]:
+        drawn = [axis for axis in axes if axis.between is not None]
+        node = self.parts.get("latin_hypercube")
+        if node is None:
+            if drawn:
+                drawn[0].at.fail(f"'{drawn[0].name}' has 'between', and the sweep no 'latin_hypercube'",
+                                 "as latin_hypercube: {samples: 100, seed: 1}")
+            return 0, 0
+        parts = node.mapping("latin_hypercube", ["samples", "seed"])
+        if not drawn:
+            node.fail("no parameter has 'between', which latin_hypercube is for")
+        if "samples" not in parts:
+            node.fail("latin_hypercube has no 'samples'")
+        samples = parts["samples"].whole("samples", least=1, most=design.MOST_RUNS)
+        return samples, parts["seed"].whole("the seed of latin_hypercube") if "seed" in parts else 0
+
+    def _ways(self, name: str, node: Node) -> list[world.Way]:
+        parts = node.mapping("a parameter")
+        text = parts["text"].text("text") if "text" in parts else None
+        if "xpath" not in parts:
+            if text is not None:
+                parts["text"].fail("a 'text' is for an 'xpath', which is missing")
+            return []
+        if text is not None:
+            self._check_names(text, parts["text"])
+        paths = parts["xpath"].list("xpath") if isinstance(parts["xpath"].value, list) else [parts["xpath"]]
+        return [world.Way(name, path.text("xpath"), text, path.at) for path in paths]
+
+    def _check_names(self, text: Any, node: Node) -> None:
+        for name in template.names(text, node.at):
+            if name not in self.names:
+                node.fail(f"${name} is no parameter", nearest(name, self.names) or "a $ itself is $$")
+
+    def _plan(self, ways: list[world.Way]) -> Plan:
+        world_node = self.parts["world"]
+        path = str(self.folder / world_node.text("world"))
+        if not os.path.isfile(path):
+            world_node.fail(f"there is no file {path}")
+        text = world.read(path, world_node.at) if ways else None
+        duration, until = self._end()
+        limits = self._limits()
+        return Plan(
+            key="", version=_core.version, world=path, text=text,
+            targets=world.find(text, path, ways) if text is not None else (), commands=self._commands(),
+            measures=self._measures(),
+            setup=self._function("", self.parts["setup"]) if "setup" in self.parts else None,
+            duration=limits["simulated"].number("limits.simulated", above=0) if until is not None else duration,
+            until=until,
+            wall_limit=limits["wall"].number("limits.wall", above=0) if "wall" in limits else 3600.0,
+            fresh=self._flag("fresh"), sources=self.sources,
+        )
+
+    def _limits(self) -> dict[str, Node]:
+        limits = self.parts["limits"].mapping("limits", ["simulated", "wall"]) if "limits" in self.parts else {}
+        if "until" in self.parts and "simulated" not in limits:
+            self.parts["until"].fail("a run that ends 'until' something needs limits.simulated", "as limits: {simulated: 60}")
+        if "until" not in self.parts and "simulated" in limits:
+            limits["simulated"].fail("limits.simulated is for 'until'; 'duration' says when a run ends")
+        return limits
+
+    def _end(self) -> tuple[float, Until | None]:
+        if ("duration" in self.parts) == ("until" in self.parts):
+            self.root.fail("a sweep has one of 'duration' and 'until'", "as duration: 10, in simulated seconds")
+        if "duration" in self.parts:
+            return self.parts["duration"].number("duration", least=0), None
+        node = self.parts["until"]
+        parts = node.mapping("until", ["topic", "field", *_CONDITION])
+        condition = _condition(node, parts)
+        if condition is None or "topic" not in parts or "field" not in parts:
+            node.fail("until has a topic, a field, and one of above, below, equals")
+        return 0.0, Until(parts["topic"].text("topic"), parts["field"].text("field"), condition)
+
+    def _flag(self, name: str) -> bool:
+        if name not in self.parts:
+            return False
+        value = self.parts[name].value
+        if not isinstance(value, bool):
+            self.parts[name].fail(f"{name} is true or false")
+        return value
+
+    def _commands(self) -> tuple[Command, ...]:
+        if "commands" not in self.parts:
+            return ()
+        commands = []
+        for node in self.parts["commands"].list("commands"):
+            parts = node.mapping("a command", ["topic", "type", "at", "message"])
+            for key in ("topic", "message"):
+                if key not in parts:
+                    node.fail(f"a command has no '{key}'")
+            message = parts["message"].plain()
+            if not isinstance(message, (dict, str)):
+                parts["message"].fail("a message is a mapping of its fields, or protobuf's text")
+            self._check_names(message, parts["message"])
+            commands.append(Command(
+                parts["topic"].text("topic"), parts["type"].text("type") if "type" in parts else "",
+                parts["at"].number("at", least=0) if "at" in parts else 0.0, message))
+        return tuple(sorted(commands, key=lambda each: each.time))
+
+    def _measures(self) -> tuple[Measure | Function, ...]:
+        measures: list[Measure | Function] = []
+        for name, node in self.parts["measures"].mapping("measures").items():
+            if not name.isidentifier() or name in RESERVED or name in self.names:
+                node.fail(f"'{name}' can't name a measure",
+                          "letters, digits and _, no parameter's name, and not " + ", ".join(RESERVED))
+            parts = node.mapping(f"measure '{name}'", ["function", "topic", "field", "take", *_CONDITION])
+            if "function" in parts:
+                if len(parts) > 1:
+                    node.fail(f"measure '{name}' is a function or of a topic, not both")
+                measures.append(self._function(name, parts["function"]))
+            else:
+                measures.append(_measure(name, node, parts))
+        if not measures:
+            self.parts["measures"].fail("a sweep measures something")
+        return tuple(measures)
+
+    def _function(self, name: str, node: Node) -> Function:
+        file, colon, function = node.text("a function").rpartition(":")
+        if not colon or not file or not function.isidentifier():
+            node.fail(f"'{node.value}' is no function", "as judge.py:score")
+        path = str(self.folder / file)
+        try:
+            text = pathlib.Path(path).read_text()
+            tree = ast.parse(text, path)
+        except OSError as error:
+            node.fail(f"{path}: {error.strerror}")
+        except (SyntaxError, ValueError) as error:
+            line = getattr(error, "lineno", None)
+            raise SweepError(str(getattr(error, "msg", error)), at=f"{path}:{line}" if line else path) from None
+        defined = {each.name for each in tree.body if isinstance(each, (ast.FunctionDef, ast.ClassDef))}
+        assigned = {each.id for each in ast.walk(tree) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
+        imported = {alias.asname or alias.name for each in tree.body if isinstance(each, (ast.Import, ast.ImportFrom))
+                    for alias in each.names}
+        if function not in defined | assigned | imported:
+            node.fail(f"{path} has no function '{function}'", nearest(function, defined))
+        self.sources[path] = text
+        self.judges[file] = path
+        return Function(name, path, function)
+
+    def _check_use(self, plan: Plan, ways: list[world.Way]) -> None:
+        if plan.setup is not None or any(isinstance(each, Function) for each in plan.measures):
+            return
+        used = {way.parameter for way in ways}
+        for way in ways:
+            used |= set(template.names(way.text, way.at))
+        for command in plan.commands:
+            used |= set(template.names(command.message, ""))
+        for name in self.names:
+            if name not in used:
+                self.parts["parameters"].value[name].fail(
+                    f"parameter '{name}' goes nowhere", f"give it an xpath, or put ${name} into a command")
+
+
+def _condition(node: Node, parts: Mapping[str, Node]) -> Condition | None:
+    if not any(key in parts for key in _CONDITION):
+        return None
+    return Condition(
+        parts["above"].number("above") if "above" in parts else None,
+        parts["below"].number("below") if "below" in parts else None,
+        parts["equals"].scalar("equals") if "equals" in parts else None,
+    )
+
+
+def _measure(name: str, node: Node, parts: Mapping[str, Node]) -> Measure:
+    if "topic" not in parts:
+        node.fail(f"measure '{name}' has no 'topic' and no 'function'")
+    take = parts["take"].text("take") if "take" in parts else "last"
+    if take not in TAKES:
+        parts["take"].fail(f"there is no '{take}' to take", nearest(take, TAKES))
+    condition = _condition(node, parts)
+    if take == "time" and condition is None:
+        node.fail(f"measure '{name}' takes the time at which what holds?", "one of above, below, equals")
+    if condition is not None and take not in ("time", "count"):
+        node.fail(f"measure '{name}': a condition is for time and count, not for {take}")
+    if "field" not in parts and (take != "count" or condition is not None):
+        node.fail(f"measure '{name}' has no 'field'")
+    field = parts["field"].text("field") if "field" in parts else ""
+    return Measure(name, parts["topic"].text("topic"), field, take, condition)
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()

@@ -1,0 +1,139 @@
+"""A sweep from its file to its results."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import os
+import pathlib
+import sys
+from typing import Any, Callable, Iterator
+
+from . import reading
+from .errors import SweepError, need
+from .journal import Journal
+from .local_pool import LocalPool
+from .plan import Row
+from .ray_pool import RayPool
+from .results import Results
+
+#: Where warnings and the like go.
+Say = Callable[[str], None]
+
+
+def run(
+    source: reading.Source,
+    *,
+    folder: str | os.PathLike[str] | None = None,
+    jobs: int | None = None,
+    ray: str | None = None,
+    restart: bool = False,
+    parquet: bool | None = None,
+    progress: bool = False,
+    say: Say | None = None,
+) -> Results:
+    """Makes the runs of a sweep that its folder has not yet, and writes the results there.
+
+    source: the sweep's file, or a dict with what stands in one.
+    folder: where the results go; None: beside the file, its name with `.sweep` in place of `.yaml`.
+    jobs: runs at the same time; None: as many as this process has processors.
+    ray: the address of a Ray cluster that makes the runs in place of this machine.
+    restart: forgets what the folder has.
+    parquet: True: raises SweepError at once where Parquet can't be written; False: only CSV is; None: where it can be.
+    progress: shows a bar with the time left, on a terminal.
+    say: is called with what is worth saying: warnings of the world, results that could not be written.
+
+    A run that fails stands in its row, with the reason, and all others are made. Where the tables can't be written
+    `table_error` says why, and what is done stands in the journal. Raises SweepError before the first run where the sweep
+    is wrong.
+    """
+    if parquet:
+        need("pyarrow", "Parquet")
+    if jobs is not None and jobs < 1:
+        raise SweepError(f"jobs is 1 or more, not {jobs}")
+    sweep = reading.read(source)
+    place = pathlib.Path(folder) if folder is not None else default_folder(sweep)
+    tell: Say = say or (lambda text: None)
+    # a cluster that is not there is found before anything is forgotten
+    with _pool(sweep, jobs, ray) as pool, contextlib.closing(Journal(place, sweep.digests, restart)) as journal:
+        unwritten: dict[int, Row] = {}
+        told: set[str] = set()
+        left = [each for each in sweep.runs if each.number not in journal.rows or not journal.rows[each.number].is_done]
+        try:
+            if left:
+                with _bar(sweep, len(left), progress) as bar:
+                    for row in pool.rows(left):
+                        _note(row, journal, unwritten)
+                        for warning in set(row.warnings) - told:
+                            bar.clear()
+                            tell(warning)
+                        # each process says the same, and each value of a parameter
+                        told.update(row.warnings)
+                        bar.update()
+        finally:
+            rows = {**journal.rows, **unwritten}
+            results = Results(place, list(sweep.runs[0].parameters), sweep.plan.measure_names,
+                              [rows[number] for number in sorted(rows)], len(sweep.runs))
+            results = _write(results, parquet, tell)
+        return results
+
+
+def default_folder(sweep: reading.Sweep) -> pathlib.Path:
+    """Where a sweep's results go without being told."""
+    if sweep.file is None:
+        raise SweepError("a sweep that is a dict needs a folder for its results")
+    return sweep.file.with_suffix(".sweep")
+
+
+def processors() -> int:
+    """How many this process may use."""
+    return len(os.sched_getaffinity(0))
+
+
+def _pool(sweep: reading.Sweep, jobs: int | None, ray: str | None) -> LocalPool | RayPool:
+    if ray is not None:
+        return RayPool(sweep.plan, ray)
+    return LocalPool(sweep.plan, jobs or processors())
+
+
+class _NoBar:
+    def update(self) -> None:
+        """Shows nothing."""
+
+    def clear(self) -> None:
+        """Shows nothing."""
+
+
+@contextlib.contextmanager
+def _bar(sweep: reading.Sweep, left: int, wanted: bool) -> Iterator[Any]:
+    if not wanted or not sys.stderr.isatty():
+        yield _NoBar()
+        return
+    tqdm = need("tqdm", "a progress bar")
+    with tqdm.tqdm(total=len(sweep.runs), initial=len(sweep.runs) - left, unit="run", dynamic_ncols=True) as bar:
+        yield bar
+
+
+def _note(row: Row, journal: Journal, unwritten: dict[int, Row]) -> None:
+    """Where it can't be written the run counts as failed: it is made again when there is room."""
+    try:
+        journal.add(row)
+    except OSError as error:
+        row.status, row.reason = "failed", f"it could not be written to {journal.path}: {error.strerror}"
+        row.state_hash, row.measures = "", {}
+        unwritten[row.run] = row
+
+
+def _write(results: Results, parquet: bool | None, tell: Say) -> Results:
+    """Writes the tables; where there is no room the results say so."""
+    try:
+        results.write_csv()
+        if parquet is not False:
+            results.write_parquet()
+    except SweepError as error:
+        if parquet:
+            raise
+        tell(f"only CSV was written: {error}")
+    except OSError as error:
+        return dataclasses.replace(results, table_error=f"{results.folder}: {error.strerror or error}")
+    return results

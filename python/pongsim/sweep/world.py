@@ -1,0 +1,169 @@
+"""Parameters put into a world's file by XPath. All else of the file stays as it is, its lines too."""
+
+from __future__ import annotations
+
+import dataclasses
+import pathlib
+import re
+from typing import Any, Iterable, Mapping
+from xml.parsers import expat
+from xml.sax.saxutils import escape
+
+from . import template
+from .errors import SweepError, need
+from .plan import Target
+
+#: So many of what a path meets are told.
+_TOLD = 4
+
+
+@dataclasses.dataclass(frozen=True)
+class Way:
+    """What the sweep's file says of where a parameter goes."""
+
+    parameter: str
+    xpath: str
+    #: In place of the value alone: a text with $NAME in it.
+    text: str | None
+    #: Where the sweep's file says so.
+    at: str
+
+
+def read(file: str, at: str) -> str:
+    """The world's text. Raises SweepError where there is none."""
+    try:
+        return pathlib.Path(file).read_text(encoding="utf-8")
+    except OSError as error:
+        raise SweepError(f"{file}: {error.strerror}", at=at) from None
+    except UnicodeDecodeError:
+        raise SweepError(f"{file} is no text in UTF-8, and nothing can be put into it", at=at) from None
+
+
+def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
+    """Where in the text the ways lead. Raises SweepError, with the place in the sweep's file, where one does not lead to
+    exactly one thing."""
+    etree = need("lxml.etree", "a sweep whose parameters have an xpath")
+    data = text.encode()
+    try:
+        root = etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True, encoding="utf-8"))
+    except etree.XMLSyntaxError as error:
+        raise SweepError(f"it is no XML, so that nothing can be put into it: {error.msg}",
+                         at=":".join([file, *map(str, error.position)])) from None
+    elements = _places(data)
+    numbers = {each: i for i, each in enumerate(root.iter(etree.Element))}
+    targets: list[Target] = []
+    for way in ways:
+        thing = _meet(etree, root, file, way)
+        is_attribute = getattr(thing, "is_attribute", False)
+        element = thing.getparent() if isinstance(thing, str) else thing  # type: ignore[attr-defined]
+        begin, end = elements[numbers[element]]
+        name = thing.attrname if isinstance(thing, str) and is_attribute else ""  # type: ignore[attr-defined]
+        target = _target(way, data, begin, end, name)
+        if any(target.begin < each.end and each.begin < target.end or target.begin == each.begin for each in targets):
+            raise SweepError(f"'{way.xpath}' leads to where another parameter goes", at=way.at)
+        targets.append(target)
+    return tuple(sorted(targets, key=lambda each: each.begin))
+
+
+def put(text: str, targets: Iterable[Target], parameters: Mapping[str, Any]) -> str:
+    """The world with the values in it."""
+    data = text.encode()
+    parts: list[bytes] = []
+    end = 0
+    for target in targets:
+        value = template.fill(target.text, parameters) if target.text is not None else parameters[target.parameter]
+        shown = target.before + escape(template.written(value), {'"': "&quot;"}) + target.after
+        parts += [data[end:target.begin], shown.encode()]
+        end = target.end
+    return b"".join([*parts, data[end:]]).decode()
+
+
+def _places(data: bytes) -> list[tuple[int, int]]:
+    """Of each element, in the order of the file: where its tag begins, and where its end tag does."""
+    places: list[tuple[int, int]] = []
+    inside: list[int] = []
+    parser = expat.ParserCreate("utf-8")
+
+    def begin(name: str, attributes: dict[str, str]) -> None:
+        inside.append(len(places))
+        places.append((parser.CurrentByteIndex, 0))
+
+    def end(name: str) -> None:
+        number = inside.pop()
+        places[number] = (places[number][0], parser.CurrentByteIndex)
+
+    parser.StartElementHandler = begin
+    parser.EndElementHandler = end
+    parser.Parse(data, True)
+    return places
+
+
+_TAG = re.compile(rb"""<([^\s/>]+)(?:[^>"']|"[^"]*"|'[^']*')*>""")
+
+
+def _target(way: Way, data: bytes, begin: int, end: int, attribute: str) -> Target:
+    tag = _TAG.match(data, begin)
+    assert tag is not None
+    if attribute:
+        for match in re.finditer(rb"""\s([^\s=]+)\s*=\s*("[^"]*"|'[^']*')""", tag.group()):
+            if match.group(1).decode() == attribute:
+                return Target(way.parameter, way.text, begin + match.start(2), begin + match.end(2), '"', '"')
+        raise SweepError(f"'{way.xpath}' is an attribute that another file gives", at=way.at)
+    if tag.group().endswith(b"/>"):
+        opened = tag.group()[:-2].decode().rstrip() + ">"
+        return Target(way.parameter, way.text, begin, tag.end(), opened, f"</{tag.group(1).decode()}>")
+    return Target(way.parameter, way.text, tag.end(), end, "", "")
+
+
+def _meet(etree: Any, root: Any, file: str, way: Way) -> Any:
+    """The one element or attribute that a path meets."""
+    try:
+        found = root.getroottree().xpath(way.xpath)
+    except etree.XPathError as error:
+        raise SweepError(f"'{way.xpath}' is no XPath: {error}", at=way.at) from None
+    if not isinstance(found, list):
+        raise SweepError(f"'{way.xpath}' gives {found!r}, not a place", at=way.at, hint="a path, as //wheel/radius")
+    if not found:
+        raise SweepError(f"'{way.xpath}' meets nothing in {file}", at=way.at, hint=_farthest(etree, root, file, way.xpath))
+    if len(found) > 1:
+        met = ", ".join(_name(each, file) for each in found[:_TOLD])
+        more = f" and {len(found) - _TOLD} more" if len(found) > _TOLD else ""
+        raise SweepError(f"'{way.xpath}' meets {len(found)} things: {met}{more}", at=way.at,
+                         hint="say which, as //model[@name='x']/..., or give a list of paths")
+    thing = found[0]
+    if isinstance(thing, str):
+        if getattr(thing, "is_attribute", False):
+            return thing
+        if getattr(thing, "is_text", False):
+            thing = thing.getparent()  # type: ignore[attr-defined]
+    if not etree.iselement(thing) or not isinstance(thing.tag, str):
+        raise SweepError(f"'{way.xpath}' is no element and no attribute", at=way.at)
+    if len(thing.findall("*")):
+        raise SweepError(f"'{way.xpath}' meets {_name(thing, file)}, which has elements in it", at=way.at,
+                         hint="a value goes into an element that has only text: " + _inside(thing))
+    return thing
+
+
+def _name(thing: Any, file: str) -> str:
+    if isinstance(thing, str):
+        return f"{getattr(thing, 'attrname', None) or 'text'} at {file}:{thing.getparent().sourceline}"  # type: ignore[attr-defined]
+    return f"<{getattr(thing, 'tag', '?')}> at {file}:{getattr(thing, 'sourceline', '?')}"
+
+
+def _inside(element: Any) -> str:
+    return ", ".join(dict.fromkeys(str(each.tag) for each in element if isinstance(each.tag, str))) or "nothing"
+
+
+def _farthest(etree: Any, root: Any, file: str, path: str) -> str:
+    """How far the path leads: what its longest part that meets something meets."""
+    for i in range(len(path) - 1, 0, -1):
+        part = path[:i]
+        if path[i] != "/" or not part.strip("/"):
+            continue
+        try:
+            found = root.getroottree().xpath(part)
+        except etree.XPathError:  # a slash within [ ]: the part is no path
+            continue
+        if isinstance(found, list) and found and etree.iselement(found[0]):
+            return f"'{part}' meets {_name(found[0], file)}, in which there is: {_inside(found[0])}"
+    return "what the file includes is not part of it"

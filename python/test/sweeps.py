@@ -1,0 +1,87 @@
+"""A small world to sweep over, and what the tests of sweeps share."""
+
+import copy
+import pathlib
+import subprocess
+import sys
+import time
+
+import pongsim
+from pongsim import sweep
+
+PACKAGES = str(pathlib.Path(pongsim.__file__).parents[1])
+
+#: A ball that falls, and a system that tells where it is.
+WORLD = """<?xml version="1.0"?>
+<sdf version="1.9"><world name="w">
+  <plugin filename="ignition-gazebo-physics-system"
+          name="ignition::gazebo::systems::Physics"/>
+  <model name="ground"><static>true</static><link name="link"><collision name="c"><geometry><plane/></geometry></collision>
+  </link></model>
+  <model name="ball"><pose>0 0 2 0 0 0</pose><link name="link"><inertial><mass>2</mass></inertial>
+    <collision name="c"><geometry><sphere><radius>0.5</radius></sphere></geometry></collision></link>
+    <plugin filename="ignition-gazebo-odometry-publisher-system" name="ignition::gazebo::systems::OdometryPublisher">
+      <dimensions>3</dimensions></plugin></model>
+  <model name="other"><static>true</static><pose>9 0 0 0 0 0</pose><link name="link"/></model>
+</world></sdf>
+"""
+
+BALL = {
+    "world": "w.sdf",
+    "duration": 0.2,
+    "parameters": {"height": {"xpath": "//model[@name='ball']/pose", "text": "0 0 $height 0 0 0", "values": [2, 3]}},
+    "measures": {"z": {"topic": "/model/ball/odometry", "field": "pose.position.z"}},
+}
+
+
+def ball(**changes):
+    """The sweep of the ball; None takes a part away."""
+    made = {**copy.deepcopy(BALL), **changes}
+    return {key: value for key, value in made.items() if value is not None}
+
+
+def write(folder, name, text):
+    path = pathlib.Path(folder, name)
+    path.write_text(text)
+    return path
+
+
+def make(folder, **changes):
+    """Makes the sweep of the ball in the folder, which has its world."""
+    options = changes.pop("options", {})
+    place = pathlib.Path(folder)
+    if not (place / "w.sdf").exists():
+        write(place, "w.sdf", WORLD)
+    made = ball(**changes)
+    made["world"] = str(place / made["world"])
+    return sweep.run(made, folder=place / "out", **{"jobs": 2, **options})
+
+
+def start(folder, *arguments):
+    """The command in a process of its own, in the folder."""
+    code = "import sys; sys.path[0] = sys.argv.pop(1); from pongsim.sweep.command import main; sys.exit(main())"
+    return subprocess.Popen([sys.executable, "-c", code, PACKAGES, *map(str, arguments)], cwd=folder, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def command(folder, *arguments):
+    """Its exit code, what it prints, and what it says of errors."""
+    process = start(folder, *arguments)
+    out, err = process.communicate(timeout=300)
+    return process.returncode, out, err
+
+
+def children(pid):
+    """The processes that a process has started."""
+    with open(f"/proc/{pid}/task/{pid}/children") as file:
+        return [int(each) for each in file.read().split()]
+
+
+def wait_for(condition, process=None, patience=120):
+    """Waits until it holds; fails where the process ends before."""
+    end = time.monotonic() + patience
+    while not condition():
+        assert time.monotonic() < end, "it does not come"
+        assert process is None or process.poll() is None, process.communicate()
+        time.sleep(0.01)
+

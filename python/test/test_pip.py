@@ -1,0 +1,72 @@
+"""What `pip` is told of the package fits the package. That a wheel works is for tools/fresh-check --wheel."""
+
+import ast
+import importlib
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import pytest
+from conftest import PROJECT
+
+import pongsim
+
+tomllib = pytest.importorskip("tomllib", reason="Python 3.11 reads it")
+PYPROJECT = tomllib.loads((PROJECT / "pyproject.toml").read_text())
+SOURCES = PROJECT / "python/pongsim"
+#: A module's name, where PyPI has another.
+NAMES = {"yaml": "PyYAML", "google": "protobuf"}
+
+
+def test_the_version_is_that_of_the_build():
+    settings = PYPROJECT["tool"]["scikit-build"]["metadata"]["version"]
+    found = re.search(settings["regex"], (PROJECT / settings["input"]).read_text())
+    assert found["value"] == pongsim.__version__
+
+
+def test_what_is_started_is_there():
+    module, function = PYPROJECT["project"]["scripts"]["pongsim"].split(":")
+    assert callable(getattr(importlib.import_module(module), function))
+
+
+def needed():
+    """The packages of others that the modules name, wherever they import them."""
+    names = set()
+    for file in SOURCES.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.Import):
+                names |= {each.name.partition(".")[0] for each in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+                names.add(node.module.partition(".")[0])
+            elif isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) in ("need", "import_module"):
+                if isinstance(node.args[0], ast.Constant):
+                    names.add(node.args[0].value.partition(".")[0])
+    return {NAMES.get(name, name) for name in names - sys.stdlib_module_names - {"pongsim"}}
+
+
+def test_what_the_package_imports_it_asks_for():
+    project = PYPROJECT["project"]
+    asked = [*project["dependencies"], *(each for group in project["optional-dependencies"].values() for each in group)]
+    assert needed() <= {re.match(r"[A-Za-z0-9_-]+", each)[0] for each in asked}
+
+
+def test_the_folder_is_that_of_an_installation(tmp_path, program):
+    """Where a wheel's program and library look for what belongs to them, the build has installed it."""
+    settings = PYPROJECT["tool"]["scikit-build"]
+    assert settings["wheel"]["install-dir"] == "pongsim"
+    assert settings["cmake"]["define"]["PONGSIM_PYTHON_PACKAGE_FOLDER"] == "."
+    package = tmp_path / "pongsim"
+    build = pathlib.Path(program).parents[1]
+    package.mkdir()
+    for name in ("bin", "lib", "libexec", "share"):
+        (package / name).symlink_to(build / name)
+    (package / "program.py").write_text((SOURCES / "program.py").read_text())
+    code = "import runpy, sys; sys.argv = ['pongsim', '--version']; runpy.run_path('pongsim/program.py')['main']()"
+    result = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, env=dict(os.environ))
+    assert result.stdout.startswith(f"pongsim {pongsim.__version__}"), result
+    (package / "bin").unlink()
+    result = subprocess.run([sys.executable, "-c", code.replace("runpy.run", "print(runpy.run").replace("()", "())")],
+                            cwd=tmp_path, capture_output=True, text=True)
+    assert result.stdout == "1\n" and "did not come as a wheel" in result.stderr
