@@ -15,12 +15,11 @@ namespace {
 /// How often a body is tilted a little, to find more corners, and below how many points it is.
 constexpr int kTilts = 4;
 
-/// @return A lower bound of a hull's distance from a plane: that of the box around it.
+/// @return A lower bound of a hull's or box's distance from a plane: that of the box around it.
 btScalar leastDistance(const btCollisionObjectWrapper& hull, const btCollisionObjectWrapper& plane) {
-  const auto& shape = static_cast<const btConvexHullShape&>(*hull.getCollisionShape());
   const auto& ground = static_cast<const btStaticPlaneShape&>(*plane.getCollisionShape());
   btVector3 low, high;
-  shape.getNonvirtualAabb(btTransform::getIdentity(), low, high, shape.getMargin());
+  hull.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
   // the normal as the hull sees it
   const btVector3 normal = plane.getWorldTransform().getBasis() * ground.getPlaneNormal();
   const btVector3 own = normal * hull.getWorldTransform().getBasis();
@@ -70,8 +69,9 @@ CollisionConfiguration::CollisionConfiguration() {
 }
 
 btCollisionAlgorithmCreateFunc* CollisionConfiguration::getCollisionAlgorithmCreateFunc(int typeA, int typeB) {
-  if (typeA == CONVEX_HULL_SHAPE_PROXYTYPE && typeB == STATIC_PLANE_PROXYTYPE) return &hullOnPlane_;
-  if (typeA == STATIC_PLANE_PROXYTYPE && typeB == CONVEX_HULL_SHAPE_PROXYTYPE) return &planeUnderHull_;
+  const auto hasCorners = [](int type) { return type == CONVEX_HULL_SHAPE_PROXYTYPE || type == BOX_SHAPE_PROXYTYPE; };
+  if (hasCorners(typeA) && typeB == STATIC_PLANE_PROXYTYPE) return &hullOnPlane_;
+  if (typeA == STATIC_PLANE_PROXYTYPE && hasCorners(typeB)) return &planeUnderHull_;
   return btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc(typeA, typeB);
 }
 

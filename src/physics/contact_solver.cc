@@ -22,8 +22,8 @@ void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count,
     btSolverConstraint& row = m_tmpSolverContactConstraintPool[i];
     auto* point = static_cast<btManifoldPoint*>(row.m_originalContactPoint);
     const auto rigidOf = [this](int body) { return m_tmpSolverBodyPool[body].m_originalBody; };
-    row.m_rhs += row.m_jacDiagABInv * bounceChange(*point, rigidOf(row.m_solverBodyIdA),
-                                                   rigidOf(row.m_solverBodyIdB), info.m_timeStep);
+    row.m_rhs += row.m_jacDiagABInv *
+                 bounceChange(*point, rigidOf(row.m_solverBodyIdA), rigidOf(row.m_solverBodyIdB), info.m_timeStep);
     if (isSoft(row)) {
       // depth is a spring's, whose force gives speed
       row.m_rhs += row.m_rhsPenetration;

@@ -12,6 +12,7 @@
 #include "physics/bounce.hh"
 #include "physics/friction.hh"
 #include "physics/gearbox.hh"
+#include "physics/rounding.hh"
 #include "physics/settings.hh"
 
 namespace pongsim::physics {
@@ -46,6 +47,11 @@ double dotOf(const std::array<double, 6>& a, const std::array<double, 6>& b) {
   const double even = a[0] * b[0] + a[2] * b[2] + a[4] * b[4];
   const double odd = a[1] * b[1] + a[3] * b[3] + a[5] * b[5];
   return even + odd;
+}
+
+void clear(btJointFeedback& feedback) {
+  feedback.m_appliedForceBodyA = feedback.m_appliedTorqueBodyA = btVector3(0, 0, 0);
+  feedback.m_appliedForceBodyB = feedback.m_appliedTorqueBodyB = btVector3(0, 0, 0);
 }
 
 const btRigidBody& bodyOf(const btCollisionObject& object) { return *btRigidBody::upcast(&object); }
@@ -85,8 +91,7 @@ void GroupRows::takeBodies(std::span<btCollisionObject* const> bodies) {
     auto& body = static_cast<btRigidBody&>(*object);
     body.setCompanionId(static_cast<int>(movers_.size()));
     const btVector3 linear = body.getLinearVelocity() + body.getTotalForce() * (body.getInvMass() * dt_);
-    const btVector3 angular =
-        body.getAngularVelocity() + body.getInvInertiaTensorWorld() * body.getTotalTorque() * dt_;
+    const btVector3 angular = body.getAngularVelocity() + body.getInvInertiaTensorWorld() * body.getTotalTorque() * dt_;
     movers_.push_back({&body,
                        {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()},
                        body.getAngularVelocity(),
@@ -161,7 +166,8 @@ void GroupRows::addContact(btPersistentManifold& manifold, btManifoldPoint& poin
                   0,
                   0,
                   0};
-  point.m_contactPointFlags &= ~(BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED);
+  point.m_contactPointFlags &=
+      ~(BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED);
   point.m_contactMotion1 = point.m_contactMotion2 = 0;
   if (const std::optional<PointSurface> surface = pointSurface(manifold, point)) {
     point.m_combinedRestitution = restitutionAt(manifold, point, *surface);
@@ -214,8 +220,8 @@ void GroupRows::addNormalRow(const Contact& contact) {
   const btManifoldPoint& point = *contact.point;
   const btVector3& normal = point.m_normalWorldOnB;
   rows_.push_back({0, 0, 0, kNoBound});
-  const double along = addEnd(*contact.a, normal, contact.armA.cross(normal)) +
-                       addEnd(*contact.b, -normal, -contact.armB.cross(normal));
+  const double along =
+      addEnd(*contact.a, normal, contact.armA.cross(normal)) + addEnd(*contact.b, -normal, -contact.armB.cross(normal));
   Row& row = rows_.back();
   row.asked = -along + bounceChange(point, contact.a, contact.b, dt_);
   if (point.m_combinedRestitution > 0) {
@@ -302,23 +308,7 @@ void GroupRows::apply(std::span<const double> impulses, std::span<const double> 
     const auto& d = mover.change;
     mover.body->setLinearVelocity({v[0] + d[0], v[1] + d[1], v[2] + d[2]});
     mover.body->setAngularVelocity({v[3] + d[3], v[4] + d[4], v[5] + d[5]});
-    if (apart.empty()) continue;
-    const btVector3 shift = btVector3(mover.push[0], mover.push[1], mover.push[2]) * dt_;
-    const btVector3 turn = btVector3(mover.push[3], mover.push[4], mover.push[5]) * (kTurnReduction * dt_);
-    btTransform& X = mover.body->getWorldTransform();
-    if (turn.length2() < kSmallTurnApart * kSmallTurnApart) {
-      // what is not quite a turn in it, the step's own turn takes away
-      btMatrix3x3& R = X.getBasis();
-      for (int column = 0; column < 3; ++column) {
-        const btVector3 axis = R.getColumn(column);
-        const btVector3 turned = axis + turn.cross(axis);
-        for (int k = 0; k < 3; ++k) R[k][column] = turned[k];
-      }
-      X.setOrigin(X.getOrigin() + shift);
-    } else {
-      const btTransform before = X;
-      btTransformUtil::integrateTransform(before, shift, turn, 1, X);
-    }
+    if (!apart.empty()) pushApart(mover);
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     btManifoldPoint& point = *contacts_[i].point;
@@ -327,11 +317,31 @@ void GroupRows::apply(std::span<const double> impulses, std::span<const double> 
     point.m_appliedImpulseLateral1 = impulses[friction];
     point.m_appliedImpulseLateral2 = impulses[friction + 1];
   }
-  for (const Measured& each : measured_) {
-    btJointFeedback& feedback = *each.joint->getJointFeedback();
-    feedback.m_appliedForceBodyA = feedback.m_appliedTorqueBodyA = btVector3(0, 0, 0);
-    feedback.m_appliedForceBodyB = feedback.m_appliedTorqueBodyB = btVector3(0, 0, 0);
+  measure(impulses);
+}
+
+void GroupRows::pushApart(const Mover& mover) const {
+  const auto& p = mover.push;
+  const btVector3 shift = roundedVelocity(btVector3(p[0], p[1], p[2])) * dt_;
+  const btVector3 turn = roundedVelocity(btVector3(p[3], p[4], p[5])) * (kTurnReduction * dt_);
+  btTransform& X = mover.body->getWorldTransform();
+  if (turn.length2() >= kSmallTurnApart * kSmallTurnApart) {
+    const btTransform before = X;
+    btTransformUtil::integrateTransform(before, shift, turn, 1, X);
+    return;
   }
+  X.setOrigin(X.getOrigin() + shift);
+  // what is not quite a turn in it, the step's own turn takes away
+  btMatrix3x3& R = X.getBasis();
+  for (int column = 0; column < 3; ++column) {
+    const btVector3 axis = R.getColumn(column);
+    const btVector3 turned = axis + turn.cross(axis);
+    for (int k = 0; k < 3; ++k) R[k][column] = turned[k];
+  }
+}
+
+void GroupRows::measure(std::span<const double> impulses) const {
+  for (const Measured& each : measured_) clear(*each.joint->getJointFeedback());
   for (const Measured& each : measured_) {
     btJointFeedback& feedback = *each.joint->getJointFeedback();
     const double force = impulses[each.row] / dt_;

@@ -119,6 +119,8 @@ class GroupRows {
   void chooseDirections(const Contact& contact) const;
   /// @return The velocity along a row at the body with all forces.
   double addEnd(const btRigidBody& body, const btVector3& linear, const btVector3& angular);
+  void pushApart(const Mover& mover) const;
+  void measure(std::span<const double> impulses) const;
 
   double dt_ = 1;
   double errorReduction_ = 0;

@@ -30,8 +30,7 @@ btScalar GroupSolver::solveGroup(btCollisionObject** bodies, int bodyCount, btPe
                                  const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher) {
   const bool small = countRows(manifolds, manifoldCount, joints, jointCount) <= mostDirectRows_;
   const auto span = [](auto** first, int count) { return std::span(first, static_cast<std::size_t>(count)); };
-  if (small &&
-      direct_.solve(span(bodies, bodyCount), span(manifolds, manifoldCount), span(joints, jointCount), info)) {
+  if (small && direct_.solve(span(bodies, bodyCount), span(manifolds, manifoldCount), span(joints, jointCount), info)) {
     return 0;
   }
   return iterative_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, debugDrawer,

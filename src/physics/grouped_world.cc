@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "physics/dispatcher.hh"
+#include "physics/rounding.hh"
 
 namespace pongsim::physics {
 
@@ -36,6 +37,19 @@ btTransform roughlyMoved(const btRigidBody& body, double dt) {
   return btTransform(turned, now.getOrigin() + body.getLinearVelocity() * dt);
 }
 
+// What does not turn keeps its matrix, which the way by a quaternion would change by a bit.
+void move(btRigidBody& body, double dt) {
+  body.setLinearVelocity(roundedVelocity(body.getLinearVelocity()));
+  body.setAngularVelocity(roundedVelocity(body.getAngularVelocity()));
+  btTransform moved = body.getWorldTransform();
+  if (body.getAngularVelocity().isZero()) {
+    moved.setOrigin(moved.getOrigin() + body.getLinearVelocity() * dt);
+  } else {
+    body.predictIntegratedTransform(dt, moved);
+  }
+  body.proceedToTransform(moved);
+}
+
 template <class T>
 T* dataOf(std::vector<T>& array, std::size_t first) {
   return array.empty() ? nullptr : array.data() + first;
@@ -45,11 +59,13 @@ T* dataOf(std::vector<T>& array, std::size_t first) {
 
 GroupedWorld::GroupedWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase,
                            btCollisionConfiguration& configuration,
-                           std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers,
+                           std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers, Rest& rest,
                            GroupWork& work)
     : btDiscreteDynamicsWorld(&dispatcher, &broadphase, solvers.front().get(), &configuration),
       solvers_(std::move(solvers)),
       workers_(workers),
+      rest_(rest),
+      before_(solvers_.size()),
       work_(work) {}
 
 void GroupedWorld::setMembers(std::vector<btRigidBody*> bodies, std::vector<btTypedConstraint*> joints) {
@@ -58,6 +74,7 @@ void GroupedWorld::setMembers(std::vector<btRigidBody*> bodies, std::vector<btTy
   const btCollisionObjectArray& objects = getCollisionObjectArray();
   for (int i = 0; i < objects.size(); ++i) objects[i]->setIslandTag(kNoMember);
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i]->setIslandTag(static_cast<int>(i));
+  rest_.resize(bodies_.size());
 }
 
 GroupedWorld::Aabb GroupedWorld::aabbOf(const btRigidBody& body) {
@@ -68,7 +85,7 @@ GroupedWorld::Aabb GroupedWorld::aabbOf(const btRigidBody& body) {
   now.lowest.setMin(then.lowest);
   now.highest.setMax(then.highest);
   const btVector3 margin(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
-  return {now.lowest - margin, now.highest + margin};
+  return {now.lowest - margin, now.highest + margin, false};
 }
 
 template <class Work>
@@ -83,6 +100,8 @@ void GroupedWorld::forEachBody(Work&& work) {
 void GroupedWorld::predictUnconstraintMotion(btScalar dt) {
   aabbs_.resize(bodies_.size());
   forEachBody([&](btRigidBody& body, std::size_t i) {
+    aabbs_[i].isKept = rest_.keepsAabb(body);
+    if (aabbs_[i].isKept) return;
     if (body.getLinearDamping() != 0 || body.getAngularDamping() != 0) body.applyDamping(dt);
     body.setInterpolationWorldTransform(roughlyMoved(body, dt));
     aabbs_[i] = aabbOf(body);
@@ -102,6 +121,7 @@ void GroupedWorld::updateAabbs() {
     if (!object.isActive()) continue;
     const int member = memberOf(object);
     const Aabb* const aabb = member == kNoMember ? nullptr : &aabbs_[static_cast<std::size_t>(member)];
+    if (aabb != nullptr && aabb->isKept) continue;
     // Bullet has its own way with what is as large as that, or not a number
     constexpr double kSanest = 1e12;
     if (aabb != nullptr && (aabb->highest - aabb->lowest).length2() < kSanest) {
@@ -117,29 +137,26 @@ void GroupedWorld::solveConstraints(btContactSolverInfo& info) {
   uniteBodies();
   countMembers();
   sortByGroup();
-  workers_.forEach(groups_.size() - 1, [&](std::size_t group, int worker) {
-    solveGroup(group, *solvers_[static_cast<std::size_t>(worker)], info);
-  });
+  workers_.forEach(groups_.size() - 1,
+                   [&](std::size_t group, int worker) { solveGroup(group, static_cast<std::size_t>(worker), info); });
 }
 
-void GroupedWorld::solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info) {
+void GroupedWorld::solveGroup(std::size_t group, std::size_t worker, const btContactSolverInfo& info) {
   const Group& first = groups_[group];
   const Group& end = groups_[group + 1];
   const std::span bodies(dataOf(bodiesByGroup_, first.bodies), end.bodies - first.bodies);
   const std::span manifolds(dataOf(manifoldsByGroup_, first.manifolds), end.manifolds - first.manifolds);
   const std::span joints(dataOf(jointsByGroup_, first.joints), end.joints - first.joints);
+  if (joints.empty() && rest_.isSettled(bodies, manifolds)) return;
   const double dt = info.m_timeStep;
+  rest_.begin(bodies, manifolds, before_[worker]);
   work_.prepare(bodies, joints, dt);
-  solver.solveGroup(bodies.data(), static_cast<int>(bodies.size()), manifolds.data(),
-                    static_cast<int>(manifolds.size()), joints.data(), static_cast<int>(joints.size()), info,
-                    getDebugDrawer(), getDispatcher());
-  for (btCollisionObject* object : bodies) {
-    btRigidBody& body = static_cast<btRigidBody&>(*object);
-    btTransform moved;
-    body.predictIntegratedTransform(dt, moved);
-    body.proceedToTransform(moved);
-  }
+  solvers_[worker]->solveGroup(bodies.data(), static_cast<int>(bodies.size()), manifolds.data(),
+                               static_cast<int>(manifolds.size()), joints.data(), static_cast<int>(joints.size()), info,
+                               getDebugDrawer(), getDispatcher());
+  for (btCollisionObject* object : bodies) move(static_cast<btRigidBody&>(*object), dt);
   work_.finish(bodies, joints);
+  rest_.end(bodies, manifolds, !joints.empty(), before_[worker]);
 }
 
 void GroupedWorld::collectTouches() {

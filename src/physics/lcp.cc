@@ -393,7 +393,8 @@ bool Lcp::addFactor(int row, double d) {
 
 void Lcp::setBound(int row, State state) {
   const auto i = static_cast<std::size_t>(row);
-  if (states_[i] == State::kFree && !isSmall_) dropFactor(static_cast<std::size_t>(std::ranges::find(free_, row) - free_.begin()));
+  if (states_[i] == State::kFree && !isSmall_)
+    dropFactor(static_cast<std::size_t>(std::ranges::find(free_, row) - free_.begin()));
   states_[i] = state;
   x_[i] = state == State::kLowest ? lowest_[i] : highest_[i];
 }

@@ -16,8 +16,8 @@ bool ReducedLcp::solve(const Problem& problem, double* x) {
 }
 
 bool ReducedLcp::solveSecond(double* x) {
-  const bool isSolved = unfrictional_ == equations_ ||
-                        lcp_.solveWithSameMatrix(rest(unfrictional_, b2_.data()), x + equations_);
+  const bool isSolved =
+      unfrictional_ == equations_ || lcp_.solveWithSameMatrix(rest(unfrictional_, b2_.data()), x + equations_);
   if (!isSolved) return false;
   substitute(upper(), inverseD_.data(), 0, equations_, unfrictional_, rows_ + 1, x);
   return true;
