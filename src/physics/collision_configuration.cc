@@ -21,12 +21,11 @@ namespace {
 /// How often a body is tilted a little, to find more corners, and below how many points it is.
 constexpr int kTilts = 4;
 
-/// @return A lower bound of a hull's distance from a plane: that of the box around it.
+/// @return A lower bound of a hull's or box's distance from a plane: that of the box around it.
 btScalar leastDistance(const btCollisionObjectWrapper& hull, const btCollisionObjectWrapper& plane) {
-  const auto& shape = static_cast<const btConvexHullShape&>(*hull.getCollisionShape());
   const auto& ground = static_cast<const btStaticPlaneShape&>(*plane.getCollisionShape());
   btVector3 low, high;
-  shape.getNonvirtualAabb(btTransform::getIdentity(), low, high, shape.getMargin());
+  hull.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
   // the normal as the hull sees it
   const btVector3 normal = plane.getWorldTransform().getBasis() * ground.getPlaneNormal();
   const btVector3 own = normal * hull.getWorldTransform().getBasis();
@@ -55,8 +54,10 @@ class ConvexOnPlane final : public btConvexPlaneCollisionAlgorithm {
     const bool isPlaneFirst = a->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
     const btCollisionObjectWrapper& convex = isPlaneFirst ? *b : *a;
     const btCollisionObjectWrapper& plane = isPlaneFirst ? *a : *b;
+    const int type = convex.getCollisionShape()->getShapeType();
+    const bool hasCorners = type == CONVEX_HULL_SHAPE_PROXYTYPE || type == BOX_SHAPE_PROXYTYPE;
     // where there are points, Bullet forgets those that are far
-    if (manifold.getNumContacts() == 0 && convex.getCollisionShape()->getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE &&
+    if (manifold.getNumContacts() == 0 && hasCorners &&
         leastDistance(convex, plane) > manifold.getContactBreakingThreshold()) {
       return;
     }

@@ -6,19 +6,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "physics/bounce.hh"
 #include "physics/friction.hh"
 #include "physics/gearbox.hh"
 #include "physics/motion.hh"
+#include "physics/settings.hh"
 
 namespace pongsim::physics {
-
-namespace {
-
-// Penetration is taken back no faster than by that times the length of a step [m/s^2]: at about the speed that gravity
-// gives in a step, which is what the solver's own errors are of. Fortress's engine takes all back at 1 mm/s.
-constexpr double kFastestParting = 10;
-
-}  // namespace
 
 void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count, const btContactSolverInfo& info) {
   frictions_.clear();
@@ -28,7 +22,9 @@ void ContactSolver::convertContacts(btPersistentManifold** manifolds, int count,
   for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i) {
     btSolverConstraint& row = m_tmpSolverContactConstraintPool[i];
     auto* point = static_cast<btManifoldPoint*>(row.m_originalContactPoint);
-    if (point->m_combinedRestitution > 0 && point->getDistance() > 0) settleBounce(row, *point, info);
+    const auto rigidOf = [this](int body) { return m_tmpSolverBodyPool[body].m_originalBody; };
+    row.m_rhs += row.m_jacDiagABInv *
+                 bounceChange(*point, rigidOf(row.m_solverBodyIdA), rigidOf(row.m_solverBodyIdB), info.m_timeStep);
     if (isSoft(row)) {
       // depth is a spring's, whose force gives speed
       row.m_rhs += row.m_rhsPenetration;
@@ -73,17 +69,7 @@ bool ContactSolver::isSoft(const btSolverConstraint& row) {
 void ContactSolver::settle(btManifoldPoint& point, const btPersistentManifold& manifold) {
   const std::optional<PointSurface> surface = pointSurface(manifold, point);
   if (!surface) return;
-  point.m_combinedRestitution = surface->restitution;
-  if (surface->restitution > 0) {
-    const auto velocityAt = [](const btCollisionObject& object, const btVector3& position) {
-      const btRigidBody* body = btRigidBody::upcast(&object);
-      if (body == nullptr) return btVector3(0, 0, 0);
-      return body->getVelocityInLocalPoint(position - body->getCenterOfMassPosition());
-    };
-    const btVector3 velocity = velocityAt(*manifold.getBody0(), point.getPositionWorldOnA()) -
-                               velocityAt(*manifold.getBody1(), point.getPositionWorldOnB());
-    if (-point.m_normalWorldOnB.dot(velocity) < surface->bounceThreshold) point.m_combinedRestitution = 0;
-  }
+  point.m_combinedRestitution = restitutionAt(manifold, point, *surface);
   point.m_contactPointFlags &= ~BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
   if (surface->isSoft) {
     point.m_contactPointFlags |= BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING;
@@ -139,23 +125,6 @@ void ContactSolver::addTorsionRow(const Torsion& torsion, int contact, double dt
   row.m_jacDiagABInv = stiffness > 0 ? 1 / stiffness : 0;
   row.m_rhs = -turn * row.m_jacDiagABInv;
   addSlip(row, torsion.slip, dt);
-}
-
-// Bullet lets two bodies that will meet in this step come to where they just touch, and takes what that costs from the
-// bounce. They bounce here with all of it, a little early, or not in this step at all.
-void ContactSolver::settleBounce(btSolverConstraint& row, const btManifoldPoint& point,
-                                 const btContactSolverInfo& info) const {
-  const auto velocityAt = [&](int body, const btVector3& position) {
-    const btRigidBody* rigid = m_tmpSolverBodyPool[body].m_originalBody;
-    if (rigid == nullptr) return btVector3(0, 0, 0);
-    return rigid->getVelocityInLocalPoint(position - rigid->getCenterOfMassPosition());
-  };
-  const btVector3 velocity = velocityAt(row.m_solverBodyIdA, point.getPositionWorldOnA()) -
-                             velocityAt(row.m_solverBodyIdB, point.getPositionWorldOnB());
-  const double approach = -point.m_normalWorldOnB.dot(velocity);
-  const double gapRate = point.getDistance() / info.m_timeStep;
-  const double change = gapRate < approach ? gapRate : -point.m_combinedRestitution * approach;
-  row.m_rhs += change * row.m_jacDiagABInv;
 }
 
 void ContactSolver::convertJoints(btTypedConstraint** joints, int count, const btContactSolverInfo& info) {

@@ -19,19 +19,6 @@ class ContactSolver : public btSequentialImpulseConstraintSolver {
   btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int bodyCount,
                                          const btContactSolverInfo& info) override;
 
-  /// Two rows of joints that are one, in ascending order: places of the first ones, which the second ones follow. What
-  /// the one row asks for stands in the first.
-  const std::vector<int>& tiedRows() const { return ties_; }
-  /// Adds to a row's impulse, and to the velocities of its bodies what that gives them.
-  void applyImpulse(btSolverConstraint& row, double change);
-
-  /// Rows against turning about the normals of contacts. Their `m_frictionIndex` is the contact's row, and their bound
-  /// `m_friction` times its impulse.
-  btConstraintArray& torsionRows() { return torsions_; }
-
-  /// @return Whether the row is one of a contact that is not rigid.
-  static bool isSoft(const btSolverConstraint& row);
-
  private:
   /// What the rows of one point get in addition to what Bullet makes of it.
   struct Friction {
@@ -53,15 +40,22 @@ class ContactSolver : public btSequentialImpulseConstraintSolver {
   void settle(btManifoldPoint& point, const btPersistentManifold& manifold);
   void addTorsionRows(double dt);
   void addTorsionRow(const Torsion& torsion, int contact, double dt);
+  /// Adds to a row's impulse, and to the velocities of its bodies what that gives them.
+  void applyImpulse(btSolverConstraint& row, double change);
   double velocityAlong(const btSolverConstraint& row);
-  void settleBounce(btSolverConstraint& row, const btManifoldPoint& point, const btContactSolverInfo& info) const;
+  /// @return Whether the row is one of a contact that is not rigid.
+  static bool isSoft(const btSolverConstraint& row);
   static void addSlip(btSolverConstraint& row, double slip, double dt);
 
   /// Of the points whose friction has directions, in the order in which they are found.
   std::vector<Friction> frictions_;
+  /// Two rows of joints that are one, in ascending order: places of the first ones, which the second ones follow. What
+  /// the one row asks for stands in the first.
   std::vector<int> ties_;
   /// In the order in which the points are found.
   std::vector<Torsion> frictionsOfTurning_;
+  /// Rows against turning about the normals of contacts. Their `m_frictionIndex` is the contact's row, and their bound
+  /// `m_friction` times its impulse.
   btConstraintArray torsions_;
 };
 

@@ -1,62 +1,48 @@
 #pragma once
 
+#include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
+
+#include <span>
 #include <vector>
 
-#include "physics/contact_solver.hh"
-#include "physics/lcp.hh"
+#include "physics/group_rows.hh"
+#include "physics/reduced_lcp.hh"
 
 namespace pongsim::physics {
 
-/// Solves all rows of a group of bodies at once by Dantzig's direct method for mixed linear complementarity problems;
-/// where that finds no sound solution, by iterations. Does what Bullet's `btMLCPSolver` does, without allocating in
-/// each step, and without the variable that all threads share there.
-class DirectSolver final : public ContactSolver {
+/// Solves all rows of a group of bodies at once, as a mixed linear complementarity problem.
+class DirectSolver {
  public:
-  btConstraintSolverType getSolverType() const override { return BT_MLCP_SOLVER; }
-
- protected:
-  btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int bodyCount,
-                                             btPersistentManifold** manifolds, int manifoldCount,
-                                             btTypedConstraint** joints, int jointCount,
-                                             const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
+  /// Gives the bodies their velocities at the end of the step, takes penetration back, and writes the impulses to the
+  /// points of contact and to joints that are measured.
+  /// @return Whether it found a sound solution; else nothing is changed but friction's directions.
+  bool solve(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
+             std::span<btTypedConstraint* const> joints, const btContactSolverInfo& info);
 
  private:
-  /// One end of a row as couplings take it: how the motion of the body there counts for the row (linear, angular), and
-  /// how the body answers an impulse along it.
-  struct End {
-    double direction[6];
-    double response[6];
-    int row;
-  };
-
-  void collectRows();
-  void buildMatrix(double softness);
-  bool solve(int rows, bool isSameMatrix);
+  void placeRows();
+  void setProblem();
   bool solveVelocities();
   bool solvePositions();
-  void collectEnds();
-  void addCouplings(const End* ends, int count);
 
-  btAlignedObjectArray<btSolverConstraint*> rows_;
-  /// Of joints' rows that are two of Bullet's: their numbers in `rows_`, and the second ones.
-  struct Tail {
-    int row;
-    btSolverConstraint* second;
-  };
-  std::vector<Tail> tails_;
-  int jointRows_ = 0;
-  /// Rows of joints and of contacts' normal directions: all but friction.
-  int unfrictionalRows_ = 0;
-  /// Those at the bodies that move, body after body, each body's in the rows' order; and where those of each body end.
-  btAlignedObjectArray<End> ends_;
-  btAlignedObjectArray<int> endsOfBody_;
-  btAlignedObjectArray<btScalar> A_;
-  btAlignedObjectArray<btScalar> b_;
-  btAlignedObjectArray<btScalar> x_;
-  btAlignedObjectArray<btScalar> lowest_;
-  btAlignedObjectArray<btScalar> highest_;
-  btAlignedObjectArray<int> normalOf_;
-  Lcp lcp_;
+  GroupRows rows_;
+  /// Where each row stands in the problem: equations before what has bounds.
+  std::vector<int> places_;
+  int equations_ = 0;
+  std::vector<double> A_;
+  std::vector<double> b_;
+  /// What takes penetration back without giving speed.
+  std::vector<double> bApart_;
+  bool penetrates_ = false;
+  std::vector<double> lowest_;
+  std::vector<double> highest_;
+  std::vector<int> normalOf_;
+  /// In the order of places.
+  std::vector<double> x_;
+  /// In the rows' order.
+  std::vector<double> impulses_;
+  std::vector<double> impulsesApart_;
+  ReducedLcp lcp_;
 };
 
 }  // namespace pongsim::physics

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "base/workers.hh"
+#include "physics/rest.hh"
 
 namespace pongsim::physics {
 
@@ -19,11 +20,12 @@ constexpr int collisionOfPart(int part) { return part >> 10; }
 ///
 /// Pairs are shared out among workers. What is found for one depends on nothing that is found for another: each writes
 /// to its own manifolds only, and what they share, the pools that algorithms and manifolds come from, is locked. The
-/// order in which manifolds are made then depends on the threads; nothing else does.
+/// order in which manifolds are made then depends on the threads; nothing else does. Where neither body has moved, and
+/// looking has changed nothing in the step before, it is not looked again.
 class Dispatcher final : public btCollisionDispatcher {
  public:
-  Dispatcher(btCollisionConfiguration& configuration, base::Workers& workers)
-      : btCollisionDispatcher(&configuration), workers_(workers) {}
+  Dispatcher(btCollisionConfiguration& configuration, base::Workers& workers, Rest& rest)
+      : btCollisionDispatcher(&configuration), workers_(workers), rest_(rest) {}
 
   btCollisionAlgorithm* findAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                       btPersistentManifold* shared, ebtDispatcherQueryType type) override;
@@ -39,7 +41,11 @@ class Dispatcher final : public btCollisionDispatcher {
   btCollisionAlgorithm* noAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                     btPersistentManifold* shared);
 
+  /// Finds where a pair touches, where that is not known.
+  void findTouches(btBroadphasePair& pair, const btDispatcherInfo& info);
+
   base::Workers& workers_;
+  Rest& rest_;
   /// Of Bullet's pools and list of manifolds.
   std::mutex pools_;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "physics/contact_solver.hh"
@@ -41,8 +42,8 @@ std::vector<std::unique_ptr<btConstraintSolver>> makeSolvers(const Settings& set
 
 DynamicsWorld::DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, GroupWork& work)
     : workers_(settings.threads),
-      dispatcher_(configuration, workers_),
-      world_(dispatcher_, broadphase_, configuration, makeSolvers(settings), workers_, work) {
+      dispatcher_(configuration, workers_, rest_),
+      world_(dispatcher_, broadphase_, configuration, makeSolvers(settings), workers_, rest_, work) {
   world_.setGravity(btVector3(0, 0, 0));
   world_.setForceUpdateAllAabbs(false);
 
@@ -96,6 +97,7 @@ void DynamicsWorld::transferContacts(StateArchive& archive) {
 }
 
 void DynamicsWorld::step(double dt) {
+  if (std::exchange(lastStep_, dt) != dt) forgetRest();
   forgetRolledContacts(dt);
   world_.stepSimulation(dt, 0);
 }
@@ -117,7 +119,9 @@ void DynamicsWorld::forgetRolledContacts(double dt) {
     const btVector3& normal = manifold->getContactPoint(0).m_normalWorldOnB;
     const double turn = body.getAngularVelocity().length() * dt;
     const double shift = body.getLinearVelocity().cross(normal).length() * dt;
-    if (turn > kSmallTurn && shift > kSmallShift) manifold->clearManifold();
+    if (turn <= kSmallTurn || shift <= kSmallShift) continue;
+    manifold->clearManifold();
+    rest_.wake(body);
   }
 }
 

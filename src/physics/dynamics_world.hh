@@ -41,6 +41,9 @@ class DynamicsWorld {
   /// Takes the points at which bodies touch, or puts them in place of those that it finds where the bodies are now.
   void transferContacts(StateArchive& archive);
 
+  /// Bodies at rest are no longer, for something that is not theirs has changed.
+  void forgetRest() { rest_.forget(); }
+
   /// One step of exactly `dt` [s].
   void step(double dt);
 
@@ -48,9 +51,12 @@ class DynamicsWorld {
   void forgetRolledContacts(double dt);
 
   base::Workers workers_;
+  Rest rest_;
   Dispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   GroupedWorld world_;
+  /// Length of the last step [s].
+  double lastStep_ = 0;
 };
 
 }  // namespace pongsim::physics

@@ -365,6 +365,7 @@ void Engine::reset() {
 }
 
 void Engine::setGravity(const Vector3& gravity) {
+  parts_->world.forgetRest();
   parts_->gravity = gravity;
   for (Body* body : parts_->moving) body->setGravity(gravity);
 }
@@ -373,6 +374,7 @@ void Engine::setLinkPose(world::Slot link, const Pose& X_WorldLink) {
   Body& body = *parts_->bodies[link];
   body.setPose(X_WorldLink);
   parts_->world.moved(body.rigid());
+  parts_->world.forgetRest();
 }
 
 void Engine::transfer(StateArchive& archive) {
@@ -388,7 +390,7 @@ void Engine::transfer(StateArchive& archive) {
 
 void Engine::step(Time dt, world::State& state) {
   parts_->dt = toSeconds(dt);
-  parts_->state = &state;
+  if (std::exchange(parts_->state, &state) != &state || !parts_->frictionFrames.empty()) parts_->world.forgetRest();
   parts_->slowedDown = world::kNoSlot;
   parts_->turnFrictionDirections();
   parts_->world.step(parts_->dt);
@@ -397,6 +399,7 @@ void Engine::step(Time dt, world::State& state) {
 }
 
 void Engine::setSurfaceMotion(world::Slot link, std::size_t collision, const std::optional<SurfaceMotion>& motion) {
+  parts_->world.forgetRest();
   Body& body = *parts_->bodies[link];
   std::optional<SurfaceMotion>& own = body.shape().part(collision).motion;
   own = motion;
@@ -412,6 +415,7 @@ std::optional<SurfaceMotion> Engine::surfaceMotion(world::Slot link, std::size_t
 
 void Engine::setSlip(world::Slot link, std::size_t collision, double slip1, double slip2) {
   LinkShape::Part& part = parts_->bodies[link]->shape().part(collision);
+  if (part.slip1 != slip1 || part.slip2 != slip2) parts_->world.forgetRest();
   part.slip1 = slip1;
   part.slip2 = slip2;
 }

@@ -2,6 +2,9 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include <cstddef>
+#include <span>
+
 namespace pongsim::physics {
 
 namespace {
@@ -26,15 +29,14 @@ btScalar GroupSolver::solveGroup(btCollisionObject** bodies, int bodyCount, btPe
                                  int manifoldCount, btTypedConstraint** joints, int jointCount,
                                  const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher) {
   const bool small = countRows(manifolds, manifoldCount, joints, jointCount) <= mostDirectRows_;
-  btSequentialImpulseConstraintSolver& solver =
-      small ? static_cast<btSequentialImpulseConstraintSolver&>(direct_) : iterative_;
-  return solver.solveGroup(bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, debugDrawer,
-                           dispatcher);
+  const auto span = [](auto** first, int count) { return std::span(first, static_cast<std::size_t>(count)); };
+  if (small && direct_.solve(span(bodies, bodyCount), span(manifolds, manifoldCount), span(joints, jointCount), info)) {
+    return 0;
+  }
+  return iterative_.solveGroup(bodies, bodyCount, manifolds, manifoldCount, joints, jointCount, info, debugDrawer,
+                               dispatcher);
 }
 
-void GroupSolver::reset() {
-  direct_.reset();
-  iterative_.reset();
-}
+void GroupSolver::reset() { iterative_.reset(); }
 
 }  // namespace pongsim::physics

@@ -13,6 +13,7 @@
 
 #include "physics/dispatcher.hh"
 #include "physics/motion.hh"
+#include "physics/rounding.hh"
 #include "pongsim/math.hh"
 
 namespace pongsim::physics {
@@ -47,6 +48,13 @@ void damp(btRigidBody& body, double dt) {
   body.setAngularVelocity(body.getAngularVelocity() * leftAfter(dt, body.getAngularDamping()));
 }
 
+// what is rounded rests to the bit
+void move(btRigidBody& body, double dt) {
+  body.setLinearVelocity(roundedVelocity(body.getLinearVelocity()));
+  body.setAngularVelocity(roundedVelocity(body.getAngularVelocity()));
+  body.proceedToTransform(moved(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(), dt));
+}
+
 template <class T>
 T* dataOf(std::vector<T>& array, std::size_t first) {
   return array.empty() ? nullptr : array.data() + first;
@@ -56,17 +64,20 @@ T* dataOf(std::vector<T>& array, std::size_t first) {
 
 GroupedWorld::GroupedWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase,
                            btCollisionConfiguration& configuration,
-                           std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers,
+                           std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers, Rest& rest,
                            GroupWork& work)
     : btDiscreteDynamicsWorld(&dispatcher, &broadphase, solvers.front().get(), &configuration),
       solvers_(std::move(solvers)),
       workers_(workers),
+      rest_(rest),
+      before_(solvers_.size()),
       work_(work) {}
 
 void GroupedWorld::setBodies(std::size_t first, std::span<btRigidBody* const> bodies) {
   bodies_.resize(first);
   bodies_.insert(bodies_.end(), bodies.begin(), bodies.end());
   for (std::size_t i = first; i < bodies_.size(); ++i) bodies_[i]->setIslandTag(static_cast<int>(i));
+  rest_.resize(first, bodies_.size());
 }
 
 void GroupedWorld::setJoints(std::size_t first, std::span<btTypedConstraint* const> joints) {
@@ -82,7 +93,7 @@ GroupedWorld::Aabb GroupedWorld::aabbOf(const btRigidBody& body) {
   now.lowest.setMin(then.lowest);
   now.highest.setMax(then.highest);
   const btVector3 margin(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
-  return {now.lowest - margin, now.highest + margin};
+  return {now.lowest - margin, now.highest + margin, false};
 }
 
 template <class Work>
@@ -97,6 +108,8 @@ void GroupedWorld::forEachBody(Work&& work) {
 void GroupedWorld::predictUnconstraintMotion(btScalar dt) {
   aabbs_.resize(bodies_.size());
   forEachBody([&](btRigidBody& body, std::size_t i) {
+    aabbs_[i].isKept = rest_.keepsAabb(body);
+    if (aabbs_[i].isKept) return;
     if (body.getLinearDamping() != 0 || body.getAngularDamping() != 0) damp(body, dt);
     body.setInterpolationWorldTransform(roughlyMoved(body, dt));
     aabbs_[i] = aabbOf(body);
@@ -127,6 +140,7 @@ void GroupedWorld::updateAabbs() {
     if (!object.isActive()) continue;
     const int member = memberOf(object);
     const Aabb* const aabb = member == kNoMember ? nullptr : &aabbs_[static_cast<std::size_t>(member)];
+    if (aabb != nullptr && aabb->isKept) continue;
     // Bullet has its own way with what is as large as that, or not a number
     constexpr double kSanest = 1e12;
     if (aabb != nullptr && (aabb->highest - aabb->lowest).length2() < kSanest) {
@@ -142,27 +156,26 @@ void GroupedWorld::solveConstraints(btContactSolverInfo& info) {
   uniteBodies();
   countMembers();
   sortByGroup();
-  workers_.forEach(groups_.size() - 1, [&](std::size_t group, int worker) {
-    solveGroup(group, *solvers_[static_cast<std::size_t>(worker)], info);
-  });
+  workers_.forEach(groups_.size() - 1,
+                   [&](std::size_t group, int worker) { solveGroup(group, static_cast<std::size_t>(worker), info); });
 }
 
-void GroupedWorld::solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info) {
+void GroupedWorld::solveGroup(std::size_t group, std::size_t worker, const btContactSolverInfo& info) {
   const Group& first = groups_[group];
   const Group& end = groups_[group + 1];
   const std::span bodies(dataOf(bodiesByGroup_, first.bodies), end.bodies - first.bodies);
   const std::span manifolds(dataOf(manifoldsByGroup_, first.manifolds), end.manifolds - first.manifolds);
   const std::span joints(dataOf(jointsByGroup_, first.joints), end.joints - first.joints);
+  if (joints.empty() && rest_.isSettled(bodies, manifolds)) return;
   const double dt = info.m_timeStep;
+  rest_.begin(bodies, manifolds, before_[worker]);
   work_.prepare(bodies, joints, dt);
-  solver.solveGroup(bodies.data(), static_cast<int>(bodies.size()), manifolds.data(),
-                    static_cast<int>(manifolds.size()), joints.data(), static_cast<int>(joints.size()), info,
-                    getDebugDrawer(), getDispatcher());
-  for (btCollisionObject* object : bodies) {
-    btRigidBody& body = static_cast<btRigidBody&>(*object);
-    body.proceedToTransform(moved(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(), dt));
-  }
+  solvers_[worker]->solveGroup(bodies.data(), static_cast<int>(bodies.size()), manifolds.data(),
+                               static_cast<int>(manifolds.size()), joints.data(), static_cast<int>(joints.size()), info,
+                               getDebugDrawer(), getDispatcher());
+  for (btCollisionObject* object : bodies) move(static_cast<btRigidBody&>(*object), dt);
   work_.finish(bodies, joints);
+  rest_.end(bodies, manifolds, !joints.empty(), before_[worker]);
 }
 
 void GroupedWorld::collectTouches() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/workers.hh"
+#include "physics/rest.hh"
 
 namespace pongsim::physics {
 
@@ -34,7 +35,8 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
  public:
   /// @param solvers One for each of the `workers`.
   GroupedWorld(btDispatcher& dispatcher, btBroadphaseInterface& broadphase, btCollisionConfiguration& configuration,
-               std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers, GroupWork& work);
+               std::vector<std::unique_ptr<btConstraintSolver>> solvers, base::Workers& workers, Rest& rest,
+               GroupWork& work);
 
   /// Sets which bodies forces move, in the order of their slots.
   /// @param first So many stay as they are; `bodies` stand behind them.
@@ -78,6 +80,8 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   struct Aabb {
     btVector3 lowest;
     btVector3 highest;
+    /// It is that of the step before.
+    bool isKept = false;
   };
   /// @return What holds the body where it is now and where it is going.
   static Aabb aabbOf(const btRigidBody& body);
@@ -85,7 +89,7 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   /// Calls `work(body, its number)` for each moving body, shared out among the workers.
   template <class Work>
   void forEachBody(Work&& work);
-  void solveGroup(std::size_t group, btConstraintSolver& solver, const btContactSolverInfo& info);
+  void solveGroup(std::size_t group, std::size_t worker, const btContactSolverInfo& info);
   void collectTouches();
   void limitContacts(btPersistentManifold& manifold) const;
   void limitContactsOfPieces();
@@ -104,6 +108,9 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
 
   std::vector<std::unique_ptr<btConstraintSolver>> solvers_;
   base::Workers& workers_;
+  Rest& rest_;
+  /// One for each worker.
+  std::vector<Rest::Before> before_;
   GroupWork& work_;
 
   std::vector<btRigidBody*> bodies_;

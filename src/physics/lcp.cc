@@ -5,11 +5,17 @@
 #include <cstddef>
 #include <limits>
 
+#include "physics/dot.hh"
+#include "physics/elimination.hh"
+
 namespace pongsim::physics {
 
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// Up to that many rows, elimination from scratch is cheaper than keeping factors up to date.
+constexpr int kFewRows = 32;
 
 /// Rounds after which it is doubtful whether more help.
 constexpr int kMostRounds = 8;
@@ -17,34 +23,26 @@ constexpr int kMostRounds = 8;
 /// Pivots after which a row goes in circles.
 int mostPivots(int rows) { return 30 + 3 * rows; }
 
-/// Four sums side by side, always in the same order.
-double dot(const double* a, const double* b, std::size_t count) {
-  double sums[4] = {0, 0, 0, 0};
-  std::size_t i = 0;
-  for (; i + 4 <= count; i += 4) {
-    for (std::size_t j = 0; j < 4; ++j) sums[j] += a[i + j] * b[i + j];
-  }
-  for (; i < count; ++i) sums[0] += a[i] * b[i];
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
 }  // namespace
 
 bool Lcp::solve(const Problem& problem, double* x) {
   begin(problem, x);
+  isSmall_ = problem.rows <= kFewRows;
   if (solveByRounds(0)) return true;
   begin(problem, x);
+  isSmall_ = false;
   return solveByPivots();
 }
 
 bool Lcp::solveWithSameMatrix(const Problem& problem, double* x) {
   const std::size_t before = rows_;
-  const std::size_t factored = factoredRows(static_cast<std::size_t>(problem.rows));
+  const std::size_t factored = isSmall_ ? 0 : factoredRows(static_cast<std::size_t>(problem.rows));
   begin(problem, x);
   // rows of factors lie as far apart as there are rows
   for (std::size_t row = 1; row < factored; ++row) std::copy_n(&L_[row * before], row, factorRow(row));
   if (solveByRounds(factored)) return true;
   begin(problem, x);
+  isSmall_ = false;
   return solveByPivots();
 }
 
@@ -86,13 +84,15 @@ bool Lcp::settle(int first, int end, std::size_t factored) {
   }
   if (!setFree(freed_)) return false;
   for (int round = 0; round < kMostRounds; ++round) {
-    solveFree();
+    if (!solveFree()) return false;
     findChanges(end);
     if (changes_.empty()) return true;
     if (round == 0) spareOpposed();
     for (const auto& [row, state] : changes_) {
       if (state != State::kFree) {
         setBound(row, state);
+      } else if (isSmall_) {
+        states_[static_cast<std::size_t>(row)] = State::kFree;
       } else if (!setFree(row)) {
         return false;
       }
@@ -102,7 +102,9 @@ bool Lcp::settle(int first, int end, std::size_t factored) {
 }
 
 /// Sets the free x so that their w are zero.
-void Lcp::solveFree() {
+/// @return False where A is not positive definite.
+bool Lcp::solveFree() {
+  if (isSmall_) return solveFreeAfresh();
   values_.clear();
   for (const int row : free_) values_.push_back(problem_.b[row]);
   for (std::size_t k = 0; k < rows_; ++k) {
@@ -112,6 +114,32 @@ void Lcp::solveFree() {
   }
   solveFactors(values_);
   for (std::size_t i = 0; i < free_.size(); ++i) x_[free_[i]] = values_[i];
+  return true;
+}
+
+bool Lcp::solveFreeAfresh() {
+  free_.clear();
+  for (std::size_t row = 0; row < rows_; ++row) {
+    if (states_[row] == State::kFree) free_.push_back(static_cast<int>(row));
+  }
+  const std::size_t count = free_.size();
+  const UpperRows upper{U_.data(), widthFor(count + 1), count};
+  for (std::size_t i = 0; i < count; ++i) {
+    double* const to = upper.row(i);
+    const double* const A = rowOfA(static_cast<std::size_t>(free_[i]));
+    std::fill(to + count, to + upper.width, 0.0);
+    for (std::size_t j = i; j < count; ++j) to[j] = A[free_[j]];
+    double b = problem_.b[free_[i]];
+    for (std::size_t k = 0; k < rows_; ++k) {
+      if (states_[k] == State::kLowest || states_[k] == State::kHighest) b -= A[k] * x_[k];
+    }
+    to[count] = b;
+  }
+  if (!eliminate(upper, count, inverseD_.data())) return false;
+  values_.resize(count);
+  substitute(upper, inverseD_.data(), 0, count, count, count, values_.data());
+  for (std::size_t i = 0; i < count; ++i) x_[free_[i]] = values_[i];
+  return true;
 }
 
 /// Lists the rows before `end` that do not meet their condition, and what they should become.
@@ -178,6 +206,7 @@ void Lcp::begin(const Problem& problem, double* x) {
   free_.clear();
   free_.reserve(rows_);
   L_.resize(std::max(L_.size(), rows_ * rows_));
+  U_.resize(std::max(U_.size(), rows_ * widthFor(rows_ + 1)));
   D_.resize(std::max(D_.size(), rows_));
   inverseD_.resize(D_.size());
   values_.reserve(4 * rows_);
@@ -334,6 +363,10 @@ bool Lcp::setFreeTogether(const int* rows) {
 
 /// @return False where A is not positive definite.
 bool Lcp::setFree(const std::vector<int>& rows) {
+  if (isSmall_) {
+    for (const int row : rows) states_[static_cast<std::size_t>(row)] = State::kFree;
+    return true;
+  }
   // what does not make up four goes first, for rows cost more the more there are before them
   std::size_t i = rows.size() % 2;
   if (i == 1 && !setFree(rows[0])) return false;
@@ -360,7 +393,8 @@ bool Lcp::addFactor(int row, double d) {
 
 void Lcp::setBound(int row, State state) {
   const auto i = static_cast<std::size_t>(row);
-  if (states_[i] == State::kFree) dropFactor(static_cast<std::size_t>(std::ranges::find(free_, row) - free_.begin()));
+  if (states_[i] == State::kFree && !isSmall_)
+    dropFactor(static_cast<std::size_t>(std::ranges::find(free_, row) - free_.begin()));
   states_[i] = state;
   x_[i] = state == State::kLowest ? lowest_[i] : highest_[i];
 }

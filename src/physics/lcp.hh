@@ -56,7 +56,8 @@ class Lcp {
   bool solveByRounds(std::size_t factored);
   std::size_t factoredRows(std::size_t rows) const;
   bool settle(int first, int end, std::size_t factored);
-  void solveFree();
+  bool solveFree();
+  bool solveFreeAfresh();
   void findChanges(int end);
   void spareOpposed();
   bool solveByPivots();
@@ -82,6 +83,9 @@ class Lcp {
   Problem problem_;
   double* x_ = nullptr;
   std::size_t rows_ = 0;
+  /// There are so few rows that those which are free are eliminated anew in each round.
+  bool isSmall_ = false;
+  std::vector<double> U_;
   std::vector<State> states_;
   std::vector<double> w_;
   std::vector<double> lowest_;

@@ -35,8 +35,9 @@ void transferPoint(StateArchive& archive, btManifoldPoint& point) {
         &point.m_contactMotion2, &point.m_contactCFM, &point.m_contactERP, &point.m_frictionCFM}) {
     archive(*value);
   }
-  for (int* value : {&point.m_partId0, &point.m_partId1, &point.m_index0, &point.m_index1, &point.m_contactPointFlags,
-                     &point.m_lifeTime}) {
+  // how many steps it is old, nothing depends on
+  for (int* value :
+       {&point.m_partId0, &point.m_partId1, &point.m_index0, &point.m_index1, &point.m_contactPointFlags}) {
     archive(*value);
   }
 }

@@ -22,6 +22,9 @@ btQuaternion turnAbout(const btVector3& axis, double angle) {
 // F. S. Grassia, Practical parameterization of rotations using the exponential map, Journal of Graphics Tools 3 (1998);
 // as btTransformUtil::integrateTransform has it, which asks the C library for the sine
 btTransform moved(const btTransform& now, const btVector3& linear, const btVector3& angular, double dt) {
+  btTransform then(now.getBasis(), now.getOrigin() + linear * dt);
+  // the way by a quaternion would change the matrix by a bit
+  if (angular.isZero()) return then;
   const double square = angular.length2();
   double speed = square > SIMD_EPSILON ? btSqrt(square) : 0;
   if (speed * dt > kMostTurn) speed = kMostTurn / dt;
@@ -29,7 +32,6 @@ btTransform moved(const btTransform& now, const btVector3& linear, const btVecto
   const btVector3 half = angular * (speed < kSlow ? 0.5 * dt : sine / speed);
   btQuaternion rotation = btQuaternion(half.x(), half.y(), half.z(), cosine) * now.getRotation();
   rotation.safeNormalize();
-  btTransform then(now.getBasis(), now.getOrigin() + linear * dt);
   if (rotation.length2() > SIMD_EPSILON) then.setRotation(rotation);
   return then;
 }

@@ -14,6 +14,10 @@ enum class Solver {
   kNncg,
 };
 
+/// Penetration is taken back no faster than by that times the length of a step [m/s^2]: at about the speed that gravity
+/// gives in a step, which is what the solver's own errors are of. Fortress's engine takes all back at 1 mm/s.
+inline constexpr double kFastestParting = 10;
+
 /// How the step is computed. The defaults are what the measurements in `docs/physics.md` speak for.
 struct Settings {
   /// How many threads solve groups of bodies; the result is the same.

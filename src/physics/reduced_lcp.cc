@@ -1,0 +1,66 @@
+#include "physics/reduced_lcp.hh"
+
+#include <algorithm>
+
+namespace pongsim::physics {
+
+bool ReducedLcp::solve(const Problem& problem, double* x) {
+  problem_ = problem;
+  rows_ = static_cast<std::size_t>(problem.rows);
+  equations_ = static_cast<std::size_t>(problem.equations);
+  unfrictional_ = static_cast<std::size_t>(problem.unfrictionalRows);
+  if (!reduce()) return false;
+  if (rows_ > equations_ && !lcp_.solve(rest(rows_, b_.data()), x + equations_)) return false;
+  substitute(upper(), inverseD_.data(), 0, equations_, rows_, rows_, x);
+  return true;
+}
+
+bool ReducedLcp::solveSecond(double* x) {
+  const bool isSolved =
+      unfrictional_ == equations_ || lcp_.solveWithSameMatrix(rest(unfrictional_, b2_.data()), x + equations_);
+  if (!isSolved) return false;
+  substitute(upper(), inverseD_.data(), 0, equations_, unfrictional_, rows_ + 1, x);
+  return true;
+}
+
+/// The rows behind the equations and before `end`.
+Lcp::Problem ReducedLcp::rest(std::size_t end, const double* b) const {
+  return {static_cast<int>(end - equations_),
+          A_.data(),
+          static_cast<int>(rows_ - equations_),
+          b,
+          problem_.lowest + equations_,
+          problem_.highest + equations_,
+          normalOf_.data()};
+}
+
+/// @return False where A is not positive definite.
+bool ReducedLcp::reduce() {
+  width_ = widthFor(rows_ + 2);
+  U_.resize(rows_ * width_);
+  inverseD_.resize(equations_);
+  for (std::size_t row = 0; row < rows_; ++row) {
+    double* const to = U_.data() + row * width_;
+    std::copy(problem_.A + row * rows_, problem_.A + (row + 1) * rows_, to);
+    to[rows_] = problem_.b[row];
+    to[rows_ + 1] = row < unfrictional_ ? problem_.b2[row] : 0;
+    std::fill(to + rows_ + 2, to + width_, 0.0);
+  }
+  if (!eliminate(upper(), equations_, inverseD_.data())) return false;
+  const std::size_t count = rows_ - equations_;
+  A_.resize(count * count);
+  b_.resize(count);
+  b2_.resize(count);
+  normalOf_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* const from = upper().row(equations_ + i);
+    for (std::size_t j = i; j < count; ++j) A_[i * count + j] = A_[j * count + i] = from[equations_ + j];
+    b_[i] = from[rows_];
+    b2_[i] = from[rows_ + 1];
+    const int normal = problem_.normalOf[equations_ + i];
+    normalOf_[i] = normal < 0 ? -1 : normal - problem_.equations;
+  }
+  return true;
+}
+
+}  // namespace pongsim::physics
