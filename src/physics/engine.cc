@@ -18,6 +18,7 @@
 #include "physics/convert.hh"
 #include "physics/dynamics_world.hh"
 #include "physics/friction.hh"
+#include "physics/friction_frames.hh"
 #include "physics/gearbox.hh"
 #include "physics/joint.hh"
 #include "physics/manifold_state.hh"
@@ -51,10 +52,6 @@ struct Engine::Parts final : GroupWork {
   void grow();
   void prepareHulls();
   void addJoints();
-  /// @param first The first link whose collisions are looked at.
-  void findFrictionFrames(world::Slot first);
-  /// Friction directions that are those of other links go with these.
-  void turnFrictionDirections();
   void remove(const world::Removal& removal);
   /// Tells bodies and joints of their slots, and the world of who moves.
   void renumber();
@@ -81,13 +78,7 @@ struct Engine::Parts final : GroupWork {
   std::vector<std::unique_ptr<Joint>> joints;
   /// For each joint, how many constraints the world has of those up to it.
   std::vector<std::size_t> holdingEnd;
-  /// Collisions whose first friction direction is in the frame of another link.
-  struct FrictionFrame {
-    LinkShape::Part* part;
-    const Body* body;
-    const Body* frame;
-  };
-  std::vector<FrictionFrame> frictionFrames;
+  FrictionFrames frictionFrames;
   /// Length of the last step [s].
   double dt = 1;
 
@@ -172,34 +163,7 @@ void Engine::Parts::grow() {
   }
   addJoints();
   renumberFrom(firstLink, firstJoint);
-  findFrictionFrames(firstLink);
-}
-
-void Engine::Parts::findFrictionFrames(world::Slot first) {
-  for (world::Slot slot = first; slot < bodies.size(); ++slot) {
-    const std::unique_ptr<Body>& body = bodies[slot];
-    LinkShape& shape = body->shape();
-    for (std::size_t i = 0; i < shape.partCount(); ++i) {
-      const std::string& name = shape.part(i).surface->fdir1Link;
-      if (name.empty()) continue;
-      const world::Slot model = entities.links()[body->link()].model;
-      const auto frame = std::ranges::find_if(bodies, [&](const auto& other) {
-        const world::LinkRecord& link = entities.links()[other->link()];
-        return link.model == model && link.description->name == name;
-      });
-      if (frame != bodies.end()) frictionFrames.push_back({&shape.part(i), body.get(), frame->get()});
-    }
-  }
-}
-
-// before bodies move, on one thread: the other link may be of another group
-void Engine::Parts::turnFrictionDirections() {
-  for (const FrictionFrame& each : frictionFrames) {
-    const Pose X_BodyLink = each.frame->X_LinkBody().inverse();
-    const btVector3 direction = each.frame->rigid().getWorldTransform().getBasis() *
-                                toBullet(Vector3(X_BodyLink.rotation * each.part->surface->fdir1));
-    each.part->fdir1_World = fromBullet(direction);
-  }
+  frictionFrames.find(bodies, firstLink, entities);
 }
 
 void Engine::Parts::take(Body& body) {
@@ -239,9 +203,7 @@ void Engine::Parts::remove(const world::Removal& removal) {
     btRigidBody& rigid = bodies[slot]->rigid();
     if (rigid.getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&rigid);
   }
-  std::erase_if(frictionFrames, [&removal](const FrictionFrame& each) {
-    return std::ranges::binary_search(removal.links, each.body->link());
-  });
+  frictionFrames.remove(removal.links);
   world::eraseSlots(joints, removal.joints);
   // a body that has gone has no place in the broad phase any more, and must live until that has been looked at
   std::vector<std::unique_ptr<Body>> gone;
@@ -256,7 +218,7 @@ void Engine::Parts::remove(const world::Removal& removal) {
 void Engine::Parts::renumber() {
   renumberFrom(0, 0);
   frictionFrames.clear();
-  findFrictionFrames(0);
+  frictionFrames.find(bodies, 0, entities);
 }
 
 void Engine::Parts::renumberFrom(world::Slot firstLink, world::Slot firstJoint) {
@@ -392,7 +354,7 @@ void Engine::step(Time dt, world::State& state) {
   parts_->dt = toSeconds(dt);
   if (std::exchange(parts_->state, &state) != &state || !parts_->frictionFrames.empty()) parts_->world.forgetRest();
   parts_->slowedDown = world::kNoSlot;
-  parts_->turnFrictionDirections();
+  parts_->frictionFrames.turn();
   parts_->world.step(parts_->dt);
   const world::Slot exploded = parts_->exploded.exchange(world::kNoSlot);
   if (exploded != world::kNoSlot) parts_->reportExplosion(exploded);

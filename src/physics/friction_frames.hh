@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "physics/body.hh"
+#include "world/entities.hh"
+
+namespace pongsim::physics {
+
+/// The collisions whose first friction direction is in the frame of another link of their model.
+class FrictionFrames {
+ public:
+  /// Looks for them in the bodies from `first` on.
+  /// @param bodies One a link, in the order of their slots.
+  void find(std::span<const std::unique_ptr<Body>> bodies, world::Slot first, const world::Entities& entities);
+
+  /// Forgets those of links that go, which know their slots still.
+  /// @param links Their slots, in ascending order.
+  void remove(const std::vector<world::Slot>& links);
+
+  void clear() { frames_.clear(); }
+  bool empty() const { return frames_.empty(); }
+
+  /// Turns the directions with their frames: before bodies move, on one thread, for the other link may be of another
+  /// group.
+  void turn();
+
+ private:
+  struct Frame {
+    LinkShape::Part* part;
+    const Body* body;
+    /// The other link's.
+    const Body* frame;
+  };
+  std::vector<Frame> frames_;
+};
+
+}  // namespace pongsim::physics
