@@ -24,8 +24,7 @@ void FrictionFrames::find(std::span<const std::unique_ptr<Body>> bodies, world::
 }
 
 void FrictionFrames::remove(const std::vector<world::Slot>& links) {
-  std::erase_if(frames_,
-                [&links](const Frame& each) { return std::ranges::binary_search(links, each.body->link()); });
+  std::erase_if(frames_, [&links](const Frame& each) { return std::ranges::binary_search(links, each.body->link()); });
 }
 
 void FrictionFrames::turn() {
