@@ -100,7 +100,6 @@ class Scene::Content {
     const Matrix3 R_WorldSensor = beams.X_WorldSensor.rotation.toRotationMatrix();
     BeamQuery query{};
     rtcInitIntersectContext(&query.context);
-    query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     query.owner = beams.owner;
     query.minRange = beams.minRange;
     query.visibilityMask = beams.visibilityMask;

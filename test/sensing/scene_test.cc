@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ class BeamWorld : public pongsim::test::VisualWorld {
     Echo echo;
     scene_.cast(beams, {&direction, 1}, {&echo, 1});
     return echo;
+  }
+
+  void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes) {
+    scene_.cast(beams, directions, echoes);
   }
 
   void move(std::size_t model, const Vector3& position) {
@@ -339,6 +344,32 @@ TEST(BeamScene, SaysOnceWhichFilesItCantRead) {
   EXPECT_NE(world.warnings()[0].message.find("visual 'v' of link 'l' will not be seen"), std::string::npos);
   EXPECT_EQ(world.warnings()[0].position.line, 12);
   EXPECT_EQ(world.cast(from({})).range, kNowhere);
+}
+
+// a lidar's level row has directions with next to nothing up or down
+TEST(Scene, IsSeenByBeamsTogetherAsByEachAlone) {
+  BeamWorld world;
+  world.add(description::Cylinder{0.3, 2}, at(-2, -2, 1));
+  world.add(description::Sphere{0.8}, at(-1, 3, 1));
+  world.start();
+  std::vector<Vector3> directions;
+  for (const double up : {-0.1, -0.1 + 0.2 / 2, 0.1}) {
+    for (int i = 0; i < 180; ++i) {
+      const double left = -3.1241 + i * 6.2482 / 179;
+      directions.emplace_back(std::cos(up) * std::cos(left), std::cos(up) * std::sin(left), std::sin(up));
+    }
+  }
+  std::vector<Echo> echoes(directions.size());
+  for (const double turn : {0.0, 0.025, 0.05, 0.075, 0.1, 0.125, 0.3, 1.0}) {
+    const Beams beams = from({{0, 0, 1}, fromRollPitchYaw(0, 0, turn)});
+    world.cast(beams, directions, echoes);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      ASSERT_EQ(echoes[i].range, world.cast(beams, directions[i]).range) << turn << ", beam " << i;
+      if (echoes[i].range < kNowhere) ++seen;
+    }
+    EXPECT_GT(seen, 50U);
+  }
 }
 
 }  // namespace
