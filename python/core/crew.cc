@@ -41,8 +41,8 @@ Crew::~Crew() {
 void Crew::begin() {
   if (!threads_.empty() && process_ != getpid()) {
     throw std::runtime_error(
-        "the threads of these environments stayed behind when the process was forked; make them in "
-        "the process that steps them");
+        "the threads of these environments stayed behind when the process was forked; make them in the process that "
+        "steps them");
   }
   process_ = getpid();
   while (threads_.size() + 1 < wanted_) threads_.emplace_back([this] { serve(); });
