@@ -95,6 +95,7 @@ MISTAKES = {
     "unknown key": (HEAD + "seed: 3\n", r"s.yaml:4:7: error: a sweep has no 'seed' \(did you mean 'seeds'\?\)"),
     "no world": (HEAD.replace("w.sdf", "x.sdf"), r"s.yaml:1:8: error: there is no file .*x.sdf"),
     "bad yaml": (HEAD + "a: [1\nb: 2\n", r"s.yaml:5:2: error: "),
+    "unquoted": (HEAD + "parameters: {a: {xpath: //b[@c='d']/e}}\n", r"s.yaml:4:28: error: .*quote texts"),
     "twice": (HEAD + "seeds: 2\nseeds: 3\n", r"s.yaml:5:1: error: 'seeds' is there twice"),
     "alias": (HEAD + "parameters: {a: &x {values: [1]}, b: *x}\n", r"s.yaml:4:38: error: aliases"),
     "empty": ("", r"s.yaml:1:1: error: the file is empty"),

@@ -225,7 +225,7 @@ def test_the_command(tmp_path):
     assert (code, out) == (0, "2 runs, 2 done, 0 failed; o: results.csv and results.parquet\n"), err
     assert command(tmp_path, "world", "s.yaml", "1")[1] == WORLD.replace("0 0 2 0 0 0", "0 0 3 0 0 0")
     for arguments, expected, said in (
-        ((), 2, "the following arguments are required"),
+        ((), 2, "the following arguments are required: FILE.yaml"),
         (("s.yaml", "--jobs", "many"), 2, "argument -j/--jobs: invalid int value: 'many'"),
         (("s.yaml", "--jobs", "0"), 1, "jobs is 1 or more, not 0"),
         (("x.yaml",), 1, "x.yaml: No such file or directory"),

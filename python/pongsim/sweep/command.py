@@ -44,7 +44,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="pongsim sweep", epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
                      description="Runs a world again and again, with other parameters and seeds.",
                      usage="pongsim sweep FILE.yaml [OPTION...] | world FILE.yaml RUN | plot FOLDER")
-    actions = parser.add_subparsers(dest="action", required=True, metavar="", parser_class=_Parser)
+    actions = parser.add_subparsers(dest="action", required=True, metavar="FILE.yaml", parser_class=_Parser)
 
     each = actions.add_parser("run", help="make the runs of FILE.yaml, or those that are left", epilog=_EXAMPLES,
                               formatter_class=argparse.RawDescriptionHelpFormatter, prog="pongsim sweep",

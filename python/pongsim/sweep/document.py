@@ -123,7 +123,8 @@ def read(text: str, file: str) -> Node:
         return _convert(loader, root, file)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
-        hint = "quote texts that have : # { [ > or the like in them" if "mapping values" in str(error.problem) else ""
+        unquoted = any(words in str(error.problem) for words in ("mapping values", "expected ',' or"))
+        hint = "quote texts that have : # { [ > or the like in them" if unquoted else ""
         raise SweepError(str(error.problem or error.context), at=_place(file, mark), hint=hint) from None
     except yaml.YAMLError as error:
         raise SweepError(" ".join(str(error).split()), at=file) from None
