@@ -11,7 +11,7 @@ constexpr int kMostIterations = 5;
 // where an iteration changes less than that part there is no more to be had
 constexpr double kEnough = 1e-15;
 // below this turn in a step [rad] there is nothing to do
-constexpr double kSmallestTurn = 1e-8;
+constexpr double kSmallestSpin = 1e-8;
 
 struct Turn {
   explicit Turn(const btVector3& vector) : axis(0, 0, 0), sine(0), cosine(1) {
@@ -44,7 +44,7 @@ struct Turn {
 
 std::optional<Gyration> gyration(const btMatrix3x3& R_WorldBody, const btVector3& w_World, const btVector3& moments,
                                  double dt, bool isHeld) {
-  if (w_World.length2() * dt * dt < kSmallestTurn * kSmallestTurn) return std::nullopt;
+  if (w_World.length2() * dt * dt < kSmallestSpin * kSmallestSpin) return std::nullopt;
   if (moments.x() == moments.y() && moments.y() == moments.z()) return std::nullopt;
   // all of it in the body's frame
   const btVector3 before = w_World * R_WorldBody;
