@@ -23,7 +23,7 @@ TEST(ClosedSockets, AreThoseOfDiscoveryWhichHearThisMachine) {
   const std::string beat = packetOf("neighbour", ignition::msgs::Discovery::HEARTBEAT);
   EXPECT_TRUE(sayToGroup(beat, library().discoveryIP, library().msgDiscPort));
   heartbeats.read();
-  // one that was never heard counts as one that was there at the start, for so long
+  // one that was never heard would be there still
   EXPECT_TRUE(heartbeats.isAlive("neighbour"));
   EXPECT_FALSE(heartbeats.isAlive("neighbour", Heartbeats::Clock::now() + std::chrono::seconds(11)));
 }

@@ -117,8 +117,8 @@ int callOneWay(Node& node, const std::string& name, const std::string& text) {
 int publish(Node& node, const std::string& topic, const std::vector<std::string>& texts) {
   Node::Publisher publisher = node.Advertise<StringMsg>(topic);
   while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  // its connection is there a little after it is known
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  // its connection is there a little after it is known, and those of others a little after it
+  std::this_thread::sleep_for(std::chrono::seconds(1));
   for (const std::string& text : texts) {
     StringMsg message;
     message.set_data(text);

@@ -51,7 +51,11 @@ RecordFolder WorldsFolder::folderOf(std::string_view world) const {
 void WorldsFolder::leave(std::shared_ptr<WorldsFolder> folder, bool mustPack) {
   Open& open = openFolders();
   const std::lock_guard lock(open.mutex);
-  if (folder.use_count() > 1) return;
+  if (folder.use_count() > 1) {
+    // before others may look: of those who leave at the same time one is the last
+    folder.reset();
+    return;
+  }
   std::erase_if(open.folders, [&folder](const auto& each) { return each.second.lock() == folder; });
   if (mustPack) packRecording(folder->all_);
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "log/store/failure.hh"
 #include "support/temp_folder.hh"
@@ -55,6 +56,21 @@ TEST(WorldsFolder, IsPackedByTheLastOne) {
   WorldsFolder::leave(std::move(second), true);
   EXPECT_FALSE(fs::exists(rec));
   EXPECT_TRUE(fs::is_regular_file(rec.string() + ".zip"));
+}
+
+TEST(WorldsFolder, IsPackedByOneOfThoseWhoLeaveAtTheSameTime) {
+  const test::TempFolder place;
+  for (int i = 0; i < 20; ++i) {
+    const fs::path rec = place.path() / ("rec" + std::to_string(i));
+    auto first = WorldsFolder::join(rec, "", WhereTaken::kDelete);
+    auto second = WorldsFolder::join(rec, "", WhereTaken::kDelete);
+    std::ofstream(first->folderOf("a").folder / "file") << "text";
+    std::thread other([&second] { WorldsFolder::leave(std::move(second), true); });
+    WorldsFolder::leave(std::move(first), true);
+    other.join();
+    EXPECT_FALSE(fs::exists(rec));
+    EXPECT_TRUE(fs::is_regular_file(rec.string() + ".zip"));
+  }
 }
 
 }  // namespace

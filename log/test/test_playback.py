@@ -1,13 +1,17 @@
 """Playing what a run recorded: to its end, to who listens, as requests steer it."""
 
 import json
+import os
 import re
 import subprocess
+import time
 import unittest
 
 from place import PATIENCE, PONGSIM, WORLD, Place, wait_until
 
 CONTROL = ("service", "-s", "/world/drive/playback/control", "--timeout", "60000", "--req")
+# What Debian's own library of logs reads (transport_log_main.cc), where it is there.
+READER = os.environ.get("PONGSIM_TRANSPORT_LOG")
 
 
 class Playback(unittest.TestCase):
@@ -42,7 +46,8 @@ class Playback(unittest.TestCase):
         self.assertEqual(self.place.end(played), 0, self.place.said(played))
 
     def test_steps_go_on_after_a_rewind_among_them(self):
-        self.place.start("run", "--playback", "rec", "--paused", "-z", "100")
+        # so slow that the second request comes among the steps on a busy machine, too
+        self.place.start("run", "--playback", "rec", "--paused", "-z", "20")
         wait_until(lambda: self.state() == (0, True), "the recording")
         self.run_pongsim(*CONTROL, "pause: true, multi_step: 150")
         self.run_pongsim(*CONTROL, "rewind: true")
@@ -63,6 +68,26 @@ class Playback(unittest.TestCase):
         self.place.log("playback", "--file", "rec/state.tlog", "--pattern", "/model/.*", "--wait", "60000")
         rows = self.place.log("export", "rec/state.tlog", "/model/box/pose", "header.stamp.nsec", "--csv").splitlines()
         self.assertEqual(self.times_of(listener), [int(row.split(",")[1]) // 1_000_000 for row in rows[1:4]])
+
+    def test_it_is_as_fast_as_asked(self):
+        self.place.start("run", "--playback", "rec", "--paused", "-z", "50")
+        wait_until(lambda: self.state() == (0, True), "the recording")
+        start = time.monotonic()
+        self.run_pongsim(*CONTROL, "pause: false")
+        wait_until(lambda: self.state() == (0.2, True), "the end")
+        # 200 steps, which took 0.2 s when they were recorded
+        self.assertGreater(time.monotonic() - start, 3.5)
+
+    @unittest.skipUnless(READER, "Debian's library of logs is not here")
+    def test_fortresss_library_of_logs_reads_it(self):
+        done = subprocess.run([READER, self.place.path / "rec/state.tlog"], capture_output=True, text=True,
+                              timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        topics = json.loads(self.place.log("info", "rec/state.tlog", "--json"))["topics"]
+        self.assertGreaterEqual({topic["name"] for topic in topics},
+                                {"/rec/sdf", "/world/drive/changed_state", "/model/box/pose"})
+        self.assertEqual(sorted(done.stdout.splitlines()),
+                         sorted(f"{topic['name']} {topic['type']} {topic['count']}" for topic in topics))
 
     def listen(self):
         listener = subprocess.Popen([PONGSIM, "topic", "-e", "-t", "/model/box/pose", "-n", "3", "--json-output"],

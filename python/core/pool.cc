@@ -43,12 +43,12 @@ Pool::Place& Pool::placeOf(std::size_t world) {
 }
 
 void Pool::addReading(std::size_t world, Reading reading) {
-  if (isSealed_) throw py::value_error("the pool is sealed");
+  checkOpen();
   placeOf(world).readings.push_back(std::move(reading));
 }
 
 void Pool::addSteering(std::size_t world, Steering steering) {
-  if (isSealed_) throw py::value_error("the pool is sealed");
+  checkOpen();
   placeOf(world).steerings.push_back(std::move(steering));
 }
 

@@ -29,9 +29,15 @@ class Pool {
   void addReading(std::size_t world, Reading reading);
   void addSteering(std::size_t world, Steering steering);
   /// Limits what an action's number may say; in the order of the numbers, for all worlds.
-  void limitAction(double low, double high) { actionLimits_.push_back({low, high}); }
+  void limitAction(double low, double high) {
+    checkOpen();
+    actionLimits_.push_back({low, high});
+  }
   /// Takes a number that was read into what is observed, within limits; for all worlds.
-  void observe(std::size_t column, double low, double high) { observed_.push_back({column, {low, high}}); }
+  void observe(std::size_t column, double low, double high) {
+    checkOpen();
+    observed_.push_back({column, {low, high}});
+  }
   /// Makes the arrays.
   /// Raises ValueError where worlds differ in what is read or steered.
   void seal();
@@ -83,6 +89,10 @@ class Pool {
   template <class Number>
   static std::span<Number> rowOf(const std::shared_ptr<Memory>& memory, std::size_t row, std::size_t width);
   Place& placeOf(std::size_t world);
+  /// Raises ValueError where the arrays are made already.
+  void checkOpen() const {
+    if (isSealed_) throw py::value_error("the pool is sealed");
+  }
   /// Calls `work` for each world on the crew's threads, without the GIL, and raises what one throws.
   template <class Work>
   void forAll(const char* what, Work work);

@@ -27,6 +27,9 @@ Heard::Heard(Life& life, std::string name, const std::string& topic, const std::
 
 namespace {
 
+/// Lidars with more are none of the lidar's system.
+constexpr double kMostBeams = 1e6;
+
 Reading readingOf(std::shared_ptr<Heard> heard) {
   const Heard& source = *heard;
   return {.size = source.numbers().size(),
@@ -45,9 +48,11 @@ LidarLimits lidarLimits(PySensor& sensor) {
                           std::string(sensor.use().type()));
   }
   const auto count = [](const LidarSettings::Scan& scan) {
-    return static_cast<std::size_t>(std::max(1.0, std::floor(scan.samples * scan.resolution)));
+    return std::max(1.0, std::floor(scan.samples * scan.resolution));
   };
-  return {count(settings->horizontal) * count(settings->vertical), settings->minRange, settings->maxRange};
+  const double beams = count(settings->horizontal) * count(settings->vertical);
+  if (beams > kMostBeams) throw py::value_error("lidar '" + sensor.use().scopedName() + "' has too many beams");
+  return {static_cast<std::size_t>(beams), settings->minRange, settings->maxRange};
 }
 
 Reading rangesOf(PySensor& sensor) {

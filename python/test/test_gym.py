@@ -154,6 +154,17 @@ def test_an_episode_after_a_restore_has_the_bits_of_one_after_a_start():
     env.close()
 
 
+def test_an_episode_begins_where_models_have_come_and_gone():
+    mark = "<sdf version='1.9'><model name='mark'><static>true</static><pose>5 0 0 0 0 0</pose><link name='l'/></model></sdf>"
+    env = gym.Env(rail(start=lambda sim, random: sim.insert(mark)))
+    runs = [[env.reset()[0], *(env.step([float(i)])[0] for i in range(5))] for _ in range(3)]
+    assert np.array_equal(runs[0], runs[1]) and np.array_equal(runs[0], runs[2])
+    env.simulation.remove(env.simulation.model("cart"))
+    env.reset()
+    env.step([1.0])
+    env.close()
+
+
 def felt(env, seed=None):
     env.reset(seed=seed)
     return [env.step([0.0])[0][2] for _ in range(3)]

@@ -13,7 +13,9 @@ def test_there_are_notebooks():
 
 
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=[file.stem for file in NOTEBOOKS])
-def test_notebook(file):
+def test_notebook(file, tmp_path, monkeypatch):
+    # nothing is left in the user's folder
+    monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
     notebook = nbformat.read(file, as_version=4)
     nbformat.validate(notebook)
     # kept without what it prints, which would only grow old

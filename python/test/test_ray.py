@@ -1,5 +1,7 @@
 """A sweep on a Ray cluster of two nodes, of which one is killed."""
 
+import tempfile
+
 import pytest
 from sweeps import make, write
 
@@ -24,6 +26,9 @@ def where(sim, parameters):
 def cluster(monkeypatch):
     # nothing is reported to anybody
     monkeypatch.setenv("RAY_USAGE_STATS_ENABLED", "0")
+    # beside /tmp/ray, where a cluster of the user's would be; a short name, for sockets lie in it
+    folder = tempfile.TemporaryDirectory(dir="/tmp", ignore_cleanup_errors=True)
+    monkeypatch.setenv("RAY_TMPDIR", folder.name)
     # a node that has gone is noticed soon
     made = cluster_utils.Cluster(initialize_head=True, head_node_args={
         "num_cpus": 1, "include_dashboard": False, "object_store_memory": 80 * 2**20,
@@ -32,6 +37,7 @@ def cluster(monkeypatch):
     yield made
     ray.shutdown()
     made.shutdown()
+    folder.cleanup()
 
 
 def test_a_node_that_is_killed_costs_no_run_and_changes_no_bit(cluster, tmp_path, monkeypatch):

@@ -116,6 +116,39 @@ def test_it_has_what_a_vector_of_gymnasium_has():
     assert envs.closed
 
 
+@pytest.mark.parametrize("mode", MODES)
+def test_what_a_step_gives_is_not_changed_by_what_comes_then(mode):
+    # a reward that is a part of what was read, as it lies there
+    task = rail(reward=lambda now: now["rail"][:, 0], terminated=short)
+    ours = gym.VectorEnv(task, 2, autoreset_mode=mode)
+    theirs = SyncVectorEnv([lambda: gym.Env(task)] * 2, autoreset_mode=mode)
+    push = np.float32([[4.0], [1.0]])
+    for envs in (ours, theirs):
+        envs.reset(seed=1)
+    results = [(ours.step(push), theirs.step(push)) for _ in range(20)]
+    assert any(one[2][0] for one, _ in results)
+    for one, other in results:
+        same(one, other)
+        assert all(each.flags.writeable for each in one[1:4])
+    ours.close()
+    theirs.close()
+
+
+def test_a_reward_that_an_episode_which_just_begins_does_not_have_is_not_asked_for():
+    def speed(now):
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return now["rail"][:, 0] / now.time
+
+    envs = gym.VectorEnv(rail(reward=speed, terminated=short), 2)
+    envs.reset(seed=1)
+    push = np.float32([[4.0], [0.0]])
+    while not envs.step(push)[2][0]:
+        pass
+    rewards = envs.step(push)[1]
+    assert rewards[0] == 0 and np.isfinite(rewards).all()
+    envs.close()
+
+
 def test_without_autoreset_a_mask_says_who_begins_anew():
     task = rail(terminated=short)
     envs = gym.VectorEnv(task, 2, autoreset_mode=AutoresetMode.DISABLED)

@@ -191,7 +191,8 @@ void addSdfCommand(CLI::App& program, Work& work) {
         ->type_name(value);
   };
   addFlag("-k,--check", options->check, "Say what is wrong with the files and what they include, or 'Valid.'");
-  addFlag("-p,--print", options->print, "Print the file as SDF 1.9, with what it includes in place of each <include>, and with default values");
+  addFlag("-p,--print", options->print,
+          "Print the file as SDF 1.9, with what it includes in place of each <include>, and with default values");
   addFlag("--strict", options->strict, "Take warnings for errors");
   addFlag("--json", options->json, "Print what is wrong as an array of JSON objects");
   command

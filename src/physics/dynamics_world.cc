@@ -96,8 +96,14 @@ void DynamicsWorld::transferContacts(StateArchive& archive) {
   transferManifolds(archive, dispatcher_);
 }
 
+// whoever moves thousands of bodies asks once for each
+void DynamicsWorld::forgetRest() {
+  if (std::exchange(hasStepped_, false)) rest_.forget();
+}
+
 void DynamicsWorld::step(double dt) {
   if (std::exchange(lastStep_, dt) != dt) forgetRest();
+  hasStepped_ = true;
   forgetRolledContacts(dt);
   world_.stepSimulation(dt, 0);
 }

@@ -42,7 +42,7 @@ class DynamicsWorld {
   void transferContacts(StateArchive& archive);
 
   /// Bodies at rest are no longer, for something that is not theirs has changed.
-  void forgetRest() { rest_.forget(); }
+  void forgetRest();
 
   /// One step of exactly `dt` [s].
   void step(double dt);
@@ -57,6 +57,8 @@ class DynamicsWorld {
   GroupedWorld world_;
   /// Length of the last step [s].
   double lastStep_ = 0;
+  /// Only a step finds out who rests: without one since `forgetRest` there is nothing to forget.
+  bool hasStepped_ = false;
 };
 
 }  // namespace pongsim::physics

@@ -36,14 +36,12 @@ using Four [[gnu::vector_size(32), gnu::aligned(16), gnu::may_alias]] = double;
   }
 }
 
-}  // namespace
-
 // of what wider registers do beside each other every number comes out the same
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 [[gnu::target_clones("avx2", "default")]]
 #endif
-bool eliminate(const UpperRows& matrix, std::size_t count, double* inverseD) {
+bool eliminateColumns(const UpperRows& matrix, std::size_t count, double* inverseD) {
   for (std::size_t first = 0; first < count; first += kPanel) {
     const std::size_t end = std::min(first + kPanel, count);
     const bool isWhole = end - first == kPanel;
@@ -70,6 +68,13 @@ bool eliminate(const UpperRows& matrix, std::size_t count, double* inverseD) {
     }
   }
   return true;
+}
+
+}  // namespace
+
+// clones of a function that others call would be offered by the library
+bool eliminate(const UpperRows& matrix, std::size_t count, double* inverseD) {
+  return eliminateColumns(matrix, count, inverseD);
 }
 
 void substitute(const UpperRows& matrix, const double* inverseD, std::size_t first, std::size_t end, std::size_t count,

@@ -331,7 +331,7 @@ void GroupRows::pushApart(const Mover& mover) const {
     return;
   }
   X.setOrigin(X.getOrigin() + linear * dt_);
-  // what is not quite a turn in it, the step's own turn takes away
+  // what is not quite a turn in it, the body's next turn of its own takes away (below 1e-6 until then)
   btMatrix3x3& R = X.getBasis();
   for (int column = 0; column < 3; ++column) {
     const btVector3 axis = R.getColumn(column);

@@ -10,7 +10,6 @@
 #include <utility>
 #include <variant>
 
-#include "pongsim/math.hh"
 #include "sensing/embree.hh"
 #include "sensing/group.hh"
 #include "sensing/look.hh"

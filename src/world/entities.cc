@@ -303,7 +303,9 @@ void Entities::renumber(const std::vector<Slot>& models, const Removal& removal)
     moveUp(model.joints, removal.joints);
     moveUp(model.models, models);
   }
-  for (Slot slot = removal.links.empty() ? links_.size() : removal.links.front(); slot < links_.size(); ++slot) {
+  // of models without links, too
+  const Slot firstChanged = models.empty() ? links_.size() : removal.links.empty() ? 0 : removal.links.front();
+  for (Slot slot = firstChanged; slot < links_.size(); ++slot) {
     links_[slot].model = movedUp(links_[slot].model, models);
   }
   for (JointRecord& joint : joints_) {

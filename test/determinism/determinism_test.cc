@@ -57,8 +57,7 @@ class Determinism : public testing::Test {
     std::vector<std::string> command = {WORLD_HASHES, around.threads, "1000"};
     command.insert(command.end(), worlds.begin(), worlds.end());
     std::map<std::string, std::string> environment = around.environment;
-    // a lidar's library for the oldest processor, in one of them
-    environment["HOME"] = around.environment.contains("LD_PRELOAD") ? oldProcessor_.path() : home_.path();
+    environment["HOME"] = home_.path();
     environment["PONGSIM_OFFLINE"] = "1";
     if (const auto folder = fortressWorlds()) environment["IGN_GAZEBO_RESOURCE_PATH"] = *folder / "test/models";
     Process process(command, {.environment = environment, .folder = home_.path()});
@@ -84,8 +83,6 @@ class Determinism : public testing::Test {
 
  private:
   TempFolder home_;
-  TempFolder oldProcessor_;
-  const fs::path setting_ = oldProcessor_.write(".embree3", "isa=sse2\n");
 };
 
 TEST_F(Determinism, HoldsForOurWorldsAndThoseOfEachSystem) {

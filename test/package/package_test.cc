@@ -148,7 +148,12 @@ TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
 
   int systems = 0;
   for (const auto& library : std::filesystem::directory_iterator(libraries / "pongsim/plugins")) {
-    EXPECT_EQ(exportsOf(library.path()), std::vector<std::string>{"pongsim_systems"}) << library.path();
+    std::vector<std::string> offered = exportsOf(library.path());
+    // beside its systems, of one that has it
+    if (library.path().filename() == "libpongsim-ros2-system.so") {
+      EXPECT_EQ(std::erase(offered, "pongsim_encoder"), 1);
+    }
+    EXPECT_EQ(offered, std::vector<std::string>{"pongsim_systems"}) << library.path();
     ++systems;
   }
   EXPECT_GT(systems, 20);

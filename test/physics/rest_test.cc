@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,6 +106,36 @@ TEST(Rest, EndsWhereWhatBodiesStandOnIsTakenAway) {
   for (const char* name : {"box::link", "cylinder::link", "ball::link"}) {
     EXPECT_LT(rig.link(name).X_WorldLink.position.z(), 0.46) << name;
   }
+}
+
+// before the others in the file, which all get other numbers then, and behind them
+TEST(Rest, EndsWhereWhatBodiesStandOnIsRemoved) {
+  for (const bool isLast : {false, true}) {
+    description::World world = shapes();
+    if (isLast) std::ranges::rotate(world.models, world.models.begin() + 1);
+    Rig rig(world);
+    rig.step(3000);
+    const world::Removal removal = rig.entities.removeModel(rig.entities.findModel("ground"));
+    rig.engine.remove(removal);
+    rig.state.remove(removal);
+    rig.step(100);
+    for (const char* name : {"box::link", "cylinder::link", "ball::link"}) {
+      EXPECT_LT(rig.link(name).X_WorldLink.position.z(), 0.46) << name << isLast;
+    }
+  }
+}
+
+TEST(Rest, LastsWhereAModelComesElsewhere) {
+  Rig rig(shapes());
+  rig.step(3000);
+  const world::State before = rig.state;
+  rig.entities.insertModel(
+      std::make_shared<const description::Model>(shapeAt("guest", description::Sphere{0.5}, {20, 0, 3})));
+  rig.engine.grow();
+  rig.state.grow(rig.entities);
+  rig.step(10);
+  expectSame(before, rig.state);
+  EXPECT_LT(rig.link("guest::link").X_WorldLink.position.z(), 3);
 }
 
 TEST(Rest, EndsWhereABodyComes) {

@@ -232,6 +232,19 @@ TEST(Entities, LetAModelGoWithItsPartsAndTheJointsThatHoldIt) {
   expectWhole(entities);
 }
 
+TEST(Entities, LetAModelWithoutLinksGo) {
+  description::World world = nestedWorld();
+  description::Model marker;
+  marker.name = "marker";
+  marker.isStatic = true;
+  world.models.insert(world.models.begin(), marker);
+  Entities entities(world);
+  const Removal removal = entities.removeModel(entities.findModel("marker"));
+  EXPECT_TRUE(removal.links.empty());
+  EXPECT_EQ(entities.models().size(), 3U);
+  expectWhole(entities);
+}
+
 TEST(Entities, TakeAModelInAtTheEnd) {
   const description::World world = nestedWorld();
   Entities entities(world);

@@ -149,8 +149,11 @@ def call(what: str, function: Callable[..., Any], *arguments: Any) -> Any:
         raise TaskError(f"{what} '{name_of(function)}' raised {type(raised).__name__}: {raised}") from raised
 
 
-def judge(what: str, function: Judgement, moment: Moment, kind: np.dtype[Any]) -> NDArray[Any]:
-    """What a function gives for each world. Raises TaskError where that is not a finite number each."""
+def judge(
+    what: str, function: Judgement, moment: Moment, kind: np.dtype[Any], ignored: NDArray[np.bool_] | None = None
+) -> NDArray[Any]:
+    """What a function gives for each world; for the ignored ones 0, whatever it gives for them. Raises TaskError where that
+    is not a finite number each."""
     given = call(what, function, moment)
     array: NDArray[Any]
     if type(given) is np.ndarray and given.dtype is kind:
@@ -167,6 +170,8 @@ def judge(what: str, function: Judgement, moment: Moment, kind: np.dtype[Any]) -
             f"{what} '{name_of(function)}' gave an array of shape {array.shape}; it is to be ({moment.worlds},), one for "
             "each world"
         )
+    if ignored is not None:
+        array = np.where(ignored, kind.type(0), array)
     # a sum is finite where all numbers are, but for those beyond 1e308
     if kind is NUMBERS and not math.isfinite(np.add.reduce(array)):
         raise TaskError(f"{what} '{name_of(function)}' gave {array}, and all must be finite")

@@ -163,6 +163,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
             )
         self._has_begun = False
         rewards, terminated, truncated = self._worlds.step(batch, ended, self.np_random if ended is not None else ())
+        # what the task's functions gave may look at memory that is written to again
+        rewards, terminated, truncated = rewards.copy(), terminated.copy(), truncated.copy()
         self._done = terminated | truncated
         infos: dict[str, Any] = {}
         if self.autoreset_mode is AutoresetMode.SAME_STEP and self._done.any():

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from .. import _core
 from ..arrays import view
-from ..errors import Gone, NoReading, WorldWarning
+from ..errors import Gone, NoReading, Refused, WorldWarning
 from ..simulation import Simulation
 from .parts import Limits, Reading, Steering
 from .pictures import Pictures
@@ -47,7 +47,7 @@ class Worlds:
             self._settle_count = self._steps_in(settle_time, "settle_time")
             undo.pop_all()
         self._steps_to_limit = (
-            None if task.time_limit is None else math.ceil(task.time_limit / task.step_time - 1e-9)
+            None if task.time_limit is None else max(1, math.ceil(task.time_limit / task.step_time - 1e-9))
         )
         self._draws_noise = self._has_noise() if task.noise is None else task.noise
         #: Steps of each episode by now.
@@ -219,7 +219,12 @@ class Worlds:
             else:
                 to_save.append(i)
         if self._restored.any():
-            pool.restore()
+            try:
+                pool.restore()
+            except Refused:
+                # models or systems have come or gone since: a start takes longer, and is always there
+                self._is_saved = [False] * self.count
+                return self._put_back(chosen, seeds, randoms)
         if task.start is not None:
             for i in to_settle:
                 call("the start", task.start, self.simulations[i], randoms[i])
@@ -257,15 +262,14 @@ class Worlds:
 
     def _judge(self, chosen: NDArray[np.bool_] | None) -> Verdict:
         task, moment, no = self.task, self.moment, self._no
-        terminated = no if task.terminated is None else judge("terminated", task.terminated, moment, TRUTHS)
+        # of an episode that has just begun nothing counts
+        terminated = no if task.terminated is None else judge("terminated", task.terminated, moment, TRUTHS, chosen)
         moment.terminated = terminated
-        rewards = judge("the reward", task.reward, moment, NUMBERS)
-        truncated = no if task.truncated is None else judge("truncated", task.truncated, moment, TRUTHS)
+        rewards = judge("the reward", task.reward, moment, NUMBERS, chosen)
+        truncated = no if task.truncated is None else judge("truncated", task.truncated, moment, TRUTHS, chosen)
         if self._steps_to_limit is not None:
             late = self.elapsed >= self._steps_to_limit
             truncated = late if truncated is no else truncated | late
-        if chosen is not None:
-            rewards, terminated, truncated = np.where(chosen, 0.0, rewards), terminated & ~chosen, truncated & ~chosen
         return rewards, terminated, truncated
 
     def draw(self) -> list[NDArray[np.uint8]]:

@@ -107,8 +107,9 @@ def _world(options: argparse.Namespace) -> int:
     if not 0 <= options.run < len(sweep.runs):
         raise SweepError(f"there is no run {options.run}: they are 0 to {len(sweep.runs) - 1}")
     plan = sweep.plan
-    text = pathlib.Path(plan.world).read_text() if plan.text is None else world_of(plan, sweep.runs[options.run])
-    sys.stdout.write(text if text.endswith("\n") else text + "\n")
+    # as bytes: a file into which nothing is put may be no UTF-8
+    data = pathlib.Path(plan.world).read_bytes() if plan.text is None else world_of(plan, sweep.runs[options.run]).encode()
+    sys.stdout.buffer.write(data if data.endswith(b"\n") else data + b"\n")
     sys.stdout.flush()
     return _DONE
 

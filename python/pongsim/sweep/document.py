@@ -5,9 +5,12 @@ from __future__ import annotations
 import dataclasses
 import math
 import re
+import sys
 from typing import Any, Iterable, NoReturn
 
 from .errors import SweepError, nearest, need
+
+_GREATEST = sys.float_info.max
 
 
 @dataclasses.dataclass(frozen=True)
@@ -58,7 +61,8 @@ class Node:
 
     def number(self, what: str, *, above: float = -math.inf, least: float = -math.inf) -> float:
         """A finite number."""
-        if isinstance(self.value, bool) or not isinstance(self.value, (int, float)) or not math.isfinite(self.value):
+        # a whole number of YAML has no limit
+        if isinstance(self.value, bool) or not isinstance(self.value, (int, float)) or not abs(self.value) <= _GREATEST:
             self.fail(f"{what} is a number, not {self._kind()}")
         number: float = self.value
         if number <= above:

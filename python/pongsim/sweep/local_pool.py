@@ -93,7 +93,8 @@ class LocalPool:
         """Makes the runs, and gives the row of each as it comes."""
         self._left.extend(runs)
         while self._left or any(worker.runs for worker in self._workers):
-            while len(self._workers) < min(self._jobs, len(self._left) + len(self._workers)):
+            busy = sum(1 for worker in self._workers if worker.runs)
+            while len(self._workers) < min(self._jobs, len(self._left) + busy):
                 self._workers.append(_Worker(self._plan))
             for _ in range(_AHEAD):
                 self._hand_out()

@@ -119,7 +119,7 @@ def _meet(etree: Any, root: Any, file: str, way: Way) -> Any:
     """The one element or attribute that a path meets."""
     try:
         found = root.getroottree().xpath(way.xpath)
-    except etree.XPathError as error:
+    except (etree.XPathError, ValueError) as error:  # ValueError: a character that XML has not
         raise SweepError(f"'{way.xpath}' is no XPath: {error}", at=way.at) from None
     if not isinstance(found, list):
         raise SweepError(f"'{way.xpath}' gives {found!r}, not a place", at=way.at, hint="a path, as //wheel/radius")
