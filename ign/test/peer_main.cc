@@ -1,5 +1,6 @@
 // A process that speaks ign-transport and knows nothing of pongsim, for the tests.
 //   ign_peer listen TOPIC TYPE        prints "heard" at the first message, and how many came when it is interrupted
+//   ign_peer statistics TOPIC TYPE    prints "numbered" when messages have come that are numbered and stamped
 //   ign_peer raw TOPIC                prints the type of each message
 //   ign_peer texts TOPIC              prints each StringMsg
 //   ign_peer flood TOPIC              publishes Int32 as fast as it goes, until it is killed
@@ -45,6 +46,20 @@ int listen(Node& node, const std::string& topic, const std::string& type) {
   say("ready");
   ignition::transport::waitForShutdown();
   say(std::to_string(count));
+  return 0;
+}
+
+int statistics(Node& node, const std::string& topic, const std::string& type) {
+  node.EnableStats(topic, true);
+  node.SubscribeRaw(
+      topic, [](const char*, std::size_t, const ignition::transport::MessageInfo&) {}, type);
+  const auto isNumbered = [&] {
+    const auto found = node.TopicStats(topic);
+    return found && found->PublicationStatistics().Count() > 0;
+  };
+  while (!isNumbered()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  say("numbered");
+  ignition::transport::waitForShutdown();
   return 0;
 }
 
@@ -134,6 +149,7 @@ int act(const std::vector<std::string>& arguments) {
   Node node;
   const std::string& action = arguments[0];
   if (action == "listen" && arguments.size() == 3) return listen(node, arguments[1], arguments[2]);
+  if (action == "statistics" && arguments.size() == 3) return statistics(node, arguments[1], arguments[2]);
   if (action == "raw") return raw(node, arguments[1]);
   if (action == "texts") return texts(node, arguments[1]);
   if (action == "flood") flood(node, arguments[1]);

@@ -1,4 +1,4 @@
-"""Nothing of another machine gets in, which a network namespace stands for."""
+"""Nothing of another machine gets in that was not let in. A network namespace stands for the machine."""
 
 import os
 import pathlib
@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from ign_world import PEER, ROOT, client, run, running, world
+from ign_world import PEER, ROOT, client, needs_ign, run, running, world
 
 HERE, THERE = "198.51.100.1", "198.51.100.2"
 NAMESPACES = ["unshare", "--user", "--map-root-user", "--net", "--mount"]
@@ -61,6 +61,18 @@ class Inside(unittest.TestCase):
             if client("topic").exists():
                 there = run("ip", "netns", "exec", "other", client("topic"), "-l", environment={"IGN_IP": ""})
                 self.assertNotIn("/clock", there)
+
+    @needs_ign
+    def test_a_relay_reaches_another_machine(self):
+        # so that multicast does not
+        apart = {"IGN_IP": HERE, "IGN_DISCOVERY_MULTICAST_IP": "239.255.0.8"}
+        there = {"IGN_IP": THERE}
+        other = ("ip", "netns", "exec", "other")
+        with world(ROOT / "worlds/pong_world.sdf", environment=apart):
+            self.assertNotIn("/clock", run(*other, client("topic"), "-l", environment=there))
+        with world(ROOT / "worlds/pong_world.sdf", environment={**apart, "IGN_RELAY": THERE}), \
+                running(*other, PEER, "listen", "/clock", "ignition.msgs.Clock", environment=there) as listener:
+            listener.wait_for("heard")
 
 
 class Closed(unittest.TestCase):

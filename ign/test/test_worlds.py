@@ -1,8 +1,9 @@
 """Several worlds of one process on ign-transport: each with its topics and services, what they share once."""
 
+import re
 import unittest
 
-from ign_world import PEER, PONGSIM, ROOT, Running, ign, needs_ign, run, until, world
+from ign_world import DEADLINE, PEER, PONGSIM, ROOT, Running, ign, needs_ign, run, until, world
 
 WORLD = ROOT / "worlds/three_worlds.sdf"
 WORLDS = ("fine", "coarse", "fast")
@@ -49,6 +50,22 @@ class Worlds(unittest.TestCase):
                 answer = ign("service", "-s", f"/world/{name}/control", "--reqtype", "ignition.msgs.WorldControl",
                              "--reptype", "ignition.msgs.Boolean", "--timeout", "10000", "--req", "pause: true")
                 self.assertIn("data: true", answer)
+
+    @needs_ign
+    def test_what_the_process_has_once_is_the_first_worlds(self):
+        def ask(service, kinds, request):
+            return ign("service", "-s", service, "--reqtype", kinds[0], "--reptype", kinds[1], "--timeout", "10000",
+                       "--req", request)
+
+        with world(WORLD) as simulation:
+            services = until(lambda: (lines := ign("service", "-l").split()) and "/server_control" in lines and lines,
+                             "the services")
+            self.assertEqual([services.count(name) for name in ("/gazebo/worlds", "/server_control")], [1, 1])
+            answer = ask("/gazebo/worlds", ("ignition.msgs.Empty", "ignition.msgs.StringMsg_V"), "")
+            self.assertEqual(re.findall(r'data: "(\w+)"', answer), list(WORLDS))
+            answer = ask("/server_control", ("ignition.msgs.ServerControl", "ignition.msgs.Boolean"), "stop: true")
+            self.assertIn("data: true", answer)
+            self.assertEqual(simulation.process.wait(DEADLINE), 0)
 
 
 if __name__ == "__main__":

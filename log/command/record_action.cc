@@ -2,10 +2,12 @@
 #include <array>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "log/command/command.hh"
@@ -75,6 +77,13 @@ void sayWritten(std::uint64_t messages, std::size_t topics, const std::string& f
   say(counted(messages, "message") + " of " + counted(topics, "topic") + " in " + file);
 }
 
+/// Of a recording into which nothing went: else the same command is refused the next time.
+void removeEmpty(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error)))
+    std::filesystem::remove(file, error);
+}
+
 int record(RecordCommandLine& given) {
   if (given.pattern) given.topics.push_back(*given.pattern);
   const TopicChoice choice(given.topics);
@@ -95,6 +104,7 @@ int record(RecordCommandLine& given) {
     recordWhile(recording, file, duration);
     writer->close();
     sayLost(recording);
+    if (writer->messages() == 0 && writer->hasLeftOut()) removeEmpty(file);
     requireSomeOfRos2(*writer, writer->hasLeftOut(), "what was heard");
     sayWritten(writer->messages(), writer->topics(), file);
     sayUnheard(recording, choice);

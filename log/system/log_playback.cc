@@ -65,7 +65,9 @@ void PlaybackSystem::pauseAtEnd(const StepInfo& info) {
   ignition::msgs::WorldControl pause;
   pause.set_pause(true);
   pause_ = node_->request(controlService_, pause, "ignition.msgs.Boolean", {});
-  log_->info("the recording ends at " + std::to_string(toSeconds(info.time)) + " s");
+  // a warning: who asked for more steps than it has sees why they do not come
+  log_->warning("the recording is at its end, at " + std::to_string(toSeconds(info.time)) +
+                " s; the run is paused there until it is rewound or stopped");
 }
 
 void PlaybackSystem::worldChanged() { replay_->worldChanged(); }

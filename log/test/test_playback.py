@@ -45,6 +45,12 @@ class Playback(unittest.TestCase):
             wait_until(lambda: self.state() == (0.2, True), "the end")
         self.assertEqual(self.place.end(played), 0, self.place.said(played))
 
+    def test_more_steps_than_it_has_are_waited_for_with_a_word(self):
+        played = self.place.start("run", "--playback", "rec", "-z", "0", "--iterations", "300")
+        wait_until(lambda: "the recording is at its end, at 0.2" in self.place.said(played), "the end")
+        self.run_pongsim(*CONTROL, "rewind: true, pause: false")
+        self.assertEqual(played.wait(PATIENCE), 0, self.place.said(played))
+
     def test_steps_go_on_after_a_rewind_among_them(self):
         # so slow that the second request comes among the steps on a busy machine, too
         self.place.start("run", "--playback", "rec", "--paused", "-z", "20")

@@ -270,6 +270,8 @@ class Alone(unittest.TestCase):
         wait_until(lambda: "'/stats' is left out" in self.place.said(recorder), "a warning")
         self.assertEqual(self.place.end(recorder), 1)
         self.assertIn("nothing of what was heard can be written as messages of ROS", self.place.said(recorder))
+        # and the same command is not refused
+        self.assertFalse((self.place.path / "none.mcap").exists())
 
     def test_a_tlog_of_fortress_becomes_a_bag(self):
         if not GOLDEN.exists():

@@ -9,23 +9,29 @@ namespace {
 
 struct Variable {
   const char* name;
+  /// What it does not change.
+  std::string_view what;
   /// What to use instead, behind a colon.
   std::string_view instead;
 };
 
 constexpr std::string_view kNetwork = "PONGSIM_NETWORK opens a run to other machines";
 constexpr std::string_view kDomain = "PONGSIM_DOMAIN and IGN_PARTITION keep runs apart";
-constexpr std::string_view kPassword = "nobody is asked for a password, so leave the network closed";
+constexpr std::string_view kPassword = "nobody is asked for a password there, so leave the network closed";
+
+// Of those that speak of ign-transport a package may make something.
+constexpr std::string_view kHere = "here";
+constexpr std::string_view kOwnTopics = "for pongsim's own topics";
 
 constexpr Variable kVariables[] = {
-    {"IGN_IP", kNetwork},
-    {"IGN_RELAY", kNetwork},
-    {"IGN_DISCOVERY_MULTICAST_IP", kDomain},
-    {"IGN_DISCOVERY_MSG_PORT", kDomain},
-    {"IGN_DISCOVERY_SRV_PORT", kDomain},
-    {"IGN_TRANSPORT_USERNAME", kPassword},
-    {"IGN_TRANSPORT_PASSWORD", kPassword},
-    {"IGN_GAZEBO_PHYSICS_ENGINE_PATH", "pongsim has an engine of its own"},
+    {"IGN_IP", kOwnTopics, kNetwork},
+    {"IGN_RELAY", kOwnTopics, kNetwork},
+    {"IGN_DISCOVERY_MULTICAST_IP", kOwnTopics, kDomain},
+    {"IGN_DISCOVERY_MSG_PORT", kOwnTopics, kDomain},
+    {"IGN_DISCOVERY_SRV_PORT", kOwnTopics, kDomain},
+    {"IGN_TRANSPORT_USERNAME", kOwnTopics, kPassword},
+    {"IGN_TRANSPORT_PASSWORD", kOwnTopics, kPassword},
+    {"IGN_GAZEBO_PHYSICS_ENGINE_PATH", kHere, "pongsim has an engine of its own"},
 };
 
 /// @return Whether it asks for what is so anyway.
@@ -40,7 +46,8 @@ std::vector<std::string> unheardVariables() {
   for (const Variable& variable : kVariables) {
     const char* value = std::getenv(variable.name);
     if (value == nullptr || isMet(variable.name, value)) continue;
-    sentences.push_back(std::string(variable.name) + " changes nothing here: " + std::string(variable.instead));
+    sentences.push_back(std::string(variable.name) + " changes nothing " + std::string(variable.what) + ": " +
+                        std::string(variable.instead));
   }
   return sentences;
 }

@@ -69,6 +69,10 @@ void Server::runBeside() {
   // the services of the process are met here
   while (running_ > 0) transport_.dispatchFor(std::chrono::hours(1));
   for (std::thread& thread : threads) thread.join();
+  // answers to what worlds asked of the process, as to stop: they came when a world's thread had ended
+  for (std::size_t i = 0; i < worlds_.size(); ++i) {
+    if (!failures[i]) worlds_[i]->transport().dispatch();
+  }
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }

@@ -162,7 +162,9 @@ class Bus {
   }
   /// Does not have the request's function called any more.
   void forgetRequest(std::uint64_t number) { client_.forget(number); }
-  std::vector<OwnService> ownServices(const DispatchQueue& queue) const { return server_.services(queue); }
+  /// Those of the queue's transport, sorted by name. Of transports that share the bus the first one tells of those of
+  /// the bus's own transport, too: they are there once, and this one is there in their place for who looks for them.
+  std::vector<OwnService> ownServices(const DispatchQueue& queue);
   std::uint64_t ownServicesVersion() const { return server_.version(); }
   std::uint64_t addGateway(CallElsewhere call) { return client_.addGateway(std::move(call)); }
   void endGateway(std::uint64_t number) { client_.endGateway(number); }

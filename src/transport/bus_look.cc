@@ -1,5 +1,7 @@
 // What a process sees of the bus and of what others offer on it.
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "transport/bus.hh"
 #include "transport/deadline.hh"
@@ -8,6 +10,18 @@
 #include "transport/topic_name.hh"
 
 namespace pongsim::transport {
+
+std::vector<OwnService> Bus::ownServices(const DispatchQueue& queue) {
+  std::vector<OwnService> services = server_.services(queue);
+  const std::lock_guard lock(setUp_);
+  if (queues_.size() < 2 || queues_[1].get() != &queue) return services;
+  // what it offers itself comes first where both have a name
+  std::ranges::move(server_.services(*queues_.front()), std::back_inserter(services));
+  std::ranges::stable_sort(services, {}, &OwnService::name);
+  const auto twice = std::ranges::unique(services, {}, &OwnService::name);
+  services.erase(twice.begin(), twice.end());
+  return services;
+}
 
 /// What has passed through each channel.
 TrafficReport Bus::traffic() {

@@ -22,8 +22,10 @@ TEST_F(FortressEnvironment, TellsWhatChangesNothing) {
   setenv("IGN_TRANSPORT_PASSWORD", "secret", 1);
   const std::vector<std::string> sentences = unheardVariables();
   ASSERT_EQ(sentences.size(), 2U);
-  EXPECT_EQ(sentences[0], "IGN_IP changes nothing here: PONGSIM_NETWORK opens a run to other machines");
-  EXPECT_TRUE(sentences[1].starts_with("IGN_TRANSPORT_PASSWORD changes nothing here: ")) << sentences[1];
+  EXPECT_EQ(sentences[0],
+            "IGN_IP changes nothing for pongsim's own topics: PONGSIM_NETWORK opens a run to other machines");
+  EXPECT_TRUE(sentences[1].starts_with("IGN_TRANSPORT_PASSWORD changes nothing for pongsim's own topics: "))
+      << sentences[1];
 }
 
 TEST_F(FortressEnvironment, IsQuietWhereItIsSoAnyway) {

@@ -118,6 +118,18 @@ TEST_F(ServerTest, EndsAllWorldsWhereItIsToldToStop) {
   thread_.join();
 }
 
+TEST_F(ServerTest, HandsOverTheAnswerToAWorldThatAskedToStop) {
+  const MessagePointer stop = newMessage("ServerControl");
+  EXPECT_FALSE(parseMessage("stop: true", *stop));
+  start({});
+  bool isAnswered = false;
+  const PendingRequest asked = worlds_[0]->transport().node().request(
+      "/server_control", *stop, "ignition.msgs.Boolean",
+      [&isAnswered](const CallResult& result, const Message&) { isAnswered = bool(result); });
+  thread_.join();
+  EXPECT_TRUE(isAnswered);
+}
+
 TEST_F(ServerTest, EndsTheServicesOfAWorldThatHasMadeItsSteps) {
   start({.paused = true, .iterations = 3});
   EXPECT_TRUE(control("coarse", "pause: false"));

@@ -147,6 +147,25 @@ TEST_F(DispatchQueue, LetsEachCallItsOwnServiceOfAName) {
   EXPECT_EQ(ofThird.back(), "second");
 }
 
+TEST_F(DispatchQueue, TellsTheFirstThatSharesOfWhatIsThereOnce) {
+  const auto serve = [](Transport& transport, const std::string& name) {
+    return transport.node().serve<StringMsg, StringMsg>(name, [](const StringMsg&, StringMsg&) { return true; });
+  };
+  const auto names = [](const Node& node) {
+    Texts all;
+    for (const OwnService& service : node.ownServices()) all.push_back(service.name);
+    return all;
+  };
+  Transport third(first_, Transport::Sharing());
+  Service once = serve(first_, "/once");
+  const Service own = serve(second_, "/own");
+  EXPECT_EQ(names(first_.node()), Texts{"/once"});
+  EXPECT_EQ(names(second_.node()), (Texts{"/once", "/own"}));
+  EXPECT_EQ(names(third.node()), Texts{});
+  once = {};
+  EXPECT_EQ(names(second_.node()), Texts{"/own"});
+}
+
 TEST_F(DispatchQueue, AnswersWhereTheRequestCameFrom) {
   Service service = answer(first_, "first");
   Texts answers;
