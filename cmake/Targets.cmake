@@ -10,8 +10,6 @@ function(pongsim_layer name)
   target_include_directories(pongsim_${name} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/src)
   target_link_libraries(pongsim_${name} PUBLIC Eigen3::Eigen PRIVATE pongsim_settings ${arg_USES})
   target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_precompiled)
-  set_target_properties(pongsim_${name} PROPERTIES UNITY_BUILD ${PONGSIM_UNITY_BUILD}
-                                                      UNITY_BUILD_BATCH_SIZE 24)
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS pongsim_${name})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_LAYERS_USE ${arg_USES})
 endfunction()
@@ -41,6 +39,24 @@ function(pongsim_plugin name)
   set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGINS ${target})
 endfunction()
 
+# pongsim_extension(NAME [PAGE])
+# What a room adds to the command line, share/NAME.json, where the program looks for it in the build tree and in an
+# installation; PAGE: with the manual page of its command, pongsim-NAME.
+function(pongsim_extension name)
+  cmake_parse_arguments(arg "PAGE" "" "" ${ARGN})
+  configure_file(share/${name}.json ${CMAKE_BINARY_DIR}/share/pongsim/extensions/${name}.json COPYONLY)
+  install(FILES share/${name}.json DESTINATION ${CMAKE_INSTALL_DATADIR}/pongsim/extensions)
+  if(NOT arg_PAGE)
+    return()
+  endif()
+  set(page ${CMAKE_CURRENT_BINARY_DIR}/pongsim-${name}.1)
+  add_custom_command(OUTPUT ${page} DEPENDS pongsim pongsim_manual share/${name}.json VERBATIM
+    COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0:new_delete_type_mismatch=0
+            $<TARGET_FILE:pongsim_manual> ${CMAKE_CURRENT_BINARY_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/share/${name}.json)
+  add_custom_target(pongsim_${name}_words ALL DEPENDS ${page})
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endfunction()
+
 # pongsim_test(NAME SOURCES ... [LINKS ...] [LABELS ...])
 # A GoogleTest program, each of its tests a test of ctest. Links the layers, hidden parts and all, unless LINKS
 # names the library itself (`pongsim`) for a test that sees only the installed API.
@@ -54,9 +70,7 @@ function(pongsim_test name)
   endif()
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test
-                                           POSITION_INDEPENDENT_CODE OFF
-                                           UNITY_BUILD ${PONGSIM_UNITY_BUILD}
-                                           UNITY_BUILD_BATCH_SIZE 24)
+                                           POSITION_INDEPENDENT_CODE OFF)
   target_link_libraries(${name} PRIVATE ${arg_LINKS} pongsim_test_support pongsim_test_settings
                                         GTest::gtest_main ${arg_USES})
   target_precompile_headers(${name} REUSE_FROM pongsim_test_precompiled)

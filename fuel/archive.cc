@@ -36,7 +36,7 @@ std::string shown(std::string_view name) {
 /// @return The entry's path below the folder; empty for the folder itself.
 fs::path pathOf(std::string_view name) {
   const auto refuse = [&] {
-    throw Failure("the archive is refused: " + shown(name) + " leads out of the model's folder");
+    throw Failure("the archive was refused: " + shown(name) + " is outside the model's folder");
   };
   if (name.empty() || name.front() == '/' || (name.size() > 1 && name[1] == ':')) refuse();
   fs::path path;
@@ -57,23 +57,23 @@ void checkKind(zip_t* zip, zip_uint64_t index, std::string_view name) {
   zip_uint32_t attributes = 0;
   if (zip_file_get_external_attributes(zip, index, 0, &system, &attributes) != 0 || system != ZIP_OPSYS_UNIX) return;
   const mode_t kind = (attributes >> 16U) & S_IFMT;
-  if (kind == S_IFLNK) throw Failure("the archive is refused: " + shown(name) + " is a link");
+  if (kind == S_IFLNK) throw Failure("the archive was refused: " + shown(name) + " is a link");
   if (kind != 0 && kind != S_IFREG && kind != S_IFDIR) {
-    throw Failure("the archive is refused: " + shown(name) + " is neither a file nor a folder");
+    throw Failure("the archive was refused: " + shown(name) + " is neither a file nor a folder");
   }
 }
 
 void makeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw Failure("the folder '" + folder.string() + "' can't be made: " + error.message());
+  if (error) throw Failure("the folder '" + folder.string() + "' can't be created: " + error.message());
 }
 
 [[noreturn]] void failToWrite(const fs::path& file) {
   const int error = errno;
   throw Failure("'" + file.string() + "' can't be written: " + std::strerror(error),
                 error == ENOSPC || error == EDQUOT
-                    ? "make room on the disk, or let IGN_FUEL_CACHE_PATH name a folder on another"
+                    ? "free disk space, or set IGN_FUEL_CACHE_PATH to a folder on another disk"
                     : "");
 }
 
@@ -84,7 +84,7 @@ class NewFile {
       : path_(std::move(path)),
         number_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666)) {
     if (number_ < 0) {
-      if (errno == EEXIST) throw Failure("the archive is refused: it has '" + path_.filename().string() + "' twice");
+      if (errno == EEXIST) throw Failure("the archive was refused: it has '" + path_.filename().string() + "' twice");
       failToWrite(path_);
     }
   }
@@ -115,7 +115,7 @@ void unpackFile(zip_t* zip, zip_uint64_t index, const zip_stat_t& stat, const fs
     throw PassingFailure("the archive is damaged at " + shown(stat.name) + ": " + why, "try again");
   };
   const std::unique_ptr<zip_file_t, Closer> file(zip_fopen_index(zip, index, 0));
-  if (file == nullptr) throw Failure("the archive is refused: " + shown(stat.name) + ": " + zip_strerror(zip));
+  if (file == nullptr) throw Failure("the archive was refused: " + shown(stat.name) + ": " + zip_strerror(zip));
   NewFile out(target);
   std::vector<char> part(std::size_t{1} << 18U);
   std::uint64_t done = 0;
@@ -125,10 +125,10 @@ void unpackFile(zip_t* zip, zip_uint64_t index, const zip_stat_t& stat, const fs
     if (count < 0) damaged(zip_file_strerror(file.get()));
     if (count == 0) break;
     done += static_cast<std::uint64_t>(count);
-    if (done > stat.size) damaged("it holds more than it says");
+    if (done > stat.size) damaged("it contains more than it states");
     out.write({part.data(), static_cast<std::size_t>(count)});
   }
-  if (done != stat.size) damaged("it holds less than it says");
+  if (done != stat.size) damaged("it contains less than it states");
   out.finish();
 }
 
@@ -142,11 +142,11 @@ void unpack(const fs::path& zipFile, const fs::path& folder, const ArchiveLimits
     zip_error_init_with_code(&text, error);
     const std::string why = zip_error_strerror(&text);
     zip_error_fini(&text);
-    throw PassingFailure("what the server sent is no whole zip file: " + why, "try again");
+    throw PassingFailure("the server did not send a complete zip file: " + why, "try again");
   }
   const auto count = static_cast<std::uint64_t>(zip_get_num_entries(zip.get(), 0));
   if (count > limits.files) {
-    throw Failure("the archive is refused: it has " + std::to_string(count) + " files, and " +
+    throw Failure("the archive was refused: it has " + std::to_string(count) + " files, and " +
                   std::to_string(limits.files) + " is the limit");
   }
   // all of it is looked at before any of it is written
@@ -157,7 +157,7 @@ void unpack(const fs::path& zipFile, const fs::path& folder, const ArchiveLimits
     zip_stat_init(&stats[i]);
     const zip_uint64_t needed = ZIP_STAT_NAME | ZIP_STAT_SIZE;
     if (zip_stat_index(zip.get(), i, 0, &stats[i]) != 0 || (stats[i].valid & needed) != needed) {
-      throw Failure(std::string("the archive is refused: ") + zip_strerror(zip.get()));
+      throw Failure(std::string("the archive was refused: ") + zip_strerror(zip.get()));
     }
     paths[i] = pathOf(stats[i].name);
     checkKind(zip.get(), i, stats[i].name);
@@ -167,15 +167,15 @@ void unpack(const fs::path& zipFile, const fs::path& folder, const ArchiveLimits
   }
   const std::uint64_t packed = fs::file_size(zipFile);
   if (total > limits.bytes || total > limits.free + limits.ratio * packed) {
-    throw Failure("the archive is refused: its " + std::to_string(packed) + " bytes would become " +
+    throw Failure("the archive was refused: its " + std::to_string(packed) + " bytes would become " +
                   std::to_string(total) + " or more");
   }
   std::error_code ignored;
   const fs::space_info space = fs::space(folder, ignored);
   if (!ignored && space.available < total) {
-    throw Failure("there is no room for " + std::to_string(total) + " bytes in '" + folder.string() + "', only for " +
-                      std::to_string(space.available),
-                  "make room on the disk, or let IGN_FUEL_CACHE_PATH name a folder on another");
+    throw Failure("not enough disk space for " + std::to_string(total) + " bytes in '" + folder.string() +
+                      "', only for " + std::to_string(space.available),
+                  "free disk space, or set IGN_FUEL_CACHE_PATH to a folder on another disk");
   }
   for (zip_uint64_t i = 0; i < count; ++i) {
     const std::string_view name = stats[i].name;

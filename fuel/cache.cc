@@ -76,7 +76,7 @@ Lock::Lock(const fs::path& file) : file_(file) { open(); }
 void Lock::open() {
   if (number_ >= 0) ::close(number_);
   number_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (number_ < 0) throw Failure("'" + file_.string() + "' can't be made: " + std::strerror(errno));
+  if (number_ < 0) throw Failure("'" + file_.string() + "' can't be created: " + std::strerror(errno));
 }
 
 Lock::~Lock() {
@@ -112,7 +112,7 @@ Workplace::Workplace(const FuelAddress& address, const fs::path& cache) {
   if (name.size() > kLongestName) name = name.substr(0, kLongestName) + std::to_string(std::hash<std::string>{}(name));
   std::error_code error;
   fs::create_directories(root, error);
-  if (error) throw Failure("the folder '" + root.string() + "' can't be made: " + error.message());
+  if (error) throw Failure("the folder '" + root.string() + "' can't be created: " + error.message());
   lock = root / (name + ".lock");
   zip = root / (name + ".zip");
   note = root / (name + ".json");
@@ -138,14 +138,14 @@ void Part::write(const fs::path& file) const {
 void place(const fs::path& folder, const fs::path& target) {
   std::error_code error;
   fs::create_directories(target.parent_path(), error);
-  if (error) throw Failure("the folder '" + target.parent_path().string() + "' can't be made: " + error.message());
+  if (error) throw Failure("the folder '" + target.parent_path().string() + "' can't be created: " + error.message());
   if (::rename(folder.c_str(), target.c_str()) == 0) return;
   const bool isTaken = errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR;
   if (isTaken && ::renameat2(AT_FDCWD, folder.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) {
     fs::remove_all(folder, error);
     return;
   }
-  throw Failure("'" + target.string() + "' can't be made: " + std::strerror(errno));
+  throw Failure("'" + target.string() + "' can't be created: " + std::strerror(errno));
 }
 
 std::vector<CachedVersion> cachedVersions(const fs::path& cache) {
@@ -178,7 +178,7 @@ std::vector<CachedVersion> cachedVersions(const fs::path& cache) {
 
 std::vector<std::string> faultsOf(const CachedVersion& version) {
   if (!isWholeFuelVersion(version.folder)) {
-    return {"the zip file is still in it: Fortress is unpacking it, or was broken off"};
+    return {"the zip file is still in it: Fortress is unpacking it or was interrupted"};
   }
   std::vector<std::string> faults;
   std::error_code error, ignored;
@@ -188,18 +188,17 @@ std::vector<std::string> faultsOf(const CachedVersion& version) {
     faults.emplace_back("there is no model.config in it");
   } else {
     const std::vector<std::string> names = filesNamedBy(version.folder / "model.config");
-    if (names.empty()) faults.emplace_back("its model.config names no SDF file");
+    if (names.empty()) faults.emplace_back("its model.config has no <sdf>");
     for (const std::string& name : names) {
       if (!fs::is_regular_file(version.folder / name, ignored)) {
-        faults.push_back("its model.config names '" + name + "', which is not there");
+        faults.push_back("its model.config names '" + name + "', which does not exist");
       }
     }
   }
   for (fs::recursive_directory_iterator entry(version.folder, error), end; !error && entry != end;
        entry.increment(error)) {
     if (entry->is_symlink(ignored) && leadsOut(entry->path(), version.folder)) {
-      faults.push_back("'" + entry->path().lexically_relative(version.folder).string() +
-                       "' is a link that leads out of it");
+      faults.push_back("'" + entry->path().lexically_relative(version.folder).string() + "' is a link to outside it");
     }
   }
   if (error) faults.push_back("it can't be read: " + error.message());

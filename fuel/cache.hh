@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::fuel {
 

@@ -69,7 +69,7 @@ TEST_F(Cache, PlacesAFolderAsAWhole) {
   folder_.write("new/a", "1");
   place(folder_.path() / "new", folder_.path() / "x/y/1");
   EXPECT_EQ(textOf(folder_.path() / "x/y/1/a"), "1");
-  // in place of what is there
+  // instead of what is there
   folder_.write("new/a", "2");
   folder_.write("x/y/1/b", "");
   place(folder_.path() / "new", folder_.path() / "x/y/1");
@@ -105,15 +105,15 @@ TEST_F(Cache, SeesWhatIsBroken) {
   fs::create_directories(folder);
   EXPECT_EQ(faults(), "there is no model.config in it;");
   folder_.write("m/2/model.config", "<model><!-- <sdf>a.sdf</sdf> --></model>");
-  EXPECT_EQ(faults(), "its model.config names no SDF file;");
+  EXPECT_EQ(faults(), "its model.config has no <sdf>;");
   folder_.write("m/2/model.config", "<model><sdf version='1.9'>b.sdf</sdf></model>");
-  EXPECT_EQ(faults(), "its model.config names 'b.sdf', which is not there;");
+  EXPECT_EQ(faults(), "its model.config names 'b.sdf', which does not exist;");
   folder_.write("m/2/b.sdf", "");
   EXPECT_EQ(faults(), "");
   fs::create_symlink("/", folder / "root");
-  EXPECT_EQ(faults(), "'root' is a link that leads out of it;");
+  EXPECT_EQ(faults(), "'root' is a link to outside it;");
   folder_.write("m/2/m.zip", "");
-  EXPECT_EQ(faults(), "the zip file is still in it: Fortress is unpacking it, or was broken off;");
+  EXPECT_EQ(faults(), "the zip file is still in it: Fortress is unpacking it or was interrupted;");
 }
 
 }  // namespace

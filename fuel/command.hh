@@ -1,9 +1,17 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "programs/command_line.hh"
+
 namespace pongsim::fuel {
 
-/// Does what `pongsim fuel` is asked for.
-/// @return 0; 1 where it failed, 2 where the command line is wrong, as all of pongsim does.
-int runCommand(int argc, char** argv);
+/// Adds the actions of `pongsim fuel`. They stand in share/fuel.json, too, for help and completion.
+void addActions(CLI::App& program, programs::Work& work);
+
+/// @return The words of a command line.
+/// @throws UsageError where they want what `ign fuel` does and this does not.
+std::vector<std::string> checkedWords(std::vector<std::string> words);
 
 }  // namespace pongsim::fuel

@@ -19,6 +19,7 @@
 #include "fuel/failure.hh"
 #include "fuel/interruption.hh"
 #include "fuel/sdf_text.hh"
+#include "programs/stop_signal.hh"
 
 namespace pongsim::fuel {
 
@@ -69,7 +70,7 @@ class ZipFile {
     if (error != EINTR) fs::remove(path_, ignored);
     throw Failure("'" + path_.string() + "' can't be written: " + std::strerror(error),
                   error == ENOSPC || error == EDQUOT || error == EFBIG
-                      ? "make room on the disk, or let IGN_FUEL_CACHE_PATH name a folder on another"
+                      ? "free disk space, or set IGN_FUEL_CACHE_PATH to a folder on another disk"
                       : "");
   }
 
@@ -85,7 +86,7 @@ class ShortLivedFolder {
     std::error_code error;
     fs::remove_all(path_, error);
     fs::create_directories(path_, error);
-    if (error) throw Failure("the folder '" + path_.string() + "' can't be made: " + error.message());
+    if (error) throw Failure("the folder '" + path_.string() + "' can't be created: " + error.message());
   }
   ~ShortLivedFolder() {
     std::error_code ignored;
@@ -102,7 +103,7 @@ class ShortLivedFolder {
 /// @throws Failure where it is no model or world.
 void finish(const fs::path& folder, const FuelAddress& address) {
   const CachedVersion unpacked{address, folder};
-  for (const std::string& fault : faultsOf(unpacked)) throw Failure("what the server sent is of no use: " + fault);
+  for (const std::string& fault : faultsOf(unpacked)) throw Failure("the server's response can't be used: " + fault);
   if (address.isWorld) return;
   for (const fs::path& file : sdfFilesIn(folder)) {
     if (sizeOf(file) > kLargestText) continue;
@@ -201,7 +202,7 @@ std::vector<DownloadResult> Downloads::run(const std::vector<FuelAddress>& addre
   checkInterruption();
   if (queue.isTooMuch) {
     progress_.warning("more than " + std::to_string(kMostResources) +
-                      " models and worlds name each other: the rest is left out");
+                      " models and worlds refer to each other: the rest is skipped");
   }
   return std::move(queue.all);
 }
@@ -229,7 +230,7 @@ void Downloads::work(Queue& queue) {
     }
     lock.lock();
     queue.all[index] = result;
-    if (!isInterrupted()) {
+    if (!programs::isStopped()) {
       for (FuelAddress& address : needed) queue.add(std::move(address), false);
     }
     --queue.busy;
@@ -246,11 +247,11 @@ fs::path Downloads::bring(const FuelAddress& address, bool isWanted) {
   };
   if (const auto folder = cached()) return *folder;
   const Server& known = serverOf(address, settings_);
-  if (isFuelOffline()) throw Failure("it is not in the cache, and nothing is to be downloaded");
+  if (isFuelOffline()) throw Failure("it is not in the cache, and downloads are off");
   const Workplace workplace(address, settings_.cache);
   Lock lock(workplace.lock);
   if (!lock.tryTake()) {
-    progress_.info(nameOf(address) + ": another download of it is under way; waiting for that");
+    progress_.info(nameOf(address) + ": waiting for another download of it");
     lock.take();
   }
   // it may have come by now
@@ -269,7 +270,7 @@ fs::path Downloads::bringFrom(FuelServer& server, FuelAddress address) {
     if (details.version > 0) address.version = details.version;
     const auto cached = address.version ? findInFuelCache(address, settings_.cache) : std::nullopt;
     if (cached) {
-      progress_.info(nameOf(address) + ": it is in the cache, and the newest");
+      progress_.info(nameOf(address) + ": the newest version is in the cache");
       return *cached;
     }
   }
@@ -325,13 +326,13 @@ void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workpla
     version = number;
     if (number > 0 && address.version && number != *address.version) {
       throw Failure(
-          "the server sends version " + std::to_string(number) + " in place of " + std::to_string(*address.version),
-          "leave the version away for the newest");
+          "the server sends version " + std::to_string(number) + " instead of " + std::to_string(*address.version),
+          "leave out the version for the newest");
     }
     goesOn = have > 0 && answer.status == 206;
     if (goesOn && !answer.header("content-range").starts_with("bytes " + std::to_string(have) + "-")) {
       removePart(workplace);
-      throw PassingFailure("the server sends another part than it was asked for", "try again");
+      throw PassingFailure("the server sent a different part than requested", "try again");
     }
     const std::uint64_t length = answer.length();
     if (length > kLargestZip)
@@ -354,7 +355,7 @@ void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workpla
   } catch (const Failure&) {
     removePart(workplace);
     // what is there may be more than there is to be had
-    if (have > 0 && !goesOn && version == 0) throw PassingFailure("the download can't be gone on with", "try again");
+    if (have > 0 && !goesOn && version == 0) throw PassingFailure("the download can't be resumed", "try again");
     throw;
   }
   if (version > 0) address.version = version;

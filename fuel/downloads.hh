@@ -11,7 +11,7 @@
 #include "fuel/progress.hh"
 #include "fuel/server.hh"
 #include "fuel/settings.hh"
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::fuel {
 

@@ -12,6 +12,7 @@
 
 #include "fuel/failure.hh"
 #include "fuel/interruption.hh"
+#include "programs/stop_signal.hh"
 
 namespace pongsim::fuel {
 
@@ -120,7 +121,7 @@ struct Http::Transfer {
     }
   }
 
-  static int progress(void*, curl_off_t, curl_off_t, curl_off_t, curl_off_t) { return isInterrupted() ? 1 : 0; }
+  static int progress(void*, curl_off_t, curl_off_t, curl_off_t, curl_off_t) { return programs::isStopped() ? 1 : 0; }
 };
 
 Http::Http() {
@@ -144,27 +145,25 @@ namespace {
     case CURLE_COULDNT_RESOLVE_HOST:
     case CURLE_COULDNT_RESOLVE_PROXY:
       throw Failure("the server " + host + " can't be found: " + said,
-                    "is there a network? --offline takes what the cache has");
+                    "is there a network? use --offline to use only the cache");
     case CURLE_COULDNT_CONNECT:
       throw PassingFailure("the server " + host + " can't be reached: " + said,
-                           "is there a network? --offline takes what the cache has");
+                           "is there a network? use --offline to use only the cache");
     case CURLE_OPERATION_TIMEDOUT:
-      throw PassingFailure(
-          "the server " + host + " has said next to nothing for " + std::to_string(patience()) + " seconds",
-          "try again later: it goes on from here; PONGSIM_FUEL_TIMEOUT is how many seconds to wait");
+      throw PassingFailure("the server " + host + " sent almost nothing for " + std::to_string(patience()) + " seconds",
+                           "try again later to resume; PONGSIM_FUEL_TIMEOUT sets the seconds to wait");
     case CURLE_PEER_FAILED_VERIFICATION:
     case CURLE_SSL_CACERT_BADFILE:
     case CURLE_SSL_ISSUER_ERROR:
-      throw Failure("the certificate of " + host + " can't be trusted: " + said,
-                    "SSL_CERT_FILE can name the certificates to trust in place of the system's");
+      throw Failure("the certificate of " + host + " is not trusted: " + said,
+                    "set SSL_CERT_FILE to trust other certificates than the system's");
     case CURLE_PARTIAL_FILE:
-      throw PassingFailure("the server " + host + " broke off in the middle: " + said,
-                           "try again: it goes on from here");
+      throw PassingFailure("the server " + host + " closed the connection: " + said, "try again to resume");
     case CURLE_UNSUPPORTED_PROTOCOL:
     case CURLE_URL_MALFORMAT:
-      throw Failure("'" + url + "' is no address to download from");
+      throw Failure("'" + url + "' is not an address to download from");
     default:
-      throw PassingFailure("the server " + host + " failed: " + said, "try again: it goes on from here");
+      throw PassingFailure("the server " + host + " failed: " + said, "try again to resume");
   }
 }
 
@@ -219,10 +218,10 @@ bool Http::sendOnce(const Request& request, bool isFirst, Transfer& transfer) {
   char* next = nullptr;
   if (!isRedirection(transfer.answer.status)) return true;
   curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &next);
-  if (next == nullptr) throw Failure("the server " + hostOf(url) + " leads on without saying where to");
+  if (next == nullptr) throw Failure("the server " + hostOf(url) + " redirects without an address");
   const std::string target = next;
   if (!isPlain && !target.starts_with("https://")) {
-    throw Failure("the server " + hostOf(url) + " leads to an address that is not safe: " + target);
+    throw Failure("the server " + hostOf(url) + " redirects to an unsafe address: " + target);
   }
   transfer.answer = {};
   transfer.answer.url = target;
@@ -240,7 +239,7 @@ Answer Http::send(const Request& request, const Begin& begin, const Take& take) 
     transfer.hasBegun = false;
     if (sendOnce(request, count == 0, transfer)) return transfer.answer;
   }
-  throw Failure("the server " + hostOf(request.url) + " leads on and on: more than " +
+  throw Failure("the server " + hostOf(request.url) + " redirects too often: more than " +
                 std::to_string(kMostRedirections) + " redirections, the last one to " + transfer.answer.url);
 }
 
@@ -249,7 +248,7 @@ std::string Http::text(const Request& request, std::size_t most) {
   const Answer answer = send(
       request, [](const Answer&) {},
       [&](std::string_view part) {
-        if (text.size() + part.size() > most) throw Failure("the answer of " + hostOf(request.url) + " has no end");
+        if (text.size() + part.size() > most) throw Failure("the answer of " + hostOf(request.url) + " is too large");
         text += part;
       });
   if (answer.status >= 300) refuse(answer);
@@ -260,16 +259,16 @@ void refuse(const Answer& answer) {
   const std::string host = hostOf(answer.url);
   const std::string status = std::to_string(answer.status);
   if (answer.status == 404 || answer.status == 410) {
-    throw Failure("the server " + host + " has none (status " + status + ")", "is the address right?");
+    throw Failure("the server " + host + " does not have it (status " + status + ")", "is the address right?");
   }
   if (answer.status == 401 || answer.status == 403) {
     throw Failure("the server " + host + " does not allow it (status " + status + ")",
-                  "what is private needs a token: private-token of the server in config.yaml, or --header");
+                  "private models need a token: private-token of the server in config.yaml, or --header");
   }
   if (answer.status >= 500 || answer.status == 429) {
-    throw PassingFailure("the server " + host + " fails (status " + status + ")", "try again later");
+    throw PassingFailure("the server " + host + " failed (status " + status + ")", "try again later");
   }
-  throw Failure("the server " + host + " refuses (status " + status + ")");
+  throw Failure("the server " + host + " refused (status " + status + ")");
 }
 
 std::string originOf(std::string_view url) {

@@ -1,15 +1,13 @@
 #pragma once
 
+#include "fuel/failure.hh"
+#include "programs/stop_signal.hh"
+
 namespace pongsim::fuel {
 
-/// From now on SIGINT, SIGTERM and SIGHUP let what is being done end with `Interrupted`, which cleans up; a second one
-/// ends the process. SIGXFSZ, of a limit on the size of files, becomes an error of the write.
-void handleSignals();
-
-/// @return Whether such a signal has come.
-bool isInterrupted();
-
-/// @throws Interrupted
-void checkInterruption();
+/// @throws Interrupted where a signal says that what is being done is to end, which cleans up.
+inline void checkInterruption() {
+  if (programs::isStopped()) throw Interrupted();
+}
 
 }  // namespace pongsim::fuel

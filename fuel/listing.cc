@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "fuel/progress.hh"
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::fuel {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::fuel {
 

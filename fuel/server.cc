@@ -57,7 +57,7 @@ Details detailsOf(const Json& json) {
 
 Json parsed(const std::string& text) {
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw PassingFailure("the server's answer can't be read: it is no JSON", "try again later");
+  if (json.is_discarded()) throw PassingFailure("the server's answer can't be read: it is not JSON", "try again later");
   return json;
 }
 
@@ -118,7 +118,7 @@ std::vector<Details> FuelServer::pages(const std::string& path) {
     const Answer answer = http_.send(
         request, [](const Answer&) {},
         [&](std::string_view part) {
-          if (text.size() + part.size() > (std::size_t{64} << 20U)) throw Failure("the server's answer has no end");
+          if (text.size() + part.size() > (std::size_t{64} << 20U)) throw Failure("the server's answer is too large");
           text += part;
         });
     // the page after the last one
@@ -174,7 +174,7 @@ void FuelServer::zip(const FuelAddress& address, std::uint64_t from, const std::
       },
       [&](std::string_view part) {
         if (!link) return take(part);
-        if (link->size() + part.size() > kLongestLink) throw Failure("the server's link to the zip file has no end");
+        if (link->size() + part.size() > kLongestLink) throw Failure("the server's link to the zip file is too large");
         *link += part;
       });
   if (answer.status >= 300) refuse(answer);
@@ -183,8 +183,7 @@ void FuelServer::zip(const FuelAddress& address, std::uint64_t from, const std::
   while (!link->empty() && static_cast<unsigned char>(link->back()) <= ' ') link->pop_back();
   const bool isSafe =
       link->starts_with("https://") || (server_.url.starts_with("http://") && link->starts_with("http://"));
-  if (!isSafe)
-    throw Failure("the server sent a text that is no link to a zip file: '" + plain(link->substr(0, 200)) + "'");
+  if (!isSafe) throw Failure("the server did not send a link to a zip file: '" + plain(link->substr(0, 200)) + "'");
   // where it leads to is another server, which learns nothing of who asks
   Request second{.url = *link};
   if (from > 0 && isLinked) goOn(second);

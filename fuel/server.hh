@@ -8,7 +8,7 @@
 
 #include "fuel/http.hh"
 #include "fuel/settings.hh"
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::fuel {
 

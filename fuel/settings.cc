@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string hostOf(const Server& server) { return server.url.substr(server.url.find("://") + 3); }
+std::string hostOfServer(const Server& server) { return server.url.substr(server.url.find("://") + 3); }
 
 /// The file's position and words as all of pongsim writes them.
 [[noreturn]] void fail(const fs::path& file, const YAML::Mark& mark, const std::string& message,
@@ -26,12 +26,12 @@ std::string hostOf(const Server& server) { return server.url.substr(server.url.f
 }
 
 std::string textOf(const YAML::Node& node, const std::string& name, const fs::path& file) {
-  if (!node.IsScalar() || node.Scalar().empty()) fail(file, node.Mark(), "'" + name + "' wants a text");
+  if (!node.IsScalar() || node.Scalar().empty()) fail(file, node.Mark(), "'" + name + "' must be a string");
   return node.Scalar();
 }
 
 Server readServer(const YAML::Node& node, const fs::path& file, std::vector<std::string>& warnings) {
-  if (!node.IsMap()) fail(file, node.Mark(), "a server is no map with 'url'", "write - url: https://HOST");
+  if (!node.IsMap()) fail(file, node.Mark(), "a server must be a map with 'url'", "write - url: https://HOST");
   Server server;
   for (const auto& entry : node) {
     const std::string key = entry.first.Scalar();
@@ -41,7 +41,7 @@ Server readServer(const YAML::Node& node, const fs::path& file, std::vector<std:
       server.token = textOf(entry.second, key, file);
     } else if (key != "name") {
       warnings.push_back(file.string() + ":" + std::to_string(entry.first.Mark().line + 1) + ": '" + key +
-                         "' of a server is not known: url, name and private-token are");
+                         "' of a server is unknown: use url, name and private-token");
     }
   }
   while (server.url.ends_with('/')) server.url.pop_back();
@@ -52,14 +52,14 @@ Server readServer(const YAML::Node& node, const fs::path& file, std::vector<std:
          "write https://HOST or https://HOST:PORT");
   }
   if (server.token.find_first_of("\r\n") != std::string::npos)
-    fail(file, node.Mark(), "'private-token' has a line's end in it");
+    fail(file, node.Mark(), "'private-token' contains a line break");
   server.url = originOf(server.url);
   return server;
 }
 
 /// A server of the file goes before a known one of the same address, whose token it may bring.
 void add(const Server& server, std::vector<Server>& servers) {
-  const auto same = std::ranges::find(servers, hostOf(server), hostOf);
+  const auto same = std::ranges::find(servers, hostOfServer(server), hostOfServer);
   if (same == servers.end()) {
     servers.push_back(server);
   } else {
@@ -77,26 +77,27 @@ void readFile(const fs::path& file, bool isNamed, Settings& settings, std::vecto
     fail(file, error.mark, error.msg);
   }
   if (root.IsNull()) return;
-  if (!root.IsMap()) fail(file, root.Mark(), "this is no map with 'servers' and 'cache'");
+  if (!root.IsMap()) fail(file, root.Mark(), "this must be a map with 'servers' and 'cache'");
   for (const auto& entry : root) {
     const std::string key = entry.first.Scalar();
     if (key == "servers") {
-      if (!entry.second.IsSequence() && !entry.second.IsNull()) fail(file, entry.second.Mark(), "'servers' is no list");
+      if (!entry.second.IsSequence() && !entry.second.IsNull())
+        fail(file, entry.second.Mark(), "'servers' is not a list");
       for (const YAML::Node& each : entry.second) settings.listed.push_back(readServer(each, file, warnings));
     } else if (key == "cache") {
       if (!entry.second.IsMap() || !entry.second["path"]) fail(file, entry.first.Mark(), "'cache' has no 'path'");
       const fs::path path = textOf(entry.second["path"], "path", file);
       const char* variable = std::getenv("IGN_FUEL_CACHE_PATH");
       if (variable != nullptr && *variable != '\0') {
-        warnings.push_back(file.string() + ": the path of the cache does not count, for IGN_FUEL_CACHE_PATH is set");
+        warnings.push_back(file.string() + ": the path of the cache is ignored: IGN_FUEL_CACHE_PATH is set");
       } else if (!isNamed) {
-        warnings.push_back(file.string() + ": the path of the cache does not count; IGN_FUEL_CACHE_PATH can name it");
+        warnings.push_back(file.string() + ": the path of the cache is ignored; set IGN_FUEL_CACHE_PATH instead");
       } else {
         settings.cache = path;
       }
     } else {
       warnings.push_back(file.string() + ":" + std::to_string(entry.first.Mark().line + 1) + ": '" + key +
-                         "' is not known: servers and cache are");
+                         "' is unknown: use servers and cache");
     }
   }
 }
@@ -117,17 +118,16 @@ Settings readSettings(const std::optional<fs::path>& file, std::vector<std::stri
   }
   for (const Server& server : settings.listed) add(server, settings.servers);
   if (settings.listed.empty()) settings.listed.push_back(settings.servers.front());
-  if (settings.cache.empty())
-    throw Failure("there is no folder for what is downloaded", "set HOME or IGN_FUEL_CACHE_PATH");
+  if (settings.cache.empty()) throw Failure("there is no folder for downloads", "set HOME or IGN_FUEL_CACHE_PATH");
   return settings;
 }
 
 const Server& serverOf(const FuelAddress& address, const Settings& settings) {
-  const auto found = std::ranges::find(settings.servers, address.host, hostOf);
+  const auto found = std::ranges::find(settings.servers, address.host, hostOfServer);
   if (found == settings.servers.end()) {
     throw Failure(
-        "the server " + address.host + " is not one to download from",
-        "name it in ~/.ignition/fuel/config.yaml, under servers: - url: " + address.scheme + "://" + address.host);
+        "the server " + address.host + " is not configured",
+        "add it to ~/.ignition/fuel/config.yaml, under servers: - url: " + address.scheme + "://" + address.host);
   }
   return *found;
 }

@@ -72,16 +72,16 @@ TEST_F(SettingsTest, TakeTheCacheOfAFileThatIsNamed) {
 TEST_F(SettingsTest, SayWhereTheFileIsWrong) {
   EXPECT_EQ(complaint(""), "");
   EXPECT_EQ(complaint("servers:"), "");
-  EXPECT_EQ(complaint("servers: 1"), ":1:10: 'servers' is no list");
-  EXPECT_EQ(complaint("servers: [1]"), ":1:11: a server is no map with 'url'");
+  EXPECT_EQ(complaint("servers: 1"), ":1:10: 'servers' is not a list");
+  EXPECT_EQ(complaint("servers: [1]"), ":1:11: a server must be a map with 'url'");
   EXPECT_EQ(complaint("servers: [{name: a}]"), ":1:11: a server has no 'url'");
-  EXPECT_EQ(complaint("servers: [{url: [a]}]"), ":1:17: 'url' wants a text");
+  EXPECT_EQ(complaint("servers: [{url: [a]}]"), ":1:17: 'url' must be a string");
   EXPECT_EQ(complaint("servers: [{url: 'ftp://a'}]"), ":1:11: 'ftp://a' is not the address of a server");
   EXPECT_EQ(complaint("servers: [{url: 'https://a/b'}]"), ":1:11: 'https://a/b' is not the address of a server");
   EXPECT_EQ(complaint("servers: [{url: 'https://a', private-token: \"a\\nb\"}]"),
-            ":1:11: 'private-token' has a line's end in it");
+            ":1:11: 'private-token' contains a line break");
   EXPECT_EQ(complaint("cache: 1"), ":1:1: 'cache' has no 'path'");
-  EXPECT_EQ(complaint("a"), ":1:1: this is no map with 'servers' and 'cache'");
+  EXPECT_EQ(complaint("a"), ":1:1: this must be a map with 'servers' and 'cache'");
   EXPECT_NE(complaint("a: ["), "");
   EXPECT_EQ(complaint("color: red"), "");
   EXPECT_EQ(warnings_.size(), 1U);

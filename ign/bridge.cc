@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "ign/replies.hh"
+
 namespace pongsim::ign {
 
 namespace {
@@ -42,6 +44,7 @@ Bridge::~Bridge() {
     courier_.post([topic = std::move(topic)] { topic->unsubscribe(); });
   }
   for (const auto& [name, service] : services_) endService(service);
+  awaitReplies();
 }
 
 void Bridge::update() {

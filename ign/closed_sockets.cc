@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "ign/library.hh"
-#include "pongsim/network_interface.hh"
+#include "pongsim/program/network_interface.hh"
 
 namespace pongsim::ign {
 

@@ -116,8 +116,8 @@ void Courier::drop(const Parcel& parcel) {
     if (now < nextWarning_) return;
     nextWarning_ = now + 1;
   }
-  log_.warning("topic '" + parcel.topic->name + "': a message is dropped, " + std::to_string(count) +
-               " so far: readers by ign-transport do not keep up, or are stopped");
+  log_.warning("topic '" + parcel.topic->name + "': a message was dropped, " + std::to_string(count) +
+               " so far: ign-transport subscribers are too slow or stopped");
 }
 
 void Courier::look() {

@@ -7,7 +7,8 @@
 #include "ign/closed_sockets.hh"
 #include "ign/library.hh"
 #include "ign/place.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/program/keystore.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim::ign {
@@ -40,13 +41,16 @@ class Ign final : public System {
     }
     settle(place, queueLengthFor(context.world));
     if (library().myAddress.empty()) {
-      context.diagnostics.error(context.sdf.position, "ign-transport can't have sockets at " + place.address);
+      context.diagnostics.error(context.sdf.position, "ign-transport can't open sockets at " + place.address);
       return;
     }
     if (!place.isOpen) closeDiscoveryToOthers();
     context.log.info("partition '" + place.partition + "' at " + place.address);
     if (place.isOpen) {
       context.log.warning("open to the network of " + place.address + ": anybody there can command it");
+    }
+    if (isSecured()) {
+      context.log.warning("ign-transport is not secured, only DDS is");
     }
     bridge_.emplace(context.node, context.log, place.address);
     // its own socket there, too

@@ -62,7 +62,7 @@ void IncomingTopic::open(Node& simulation, const std::string& type) {
     publishers_.emplace(type, simulation.advertiseBytes(name, type, kRelays));
   } catch (const std::exception& error) {
     if (refused_.insert(type).second)
-      log_.warning("topic '" + name + "' is not heard by ign-transport: " + error.what());
+      log_.warning("topic '" + name + "' is not received from ign-transport: " + error.what());
   }
 }
 
@@ -79,7 +79,8 @@ void IncomingTopic::receive(const std::string& type, std::span<const std::byte> 
     return;
   }
   if (refused_.size() >= kMostTypes || !refused_.insert(type).second) return;
-  log_.warning("topic '" + name + "': messages of " + type + " came by ign-transport, which nobody here listens to" +
+  log_.warning("topic '" + name + "': messages of " + type +
+               " arrived by ign-transport without a subscriber of that type" +
                (publishers_.empty() ? "" : "; the world takes " + publishers_.begin()->first));
 }
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "ign/library.hh"
-#include "pongsim/log_sink.hh"
+#include "pongsim/program/log_sink.hh"
 #include "support/wait_until.hh"
 
 namespace pongsim::ign {
@@ -83,8 +83,9 @@ TEST_F(IncomingTopicTest, NamesATypeThatNobodyTakesOnce) {
   topic_->unsubscribe();
   topic_->end();
   const std::lock_guard lock(mutex);
-  EXPECT_EQ(said, std::vector<std::string>{"topic '/in': messages of ignition.msgs.Int32 came by ign-transport, which "
-                                           "nobody here listens to; the world takes ignition.msgs.StringMsg"});
+  EXPECT_EQ(said,
+            std::vector<std::string>{"topic '/in': messages of ignition.msgs.Int32 arrived by ign-transport without a "
+                                     "subscriber of that type; the world takes ignition.msgs.StringMsg"});
 }
 
 TEST_F(IncomingTopicTest, KeepsWhatComesBeforeItsTypeIsOpen) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ign/names.hh"
+#include "ign/replies.hh"
 #include "pongsim/log.hh"
 
 namespace pongsim::ign {
@@ -45,7 +46,7 @@ bool OfferedService::RunCallback(const std::string& request, std::string& reply)
   const MessagePointer message = newMessage(service_.requestType);
   if (!message || !message->ParseFromString(request)) {
     static const Logger log("ign");
-    log.warning("service '" + service_.name + "': a request by ign-transport is no " + service_.requestType +
+    log.warning("service '" + service_.name + "': a request by ign-transport is not of type " + service_.requestType +
                 "; refused");
     return false;
   }
@@ -55,6 +56,7 @@ bool OfferedService::RunCallback(const std::string& request, std::string& reply)
     ++asking_;
   }
   const bool isDone = ask(*message, reply);
+  replyGiven();
   const std::lock_guard lock(mutex_);
   --asking_;
   changed_.notify_all();

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pongsim/network_interface.hh"
+#include "pongsim/program/network_interface.hh"
 
 namespace pongsim::ign {
 
@@ -33,7 +33,7 @@ std::string chosenAddress() {
   if (const std::string said = environment("IGN_IP"); !said.empty()) {
     const bool isLoopback = said.starts_with("127.") && inet_addr(said.c_str()) != INADDR_NONE;
     if (isLoopback || std::ranges::find(known, said, &NetworkInterface::address) != known.end()) return said;
-    throw std::invalid_argument("IGN_IP is '" + said + "', which is no IPv4 address of this machine; it has " +
+    throw std::invalid_argument("IGN_IP is '" + said + "', which is not an IPv4 address of this machine; it has " +
                                 listOf(known));
   }
   const std::string said = environment("PONGSIM_NETWORK");
@@ -53,7 +53,7 @@ Place placeOfEnvironment() {
   const std::string said = environment("IGN_PARTITION");
   if (!ignition::transport::TopicUtils::IsValidPartition(said)) {
     throw std::invalid_argument("IGN_PARTITION is '" + said +
-                                "', which is no partition: it has a space, '@', '~', ':=' or '//'");
+                                "', which is not a partition: it contains a space, '@', '~', ':=' or '//'");
   }
   place.partition = said.empty() ? ignition::transport::NodeOptions().Partition() : said;
   return place;

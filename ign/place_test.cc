@@ -48,8 +48,9 @@ TEST_F(PlaceTest, IsAnInterfacesAddress) {
 
 TEST_F(PlaceTest, SaysWhatIsWrong) {
   setenv("IGN_IP", "192.0.2.77", 1);
-  EXPECT_NE(errorOf().find("IGN_IP is '192.0.2.77', which is no IPv4 address of this machine; it has 127.0.0.1 (lo)"),
-            std::string::npos)
+  EXPECT_NE(
+      errorOf().find("IGN_IP is '192.0.2.77', which is not an IPv4 address of this machine; it has 127.0.0.1 (lo)"),
+      std::string::npos)
       << errorOf();
   setenv("IGN_IP", "127.zero", 1);
   EXPECT_NE(errorOf(), "");

@@ -99,7 +99,7 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
   };
   const std::string quoted = "service '" + service + "' ";
   if (std::ranges::none_of(offers, fits)) {
-    return CallResult{CallOutcome::kOtherTypes, quoted + "takes " + offers.front().ReqTypeName() + " and answers " +
+    return CallResult{CallOutcome::kOtherTypes, quoted + "takes " + offers.front().ReqTypeName() + " and returns " +
                                                     offers.front().RepTypeName()};
   }
   const std::string number = pending->HandlerUuid();
@@ -118,7 +118,7 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
   if (!answer.isThere) return CallResult{CallOutcome::kNoAnswer, quoted + "did not answer in time"};
   if (!answer.isDone) return CallResult{CallOutcome::kRefused, quoted + "refused"};
   if (reply.ParseFromString(answer.reply)) return CallResult{CallOutcome::kDone, {}};
-  return CallResult{CallOutcome::kNoAnswer, quoted + "answered with what is no " + pending->RepTypeName()};
+  return CallResult{CallOutcome::kNoAnswer, quoted + "sent a reply that is not of type " + pending->RepTypeName()};
 }
 
 }  // namespace pongsim::ign

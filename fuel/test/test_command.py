@@ -71,7 +71,7 @@ class Command(unittest.TestCase):
 
     def test_a_model_is_deleted_on_the_server_with_a_token(self):
         url = "https://fuel.gazebosim.org/1.0/Berta/models/Car"
-        self.assertIn("takes a token", self.fuel("delete", "-u", url, code=2))
+        self.assertIn("needs a token", self.fuel("delete", "-u", url, code=2))
         self.assertIn("does not allow it", self.fuel("delete", "-u", url, "--header", "Private-Token: no", code=1))
         self.server.token = "yes"
         self.fuel("delete", "-u", url, "--header", "Private-Token: yes")
@@ -92,7 +92,7 @@ class Command(unittest.TestCase):
     def test_the_cache_is_checked(self):
         for name in ("Box", "Coke%20Can"):
             self.fuel("download", "https://fuel.gazebosim.org/1.0/Anna/models/" + name)
-        self.assertEqual(self.fuel("check"), "2 models, 0 worlds: all whole\n")
+        self.assertEqual(self.fuel("check"), "2 models, 0 worlds: all complete\n")
         box = self.place.cache / "fuel.gazebosim.org/anna/models/box/2"
         (box / "model.sdf").unlink()
         (box / "out").symlink_to("/etc")
@@ -100,8 +100,8 @@ class Command(unittest.TestCase):
         result = self.place.fuel("check")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stdout.splitlines()[:2],
-                         [f"{box}: its model.config names 'model.sdf', which is not there",
-                          f"{box}: 'out' is a link that leads out of it"])
+                         [f"{box}: its model.config names 'model.sdf', which does not exist",
+                          f"{box}: 'out' is a link to outside it"])
         self.assertTrue(result.stdout.endswith("2 models, 0 worlds: 1 broken\n"))
         shutil.rmtree(box)
         (box.parent / "3").mkdir()
@@ -110,7 +110,7 @@ class Command(unittest.TestCase):
     def test_a_configuration_is_checked(self):
         config = self.place.home / "c.yaml"
         url = "https://fuel.gazebosim.org/1.0/Anna/models/Box"
-        for text, said in (("servers: 1", "c.yaml:1:10: 'servers' is no list"),
+        for text, said in (("servers: 1", "c.yaml:1:10: 'servers' is not a list"),
                            ("servers:\n  - name: x", "c.yaml:2:5: a server has no 'url'"),
                            ("servers:\n  - url: ftp://x", "'ftp://x' is not the address of a server"),
                            ("servers:\n  - url: https://x/y", "'https://x/y' is not the address of a server"),
@@ -119,17 +119,19 @@ class Command(unittest.TestCase):
             self.assertIn(said, self.fuel("download", url, "-c", "c.yaml", code=1))
         config.write_text(f"cache: {{path: '{self.place.home}/there'}}\nextra: 1\n")
         result = self.place.fuel("download", url, "-c", "c.yaml")
-        self.assertIn("warning: c.yaml:2: 'extra' is not known", result.stderr)
+        self.assertIn("warning: c.yaml:2: 'extra' is unknown", result.stderr)
         self.assertTrue((self.place.home / "there/fuel.gazebosim.org/anna/models/box/2/model.sdf").exists())
         self.assertIn("can't be read", self.fuel("download", url, "-c", "no.yaml", code=1))
 
     def test_a_wrong_command_line_is_said(self):
-        for words, said in (([], "no action given"), (["lst"], "'lst' is no action\n  hint: the actions are list, "), (["list"], "no type given"),
-                            (["list", "-t", "x"], "'x' is no type"), (["download"], "no address given"),
+        for words, said in (([], "no action given"), (["lst"], "unknown action 'lst'\n  hint: did you mean 'list'?"),
+                            (["list"], "no type given"), (["list", "--ownr", "x"], "unknown option '--ownr'\n  hint: did you mean '--owner'?"),
+                            (["fetc"], "unknown action 'fetc'\n  hint: pongsim fuel --help lists them"),
+                            (["list", "-t", "x"], "'x' is not a type"), (["download"], "no address given"),
                             (["download", "x"], "'x' is not the address of a model"), (["download", "-j", "17", "x"], "1 to 16"),
                             (["download", "x", "-v", "9"], "level from 0 to 4"), (["info"], "no address given"),
-                            (["download", "https://fuel.gazebosim.org/1.0/o/models/m", "--header", "x"], "'x' is no header"),
-                            (["upload"], "'upload' is not done here"), (["edit"], "ign fuel edit"), (["meta"], "model.config")):
+                            (["download", "https://fuel.gazebosim.org/1.0/o/models/m", "--header", "x"], "'x' is not a header"),
+                            (["upload"], "'upload' is not supported"), (["edit"], "ign fuel edit"), (["meta"], "model.config")):
             self.assertIn(said, self.fuel(*words, code=2), words)
         self.assertIn("download", self.fuel("--help"))
         self.assertIn("--jobs", self.fuel("download", "--help"))

@@ -30,15 +30,15 @@ class Faults(unittest.TestCase):
         return result.stderr
 
     def test_a_model_that_is_not_there(self):
-        self.refused("'https://fuel.gazebosim.org/1.0/o/models/m' can't be downloaded: the server fuel.gazebosim.org has "
-                     "none (status 404)\n  hint: is the address right?")
+        self.refused("'https://fuel.gazebosim.org/1.0/o/models/m' can't be downloaded: the server fuel.gazebosim.org does "
+                     "not have it (status 404)\n  hint: is the address right?")
         self.server.add("o", "m", model_files("m"))
         self.refused("(status 404)", url="https://fuel.gazebosim.org/1.0/o/models/m/7")
 
     def test_a_server_that_fails(self):
         self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", 500)
-        said = self.refused("the server fuel.gazebosim.org fails (status 500)\n  hint: try again later")
+        said = self.refused("the server fuel.gazebosim.org failed (status 500)\n  hint: try again later")
         self.assertEqual(said.count("trying again"), 2)
 
     def test_a_server_that_fails_once(self):
@@ -49,19 +49,19 @@ class Faults(unittest.TestCase):
     def test_a_circle(self):
         self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", "circle")
-        self.refused("leads on and on: more than 10 redirections")
+        self.refused("redirects too often: more than 10 redirections")
 
     def test_a_way_out_of_https(self):
         self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", ("redirect", "http://storage.example.org/storage/o/m/1/x.zip"))
-        self.refused("leads to an address that is not safe: http://storage.example.org")
+        self.refused("redirects to an unsafe address: http://storage.example.org")
         self.server.fault("m.zip", ("redirect", "file:///etc/passwd"))
-        self.refused("leads to an address that is not safe: file:///etc/passwd")
+        self.refused("redirects to an unsafe address: file:///etc/passwd")
 
     def test_one_byte_a_second(self):
         self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", "drip")
-        self.refused("has said next to nothing for 2 seconds", keeps_part=True, PONGSIM_FUEL_TIMEOUT="2")
+        self.refused("sent almost nothing for 2 seconds", keeps_part=True, PONGSIM_FUEL_TIMEOUT="2")
 
     def test_a_patience_that_is_no_number(self):
         self.server.add("o", "m", model_files("m"))
@@ -70,7 +70,7 @@ class Faults(unittest.TestCase):
     def test_half_a_body_is_gone_on_with(self):
         url = self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", "half")
-        self.refused("broke off in the middle", keeps_part=True)
+        self.refused("closed the connection", keeps_part=True)
         self.server.faults.clear()
         result = self.place.fuel("download", url)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -79,19 +79,19 @@ class Faults(unittest.TestCase):
     def test_a_length_that_lies(self):
         self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", "lying")
-        self.refused("broke off in the middle", keeps_part=True)
+        self.refused("closed the connection", keeps_part=True)
         self.server.fault("m.zip", "short")
-        self.refused("no whole zip file")
+        self.refused("did not send a complete zip file")
 
     def test_what_is_no_zip(self):
         self.server.add("o", "m", model_files("m"))
         for what in ("garbled", "garbage"):
             self.server.fault("m.zip", what)
-            self.refused("what the server sent is no whole zip file")
+            self.refused("the server did not send a complete zip file")
 
     def test_an_answer_that_is_no_json(self):
         self.server.fault("models/m", "garbage")
-        self.refused("it is no JSON")
+        self.refused("it is not JSON")
 
     def test_damaged_bytes(self):
         data = bytearray(zip_of(model_files("m") | {"a.bin": os.urandom(1000)}))
@@ -102,12 +102,12 @@ class Faults(unittest.TestCase):
     def test_another_version_than_asked_for(self):
         url = self.server.add("o", "m", model_files("m"))
         self.server.fault("m.zip", "version")
-        self.refused("the server sends version 99 in place of 1", url=url + "/1")
+        self.refused("the server sends version 99 instead of 1", url=url + "/1")
 
     def test_ways_out_of_the_folder(self):
         for name in ("../../etc/passwd", "/etc/passwd", "a/../../b", "meshes\\..\\..\\b", "C:/x", ".."):
             self.server.add("o", "m", zip_of(model_files("m") | {zipfile.ZipInfo(name): "x"}))
-            self.refused("leads out of the model's folder")
+            self.refused("is outside the model's folder")
         self.assertFalse((self.place.cache / "etc").exists())
 
     def test_links_and_devices(self):
@@ -122,7 +122,7 @@ class Faults(unittest.TestCase):
 
     def test_a_bomb(self):
         self.server.add("o", "m", zip_of(model_files("m") | {"zeros": bytes(100_000_000)}))
-        self.refused("the archive is refused: its ", "bytes would become 100")
+        self.refused("the archive was refused: its ", "bytes would become 100")
 
     def test_a_bomb_that_lies(self):
         size = 5_000_000
@@ -133,9 +133,9 @@ class Faults(unittest.TestCase):
 
     def test_no_model_in_it(self):
         self.server.add("o", "m", {"a.txt": "x"})
-        self.refused("what the server sent is of no use: there is no model.config in it")
+        self.refused("the server's response can't be used: there is no model.config in it")
         self.server.add("o", "m", {"model.config": "<model><sdf>model.sdf</sdf></model>"})
-        self.refused("its model.config names 'model.sdf', which is not there")
+        self.refused("its model.config names 'model.sdf', which does not exist")
         self.server.add("o", "m", zip_of({}))
         self.refused("can't be downloaded")
 
@@ -153,25 +153,25 @@ class Faults(unittest.TestCase):
             prefix = ["unshare", "--mount", *prefix[4:]]
             if subprocess.run([*prefix, "true"], capture_output=True).returncode != 0:
                 self.skipTest("a file system can't be mounted here")
-        self.refused("No space left on device\n  hint: make room on the disk", prefix=prefix,
+        self.refused("No space left on device\n  hint: free disk space", prefix=prefix,
                      IGN_FUEL_CACHE_PATH=str(folder))
         # room for the zip file, and not for what is in it
         self.server.add("o", "m", model_files("m") | {"a.bin": bytes(300_000)})
-        self.refused("there is no room for 30", prefix=prefix, IGN_FUEL_CACHE_PATH=str(folder))
+        self.refused("not enough disk space for 30", prefix=prefix, IGN_FUEL_CACHE_PATH=str(folder))
 
     def test_a_cache_that_can_not_be_written(self):
         self.server.add("o", "m", model_files("m"))
         file = self.place.home / "file"
         file.write_text("")
-        self.refused("can't be made: Not a directory", IGN_FUEL_CACHE_PATH=str(file / "cache"))
+        self.refused("can't be created: Not a directory", IGN_FUEL_CACHE_PATH=str(file / "cache"))
 
     def test_a_certificate_of_another(self):
         stranger = self._enter(Server(certificate="stranger"))
-        self.refused("the certificate of fuel.gazebosim.org can't be trusted", place=self._enter(Place(stranger)))
+        self.refused("the certificate of fuel.gazebosim.org is not trusted", place=self._enter(Place(stranger)))
         self.assertEqual(stranger.requests, [])
 
     def test_a_certificate_that_nobody_knows(self):
-        self.refused("the certificate of fuel.gazebosim.org can't be trusted", SSL_CERT_FILE="")
+        self.refused("the certificate of fuel.gazebosim.org is not trusted", SSL_CERT_FILE="")
         self.assertEqual(self.server.requests, [])
 
     def test_no_server(self):

@@ -93,7 +93,7 @@ class World(unittest.TestCase):
         result = self.run_steps(world)
         self.assertEqual(result.returncode, 1)
         self.assertIn(f"{world}:3:10: error: 'https://fuel.gazebosim.org/1.0/o/models/none' can't be downloaded: the server "
-                      "fuel.gazebosim.org has none (status 404)", result.stderr)
+                      "fuel.gazebosim.org does not have it (status 404)", result.stderr)
         self.assertIn(f"{world}:4:10: error: ", result.stderr)
         self.assertIn("2 errors", result.stderr)
 
@@ -110,7 +110,7 @@ class World(unittest.TestCase):
             result = self.run_steps(world, *words, **environment)
             self.assertEqual(result.returncode, 1)
             self.assertIn(f"'{url}' is not in the local Fuel cache", result.stderr)
-            self.assertIn("hint: nothing is downloaded, for PONGSIM_OFFLINE or --offline says so", result.stderr)
+            self.assertIn("hint: downloads are off: PONGSIM_OFFLINE or --offline is set", result.stderr)
         for words in (["sdf", "-k", world, "--offline"], ["view", world, "--offline"]):
             self.assertIn("is not in the local Fuel cache", self.place.run(PONGSIM, *words).stderr)
         self.assertEqual(self.server.connects, [])
@@ -142,7 +142,7 @@ class World(unittest.TestCase):
         url = self.server.add("o", "m", model_files("m"))
         result = self.place.run(place / "bin/pongsim", "run", self.write(f"<include><uri>{url}</uri></include>"))
         self.assertEqual(result.returncode, 1)
-        self.assertIn("hint: the package pongsim-fuel downloads it: apt-get install pongsim-fuel", result.stderr)
+        self.assertIn("hint: install pongsim-fuel to download it: apt-get install pongsim-fuel", result.stderr)
 
     def test_an_interrupted_download_ends_the_run(self):
         url = self.server.add("o", "m", model_files("m"))

@@ -1,6 +1,6 @@
 // What talking to clients of Fortress costs beside a pair of nodes of ign-transport, and what it costs the simulation.
 //   pongsim_ign_bench                   the whole of it
-//   pongsim_ign_bench hear KIND         its other process: hears what a kind is, and prints the median age [us]
+//   pongsim_ign_bench hear KIND         its other process: receives one kind, and prints the median age [us]
 //   pongsim_ign_bench say KIND WAY      says it, stamped: native, or by pongsim
 
 #include <ignition/msgs/image.pb.h>

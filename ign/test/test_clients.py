@@ -125,8 +125,8 @@ class Place(unittest.TestCase):
 
     def test_a_wrong_address_is_an_error(self):
         import subprocess
-        for name, value, words in (("IGN_IP", "192.0.2.77", "no IPv4 address of this machine"),
-                                   ("IGN_PARTITION", "a b", "is no partition")):
+        for name, value, words in (("IGN_IP", "192.0.2.77", "not an IPv4 address of this machine"),
+                                   ("IGN_PARTITION", "a b", "is not a partition")):
             result = subprocess.run([PONGSIM, "run", str(WORLD), "--ign", "--iterations", "1"],
                                     env={**ENVIRONMENT, name: value}, capture_output=True, text=True, timeout=90)
             self.assertNotEqual(result.returncode, 0)

@@ -51,10 +51,10 @@ class Settings(unittest.TestCase):
             unheard.wait_for("published")
             simulation.wait_for("Invalid username or password")
             self.peer("listen", *CLOCK, environment=known).wait_for("heard")
-            self.assertNotIn("came by ign-transport", simulation.output())
+            self.assertNotIn("arrived by ign-transport", simulation.output())
             self.peer("publish", "/cmd_vel", "no Twist", environment=known)
             # which a world says that hears it
-            simulation.wait_for("messages of ignition.msgs.StringMsg came by ign-transport")
+            simulation.wait_for("messages of ignition.msgs.StringMsg arrived by ign-transport")
             for stranger in strangers:
                 self.assertNotIn("heard", stranger.output())
 

@@ -74,7 +74,7 @@ class MovingRobot(unittest.TestCase):
     def test_absurd_commands_are_refused(self):
         for kind, content, words in (
                 ("Twist", "linear: {x: 1e308}", r"/cmd_vel.*is refused: linear\.x is 1e\+308"),
-                ("Int32", "data: 7", r"messages of ignition\.msgs\.Int32 came.*the world takes ignition\.msgs\.Twist")):
+                ("Int32", "data: 7", r"messages of ignition\.msgs\.Int32 arrived.*the world takes ignition\.msgs\.Twist")):
             def said(kind=kind, content=content, words=words):
                 publish("/cmd_vel", kind, content)
                 return re.search(words, self.simulation.output())

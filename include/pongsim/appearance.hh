@@ -13,55 +13,55 @@
 
 namespace pongsim {
 
-/// Triangles of a visual with their material: all of a shape, or a part of a mesh.
+/// Triangles of a visual and their material: a whole shape, or a part of a mesh.
 struct VisiblePart {
-  /// A corner of triangles.
+  /// A vertex.
   struct Corner {
     Eigen::Vector3f position;
-    /// Outwards, of length one.
+    /// Outward unit vector.
     Eigen::Vector3f normal;
-    /// In the texture: from the left and from the top, 1 being its size.
+    /// Texture coordinates, from the left and from the top; 1 is the full size.
     Eigen::Vector2f coordinates;
   };
   /// "model::link::visual"; for an actor "actor::visual".
   std::string name;
   Pose X_WorldPart;
-  /// Along the axes of the part, before it is turned. Negative: mirrored.
+  /// Along the axes of the part, before rotation. Negative values mirror.
   Vector3 scale = Vector3::Ones();
   std::vector<Corner> corners;
-  /// Indices of corners, three for each triangle, counter-clockwise as seen from outside.
+  /// Vertex indices, three for each triangle, counter-clockwise seen from outside.
   std::vector<std::uint32_t> triangles;
-  /// Shares of red, green and blue, as the visual's material says, else that of its file, else grey.
+  /// Red, green and blue, 0 to 1: from the visual's material, else from the mesh file, else grey.
   Eigen::Vector3f ambient, diffuse, specular, emissive;
-  /// 1: not to be seen through.
+  /// 1: opaque.
   double opacity = 1;
-  /// The picture that goes over it; empty: none.
+  /// Image file of the texture; empty: none.
   std::filesystem::path texture;
 };
 
-/// A light that is on.
+/// A light that is switched on.
 struct VisibleLight {
   enum class Type { kPoint, kDirectional, kSpot };
   std::string name;
   Type type = Type::kPoint;
   Pose X_WorldLight;
-  /// Where it shines, unit vector in the frame of the light; of no meaning for a point.
+  /// Direction of the light, unit vector in the frame of the light; unused for point lights.
   Vector3 direction;
   Vector3 diffuse;
-  /// At the distance d its light is divided by constant + linear d [1/m] + quadratic d^2 [1/m^2].
+  /// At distance d the light is divided by constant + linear d [1/m] + quadratic d^2 [1/m^2].
   double constantAttenuation = 1;
   double linearAttenuation = 0;
   double quadraticAttenuation = 0;
-  /// Of a spot: opening angle of the cone outside of which it is dark [rad], and how fast it gets dark.
+  /// For spot lights: full angle of the cone outside of which it is dark [rad], and how fast the light falls off.
   double outerAngle = 0;
   double falloff = 0;
 };
 
-/// What is to be seen in a world, as triangles and lights, for who writes it down or draws it by other means.
+/// The visible parts of a world as triangles and lights, for exporting or drawing it.
 class PONGSIM_API Appearance {
  public:
-  /// Takes in all visuals and lights, where they are now, and reads the files of meshes.
-  /// @param diagnostics Warnings about files that can't be read: what they show is left out.
+  /// Collects all visuals and lights at their current poses, and reads mesh files.
+  /// @param diagnostics Warnings about files that can't be read; their visuals are left out.
   Appearance(const World& world, Diagnostics& diagnostics);
   ~Appearance();
 

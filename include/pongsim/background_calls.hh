@@ -18,30 +18,30 @@
 
 namespace pongsim {
 
-/// Calls services, one after another, on a thread of its own: an answer may take its time, and the simulation waits for
-/// nobody. What goes wrong is logged. The thread begins with the first call.
+/// Calls services one after another on its own thread, so that the simulation does not wait for the replies. Failures
+/// are logged. The thread starts with the first call.
 class PONGSIM_API BackgroundCalls {
  public:
   struct Call {
     std::string service;
     std::shared_ptr<const Message> request;
-    /// Full name.
+    /// Full name of the reply's type.
     std::string replyType;
     std::chrono::milliseconds timeout{5000};
-    /// Told on the worker's thread what came of it; the reply is there where it worked. Empty: what goes wrong is
+    /// Called on the worker thread with the result; `reply` is only valid if the call worked. Empty: failures are
     /// logged.
     std::function<void(const CallResult& result, const Message& reply)> done = {};
   };
-  /// @param log Must outlive it.
-  /// @param mostWaiting How many may wait.
+  /// @param log Must outlive this.
+  /// @param mostWaiting Largest number of waiting calls.
   BackgroundCalls(const Node& node, const Logger& log, std::size_t mostWaiting = 1000);
-  /// Waits for the call that is being made; the others are not made any more.
+  /// Waits for the current call; waiting calls are discarded.
   ~BackgroundCalls();
   BackgroundCalls(const BackgroundCalls&) = delete;
   BackgroundCalls& operator=(const BackgroundCalls&) = delete;
 
-  /// Has the service called. Returns at once.
-  /// @return Whether it will be: not, with a warning, where too many wait already.
+  /// Queues a call and returns at once.
+  /// @return False, with a warning, if too many calls are waiting.
   bool post(Call call);
 
  private:

@@ -11,24 +11,23 @@
 
 namespace pongsim {
 
-/// A way to one battery of a model: a system says how full it is, others say what they take from it. A copy is the same
-/// battery; it must not outlive its `Simulation`. A battery goes with its model and stays where the world is reset.
+/// Handle to a battery of a model. One system sets its charge, others report their loads. Copies refer to the same
+/// battery. Must not outlive its `Simulation`. A battery is removed with its model and survives a reset of the world.
 class PONGSIM_API Battery {
  public:
   BatteryId id() const { return id_; }
-  /// @return Whether it is still there. If not, all other functions but `id` throw `Gone`.
+  /// @return Whether it exists. If not, all other functions but `id` throw `Gone`.
   bool exists() const;
   std::string_view name() const;
   ModelId model() const;
-  /// @return State of charge, 1: full; 0 or less: empty.
+  /// @return State of charge; 1: full, 0 or less: empty.
   double charge() const;
-  /// Says how full it is. Neither this nor the loads are part of a saved state: systems remember what they say.
+  /// Sets the state of charge. Charge and loads are not part of a saved state: systems must remember them.
   void setCharge(double charge);
-  /// @return What is taken from it, of all consumers together [W].
+  /// @return Total power drawn by all consumers [W].
   double load() const;
-  /// Says what a consumer takes from it, until it says something else [W]. A load that is not finite is refused with a
-  /// warning.
-  /// @param consumer A name of its own: "thruster of joint propeller".
+  /// Sets the power that a consumer draws, until changed [W]. A value that is not finite is refused with a warning.
+  /// @param consumer Unique name: "thruster of joint propeller".
   void setLoad(std::string_view consumer, double load);
 
  private:
@@ -38,21 +37,21 @@ class PONGSIM_API Battery {
   BatteryId id_;
 };
 
-/// All batteries of a world. A model that has some which are all empty gets no force and no velocity on its own joints,
-/// whatever they are told: as in Fortress they turn on freely. It must not outlive the `Simulation`.
+/// All batteries of a world. If a model has batteries and all are empty, commands to its own joints have no effect, as
+/// in Fortress: the joints move freely. Must not outlive the `Simulation`.
 class PONGSIM_API Batteries {
  public:
   explicit Batteries(const World& world) : access_(world.access_) {}
 
-  /// Gives a model a battery.
-  /// @param name Of no other battery of the model.
+  /// Adds a battery to a model.
+  /// @param name Unique in the model.
   /// @param charge State of charge, 1: full.
-  /// @return The battery, or why not.
+  /// @return The battery, or why it was refused.
   Outcome<Battery> add(const Model& model, std::string_view name, double charge);
   std::optional<Battery> find(const Model& model, std::string_view name) const;
-  /// @return All batteries of that name, whatever their models.
+  /// @return All batteries with that name, of any model.
   std::vector<Battery> named(std::string_view name) const;
-  /// @return Whether the model has batteries and all of them are empty.
+  /// @return Whether the model has batteries and all are empty.
   bool areEmpty(const Model& model) const;
 
  private:

@@ -6,13 +6,13 @@
 
 namespace pongsim {
 
-/// The bulk of a message, its pixels or points, that is elsewhere yet: it is written to where each listener wants it,
-/// once, in place of being copied into the message and from there.
+/// The large part of a message, such as pixels or points, kept outside of it. It is written once, directly to each
+/// subscriber's destination, instead of being copied into the message first.
 struct Bulk {
-  /// The message's field of bytes that it belongs to, which the message leaves empty.
+  /// The message's `bytes` field that it replaces; the message leaves it empty.
   const char* field = "data";
   std::size_t size = 0;
-  /// Writes so many bytes; the same in each call.
+  /// Writes the bytes; the same in each call.
   std::function<void(std::span<std::byte>)> write;
 };
 

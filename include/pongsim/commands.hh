@@ -4,17 +4,17 @@
 
 namespace pongsim {
 
-/// What a number in a command may be, either way: in metres, radians or a second of them more than is ever meant, and
-/// far below where the physics gives up (1e9).
+/// Largest magnitude of a number in a command [m, rad, or per second]: more than any reasonable command, and far below
+/// the limits of the physics (1e9).
 inline constexpr double kLargestCommand = 1e6;
 
-/// The same of a force [N] or a torque [N m]: three times what the largest rocket has.
+/// Largest magnitude of a force [N] or torque [N m]: three times the thrust of the largest rocket.
 inline constexpr double kLargestForce = 1e8;
 
-/// For what a system is told to do: `node.subscribe<M>(topic, received, kCommands)`.
+/// Options for command topics: `node.subscribe<M>(topic, received, kCommands)`.
 inline constexpr SubscriptionOptions kCommands{.largestNumber = kLargestCommand};
 
-/// For forces and torques that a system is told to apply.
+/// Options for topics with forces and torques.
 inline constexpr SubscriptionOptions kForces{.largestNumber = kLargestForce};
 
 }  // namespace pongsim

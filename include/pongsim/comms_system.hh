@@ -14,35 +14,33 @@
 #include <utility>
 #include <vector>
 
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameter_group.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
-/// A system that carries messages from robot to robot, the broker of Fortress's comms. A derived class says what
-/// becomes of a message on its way.
+/// Base class of systems that carry messages between robots, like the brokers of Fortress's comms. A derived class
+/// decides what happens to a message on its way.
 ///
-/// An address is bound to topics, for a model, by a service. A message that comes on the broker's topic goes in the
-/// next step to all topics of the address that it is for, if both ends are bound to models. Models are looked up at the
-/// end of each step, so that an address that was bound before a step hears and is heard from the next one on.
+/// An address is bound to topics, for a model, by a service. A message on the broker's topic is delivered in the next
+/// step to all topics of its destination address, if both addresses are bound to existing models. Models are looked up
+/// at the end of each step, so an address takes part from the step after it was bound.
 class CommsSystem : public System {
  public:
-  /// The derived class adds its own and says what it is.
+  /// A derived class adds its parameters and its description.
   void declare(Declaration& declaration) override {
     declaration.element("broker",
-                        "names in place of the defaults: `<messages_topic>` /broker/msgs, `<bind_service>` "
+                        "other names: `<messages_topic>` /broker/msgs, `<bind_service>` "
                         "/broker/bind, `<unbind_service>` /broker/unbind");
     declaration
-        .parameter("step_size", &stepSize_, "s",
-                   "accepted, and changes nothing: messages come between steps, so that one round a step carries all")
+        .parameter("step_size", &stepSize_, "s", "accepted without effect: one round per step delivers all messages")
         .above(0)
         .otherwise("a step");
-    declaration.subscribes("/broker/msgs", "ignition.msgs.Dataframe", "what one address sends to another");
+    declaration.subscribes("/broker/msgs", "ignition.msgs.Dataframe", "messages between addresses");
     declaration.serves("/broker/bind", "ignition.msgs.StringMsg_V", "ignition.msgs.Boolean",
                        "binds an address to a topic: address, model, topic");
-    declaration.serves("/broker/unbind", "ignition.msgs.StringMsg_V", "ignition.msgs.Empty",
-                       "takes that back: address, topic");
+    declaration.serves("/broker/unbind", "ignition.msgs.StringMsg_V", "ignition.msgs.Empty", "unbinds: address, topic");
     declaration.publishes("the bound topics", "ignition.msgs.Dataframe", "what came for the address");
   }
 
@@ -74,7 +72,7 @@ class CommsSystem : public System {
     carryAll();
   }
 
-  /// Nobody is bound any more: endpoints bind themselves again.
+  /// Removes all bindings: endpoints bind themselves again.
   void reset() override {
     ends_.clear();
     now_ = nextWarning_ = Time::zero();
@@ -93,19 +91,19 @@ class CommsSystem : public System {
   }
 
  protected:
-  /// An address as messages have it, at the time of a step.
+  /// An address in messages, at the time of a step.
   struct Radio {
     const std::string& address;
     const Model& model;
   };
 
-  /// Decides what becomes of a message. Called once for each that is for a bound address, in the order of the senders'
-  /// addresses and of their arrival.
+  /// Decides what happens to a message. Called once for each message to a bound address, in the order of the senders'
+  /// addresses, then of arrival.
   /// @param message May be changed.
-  /// @return Whether it arrives.
+  /// @return Whether it is delivered.
   virtual bool carries(const Radio& from, const Radio& to, Time now, ignition::msgs::Dataframe& message) = 0;
 
-  /// Warns of what happens again and again, once a simulated second.
+  /// Warns at most once per simulated second.
   void warnSeldom(const std::string& text) {
     if (now_ < nextWarning_) {
       ++unmentioned_;
@@ -120,10 +118,10 @@ class CommsSystem : public System {
  private:
   using Dataframe = ignition::msgs::Dataframe;
 
-  /// An address: what is bound to it, and what it sends.
+  /// An address: its bindings and its outgoing messages.
   struct End {
     std::string modelName;
-    /// Nothing before it is looked up, and where it is not there.
+    /// Empty until it is looked up, and if it does not exist.
     std::optional<Model> model;
     std::map<std::string, Publisher> topics;
     std::vector<Dataframe> outbound;
@@ -144,12 +142,12 @@ class CommsSystem : public System {
     }
   };
 
-  // What may wait for the next step, which does not come while the simulation is paused.
+  // Most messages that wait for the next step, which does not come while the simulation is paused.
   static constexpr std::size_t kMostWaiting = 1000;
   static constexpr std::size_t kMostWaitingBytes = 64 << 20;
 
   ServiceAnswer bind(const ignition::msgs::StringMsg_V& request) {
-    if (request.data_size() != 3) return refused("binding takes an address, a model and a topic", request.data_size());
+    if (request.data_size() != 3) return refused("binding needs an address, a model and a topic", request.data_size());
     const std::string& address = request.data(0);
     const std::string& model = request.data(1);
     const std::string& topic = request.data(2);
@@ -172,7 +170,7 @@ class CommsSystem : public System {
   }
 
   ServiceAnswer unbind(const ignition::msgs::StringMsg_V& request) {
-    if (request.data_size() != 2) return refused("unbinding takes an address and a topic", request.data_size());
+    if (request.data_size() != 2) return refused("unbinding needs an address and a topic", request.data_size());
     const auto end = ends_.find(request.data(0));
     if (end == ends_.end() || end->second.topics.erase(request.data(1)) == 0) {
       return ServiceAnswer::refused("the address '" + request.data(0) + "' is not bound to the topic '" +
@@ -192,11 +190,11 @@ class CommsSystem : public System {
 
   void receive(const Dataframe& message) {
     if (waitingCount_ >= kMostWaiting || waitingBytes_ + message.data().size() > kMostWaitingBytes) {
-      warnSeldom("a message from '" + message.src_address() + "' is dropped: too many wait for the next step");
+      warnSeldom("a message from '" + message.src_address() + "' was dropped: too many are waiting for the next step");
       return;
     }
     const auto from = ends_.find(message.src_address());
-    if (from == ends_.end()) return warnSeldom(dropped(message, "nobody has bound '" + message.src_address() + "'"));
+    if (from == ends_.end()) return warnSeldom(dropped(message, "no model has bound '" + message.src_address() + "'"));
     ++waitingCount_;
     waitingBytes_ += message.data().size();
     Dataframe& kept = from->second.outbound.emplace_back(message);
@@ -204,10 +202,10 @@ class CommsSystem : public System {
   }
 
   static std::string dropped(const Dataframe& message, const std::string& why) {
-    return "a message from '" + message.src_address() + "' to '" + message.dst_address() + "' is dropped: " + why;
+    return "a message from '" + message.src_address() + "' to '" + message.dst_address() + "' was dropped: " + why;
   }
 
-  /// Sends all that waits, then looks up who was bound.
+  /// Delivers all waiting messages, then looks up the models of addresses.
   void carryAll() {
     if (waitingCount_ > 0) {
       for (auto& [address, end] : ends_) {
@@ -225,7 +223,7 @@ class CommsSystem : public System {
   void carry(const std::string& address, const End& from, Dataframe& message) {
     const auto to = ends_.find(message.dst_address());
     if (to == ends_.end()) {
-      return warnSeldom(dropped(message, "nobody has bound '" + message.dst_address() + "'"));
+      return warnSeldom(dropped(message, "no model has bound '" + message.dst_address() + "'"));
     }
     std::string why = whyDetached(address, from);
     if (why.empty()) why = whyDetached(to->first, to->second);
@@ -234,15 +232,15 @@ class CommsSystem : public System {
     for (auto& [topic, publisher] : to->second.topics) publisher.publish(message);
   }
 
-  /// @return Why the address is not at a model, or nothing.
+  /// @return Why the address has no model, or nothing.
   std::string whyDetached(const std::string& address, const End& end) const {
     if (end.model && end.model->exists()) return {};
-    if (end.topics.empty()) return "nobody has bound '" + address + "'";
-    if (find(end.modelName)) return "'" + address + "' is bound since this step only";
-    return "'" + address + "' is bound to the model '" + end.modelName + "', which is not there";
+    if (end.topics.empty()) return "no model has bound '" + address + "'";
+    if (find(end.modelName)) return "'" + address + "' was bound in this step";
+    return "'" + address + "' is bound to the model '" + end.modelName + "', which does not exist";
   }
 
-  /// @return The model of that name: "outer::inner", or the first one that is called so itself.
+  /// @return The model with that name: "outer::inner", or the first with that own name.
   std::optional<Model> find(const std::string& name) const {
     if (std::optional<Model> model = world_->model(name)) return model;
     std::vector<Model> models = world_->models();

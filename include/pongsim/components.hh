@@ -9,14 +9,14 @@
 
 namespace pongsim {
 
-// The components of which states as messages (`Scene::fillInState`, `StateChanges`) are made up.
+// Components of the state messages made by `Scene::fillInState` and `StateChanges`.
 
-/// @param name Of a component of Fortress, as "Pose".
-/// @return The number that stands for it.
+/// @param name A component's name in Fortress, such as "Pose".
+/// @return Its type number.
 PONGSIM_API std::uint64_t componentType(std::string_view name);
 
-/// @param text Of a "Pose": x y z roll pitch yaw [m, rad].
-/// @return Nothing where it is none.
+/// @param text Of a "Pose" component: x y z roll pitch yaw [m, rad].
+/// @return Nothing if the text is not a pose.
 PONGSIM_API std::optional<Pose> componentPose(std::string_view text);
 
 }  // namespace pongsim

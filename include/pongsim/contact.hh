@@ -4,17 +4,17 @@
 
 namespace pongsim {
 
-/// One point where two collisions touch. All vectors are in the world frame.
+/// A point where two collisions touch. All vectors are in the world frame.
 struct Contact {
   CollisionId collision1;
   CollisionId collision2;
   /// [m]
   Vector3 position;
-  /// Unit vector out of the second collision, into the first.
+  /// Unit vector, out of the second collision and into the first.
   Vector3 normal;
-  /// How far the two are in each other [m]; not negative.
+  /// Penetration depth [m], not negative.
   double depth = 0;
-  /// Force on the first collision during the last step, friction included [N].
+  /// Force on the first collision during the last step, including friction [N].
   Vector3 force;
 };
 

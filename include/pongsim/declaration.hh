@@ -16,34 +16,34 @@
 
 namespace pongsim {
 
-/// One parameter of a system: an element below its `<plugin>`, where its value goes, and what it means.
+/// A parameter of a system: an element in its `<plugin>`, the variable for its value, and its meaning.
 class PONGSIM_API Parameter {
  public:
-  /// Where the value goes. What stands there at first is the default. An `optional` tells whether the parameter is
-  /// given, a `vector` takes all elements of the name, and nothing is for an element that the system reads itself.
+  /// The variable for the value; its initial value is the default. An `optional` shows whether the parameter was given,
+  /// a `vector` takes all elements of the name, `monostate` is for an element that the system reads itself.
   using Target = std::variant<std::monostate, double*, int*, bool*, std::string*, Vector3*, std::optional<double>*,
                               std::vector<double>*, std::vector<std::string>*>;
 
   /// @param unit "m/s", or empty.
   Parameter(std::string name, Target target, std::string unit, std::string text);
 
-  // What holds for the value. Each gives back the parameter itself.
+  // Constraints on the value. Each function returns the parameter itself.
 
-  /// Without it the system is left out.
+  /// The parameter must be given; otherwise the system is left out.
   Parameter& required();
-  /// More than `bound`.
+  /// Must be greater than `bound`.
   Parameter& above(double bound);
-  /// `bound` or more.
+  /// Must be `bound` or greater.
   Parameter& atLeast(double bound);
-  /// `bound` or less.
+  /// Must be `bound` or less.
   Parameter& atMost(double bound);
-  /// Infinity is a value too; numbers must be finite otherwise.
+  /// Allows infinity; otherwise numbers must be finite.
   Parameter& mayBeInfinite();
-  /// One of these words.
+  /// Must be one of these words.
   Parameter& oneOf(std::vector<std::string> words);
-  /// What pages say of the default, where the value at first does not tell: "/model/M/cmd_vel".
+  /// Describes the default in the documentation if the initial value does not: "/model/M/cmd_vel".
   Parameter& otherwise(std::string fallback);
-  /// Pages show one row for all parameters of that family that follow each other, in place of their names:
+  /// Makes the documentation show one row for consecutive parameters of the same family instead of their names:
   /// "{xyz}{UVW}" for xU, xV and so on.
   Parameter& inFamily(std::string pattern);
 
@@ -51,17 +51,17 @@ class PONGSIM_API Parameter {
   const std::string& unit() const { return unit_; }
   const std::string& text() const { return text_; }
   bool isRequired() const { return isRequired_; }
-  /// Whether the element may stand there several times.
+  /// Whether the element may occur several times.
   bool isRepeated() const;
   /// @return "number", "whole number", "true or false", "text", "three numbers", or "element".
   std::string type() const;
-  /// @return The default as text; empty where there is none.
+  /// @return The default as text; empty if there is none.
   const std::string& fallback() const { return fallback_; }
-  /// @return The family's pattern; empty where it stands for itself.
+  /// @return The family's pattern; empty without one.
   const std::string& family() const { return family_; }
 
-  /// Puts what stands below `plugin` into the target. An element without text is as one that is not there.
-  /// @throws Error naming the position of a value that can't be used.
+  /// Reads the value from `plugin` into the target. An empty element counts as not given.
+  /// @throws Error with the position of an invalid value.
   void read(const Element& plugin) const;
 
  private:
@@ -83,36 +83,36 @@ class PONGSIM_API Parameter {
   std::vector<std::string> words_;
 };
 
-/// What a system says of itself: where it stands, its parameters, what it speaks of. Its parameters are read with it,
-/// `pongsim plugin -i` prints it, and so do the pages of the documentation.
+/// A system's description of itself: its place, parameters, topics and services. It is used to read the parameters, for
+/// `pongsim plugin -i`, and for the documentation.
 class PONGSIM_API Declaration {
  public:
   enum class Place { kAnywhere, kWorld, kModel, kActor };
 
-  /// A topic or a service. In its name stand W, M, L, J and S for the names of the world, model, link, joint and
-  /// sensor, and `<topic>` for what that parameter says.
+  /// A topic or a service. In its name, W, M, L, J and S stand for the names of the world, model, link, joint and
+  /// sensor, and `<topic>` for the value of that parameter.
   struct Way {
     enum class Kind { kPublished, kSubscribed, kService };
     Kind kind;
     std::string name;
-    /// Full name of the message type; of the request for a service.
+    /// Full name of the message type; for a service, of the request.
     std::string type;
-    /// Of a service's reply.
+    /// Full name of a service's reply type.
     std::string replyType;
     std::string text;
   };
 
   /// @param text What the system does, in a sentence.
-  /// @param place What its `<plugin>` stands in.
+  /// @param place Where its `<plugin>` belongs.
   void is(std::string text, Place place);
 
   /// Adds a parameter, whose target must outlive this.
-  /// @param text What it means, in a few words, without a full stop.
+  /// @param text Its meaning in a few words, without a full stop.
   Parameter& parameter(std::string name, Parameter::Target target, std::string unit, std::string text);
   /// Adds an element that the system reads itself.
   Parameter& element(std::string name, std::string text);
 
-  /// Systems of this kind may well publish on one topic; of others a second one on a topic is warned of.
+  /// Allows several systems of this kind to publish on one topic; otherwise that is a warning.
   void sharesTopics() { sharesTopics_ = true; }
 
   void publishes(std::string topic, std::string type, std::string text);
@@ -125,9 +125,9 @@ class PONGSIM_API Declaration {
   bool topicsAreShared() const { return sharesTopics_; }
   const std::vector<Way>& ways() const { return ways_; }
 
-  /// Reads all parameters and warns of elements that are none.
-  /// @param system Its name, for the messages.
-  /// @return Whether all could be used; else `diagnostics` says of each why not.
+  /// Reads all parameters and warns about unknown elements.
+  /// @param system The system's name, for messages.
+  /// @return Whether all values are valid; otherwise `diagnostics` has the errors.
   bool read(const Element& plugin, std::string_view system, Diagnostics& diagnostics) const;
 
  private:

@@ -10,9 +10,9 @@
 
 namespace pongsim {
 
-/// A place in a text that a user wrote. Lines and columns count from 1; 0 means that it is not known.
+/// A position in a text. Lines and columns count from 1; 0 means unknown.
 struct SourcePosition {
-  /// The file's name as the user gave it; null where there is no file.
+  /// The file's name as the user gave it; null without a file.
   std::shared_ptr<const std::string> file;
   int line = 0;
   int column = 0;
@@ -21,37 +21,36 @@ struct SourcePosition {
 
 enum class Severity { kWarning, kError };
 
-/// One thing that is wrong, where, and what to do about it.
+/// An error or warning: where it is, what is wrong, and how to fix it.
 struct Diagnostic {
   Severity severity = Severity::kError;
   SourcePosition position;
-  /// One line without a full stop, naming the thing: "joint 'left_wheel_joint' has no <child>".
+  /// One line without a full stop that names the thing: "joint 'left_wheel_joint' has no <child>".
   std::string message;
-  /// One line of help, or empty.
+  /// One line with a hint, or empty.
   std::string hint;
-  /// Where the file of `position` is included, where that file is included, and so on; empty for the file that the user
-  /// named.
+  /// Where the file of `position` is included, where that file is included, and so on; empty for the top-level file.
   std::vector<SourcePosition> includedFrom = {};
 };
 
-/// @return "world.sdf:41:9: error: joint 'j' has no <child>", and below it the hint and where the file is included.
+/// @return "world.sdf:41:9: error: joint 'j' has no <child>", followed by the hint and the chain of includes.
 PONGSIM_API std::string format(const Diagnostic& diagnostic);
 
-/// A line of a source, or a part of it, in UTF-8, without its end.
+/// A line of a source file, or a part of it, in UTF-8, without its line break.
 struct SourceExcerpt {
   std::string_view text;
-  /// That of the first letter of `text`.
+  /// Column of the first character of `text`.
   int firstColumn = 1;
-  /// The line goes on behind it.
+  /// Whether the line continues after `text`.
   bool isCutOff = false;
 };
 
-/// As `format`, with the line of the source and a mark under the diagnostic's column below the first line.
-/// @param source Of line `position.line` of the file. Of a long line a part around the column is shown.
-/// @param hasColors For a terminal that knows them.
+/// As `format`, with the source line and a mark under the diagnostic's column.
+/// @param source Line `position.line` of the file. A long line is cut to the part around the column.
+/// @param hasColors Whether to use terminal colours.
 PONGSIM_API std::string format(const Diagnostic& diagnostic, const SourceExcerpt& source, bool hasColors = false);
 
-/// What was found wrong while reading something, in the order in which it was found.
+/// Errors and warnings, in the order in which they were found.
 class PONGSIM_API Diagnostics {
  public:
   void error(SourcePosition position, std::string message, std::string hint = {});
@@ -66,7 +65,7 @@ class PONGSIM_API Diagnostics {
   std::size_t errorCount_ = 0;
 };
 
-/// Thrown where a value asked for can't be had, with the place in the user's text to blame.
+/// An invalid value in a user's file, with its position.
 class PONGSIM_API Error : public std::runtime_error {
  public:
   explicit Error(Diagnostic diagnostic);

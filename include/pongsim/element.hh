@@ -11,8 +11,8 @@
 
 namespace pongsim {
 
-/// One XML element of a file, with all that stands below it and the position of each part. Systems find their
-/// parameters in the one of their `<plugin>`.
+/// An XML element with its children and the positions of all parts. Systems read their parameters from the element of
+/// their `<plugin>`.
 class PONGSIM_API Element {
  public:
   struct Attribute {
@@ -23,33 +23,33 @@ class PONGSIM_API Element {
   };
 
   std::string name;
-  /// The element's own text, without white space around it.
+  /// The element's own text, trimmed.
   std::string text;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
   SourcePosition position;
 
-  /// @return The first child of that name, or null.
+  /// @return The first child with that name, or null.
   const Element* child(std::string_view childName) const;
 
-  /// @return All children of that name, in the order of the file.
+  /// @return All children with that name, in the order of the file.
   std::vector<const Element*> childrenNamed(std::string_view childName) const;
 
-  /// @return The attribute of that name, or null.
+  /// @return The attribute with that name, or null.
   const Attribute* attribute(std::string_view attributeName) const;
 
-  /// @return The attribute's value, or `fallback` where there is none.
+  /// @return The attribute's value, or `fallback` without one.
   std::string attributeOr(std::string_view attributeName, std::string_view fallback) const;
 
-  /// Reads this element's text as a T: double (also "inf", "-inf", "nan"), bool ("true", "false", "1", "0"),
-  /// int, std::string, Vector3 (three numbers).
-  /// @throws Error naming the position where the text is not a T.
+  /// Reads this element's text as a T: double (also "inf", "-inf", "nan"), bool ("true", "false", "1", "0"), int,
+  /// std::string, Vector3 (three numbers).
+  /// @throws Error with the position if the text is not a T.
   template <class T>
   T as() const;
 
-  /// Reads the text of the first child of that name.
-  /// @return Its value, or nothing where there is no such child or its text is empty.
-  /// @throws Error as `as()`.
+  /// Reads the text of the first child with that name.
+  /// @return Its value; nothing if there is no such child or it is empty.
+  /// @throws Error like `as()`.
   template <class T>
   std::optional<T> find(std::string_view childName) const {
     const Element* found = child(childName);
@@ -57,7 +57,7 @@ class PONGSIM_API Element {
     return found->as<T>();
   }
 
-  /// As `find`, with a default.
+  /// Like `find`, with a default.
   template <class T>
   T get(std::string_view childName, T fallback) const {
     return find<T>(childName).value_or(std::move(fallback));

@@ -1,4 +1,4 @@
 #pragma once
 
-/// Marks what libpongsim.so exports; everything else in it is hidden.
+/// Exports a symbol from libpongsim.so; all others are hidden.
 #define PONGSIM_API __attribute__((visibility("default")))

@@ -7,17 +7,17 @@
 
 namespace pongsim {
 
-/// How a model comes into a world that runs.
+/// How to insert a model into a running world.
 struct InsertOptions {
-  /// In place of the name that the file gives it; empty: that one.
+  /// Replaces the name in the file; empty: keeps it.
   std::string name = {};
-  /// Pose of the model frame in the world, in place of the one in the file.
+  /// Pose of the model frame in the world; replaces the one in the file.
   std::optional<Pose> pose = std::nullopt;
-  /// Where a model or a light has the name already, take the first of NAME_0, NAME_1 and so on that is free, as in
-  /// Fortress, in place of refusing.
+  /// If the name is taken by a model or light, use the first free one of NAME_0, NAME_1 and so on, as in Fortress,
+  /// instead of refusing.
   bool allowRenaming = false;
-  /// "/robot1": in front of all names of topics and services that the model's systems and sensors have, of those that
-  /// begin with a slash too. Empty: none. Of no meaning for a light.
+  /// Prefix, such as "/robot1", of all topics and services of the model's systems and sensors, including absolute
+  /// names. Empty: none. No effect on a light.
   std::string nameSpace = {};
 };
 

@@ -7,14 +7,14 @@
 
 namespace pongsim {
 
-/// How much is said, as Fortress numbers it for `-v`.
+/// Log levels, numbered as in Fortress's `-v`.
 enum class LogLevel { kNone = 0, kError = 1, kWarning = 2, kInfo = 3, kDebug = 4 };
 
-/// Sets how much the process says on stderr; `kWarning` at the start.
+/// Sets the log level of the process on stderr; initially `kWarning`.
 PONGSIM_API void setLogLevel(LogLevel level);
 PONGSIM_API LogLevel logLevel();
 
-/// Speaks on stderr for one part of the program, whose name stands in each line.
+/// Logs to stderr for one part of the program, whose name is in each line.
 class PONGSIM_API Logger {
  public:
   explicit Logger(std::string speaker);

@@ -2,13 +2,13 @@
 
 #include "pongsim/export.hh"
 
-/// Elementary functions whose bits are the same on every machine. Those of the C library differ by its version and by
-/// the processor, for which it chooses variants when a program starts. These are made of IEEE arithmetic in double
-/// precision and of square roots alone, nothing of it fused. Whatever moves bodies, draws numbers or reckons what a
-/// sensor measures uses them; what is exact in every C library (`sqrt`, `fmod`, `remainder`, `floor`, ...) may stay.
+/// Elementary functions with the same bits on every machine. Those of the C library depend on its version and on the
+/// processor, for which it chooses variants at program start. These use only IEEE double arithmetic and square roots,
+/// without fused operations. Everything that moves bodies, draws random numbers or computes sensor readings uses them.
+/// Functions that are exact in every C library (`sqrt`, `fmod`, `remainder`, `floor`, ...) may be used as well.
 ///
-/// Errors are below one unit in the last place, of `atan2` below one and a half. Where a function has no value the
-/// result is NaN.
+/// Errors are below one unit in the last place, for `atan2` below one and a half. Outside of their domain the functions
+/// return NaN.
 namespace pongsim::math {
 
 struct SineAndCosine {
@@ -16,11 +16,11 @@ struct SineAndCosine {
   double cosine;
 };
 
-/// @param angle [rad], of any size.
+/// @param angle [rad], of any magnitude.
 PONGSIM_API double sin(double angle);
 PONGSIM_API double cos(double angle);
 PONGSIM_API double tan(double angle);
-/// @return The bits of `sin` and `cos`, for little more than the cost of one.
+/// @return The same bits as `sin` and `cos`, at little more than the cost of one.
 PONGSIM_API SineAndCosine sinCos(double angle);
 
 /// @return [rad], in [-pi/2, pi/2].
@@ -33,17 +33,18 @@ PONGSIM_API double atan(double tangent);
 PONGSIM_API double atan2(double y, double x);
 
 PONGSIM_API double exp(double power);
-/// @return exp(power) - 1, without loss where that is small.
+/// @return exp(power) - 1, accurate for small arguments.
 PONGSIM_API double expm1(double power);
 /// @return The natural logarithm.
 PONGSIM_API double log(double number);
-/// @return log(1 + number), without loss where that is small.
+/// @return log(1 + number), accurate for small arguments.
 PONGSIM_API double log1p(double number);
 
-/// @return 2 / sqrt(pi) times the integral of exp(-t^2) from `number` on, to 1e-13 of it.
+/// @return The complementary error function, 2 / sqrt(pi) times the integral of exp(-t^2) from `number` on, with a
+/// relative error of 1e-13.
 PONGSIM_API double erfc(double number);
 
-/// @return The length of (x, y), without overflow on the way.
+/// @return The length of (x, y), without intermediate overflow.
 PONGSIM_API double hypot(double x, double y);
 
 }  // namespace pongsim::math

@@ -16,43 +16,43 @@ namespace pongsim {
 
 using Message = google::protobuf::Message;
 
-/// Ends a message where its class is not known.
+/// Deletes a message whose class is incomplete.
 struct PONGSIM_API MessageDeleter {
   void operator()(Message* message) const;
 };
 using MessagePointer = std::unique_ptr<Message, MessageDeleter>;
 
-/// What is wrong with a message's text and where: line and column count from 1, 0 where it has no place.
+/// What is wrong with a message's text, and where. Line and column count from 1; 0: unknown.
 struct MessageError {
   int line = 0;
   int column = 0;
   std::string message;
-  /// One line of help ("did you mean 'linear'?"), or empty.
+  /// One line with a hint ("did you mean 'linear'?"), or empty.
   std::string hint;
 };
 
-/// @return The full name of the message type that `name` stands for, or nothing where there is no such type.
-/// `ignition.msgs.X`, `.ignition.msgs.X`, `ign_msgs.X`, `gz.msgs.X` and `X` all name `ignition.msgs.X`.
+/// @return The full name of a message type, or nothing if there is no such type. `ignition.msgs.X`, `.ignition.msgs.X`,
+/// `ign_msgs.X`, `gz.msgs.X` and `X` all name `ignition.msgs.X`.
 PONGSIM_API std::optional<std::string> messageTypeName(std::string_view name);
 
-/// @return The full name of the type that is spelt most like `name`, or an empty text if none comes near.
+/// @return The full name of the type with the most similar name, or an empty text if none is similar.
 PONGSIM_API std::string nearestMessageType(std::string_view name);
 
 /// @return The full names of all types, sorted.
 PONGSIM_API std::vector<std::string> messageTypes();
 
-/// @return An empty message of the type that `name` stands for, or null where there is no such type.
+/// @return An empty message of the type named `name`, or null if there is no such type.
 PONGSIM_API MessagePointer newMessage(std::string_view name);
 
-/// Replaces `message` by what `text` says in protobuf's text format: `linear: {x: 0.5}, angular: {z: 0.05}`.
-/// @return What is wrong with the text, or nothing. On an error `message` holds what was read before it.
+/// Replaces `message` by the content of `text`, in protobuf's text format: `linear: {x: 0.5}, angular: {z: 0.05}`.
+/// @return The error, or nothing. After an error, `message` has the content before it.
 PONGSIM_API std::optional<MessageError> parseMessage(std::string_view text, Message& message);
 
-/// @return The message in protobuf's text format, a line each field.
+/// @return The message in protobuf's text format, one line per field.
 PONGSIM_API std::string messageText(const Message& message);
 
-/// @return The message as one line of JSON by protobuf's mapping (camelCase names, 64-bit integers as strings,
-/// fields of default value left out).
+/// @return The message as one line of JSON in protobuf's mapping (camelCase names, 64-bit integers as strings, fields
+/// with default values left out).
 PONGSIM_API std::string messageJson(const Message& message);
 
 }  // namespace pongsim

@@ -32,51 +32,51 @@ class SubscriptionState;
 }  // namespace transport
 
 struct PublisherOptions {
-  /// Whether the last message is kept and given to every subscriber that comes later, in this process or another, for
-  /// as long as the publisher lives: for what is said once or seldom, such as a scene. It is published then whether
-  /// somebody listens or not.
+  /// Whether the last message is kept and sent to later subscribers, in this process or others, as long as the
+  /// publisher exists. For messages that are sent once or seldom, such as a scene. They are published even without
+  /// subscribers.
   bool latched = false;
-  /// Whether it says here again what was said elsewhere, for who carries messages between this transport and others. It
-  /// is no publisher in `ownTopics`, and subscriptions that relay do not hear it: what came by one carrier is carried
-  /// on by no other, and never back. Not with `latched`.
+  /// Whether it republishes messages from elsewhere, for carriers between this transport and others. It then is not a
+  /// publisher in `ownTopics`, and relaying subscriptions do not receive its messages, so that carriers do not carry
+  /// each other's messages and nothing loops. Not with `latched`.
   bool relays = false;
-  /// Whether the subscriptions of this transport alone hear it, and no other process.
+  /// Whether only subscriptions of this transport receive its messages, and no other process.
   bool ownOnly = false;
 };
 
 struct SubscriptionOptions {
-  /// So many messages wait for `dispatch`, at least 1, and 64 MiB of them unless it is a single one. Then the oldest is
-  /// dropped and counted.
+  /// Most messages that wait for `dispatch`, at least 1; their total size is limited to 64 MiB unless it is a single
+  /// message. Then the oldest is dropped and counted.
   std::size_t queueLength = 1000;
-  /// So many messages a second of wall time are taken, above 0; those between pass unheard and uncounted. Unset: all.
-  /// It is for watching: what a system hears in this way is not the same in each run.
+  /// Most messages per second of wall time, above 0; others are skipped without being counted. Unset: all. For
+  /// monitoring: what a system receives in this way is not reproducible.
   std::optional<double> messagesPerSecond = std::nullopt;
-  /// How large a number with a point (float, double) may be, either way. A message with a larger one, with one that is
-  /// not finite, or with a time beyond 4e9 s is refused: a warning says which number and what is allowed, and the
-  /// subscription does not hear of it. Unset: all are taken. Not for `subscribeBytes`. See `commands.hh`.
+  /// Largest magnitude of floating-point numbers. A message with a larger one, one that is not finite, or a time beyond
+  /// 4e9 s is refused with a warning that names the number and the limit. Unset: all are accepted. Not for
+  /// `subscribeBytes`. See `commands.hh`.
   std::optional<double> largestNumber = std::nullopt;
-  /// What this publisher of the same transport sends is not heard: for who both publishes and subscribes on a topic,
-  /// and would hear itself. Looked at when the subscription is made; null: all is heard.
+  /// A publisher of the same transport whose messages are not received: for code that publishes and subscribes on the
+  /// same topic. Evaluated when the subscription is made; null: none.
   const Publisher* except = nullptr;
-  /// Whether it carries elsewhere what it hears: it is no subscription in `ownTopics`, and hears no publisher that
-  /// relays.
+  /// Whether it carries messages elsewhere: it then is not a subscription in `ownTopics`, and does not receive from
+  /// relaying publishers.
   bool relays = false;
-  /// Whether it hears the publishers of this transport alone, and no other process.
+  /// Whether it receives only from publishers of this transport, and from no other process.
   bool ownOnly = false;
 };
 
-/// Called with a message; where some of it is not in it yet, `bulk` says what, else it is null. Both live until it
-/// returns.
+/// Called with a message; if a part of it is not in it yet, `bulk` has that part, otherwise it is null. Both are valid
+/// during the call.
 using HeardAtOnce = std::function<void(const Message& message, const Bulk* bulk)>;
 
-/// Called with how many bytes a message has in protobuf's binary form, and with what writes so many of them, which
-/// lives until it returns and may be called once, or not.
+/// Called with the size of a message in protobuf's binary form, and a function that writes it, which is valid during
+/// the call and may be called at most once.
 using HeardBytesAtOnce = std::function<void(std::size_t size, const std::function<void(std::span<std::byte>)>& write)>;
 
-/// Called with a message in protobuf's binary form and the full name of its type. Both live until it returns.
+/// Called with a message in protobuf's binary form and the full name of its type. Both are valid during the call.
 using ReceivedOfAnyType = std::function<void(std::string_view type, std::span<const std::byte> bytes)>;
 
-/// Publishes messages of one type on one topic, for as long as it lives. It must not outlive its `Transport`.
+/// Publishes messages of one type on one topic, as long as it exists. Must not outlive its `Transport`.
 class PONGSIM_API Publisher {
  public:
   Publisher();
@@ -87,33 +87,34 @@ class PONGSIM_API Publisher {
 
   explicit operator bool() const { return state_ != nullptr; }
 
-  /// @return Whether somebody listens, in this process or another. Cheap: ask before filling in a message.
+  /// @return Whether there are subscribers, in this process or others. Cheap: ask before filling in a message.
   bool hasSubscribers() const;
 
-  /// @return How many subscribers have come since this was asked last, or since the topic is there. For what each is to
-  /// be told once and is not worth keeping, where `PublisherOptions::latched` would. Not for several threads at once.
+  /// @return The number of subscribers that were added since the last call, or since the topic exists. For sending each
+  /// a message that is not worth keeping with `PublisherOptions::latched`. Not thread-safe.
   std::uint64_t newSubscribers();
 
-  /// Sends a message to whoever listens now; never waits for them.
-  /// @throws std::invalid_argument where the message's type is not the topic's.
+  /// Sends a message to the current subscribers without waiting for them.
+  /// @throws std::invalid_argument if the message is not of the topic's type.
   void publish(const Message& message);
 
-  /// As `publish`, a message whose bulk is elsewhere: it is written to where each listener wants it.
-  /// @throws std::invalid_argument, too, where the message has no such field of bytes.
+  /// Like `publish`, for a message with its bulk kept outside, which is written directly to each subscriber's
+  /// destination.
+  /// @throws std::invalid_argument also if the message has no such `bytes` field.
   void publish(const Message& message, const Bulk& bulk);
 
-  /// As `publish`, a message in protobuf's binary form. Bytes that are no message of the topic's type are dropped, with
-  /// a warning, where somebody reads them as one.
+  /// Like `publish`, for a message in protobuf's binary form. Bytes that are not a message of the topic's type are
+  /// dropped with a warning when a subscription parses them.
   void publishBytes(std::span<const std::byte> bytes);
 
-  /// @return Messages sent so far. What is published while nobody listens is not sent, unless it is latched.
+  /// @return Messages sent so far. Without subscribers, only latched messages are sent.
   std::uint64_t sent() const;
 
-  /// Waits until somebody listens.
-  /// @return Whether somebody does; false after `timeout`.
+  /// Waits for a subscriber.
+  /// @return Whether there is one; false after `timeout`.
   bool waitForSubscribers(std::chrono::nanoseconds timeout) const;
 
-  /// Waits until every reliable subscriber in another process has acknowledged all messages so far.
+  /// Waits until every reliable subscriber in other processes has acknowledged all messages so far.
   /// @return Whether they have; false after `timeout`.
   bool waitForDelivery(std::chrono::nanoseconds timeout) const;
 
@@ -122,7 +123,7 @@ class PONGSIM_API Publisher {
   std::unique_ptr<transport::PublisherState> state_;
 };
 
-/// Ends when it is destroyed: its function is not called from then on. It must not outlive its `Transport`.
+/// A subscription, until it is destroyed: its function is not called afterwards. Must not outlive its `Transport`.
 class PONGSIM_API Subscription {
  public:
   Subscription();
@@ -133,36 +134,36 @@ class PONGSIM_API Subscription {
 
   explicit operator bool() const { return state_ != nullptr; }
 
-  /// @return Messages that have come so far, without the dropped ones.
+  /// @return Messages received so far, without dropped ones.
   std::uint64_t received() const;
 
-  /// @return Messages lost so far because `dispatch`, or this process, did not keep up. Of another process's it knows
-  /// from the first one on that it has heard; what that process gave up before is in its own count.
+  /// @return Messages lost so far because `dispatch`, or this process, was too slow. Losses from another process are
+  /// counted after its first received message; what that process dropped before is in its own count.
   std::uint64_t dropped() const;
 
  private:
   std::unique_ptr<transport::SubscriptionState> state_;
 };
 
-/// What a topic offers in this process and in others.
+/// A topic in this process and others.
 struct TopicInfo {
   std::string name;
-  /// What has passed through the publishers or the subscriptions of a process.
+  /// Traffic of a process's publishers or subscriptions.
   struct Traffic {
-    /// Messages sent or received since the first of them is there.
+    /// Messages sent or received since the first of them exists.
     std::uint64_t messages = 0;
     /// Messages that some subscriber, or these subscriptions, did not get.
     std::uint64_t dropped = 0;
-    /// Messages a second of wall time, while it was watched.
+    /// Messages per second of wall time while it was watched.
     double rate = 0;
     bool operator==(const Traffic&) const = default;
   };
   struct Endpoint {
-    /// Full name of the message type; "*" of a subscriber that takes any and has not met one yet.
+    /// Full name of the message type; "*" for a subscriber of any type that has not met one yet.
     std::string type;
-    /// Process that it belongs to, 0 where it is not known.
+    /// Process id, 0 if unknown.
     int pid = 0;
-    /// Known where `Transport::watchTopic` has asked for it, and the process has answered.
+    /// Known if requested with `Transport::watchTopic` and reported by the process.
     std::optional<Traffic> traffic = std::nullopt;
     bool operator==(const Endpoint&) const = default;
   };
@@ -170,139 +171,136 @@ struct TopicInfo {
   std::vector<Endpoint> subscribers;
 };
 
-/// A topic as a transport itself has it: what its own publishers and subscriptions are, without those that relay.
+/// A topic of a transport's own publishers and subscriptions, without relaying ones.
 struct OwnTopic {
   std::string name;
-  /// Full name of the message type; "*" of subscriptions that take any. A topic with several types is there several
-  /// times.
+  /// Full name of the message type; "*" for subscriptions to any type. A topic with several types has several entries.
   std::string type;
   int publishers = 0;
   int subscriptions = 0;
-  /// Whether one of the publishers keeps the last message for who comes later.
+  /// Whether a publisher keeps the last message for later subscribers.
   bool isLatched = false;
-  /// Publishers that relay, which are not among those above.
+  /// Relaying publishers, which are not included above.
   int relayingPublishers = 0;
   bool operator==(const OwnTopic&) const = default;
 };
 
-/// @return What is wrong with `name` as a topic's name ("has a space"), or nothing. Names with a space, `~`,
-/// `//`, `@` or `:=`, empty ones and a lone `/` are no topics.
+/// @return What is wrong with `name` as a topic name ("has a space"), or nothing. Not allowed are spaces, `~`, `//`,
+/// `@`, `:=`, empty names and a single `/`.
 PONGSIM_API std::optional<std::string> topicNameError(std::string_view name);
 
-/// @return A topic's name made of a text in which other names stand, as Fortress does it: spaces become `_`; `@`, `~`,
-/// `:=` and `//` are removed.
+/// @return A valid topic name made from a text, as in Fortress: spaces become `_`; `@`, `~`, `:=` and `//` are removed.
 PONGSIM_API std::string cleanTopic(std::string_view text);
 
-/// Stands around the calls that messages and requests make, to see to what goes wrong in them.
+/// Wraps the calls of message and service functions, to handle their failures.
 class PONGSIM_API CallGuard {
  public:
   virtual ~CallGuard();
-  /// Before each call.
+  /// Called before each call.
   /// @return Whether to make it.
   virtual bool enter() = 0;
-  /// After each call.
+  /// Called after each call.
   virtual void leave() = 0;
-  /// Where the call has thrown, before `leave`.
+  /// Called before `leave` if the call has thrown.
   virtual void failed(const std::exception& error) = 0;
-  /// A topic is advertised.
+  /// Called when a topic is advertised.
   virtual void advertised(std::string_view topic, std::string_view type) = 0;
 };
 
-/// Speaks on topics and to services. A copy speaks through the same transport.
+/// Access to topics and services. Copies use the same transport.
 class PONGSIM_API Node {
  public:
-  /// @return A node whose subscriptions and services are called with `guard` around them, which must outlive them.
+  /// @return A node whose subscriptions and services are wrapped by `guard`, which must outlive them.
   Node guardedBy(CallGuard& guard) const;
 
-  /// @return A node whose relative names, "scan", stand for names within `nameSpace`: "/robot/scan". Absolute ones,
-  /// with a slash in front, stay as they are.
-  /// @throws std::invalid_argument where it can't be part of a name.
+  /// @return A node that resolves relative names in a namespace: "scan" becomes "/robot/scan". Absolute names, with a
+  /// leading slash, stay as they are.
+  /// @throws std::invalid_argument if it can't be part of a name.
   Node within(std::string_view nameSpace) const;
 
-  /// @return As `within`, but absolute names stand for names within `nameSpace`, too, unless they are there already.
+  /// @return Like `within`, but absolute names are put into the namespace too, unless they are already in it.
   Node below(std::string_view nameSpace) const;
 
   /// @param topic Relative names get a leading slash, or the node's namespace.
-  /// @throws std::invalid_argument for a bad name or an unknown type.
+  /// @throws std::invalid_argument for an invalid name or an unknown type.
   Publisher advertise(std::string_view topic, std::string_view type, const PublisherOptions& options = {});
 
-  /// As `advertise`, for messages whose type need not be known here: they are published by `publishBytes`.
+  /// Like `advertise`, for messages of a type that need not be known here; use `publishBytes`.
   Publisher advertiseBytes(std::string_view topic, std::string_view type, const PublisherOptions& options = {});
 
-  /// Calls `received` from within `Transport::dispatch` with each message of that type on the topic, in the order
-  /// in which they came. The message lives until `received` returns.
-  /// @throws std::invalid_argument for a bad name, an unknown type or a rate that is not above 0.
+  /// Calls `received` within `Transport::dispatch` with each message of that type on the topic, in the order of
+  /// arrival. The message is valid during the call.
+  /// @throws std::invalid_argument for an invalid name, an unknown type or a rate that is not above 0.
   Subscription subscribe(std::string_view topic, std::string_view type, std::function<void(const Message&)> received,
                          const SubscriptionOptions& options = {});
 
-  /// As `subscribe`, with the messages as they came, in protobuf's binary form and unchecked. The type need not be
-  /// known here.
+  /// Like `subscribe`, with unchecked messages in protobuf's binary form. The type need not be known here.
   Subscription subscribeBytes(std::string_view topic, std::string_view type,
                               std::function<void(std::span<const std::byte>)> received,
                               const SubscriptionOptions& options = {});
 
-  /// As `subscribeBytes`, for messages of every type that is published on the topic, now or later. A publisher of
-  /// another process with a type that is new here is heard from the next `Transport::dispatch` on after it is known;
-  /// who waits for subscribers waits for that, too. Others see the subscription as one of each type that it has met. It
-  /// takes up to 64 types; the options are for each of them.
+  /// Like `subscribeBytes`, for messages of every type that is published on the topic, now or later. If another process
+  /// publishes a type that is new here, its messages are received from the next `Transport::dispatch` on; a publisher
+  /// that waits for subscribers waits for that too. To others, the subscription is one for each type that it has met.
+  /// At most 64 types; the options apply to each of them.
   Subscription subscribeAnyType(std::string_view topic, ReceivedOfAnyType received,
                                 const SubscriptionOptions& options = {});
 
-  /// As `subscribe`, but what the publishers of this transport send is handed over at once, from within their `publish`
-  /// and on their thread, in no other form than theirs: nothing is copied, nothing waits. What other processes send,
-  /// and what is latched when it is made, comes from within `Transport::dispatch` as ever. `heard` may be called by
-  /// several threads, by one at a time. It may publish, and must not make or end publishers and subscriptions. What it
-  /// throws a guarded node takes, else who publishes.
+  /// Like `subscribe`, but messages of this transport's publishers are passed on immediately, within `publish` and on
+  /// its thread, without copying or queueing. Messages of other processes, and latched ones when it is made, arrive
+  /// within `Transport::dispatch` as usual. `heard` may be called by several threads, but only one at a time. It may
+  /// publish, but must not create or destroy publishers and subscriptions. Its exceptions go to the guard, or to the
+  /// publisher without one.
   Subscription subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
                                const SubscriptionOptions& options = {});
 
-  /// As `subscribeAtOnce`, with the messages in protobuf's binary form, written once to where the listener wants them.
+  /// Like `subscribeAtOnce`, with messages in protobuf's binary form, written once to where the subscriber wants them.
   /// The type need not be known here.
   Subscription subscribeBytesAtOnce(std::string_view topic, std::string_view type, HeardBytesAtOnce heard,
                                     const SubscriptionOptions& options = {});
 
   /// @return The topics of this transport's own publishers and subscriptions, sorted by name, then by type. A
-  /// subscription to any type counts for those that it has met, too.
+  /// subscription to any type also counts for the types that it has met.
   std::vector<OwnTopic> ownTopics() const;
-  /// @return A number that is another one when a publisher or a subscription of this transport has come or gone, but
-  /// for those that relay. Cheap: for who watches the topics from step to step.
+  /// @return A number that changes when a publisher or subscription of this transport is added or removed, except
+  /// relaying ones. Cheap: for watching the topics in each step.
   std::uint64_t ownTopicsVersion() const;
 
-  /// @return The services that this transport offers itself, sorted by name.
+  /// @return The services offered by this transport, sorted by name.
   std::vector<OwnService> ownServices() const;
-  /// @return A number that is another one when a service of this transport has come or gone. Cheap.
+  /// @return A number that changes when a service of this transport is added or removed. Cheap.
   std::uint64_t ownServicesVersion() const;
 
-  /// Has `call` asked where a service is called that this transport does not offer itself, for who reaches others:
-  /// before other processes of this kind are, and once more where none of them has it.
+  /// Lets `call` handle calls to services that this transport does not offer: it is asked before other pongsim
+  /// processes, and once more if none of them has the service.
   Gateway openGateway(CallElsewhere call);
 
-  /// Ends a wait in `Transport::dispatchFor` from any thread, so that a run that is paused calls its systems at once:
-  /// for who has something to do there that did not come by a topic or a service.
+  /// Ends a wait in `Transport::dispatchFor` from any thread, so that a paused run calls its systems immediately. For
+  /// work that did not arrive by a topic or service.
   void wake();
 
-  /// Offers a service: `handler` is called from within `Transport::dispatch` with each request, after the messages
-  /// that came before it. Requests beyond a thousand that wait, or 32 MiB of them, are dropped with a warning.
-  /// @param service Relative names get a leading slash, or the node's namespace. A name has up to 230 letters.
-  /// Where another transport that shares this one's way offers the name already, that one answers all but this one's
-  /// own calls, with a warning, until it is gone.
-  /// @throws std::invalid_argument for a bad name, an unknown type, or a name that this transport offers already.
+  /// Offers a service: `handler` is called within `Transport::dispatch` with each request, after the messages that
+  /// arrived before it. More than 1000 waiting requests, or 32 MiB of them, are dropped with a warning.
+  /// @param service Relative names get a leading slash, or the node's namespace. At most 230 characters. If another
+  /// transport that shares this one's participant already offers the name, that one answers all calls but this
+  /// transport's own, with a warning, until it ends.
+  /// @throws std::invalid_argument for an invalid name, an unknown type, or a name already offered by this transport.
   Service serve(std::string_view service, std::string_view requestType, std::string_view replyType,
                 ServiceHandler handler);
 
-  /// Sends a request to a service, of this transport or else of another process, and waits for the answer. A service
-  /// of this transport answers when another thread calls `Transport::dispatch`.
-  /// @param reply Replaced where the outcome is `kDone`. Its type says which the service must have.
-  /// @param timeout For all of it, from finding the service to the answer.
-  /// @throws std::invalid_argument for a bad name; std::logic_error if called from a function that `dispatch` called.
+  /// Calls a service of this transport or another process, and waits for the response. A service of this transport
+  /// responds when another thread calls `Transport::dispatch`.
+  /// @param reply Replaced if the outcome is `kDone`. Its type selects the service's response type.
+  /// @param timeout For everything, from finding the service to the response.
+  /// @throws std::invalid_argument for an invalid name; std::logic_error if called within `dispatch`.
   CallResult call(std::string_view service, const Message& request, Message& reply, std::chrono::nanoseconds timeout);
 
-  /// Sends a request to a service of this same transport and does not wait: systems can ask each other in this way, and
-  /// a run repeats. The service gets it at the next `Transport::dispatch`, which calls `answered` right after.
-  /// @param replyType Which type the service must answer with.
+  /// Sends a request to a service of this transport without waiting: with it systems can call each other reproducibly.
+  /// The service receives it in the next `Transport::dispatch`, which calls `answered` right afterwards.
+  /// @param replyType The service's response type.
   /// @param answered May be empty.
-  /// @return Nothing where this transport has no such service with such types; `answered` is not called then.
-  /// @throws std::invalid_argument for a bad name or an unknown type.
+  /// @return Nothing if this transport has no such service with these types; then `answered` is not called.
+  /// @throws std::invalid_argument for an invalid name or an unknown type.
   PendingRequest request(std::string_view service, const Message& request, std::string_view replyType,
                          Answered answered);
 
@@ -336,33 +334,34 @@ class PONGSIM_API Node {
   transport::Bus* bus_;
   transport::DispatchQueue* queue_;
   CallGuard* guard_ = nullptr;
-  /// Begins with a slash, or is empty. Ends with one where absolute names are within it, too.
+  /// Begins with a slash, or is empty. Ends with one if absolute names are in it too.
   std::string nameSpace_;
 };
 
 struct TransportOptions {
-  /// Talk to other processes (over DDS), or only within this `Transport`.
+  /// Communicate with other processes (over DDS), or only within this `Transport`.
   bool network = true;
-  /// DDS domain, 0 to 232; processes of different domains do not see each other. Unset: what the environment
-  /// variable PONGSIM_DOMAIN says, else 0.
+  /// DDS domain, 0 to 232; processes in different domains do not see each other. Unset: the environment variable
+  /// PONGSIM_DOMAIN, else 0.
   std::optional<int> domain = std::nullopt;
-  /// Talk to other machines too: by which of this machine's network interfaces, as its name or IPv4 address. Anybody
-  /// there can listen, command and stop: nothing is encrypted and nobody is asked who he is. Unset: what the
-  /// environment variable PONGSIM_NETWORK says, else none: nothing leaves this machine, 127.0.0.1.
+  /// Also communicate with other machines, over this network interface (name or IPv4 address). Anybody on that network
+  /// can then listen and send commands, since nothing is encrypted or authenticated unless secured. Unset: the
+  /// environment variable PONGSIM_NETWORK, else none: only 127.0.0.1.
   std::optional<std::string> interface = std::nullopt;
 };
 
-/// The way to the topics and services. Makes no thread call user code: messages wait until `dispatch`.
+/// Connection to topics and services. Does not call user code from its own threads: messages wait for `dispatch`.
 class PONGSIM_API Transport {
  public:
-  /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain or interface.
+  /// @throws std::runtime_error if the network can't be opened, std::invalid_argument for an invalid domain or
+  /// interface.
   explicit Transport(const TransportOptions& options = {});
 
   struct Sharing {};
-  /// One that goes the same way as `other`, as one participant of the network, with a queue of its own: what comes for
-  /// its subscriptions and services waits for its own `dispatch`. So that several simulations of a process, each on a
-  /// thread of its own, do not wait for each other. They hear each other's topics and call each other's services; what
-  /// is said of "this transport's own" is said of each alone.
+  /// Shares the network participant of `other`, with its own queue: messages for its subscriptions and services wait
+  /// for its own `dispatch`. With it, several simulations of a process, each on its own thread, do not wait for each
+  /// other. They receive each other's topics and can call each other's services; "this transport's own" refers to each
+  /// separately.
   Transport(const Transport& other, Sharing);
 
   ~Transport();
@@ -371,37 +370,37 @@ class PONGSIM_API Transport {
 
   Node node() { return Node(*bus_, *queue_); }
 
-  /// @return Where it can be reached from other machines, "eth0, 192.0.2.7", or nothing where it can't.
+  /// @return Where other machines can reach it, "eth0, 192.0.2.7"; nothing if they can't.
   std::optional<std::string> openTo() const;
 
-  /// Hands the messages that have arrived to their subscriptions, then the requests to their services, on the calling
-  /// thread, and returns; what the called functions publish meanwhile waits for the next call. Never blocks.
-  /// @return The number of messages and requests handed over.
+  /// Passes received messages to their subscriptions, then requests to their services, on the calling thread. Messages
+  /// published meanwhile wait for the next call. Never blocks.
+  /// @return The number of messages and requests handled.
   std::size_t dispatch();
 
-  /// Waits for messages, up to `timeout`, or until `wake` is called; then does what `dispatch` does.
+  /// Waits for messages, up to `timeout` or until `wake` is called; then does the same as `dispatch`.
   std::size_t dispatchFor(std::chrono::nanoseconds timeout);
 
   /// Ends a wait in `dispatchFor` from any thread.
   void wake();
 
-  /// Waits until the processes that are there now have told of their topics; as long as it takes, up to `timeout`.
-  /// @return All topics with a publisher or a subscriber other than this `Transport`'s own, sorted by name.
+  /// Waits until the currently running processes have reported their topics, up to `timeout`.
+  /// @return All topics with a publisher or subscriber other than this `Transport`'s own, sorted by name.
   std::vector<TopicInfo> discover(std::chrono::nanoseconds timeout);
 
-  /// Waits until the topic has a publisher (or a subscriber) in another process, up to `timeout`.
-  /// @return What is known of the topic then.
+  /// Waits until the topic has a publisher (or subscriber) in another process, up to `timeout`.
+  /// @return The topic as known then.
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);
 
-  /// Asks the processes, for so long, what passes through the topic's publishers and subscriptions.
-  /// @return What is known of the topic then, with its traffic.
+  /// Asks processes about the traffic of the topic's publishers and subscriptions, for `duration`.
+  /// @return The topic as known then, with its traffic.
   TopicInfo watchTopic(std::string_view topic, std::chrono::nanoseconds duration);
 
-  /// As `discover`, for services.
+  /// Like `discover`, for services.
   std::vector<ServiceInfo> discoverServices(std::chrono::nanoseconds timeout);
 
   /// Waits until another process offers the service, up to `timeout`.
-  /// @return What is known of the service then.
+  /// @return The service as known then.
   ServiceInfo waitForService(std::string_view service, std::chrono::nanoseconds timeout);
 
  private:

@@ -5,11 +5,11 @@
 
 namespace pongsim {
 
-/// What was asked for, or why it was refused.
+/// A value, or why it was refused.
 template <class T>
 struct Outcome {
   std::optional<T> value;
-  /// One line without a full stop; empty where there is a value.
+  /// One line without a full stop; empty if there is a value.
   std::string error;
 
   explicit operator bool() const { return value.has_value(); }

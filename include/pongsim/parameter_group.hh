@@ -7,10 +7,10 @@
 
 namespace pongsim {
 
-/// Reads parameters that stand together below an element of the `<plugin>`, such as `<broker>`, if that is there.
-/// What is no parameter is warned of.
-/// @param parameters With their targets; it need not outlive the call.
-/// @throws Error for the first that can't be used, with its place.
+/// Reads parameters in a child element of the `<plugin>`, such as `<broker>`, if it is given. Warns about unknown
+/// elements.
+/// @param parameters With their targets; need not outlive the call.
+/// @throws Error with the position of the first invalid value.
 inline void readGroup(const SystemContext& context, std::string_view name, const Declaration& parameters) {
   const Element* group = context.sdf.child(name);
   if (group == nullptr) return;

@@ -12,43 +12,57 @@
 
 namespace pongsim {
 
-/// How much of a world's state is told.
+/// Which part of a world's state to include.
 enum class StateContent {
-  /// All entities with all their components.
+  /// All entities with all components.
   kAll,
-  /// What changes from step to step: poses of what is not static, positions and velocities of joints.
+  /// What changes from step to step: poses of entities that are not static, positions and velocities of joints.
   kMoving
 };
 
-/// One light of a world.
+/// A light of a world.
 struct LightPlace {
   LightId id;
   std::string name;
-  /// Pose in the frame of the link that holds it, or of the world.
+  /// Pose in the frame of its link, or of the world.
   Pose X_ParentLight;
 };
 
-/// What is to be seen in a world, and its state, as messages of Fortress tell it. It must not outlive the `Simulation`.
+/// An actor of a world.
+struct ActorPlace {
+  ActorId id;
+  std::string name;
+  /// Path of its skin's file, or its URI in the file if that was not found; empty: none.
+  std::string skin;
+};
+
+/// A world's scene and state as Fortress's messages. Must not outlive the `Simulation`.
 class PONGSIM_API Scene {
  public:
   explicit Scene(const World& world);
 
-  /// Fills in an `ignition.msgs.Scene`: models with their links, visuals, lights and sensors, and the lights of the
-  /// world, all where they are now, in the frame of what holds them.
-  /// @param isWanted Told the id of each model at the top level and each light of the world. Empty: all are.
+  /// Fills in an `ignition.msgs.Scene`: models with links, visuals, lights and sensors, and the lights of the world, at
+  /// their current poses in their parents' frames.
+  /// @param isWanted Called with the id of each top-level model and light; empty: all are included.
   void fillIn(Message& scene, const std::function<bool(std::uint64_t)>& isWanted = {}) const;
 
-  /// Fills in an `ignition.msgs.SerializedStepMap`: the state, and of the statistics the simulated time, the iterations
-  /// and whether the world is paused.
+  /// Fills in an `ignition.msgs.SerializedStepMap`: the state, and simulated time, iterations and pause in its
+  /// statistics.
   void fillInState(Message& step, StateContent content, bool isPaused) const;
 
-  /// @return Who holds whom, as text for Graphviz.
+  /// Fills in an `ignition.msgs.GUI`: the plugins in `<gui>` of the world's file.
+  void fillInGui(Message& gui) const;
+
+  /// @return The tree of entities as text for Graphviz.
   std::string graph() const;
 
-  /// @return All lights, those of links too, in the order of their ids.
+  /// @return All lights, including those of links, in the order of their ids.
   std::vector<LightPlace> lights() const;
 
-  /// @return The ids of the models at the top level and of the lights of the world, in ascending order.
+  /// @return All actors, in the order of the file.
+  std::vector<ActorPlace> actors() const;
+
+  /// @return The ids of top-level models and lights, in ascending order.
   std::vector<std::uint64_t> topLevelIds() const;
 
  private:

@@ -18,12 +18,12 @@ class RequestState;
 class ServiceState;
 }  // namespace transport
 
-/// What a service made of a request.
+/// The response of a service to a request.
 struct ServiceAnswer {
   // implicit, so that a handler can return true or false
   ServiceAnswer(bool worked) : done(worked) {}
 
-  /// @return That the request was not met, and why, in a line without a full stop.
+  /// @return A refusal with its reason, one line without a full stop.
   static ServiceAnswer refused(std::string reason) {
     ServiceAnswer answer(false);
     answer.reason = std::move(reason);
@@ -31,42 +31,42 @@ struct ServiceAnswer {
   }
 
   bool done;
-  /// Why it was not, or empty.
+  /// The reason of a refusal, or empty.
   std::string reason;
 };
 
-/// Meets a request: fills in `reply`, which is empty at first and goes to the caller where the answer is that it is
-/// done. An exception is an answer too: refused, with its text.
+/// Handles a request: fills in `reply`, which is empty at first and is sent to the caller if the request was done. An
+/// exception counts as a refusal with its text.
 using ServiceHandler = std::function<ServiceAnswer(const Message& request, Message& reply)>;
 
 enum class CallOutcome {
   /// The reply is there.
   kDone,
-  /// The service answered that it did not do it.
+  /// The service refused the request.
   kRefused,
   /// No process has a service of that name.
   kNoService,
-  /// There is a service of that name, with other types.
+  /// A service with that name exists, but with other types.
   kOtherTypes,
   /// The service did not answer in time.
   kNoAnswer,
-  /// The service went away before it answered.
+  /// The service ended before it answered.
   kGone
 };
 
 struct CallResult {
   CallOutcome outcome = CallOutcome::kNoService;
-  /// What went wrong, in a line without a full stop: "service '/x' did not answer in time". Empty where it is done.
+  /// What went wrong, one line without a full stop: "service '/x' did not answer in time". Empty if done.
   std::string error;
 
   explicit operator bool() const { return outcome == CallOutcome::kDone; }
 };
 
-/// Told what became of a request that nobody waits for. The reply is empty where the outcome is not `kDone`.
+/// Called with the result of a request that was sent without waiting. The reply is empty unless the outcome is `kDone`.
 using Answered = std::function<void(const CallResult& result, const Message& reply)>;
 
-/// A request that nobody waits for. When it is destroyed its function is not called from then on; the service gets the
-/// request all the same. It must not outlive its `Transport`.
+/// A request that was sent without waiting. If it is destroyed, its function is not called any more; the service still
+/// receives the request. Must not outlive its `Transport`.
 class PONGSIM_API PendingRequest {
  public:
   PendingRequest();
@@ -81,7 +81,7 @@ class PONGSIM_API PendingRequest {
   std::unique_ptr<transport::RequestState> state_;
 };
 
-/// A service as a transport itself offers it.
+/// A service offered by a transport.
 struct OwnService {
   std::string name;
   /// Full names of the message types.
@@ -90,21 +90,21 @@ struct OwnService {
   bool operator==(const OwnService&) const = default;
 };
 
-/// Called, by several threads at once, with a call to a service that may be elsewhere. Waits for the answer.
+/// Handles a call to a service elsewhere, and waits for the response. Called by several threads at once.
 /// @param service With a leading slash.
-/// @param reply Replaced where the outcome is `kDone`. Its type says which the service must have.
-/// @return What came of it, or nothing where no such service is known.
+/// @param reply Replaced if the outcome is `kDone`. Its type selects the service's response type.
+/// @return The result, or nothing if there is no such service.
 using CallElsewhere = std::function<std::optional<CallResult>(const std::string& service, const Message& request,
                                                               Message& reply, std::chrono::nanoseconds timeout)>;
 
-/// A way to services elsewhere, for as long as this lives. It must not outlive its `Transport`.
+/// Access to services elsewhere, as long as it exists. Must not outlive its `Transport`.
 class PONGSIM_API Gateway {
  public:
   Gateway();
   explicit Gateway(std::unique_ptr<transport::GatewayState> state);
   Gateway(Gateway&&) noexcept;
   Gateway& operator=(Gateway&&) noexcept;
-  /// Its function is not called from then on. Waits until calls of it have returned.
+  /// Waits until current calls of its function have returned; it is not called afterwards.
   ~Gateway();
 
   explicit operator bool() const { return state_ != nullptr; }
@@ -113,28 +113,28 @@ class PONGSIM_API Gateway {
   std::unique_ptr<transport::GatewayState> state_;
 };
 
-/// What the processes offer under a service's name.
+/// A service in other processes.
 struct ServiceInfo {
   std::string name;
   struct Provider {
     /// Full names of the message types.
     std::string requestType;
     std::string replyType;
-    /// Process that it belongs to.
+    /// Process id.
     int pid = 0;
     bool operator==(const Provider&) const = default;
   };
   std::vector<Provider> providers;
 };
 
-/// A service that is offered, for as long as this lives. It must not outlive its `Transport`.
+/// A service that is offered, as long as this exists. Must not outlive its `Transport`.
 class PONGSIM_API Service {
  public:
   Service();
   explicit Service(std::unique_ptr<transport::ServiceState> state);
   Service(Service&&) noexcept;
   Service& operator=(Service&&) noexcept;
-  /// Its function is not called from then on. Waits, up to half a second, for callers to get the last replies.
+  /// Waits, up to half a second, until callers have received the last replies; the function is not called afterwards.
   ~Service();
 
   explicit operator bool() const { return state_ != nullptr; }

@@ -14,13 +14,13 @@
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
 #include "pongsim/random.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 #include "pongsim/world_edits.hh"
 
 namespace pongsim {
 
-/// Where a run stands when a system is called.
+/// Time and iteration of a call to a system.
 struct StepInfo {
   /// Simulated time at the end of this step.
   Time time{0};
@@ -33,71 +33,71 @@ struct StepInfo {
 
 class System;
 
-/// What a system is given when it starts. All references live as long as the system.
+/// What a system is given at its start. All references are valid as long as the system.
 struct SystemContext {
   /// The `<plugin>` element, with its parameters below it.
   const Element& sdf;
   World& world;
-  /// The model that the plugin stands in; nothing where it stands in the world or in an actor.
+  /// The model that contains the plugin; nothing for a plugin in the world or in an actor.
   std::optional<Model> model;
   Node& node;
   const Logger& log;
   Random& random;
-  /// For what is wrong with the file and does no harm. There during `configure` only.
+  /// For warnings about the file. Valid during `configure` only.
   Diagnostics& diagnostics;
-  /// The systems that the file names before this one. There during `configure` only.
+  /// The systems listed before this one. Valid during `configure` only.
   std::span<System* const> before;
-  /// How it inserts and removes models.
+  /// Inserts and removes models.
   WorldEdits& edits;
-  /// The actor that the plugin stands in, if it does in one.
+  /// The actor that contains the plugin; nothing otherwise.
   std::optional<Actor> actor;
 };
 
-/// A part of the simulation that a world's `<plugin>` element asks for. All functions are called on the
-/// simulation's thread: the systems in the order of the file, each phase through all of them before the next.
+/// A system: a part of the simulation that a world's `<plugin>` element asks for. All functions are called on the
+/// simulation's thread, for all systems in the order of the file before the next phase begins.
 class PONGSIM_API System {
  public:
   virtual ~System();
 
-  /// Says what the system is, and binds its parameters to members. Called once and first, also where nothing is
-  /// simulated. The parameters are read then; where one can't be used, or the `<plugin>` stands in the wrong place, the
-  /// system is left out with a warning.
+  /// Describes the system and binds its parameters to members. Called first and once, also without a simulation. The
+  /// parameters are then read; if one is invalid, or the `<plugin>` is in the wrong place, the system is left out with
+  /// a warning.
   virtual void declare(Declaration&) {}
 
-  /// Finds the joints, topics and so on. Called once, with all models there, the parameters in their members.
-  /// @throws Error for what can't be had; the system is then left out with a warning.
+  /// Finds joints, opens topics and so on. Called once, when all models exist and the parameters are in their members.
+  /// @throws Error if something is missing; the system is then left out with a warning.
   virtual void configure(const SystemContext& context) = 0;
 
-  /// Before the physics: the place for commands. Messages have been handed over just before.
+  /// Before physics: the place for commands. Messages were delivered just before.
   virtual void preUpdate(const StepInfo&) {}
-  /// Before the physics and after every system's `preUpdate`.
+  /// Before physics, after all systems' `preUpdate`.
   virtual void update(const StepInfo&) {}
-  /// After the physics: the place to read the state and to publish.
+  /// After physics: the place for reading the state and publishing.
   virtual void postUpdate(const StepInfo&) {}
-  /// The world was set back to its start, its random numbers too. Comes after `worldChanged` where both do.
+  /// The world was reset, including its random numbers. Comes after `worldChanged` if both are called.
   virtual void reset() {}
-  /// Models or joints have come or gone. The place to look for what is new, and to let go of handles whose `exists`
-  /// says no: a system that asks them for more (`Gone`) rests until the next reset. The systems of a model that is
-  /// removed go with it and are not called; those of one that is set aside with its level are called again, with this
-  /// first, when it is back.
+  /// Models or joints were added or removed. The place for finding new ones and dropping handles that no longer exist:
+  /// a system that uses such a handle (`Gone`) is stopped until the next reset. The systems of a removed model are
+  /// removed with it; those of a model in an unloaded level are not called until it is loaded again, and then this is
+  /// called first.
   virtual void worldChanged() {}
-  /// Takes what the system remembers from step to step into `archive`, or gives it back from there. One that remembers
-  /// something and does not tell it goes on as it is where a state is restored. The random stream of its context needs
-  /// not be told, copies of it do (`Random::transfer`).
+  /// Writes the system's state between steps to `archive`, or reads it back. A system that does not save its state
+  /// keeps its current one when a state is restored. The random stream of the context is saved automatically, copies of
+  /// it are not (`Random::transfer`).
   virtual void transfer(StateArchive&) {}
 };
 
-/// Version of what a system library and pongsim agree on. A library with another one is not loaded.
+/// Version of the interface between system libraries and pongsim. Libraries with another version are not loaded.
 inline constexpr std::uint32_t kAbiVersion = 6;
 
-/// One system of a library.
+/// A system in a library.
 struct SystemEntry {
-  /// Class names that worlds use, the preferred one first.
+  /// Class names used by worlds, the preferred one first.
   std::span<const char* const> names;
   System* (*create)();
 };
 
-/// What a system library exports, under the name `pongsim_systems`. The version stands first, for good.
+/// Exported by a system library under the name `pongsim_systems`. The version always stays the first member.
 struct SystemTable {
   std::uint32_t abiVersion;
   std::span<const SystemEntry> entries;
@@ -105,7 +105,7 @@ struct SystemTable {
 
 }  // namespace pongsim
 
-/// Exports the system `Class` from its library, under the class names that follow. Once a library.
+/// Exports the system `Class` from its library, under the class names that follow. Use once per library.
 #define PONGSIM_EXPORT_SYSTEM(Class, ...)                                                                 \
   extern "C" PONGSIM_API const ::pongsim::SystemTable pongsim_systems;                                    \
   namespace {                                                                                             \

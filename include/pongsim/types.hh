@@ -13,7 +13,7 @@
 
 namespace pongsim {
 
-/// Simulated time since the start of the run, or a span of it.
+/// Simulated time since the start of the run, or a duration.
 using Time = std::chrono::nanoseconds;
 
 /// @return `time` in seconds.
@@ -29,8 +29,8 @@ using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 using Quaternion = Eigen::Quaterniond;
 
-/// A rigid transform. A variable that holds one names both frames: `X_AB` is the pose of frame B measured in
-/// frame A, so that `p_A = X_AB * p_B` and `X_AC = X_AB * X_BC`. Position in metres, rotation a unit quaternion.
+/// A rigid transform. Variables name both frames: `X_AB` is the pose of frame B in frame A, so that `p_A = X_AB * p_B`
+/// and `X_AC = X_AB * X_BC`. Position in metres, rotation a unit quaternion.
 struct Pose {
   Vector3 position = Vector3::Zero();
   Quaternion rotation = Quaternion::Identity();
@@ -46,7 +46,7 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// @param axis Of length 1.
+/// @param axis Unit vector.
 /// @return The rotation by `angle` [rad] about it, counter-clockwise seen from its tip.
 inline Quaternion rotationAbout(const Vector3& axis, double angle) {
   const auto [sine, cosine] = math::sinCos(angle / 2);
@@ -59,21 +59,20 @@ inline Quaternion fromRollPitchYaw(double roll, double pitch, double yaw) {
          rotationAbout(Vector3::UnitX(), roll);
 }
 
-/// @return Angle [rad] in (-pi, pi] about z after which the x axis of `rotation` points, seen from above.
+/// @return Heading [rad] in (-pi, pi]: the angle about z of the direction of the rotated x axis, seen from above.
 inline double yawOf(const Quaternion& rotation) {
   const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
   return math::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
 }
 
-/// @return Roll, pitch, yaw [rad] from which `fromRollPitchYaw` makes this rotation; the pitch within a quarter turn.
+/// @return Roll, pitch, yaw [rad] from which `fromRollPitchYaw` makes this rotation; the pitch is in [-pi/2, pi/2].
 inline Vector3 rollPitchYawOf(const Quaternion& rotation) {
   const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
   return {math::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
           math::asin(std::min(std::max(2 * (w * y - z * x), -1.0), 1.0)), yawOf(rotation)};
 }
 
-/// An entity's number, of one kind only (a joint's does not pass for a link's). Never reused within a run;
-/// 0 names nothing.
+/// Id of an entity of one kind (a joint's id is not a link's). Never reused within a run; 0 is none.
 template <class Kind>
 struct Id {
   std::uint64_t value = 0;

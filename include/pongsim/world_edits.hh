@@ -27,12 +27,12 @@ class ModelEdits;
 class SystemSlot;
 }  // namespace sim
 
-/// A model that was read and checked, to be inserted as often as one likes. A copy is the same model.
+/// A parsed and checked model, to be inserted any number of times. Copies refer to the same model.
 class PONGSIM_API ModelTemplate {
  public:
-  /// @return The name that its file gives it.
+  /// @return Its name in the file.
   const std::string& name() const;
-  /// @return The pose that its file gives it.
+  /// @return Its pose in the file.
   Pose pose() const;
   bool isStatic() const;
 
@@ -42,49 +42,49 @@ class PONGSIM_API ModelTemplate {
   std::shared_ptr<const description::Model> model_;
 };
 
-/// How a system inserts and removes models. What it asks for is carried out between two phases in which systems run, in
-/// the order in which all systems have asked: what is asked for while messages are handed over (in the function of a
-/// subscription or a service) before this step's `preUpdate`, what is asked for in a step at its end, after
-/// `postUpdate`. Paused steps do so, too. Then the function is called that was given with it.
+/// Inserts and removes models for a system. Requests are carried out between phases of a step, in the order of all
+/// systems' requests: those made while messages are delivered (in a subscription or service) before this step's
+/// `preUpdate`, those made during a step at its end, after `postUpdate`. Paused steps do so too. The given function is
+/// called afterwards.
 ///
-/// A system that goes, for its model was removed, has no answer any more and what it asked for is not done; a reset
-/// forgets what has not been done yet, which is no part of a saved state either.
+/// If a system is removed with its model, its requests are discarded without an answer. A reset discards open requests,
+/// which are not part of a saved state either.
 class PONGSIM_API WorldEdits {
  public:
-  /// Told the model, or why there is none.
+  /// Called with the model, or why there is none.
   using Inserted = std::function<void(const Outcome<Model>&)>;
-  /// Told why the model is still there; nothing where it has gone.
+  /// Called with the reason why the model still exists; nothing if it was removed.
   using Removed = std::function<void(const std::optional<std::string>&)>;
 
   ~WorldEdits();
   WorldEdits(const WorldEdits&) = delete;
   WorldEdits& operator=(const WorldEdits&) = delete;
 
-  /// Reads the first model of an `<sdf>` element, as one that stands in a `<plugin>`. Files that it names are read,
-  /// too: do it in `configure`.
-  /// @throws Error where it is wrong. All else that is to be said of it is added to `diagnostics`.
+  /// Reads the first model of an `<sdf>` element, such as one in a `<plugin>`, including the files it refers to. Do it
+  /// in `configure`.
+  /// @throws Error on errors. Warnings are added to `diagnostics`.
   ModelTemplate read(const Element& sdf, Diagnostics& diagnostics) const;
-  /// As `read`, of a text, which may be a URDF robot; `name` stands in the messages.
+  /// Like `read`, from a text, which may be a URDF robot; `name` is used in messages.
   ModelTemplate readText(std::string_view text, std::string_view name, Diagnostics& diagnostics) const;
-  /// Likewise of a file, or of a model's folder, whose `model.config` names the file.
+  /// The same from a file, or from a model folder (with `model.config`).
   ModelTemplate readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
 
-  /// @return Where models and what they name are looked for, in this order.
+  /// @return The folders searched for models and their files, in this order.
   std::vector<std::filesystem::path> resourceFolders() const;
-  /// @return The file or folder that an address names, as "model://box"; nothing where there is none.
+  /// @return The file or folder of an address such as "model://box"; nothing if it was not found.
   std::optional<std::filesystem::path> resolve(const std::string& address) const;
 
-  /// Asks for a copy of the model, with the systems of its plugins.
-  /// @param inserted Empty: only a refusal is told, as a warning.
+  /// Requests a copy of the model, with the systems of its plugins.
+  /// @param inserted Empty: only a refusal is reported, as a warning.
   void insert(const ModelTemplate& model, const InsertOptions& options, Inserted inserted = {});
-  /// Asks for the first model of a text, which may be a URDF robot; `name` stands in the messages.
+  /// Requests the first model of a text, which may be a URDF robot; `name` is used in messages.
   void insertText(std::string text, std::string name, const InsertOptions& options, Inserted inserted = {});
-  /// Likewise of a file, or of a model's folder.
+  /// The same from a file, or from a model folder.
   void insertFile(std::filesystem::path file, const InsertOptions& options, Inserted inserted = {});
-  /// Asks for a copy of a model of the top level as it was when it came, where the model is then or as `options` say.
+  /// Requests a copy of a top-level model as it was inserted, at the model's pose at that time or that of `options`.
   void insertCopy(const Model& model, const InsertOptions& options, Inserted inserted = {});
-  /// Asks for a model of the top level to go, with its systems.
-  /// @param removed Empty: only a refusal is told, as a warning.
+  /// Requests the removal of a top-level model with its systems.
+  /// @param removed Empty: only a refusal is reported, as a warning.
   void remove(const Model& model, Removed removed = {});
 
  private:

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "log/command/command.hh"
-#include "log/command/console.hh"
 #include "log/command/log_file.hh"
 #include "log/command/new_log.hh"
 #include "log/command/ros2_option.hh"
+#include "log/store/failure.hh"
+#include "programs/console.hh"
+#include "programs/failure.hh"
 
 namespace pongsim::log {
 
@@ -60,10 +62,10 @@ class Draft {
 void checkTarget(const ConvertCommandLine& given) {
   std::error_code error;
   if (fs::equivalent(given.file, given.output, error)) {
-    throw UsageError("'" + given.output + "' is the log that is read", "name another file with -o");
+    throw programs::UsageError("'" + given.output + "' is also the input", "choose another file with -o");
   }
   if (!given.overwrites && fs::exists(fs::symlink_status(given.output, error))) {
-    throw Failure("'" + given.output + "' is there already", "--force overwrites it");
+    throw Failure("'" + given.output + "' already exists", "use --force to overwrite it");
   }
 }
 
@@ -73,9 +75,9 @@ void checkForTlog(const LogFile& log, const Selection& selection) {
     if (selection.topics && std::ranges::count(*selection.topics, topic.name) == 0) continue;
     const Definition definition = log.definition(topic.name, topic.type);
     if (definition.messageEncoding == "protobuf" && !topic.type.empty()) continue;
-    throw Failure("'" + topic.name + "' can't go into a tlog: its messages are " +
+    throw Failure("'" + topic.name + "' can't be written to a tlog: its messages are " +
                       (topic.type.empty() ? "of no type" : topic.type) + " in '" + definition.messageEncoding + "'",
-                  "a tlog has protobuf; choose topics with --topic");
+                  "a tlog needs protobuf; choose topics with --topic");
   }
 }
 
@@ -103,7 +105,8 @@ std::set<std::pair<std::string, std::string>, std::less<>> topicsOfOthers(const 
     if (encoding == "protobuf") continue;
     found.emplace(topic.name, topic.type);
     if (selection.topics && std::ranges::count(*selection.topics, topic.name) == 0) continue;
-    say("warning: '" + topic.name + "' is left out: its messages are in '" + encoding + "', not in 'protobuf'");
+    programs::say("warning: '" + topic.name + "' is left out: its messages are in '" + encoding +
+                  "', not in 'protobuf'");
   }
   return found;
 }
@@ -145,28 +148,29 @@ int convert(const ConvertCommandLine& given) {
   const std::uint64_t count = given.ros2.isWanted ? copyForRos2(log, selection, draft.path(), options, given)
                                                   : copy(log, selection, draft.path(), options);
   draft.finish();
-  if (const auto torn = log.reader().torn()) say("warning: " + *torn);
-  say(std::to_string(count) + (count == 1 ? " message" : " messages") + " in " + given.output);
-  return kDone;
+  if (const auto torn = log.reader().torn()) programs::say("warning: " + *torn);
+  programs::say(std::to_string(count) + (count == 1 ? " message" : " messages") + " in " + given.output);
+  return programs::kDone;
 }
 
 }  // namespace
 
-void addConvertAction(CLI::App& program, Work& work) {
+void addConvertAction(CLI::App& program, programs::Work& work) {
   const auto given = std::make_shared<ConvertCommandLine>();
   CLI::App* action =
-      program.add_subcommand("convert", "Write a log anew: in the other format, packed otherwise, with fewer topics");
-  action->set_help_flag("-h,--help", "Print this and end");
-  action->add_option("FILE", given->file, "The log, .mcap or .tlog; one that is cut off is written up to there")
+      program.add_subcommand("convert", "Convert a log: to the other format, another compression, or fewer topics");
+  action->set_help_flag("-h,--help", "Print this help and exit");
+  action->add_option("FILE", given->file, "The log, .mcap or .tlog; a truncated one is converted as far as it goes")
       ->type_name("")
       ->required();
   action->add_option("-o,--output", given->output, "The new log, .mcap or .tlog")->type_name("FILE")->required();
-  action->add_flag("--force", given->overwrites, "Overwrite a file that is there");
-  action->add_option("--topic", given->topics, "Only this topic; may be given several times")
+  action->add_flag("--force", given->overwrites, "Overwrite an existing file");
+  action->add_option("--topic", given->topics, "Only this topic; repeatable")
       ->type_name("TOPIC")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  action->add_option("--compression", given->compression, "Of MCAP: zstd, lz4 or none (zstd)")->type_name("NAME");
+  action->add_option("--compression", given->compression, "Compression of MCAP: zstd, lz4 or none (zstd)")
+      ->type_name("NAME");
   addRos2Options(*action, given->ros2);
   action->footer(
       "Examples:\n"

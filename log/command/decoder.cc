@@ -32,7 +32,7 @@ class ProtobufDecoder : public Decoder {
   const Message& decode(std::string_view payload) override {
     if (payload.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) ||
         !message_->ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
-      throw Failure("its " + std::to_string(payload.size()) + " bytes are no " + message_->GetTypeName());
+      throw Failure("its " + std::to_string(payload.size()) + " bytes are not of type " + message_->GetTypeName());
     }
     return *message_;
   }
@@ -48,7 +48,7 @@ class KnownDecoder final : public ProtobufDecoder {
   explicit KnownDecoder(const std::string& type) {
     message_ = newMessage(type);
     if (message_ == nullptr || message_->GetTypeName() != type) {
-      throw Failure("the message type '" + type + "' is not known, and the log does not describe it");
+      throw Failure("the message type '" + type + "' is unknown, and the log does not describe it");
     }
   }
 };
@@ -85,8 +85,8 @@ class DescribedDecoder final : public ProtobufDecoder {
 std::unique_ptr<Decoder> makeDecoder(const Definition& definition, const std::string& type) {
   if (definition.messageEncoding != "protobuf") {
     throw Failure("messages of '" + type + "' can't be read: their encoding is '" + definition.messageEncoding +
-                      "', and protobuf is read",
-                  definition.messageEncoding == "cdr" ? "tools of ROS 2 read it" : "");
+                      "', not protobuf",
+                  definition.messageEncoding == "cdr" ? "read it with the tools of ROS 2" : "");
   }
   if (definition.schemaEncoding == "protobuf") return std::make_unique<DescribedDecoder>(definition.schema, type);
   return std::make_unique<KnownDecoder>(type);

@@ -56,8 +56,8 @@ TEST(Decoder, ReadsATypeThatOnlyTheFileKnows) {
 TEST(Decoder, RefusesWhatItCannotRead) {
   EXPECT_EQ(
       decoderRefusal({"ros2msg", "float64 x", "cdr"}, "a/msg/B"),
-      "messages of 'a/msg/B' can't be read: their encoding is 'cdr', and protobuf is read (tools of ROS 2 read it)");
-  EXPECT_NE(decoderRefusal({"", "", "protobuf"}, "some.Type").find("is not known"), std::string::npos);
+      "messages of 'a/msg/B' can't be read: their encoding is 'cdr', not protobuf (read it with the tools of ROS 2)");
+  EXPECT_NE(decoderRefusal({"", "", "protobuf"}, "some.Type").find("is unknown"), std::string::npos);
   EXPECT_NE(decoderRefusal({"protobuf", "no description", "protobuf"}, kKnownType).find("is damaged"),
             std::string::npos);
   const auto decoder = makeDecoder(protobufDefinition(kKnownType), kKnownType);
@@ -65,7 +65,7 @@ TEST(Decoder, RefusesWhatItCannotRead) {
     decoder->decode("\xff\xff\xff");
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_STREQ(failure.what(), "its 3 bytes are no ignition.msgs.Twist");
+    EXPECT_STREQ(failure.what(), "its 3 bytes are not of type ignition.msgs.Twist");
   }
 }
 

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "log/command/command.hh"
-#include "log/command/console.hh"
 #include "log/command/export_rows.hh"
 #include "log/command/log_file.hh"
 #include "log/command/times.hh"
+#include "log/store/failure.hh"
+#include "programs/console.hh"
+#include "programs/failure.hh"
 
 namespace pongsim::log {
 
@@ -40,7 +42,7 @@ class Lines {
   }
   void flush() {
     if (name_.empty()) {
-      print(pending_);
+      programs::print(pending_);
     } else {
       file_ << pending_ << std::flush;
       check();
@@ -74,7 +76,8 @@ class ExportTask {
       ++types;
       rowsOf(each.name, each.type);
     }
-    if (types > 1 && given.asCsv) throw Failure("'" + topic + "' has messages of several types, which make no table");
+    if (types > 1 && given.asCsv)
+      throw Failure("'" + topic + "' has messages of several types, which do not fit in one table");
   }
 
   void run() {
@@ -91,7 +94,7 @@ class ExportTask {
       throw;
     }
     lines.flush();
-    if (const auto torn = log_.reader().torn()) say("warning: " + *torn);
+    if (const auto torn = log_.reader().torn()) programs::say("warning: " + *torn);
   }
 
  private:
@@ -110,34 +113,35 @@ class ExportTask {
 };
 
 int exportLog(const ExportCommandLine& given) {
-  if (given.asCsv && !given.topic) throw UsageError("a table is of one topic", "pongsim log export FILE TOPIC --csv");
+  if (given.asCsv && !given.topic)
+    throw programs::UsageError("--csv needs a topic", "pongsim log export FILE TOPIC --csv");
   const LogFile log(given.file);
   ExportTask(given, log).run();
-  return kDone;
+  return programs::kDone;
 }
 
 }  // namespace
 
-void addExportAction(CLI::App& program, Work& work) {
+void addExportAction(CLI::App& program, programs::Work& work) {
   const auto given = std::make_shared<ExportCommandLine>();
   CLI::App* action = program.add_subcommand("export", "Print the messages of a log as CSV or as lines of JSON");
-  action->set_help_flag("-h,--help", "Print this and end");
+  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("FILE", given->file, "The log, .mcap or .tlog")->type_name("")->required();
-  action->add_option("TOPIC", given->topic, "Of one topic (all; CSV wants one)")->type_name("");
-  action->add_option("FIELD", given->fields, "Only these values, as twist.linear.x or pose[0].position (all)")
+  action->add_option("TOPIC", given->topic, "Only this topic (all; CSV needs one)")->type_name("");
+  action->add_option("FIELD", given->fields, "Only these values, such as twist.linear.x or pose[0].position (all)")
       ->type_name("")
       ->expected(0, 1000);
-  auto* json = action->add_flag("--json", given->asJson, "Lines of JSON, an object a message (without --csv)");
-  action->add_flag("--csv", given->asCsv, "A table: the time [s], then a column for each value")->excludes(json);
+  auto* json = action->add_flag("--json", given->asJson, "Lines of JSON, one object per message (default)");
+  action->add_flag("--csv", given->asCsv, "A table: the time [s], then one column per value")->excludes(json);
   const auto text = [action](const char* names, std::optional<std::string>& to, const char* value, const char* help) {
     action
         ->add_option_function<std::string>(
             names, [&to](const std::string& word) { to = word; }, help)
         ->type_name(value);
   };
-  text("-o,--output", given->output, "FILE", "Write to a file in place of standard output");
-  text("--from", given->from, "S", "Only what was recorded then or later [s], as 'info --json' has the start in ns");
-  text("--to", given->to, "S", "Only what was recorded then or earlier [s]");
+  text("-o,--output", given->output, "FILE", "Write to a file instead of standard output");
+  text("--from", given->from, "S", "Only records from this time on [s]; 'info --json' prints the start in ns");
+  text("--to", given->to, "S", "Only records up to this time [s]");
   action->footer(
       "Examples:\n"
       "  pongsim log export run.mcap /odom twist.linear.x --csv -o speed.csv\n"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "log/command/decoder.hh"
-#include "pongsim/field_path.hh"
+#include "pongsim/messages/field_path.hh"
 
 namespace pongsim::log {
 

@@ -88,7 +88,7 @@ TEST(ExportRows, EndOnATypeThatHasFieldsWithoutEnd) {
 TEST(ExportRows, SayWhatIsWrong) {
   EXPECT_EQ(failureOf(protobufDefinition(kTwist), kTwist, {"lineer.x"}),
             "field 'lineer' is not in ignition.msgs.Twist|did you mean 'linear'?");
-  EXPECT_NE(failureOf({"", "", "protobuf"}, "some.Type", {}).find("'some.Type' is not known"), std::string::npos);
+  EXPECT_NE(failureOf({"", "", "protobuf"}, "some.Type", {}).find("'some.Type' is unknown"), std::string::npos);
   EXPECT_NE(failureOf({"protobuf", "rubbish", "protobuf"}, kTwist, {}).find("is damaged"), std::string::npos);
   EXPECT_NE(failureOf({"protobuf", "", "protobuf"}, kTwist, {}).find("lacks that type"), std::string::npos);
   EXPECT_NE(failureOf({"jsonschema", "{}", "json"}, kTwist, {}).find("encoding is 'json'"), std::string::npos);

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "log/command/console.hh"
 #include "log/mcap/input_file.hh"
+#include "log/store/failure.hh"
 #include "log/tlog/tlog_reader.hh"
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
+#include "programs/failure.hh"
 
 namespace pongsim::log {
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 Format formatOf(const fs::path& file) {
   if (file.extension() == ".mcap") return Format::kMcap;
   if (file.extension() == ".tlog") return Format::kTlog;
-  throw UsageError("'" + file.string() + "' is no name of a log", "it ends in .mcap or .tlog, which says its format");
+  throw programs::UsageError("'" + file.string() + "' is not a log", "the name must end in .mcap or .tlog");
 }
 
 LogFile::LogFile(const fs::path& file) {
@@ -55,7 +56,7 @@ Compression compressionFrom(const std::string& text) {
   if (text == "none") return Compression::kNone;
   const std::optional<Compression> compression = compressionOf(text);
   if (!compression || *compression == Compression::kNone) {
-    throw UsageError("'" + text + "' is no compression", "there are zstd, lz4 and none");
+    throw programs::UsageError("'" + text + "' is not a compression", "use zstd, lz4 or none");
   }
   return *compression;
 }

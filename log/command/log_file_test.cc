@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "log/command/console.hh"
 #include "log/mcap/mcap_samples.hh"
+#include "log/store/failure.hh"
 #include "log/tlog/tlog_writer.hh"
+#include "programs/failure.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {
@@ -56,12 +57,12 @@ TEST(LogFile, KnowsFormatsAndCompressionsByName) {
   EXPECT_EQ(formatOf("a.b/c.mcap"), Format::kMcap);
   EXPECT_EQ(formatOf("state.tlog"), Format::kTlog);
   for (const char* name : {"", "mcap", ".mcap", "a.MCAP", "a.mcap.zst"})
-    EXPECT_THROW(formatOf(name), UsageError) << name;
+    EXPECT_THROW(formatOf(name), programs::UsageError) << name;
   EXPECT_EQ(compressionFrom("none"), Compression::kNone);
   EXPECT_EQ(compressionFrom("lz4"), Compression::kLz4);
   EXPECT_EQ(compressionFrom("zstd"), Compression::kZstd);
   // as MCAP names none
-  for (const char* name : {"", "gzip"}) EXPECT_THROW(compressionFrom(name), UsageError) << name;
+  for (const char* name : {"", "gzip"}) EXPECT_THROW(compressionFrom(name), programs::UsageError) << name;
 }
 
 }  // namespace

@@ -1,14 +1,18 @@
 // pongsim-log, which `pongsim log` becomes.
 #include "log/command/command.hh"
-#include "log/command/command_line.hh"
 
 namespace {
 
-constexpr pongsim::log::AddAction kActions[] = {
+constexpr pongsim::programs::AddAction kActions[] = {
     pongsim::log::addRecordAction, pongsim::log::addInfoAction,     pongsim::log::addConvertAction,
     pongsim::log::addExportAction, pongsim::log::addPlaybackAction, pongsim::log::addWorldAction,
 };
 
+constexpr pongsim::programs::Program kProgram{
+    .name = "pongsim log",
+    .about = "Records topics; plays, inspects, converts and exports recordings.",
+    .actions = kActions};
+
 }  // namespace
 
-int main(int argc, char** argv) { return pongsim::log::run(argc, argv, kActions); }
+int main(int argc, char** argv) { return pongsim::programs::run(argc, argv, kProgram); }

@@ -1,9 +1,10 @@
 #include "log/command/new_log.hh"
 
-#include "log/command/console.hh"
 #include "log/command/log_file.hh"
 #include "log/store/failure.hh"
 #include "log/tlog/tlog_writer.hh"
+#include "programs/console.hh"
+#include "programs/failure.hh"
 
 namespace pongsim::log {
 
@@ -14,7 +15,7 @@ namespace {
 void checkPlace(const fs::path& file, const McapOptions& options) {
   std::error_code error;
   if (!options.overwrites && fs::exists(fs::symlink_status(file, error))) {
-    throw Failure("'" + file.string() + "' is there already", "--force overwrites it");
+    throw Failure("'" + file.string() + "' already exists", "use --force to overwrite it");
   }
   if (fs::is_directory(file, error)) throw Failure("'" + file.string() + "' is a folder");
 }
@@ -30,8 +31,8 @@ std::unique_ptr<Writer> newLog(const fs::path& file, const McapOptions& options,
 
 void checkRos2Name(const fs::path& file) {
   if (formatOf(file) == Format::kTlog) {
-    throw UsageError("'" + file.string() + "' can't have messages of ROS: a tlog has those of Gazebo",
-                     "with --ros2 the name of the log ends in .mcap");
+    throw programs::UsageError("'" + file.string() + "' can't have ROS messages: a tlog has Gazebo's",
+                               "with --ros2, the name must end in .mcap");
   }
 }
 
@@ -39,12 +40,12 @@ std::unique_ptr<EncodedWriter> newRos2Log(const fs::path& file, const McapOption
   checkRos2Name(file);
   checkPlace(file, options);
   return std::make_unique<EncodedWriter>(file, options, ros2Encoder(wish),
-                                         [](const std::string& what) { say("warning: " + what); });
+                                         [](const std::string& what) { programs::say("warning: " + what); });
 }
 
 void requireSomeOfRos2(const EncodedWriter& writer, bool hasLeftOut, const std::string& source) {
   if (writer.messages() > 0 || !hasLeftOut) return;
-  throw Failure("nothing of " + source + " can be written as messages of ROS", "without --ros2 all of it can");
+  throw Failure("nothing of " + source + " can be written as ROS messages", "leave out --ros2");
 }
 
 }  // namespace pongsim::log

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "log/command/console.hh"
 #include "log/command/log_file.hh"
+#include "log/store/failure.hh"
+#include "programs/failure.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {
@@ -38,28 +39,28 @@ TEST_F(NewLogTest, HasTheFormatThatItsNameSays) {
     EXPECT_EQ(log.format(), format);
     EXPECT_EQ(log.reader().topics(), (std::vector<Topic>{{"/a", "ignition.msgs.Empty", 1}}));
   }
-  EXPECT_THROW(newLogAt(folder_.path() / "a.bag"), UsageError);
+  EXPECT_THROW(newLogAt(folder_.path() / "a.bag"), programs::UsageError);
 }
 
 TEST_F(NewLogTest, LeavesWhatIsThere) {
   for (const char* name : {"a.mcap", "a.tlog"}) {
     const std::filesystem::path file = folder_.write(name, "old");
-    EXPECT_EQ(refusal(file), "'" + file.string() + "' is there already (--force overwrites it)");
+    EXPECT_EQ(refusal(file), "'" + file.string() + "' already exists (use --force to overwrite it)");
     EXPECT_EQ(std::filesystem::file_size(file), 3U);
     newLogAt(file, true)->close();
     EXPECT_GT(std::filesystem::file_size(file), 3U);
   }
   // one that leads nowhere is there, too
   std::filesystem::create_symlink("nothing", folder_.path() / "link.mcap");
-  EXPECT_NE(refusal(folder_.path() / "link.mcap").find("is there already"), std::string::npos);
+  EXPECT_NE(refusal(folder_.path() / "link.mcap").find("already exists"), std::string::npos);
   std::filesystem::create_directory(folder_.path() / "folder.mcap");
   EXPECT_THROW(newLogAt(folder_.path() / "folder.mcap", true), Failure);
 }
 
 TEST_F(NewLogTest, OfRosIsMcap) {
   EXPECT_NO_THROW(checkRos2Name("a.mcap"));
-  EXPECT_THROW(checkRos2Name("a.tlog"), UsageError);
-  EXPECT_THROW(checkRos2Name("a"), UsageError);
+  EXPECT_THROW(checkRos2Name("a.tlog"), programs::UsageError);
+  EXPECT_THROW(checkRos2Name("a"), programs::UsageError);
 }
 
 }  // namespace

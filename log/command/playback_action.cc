@@ -1,9 +1,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,9 +13,12 @@
 #include <vector>
 
 #include "log/command/command.hh"
-#include "log/command/console.hh"
+#include "log/store/failure.hh"
 #include "log/tlog/tlog_reader.hh"
 #include "pongsim/node.hh"
+#include "programs/console.hh"
+#include "programs/failure.hh"
+#include "programs/stop_signal.hh"
 
 namespace pongsim::log {
 
@@ -33,14 +34,12 @@ struct PlaybackOptions {
   bool isFast = false;
 };
 
-std::atomic<bool> isStopped = false;
-void stop(int) { isStopped = true; }
-
 /// @return Whether it came to its end before somebody stopped the program.
 bool sleepUntil(Clock::time_point time) {
   constexpr std::chrono::milliseconds kLook{50};
-  while (!isStopped && Clock::now() < time) std::this_thread::sleep_until(std::min(time, Clock::now() + kLook));
-  return !isStopped;
+  while (!programs::isStopped() && Clock::now() < time)
+    std::this_thread::sleep_until(std::min(time, Clock::now() + kLook));
+  return !programs::isStopped();
 }
 
 /// @return A topic's name and what it is renamed to.
@@ -48,7 +47,7 @@ std::pair<std::string, std::string> remapOf(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t sign = text.find(":=");
   if (sign == std::string::npos || sign == 0 || sign + 2 == text.size())
-    throw UsageError("'" + text + "' is no renaming", "as --remap /from:=/to");
+    throw programs::UsageError("'" + text + "' is not a renaming", "as --remap /from:=/to");
   return {text.substr(0, sign), text.substr(sign + 2)};
 }
 
@@ -56,7 +55,7 @@ std::regex expressionOf(const std::string& pattern) {
   try {
     return std::regex(pattern);
   } catch (const std::regex_error& error) {
-    throw UsageError("'" + pattern + "' is no regular expression: " + error.what());
+    throw programs::UsageError("'" + pattern + "' is not a regular expression: " + error.what());
   }
 }
 
@@ -77,36 +76,37 @@ Publishers advertise(Node node, const TlogReader& reader, const PlaybackOptions&
 
 int play(const PlaybackOptions& options) {
   const TlogReader reader(options.file);
-  if (const auto torn = reader.torn()) say("warning: " + *torn);
+  if (const auto torn = reader.torn()) programs::say("warning: " + *torn);
   Transport transport;
   Publishers publishers = advertise(transport.node(), reader, options);
   if (publishers.empty()) throw Failure("'" + options.file + "' has no topic that '" + options.pattern + "' matches");
   std::vector<std::string> topics;
   for (const auto& [topic, publisher] : publishers) topics.push_back(topic.first);
-  if (!sleepUntil(Clock::now() + options.wait)) return kDone;
+  if (!sleepUntil(Clock::now() + options.wait)) return programs::kDone;
   const std::optional<TimeRange> range = reader.timeRange();
   const Clock::time_point start = Clock::now();
   reader.forEach({.topics = topics}, [&](const Record& record) {
     if (!options.isFast && !sleepUntil(start + std::chrono::nanoseconds(record.timeNs - range->first))) return false;
     const auto publisher = publishers.find(std::pair(std::string(record.topic), std::string(record.type)));
     if (publisher != publishers.end()) publisher->second.publishBytes(std::as_bytes(std::span(record.payload)));
-    return !isStopped;
+    return !programs::isStopped();
   });
   for (const auto& [topic, publisher] : publishers) publisher.waitForDelivery(std::chrono::seconds(5));
-  return kDone;
+  return programs::kDone;
 }
 
 }  // namespace
 
-void addPlaybackAction(CLI::App& program, Work& work) {
+void addPlaybackAction(CLI::App& program, programs::Work& work) {
   const auto options = std::make_shared<PlaybackOptions>();
-  CLI::App* action = program.add_subcommand("playback", "Publish the messages of a recording, when they came");
-  action->set_help_flag("-h,--help", "Print this and end");
+  CLI::App* action =
+      program.add_subcommand("playback", "Publish the messages of a recording with their original timing");
+  action->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [action](const char* names, const char* value, std::string& target, const char* help) {
     action->add_option(names, target, help)->type_name(value);
   };
   add("--file", "FILE", options->file, "A .tlog file");
-  add("--pattern", "REGEX", options->pattern, "Topics whose whole names it matches (.*)");
+  add("--pattern", "REGEX", options->pattern, "Topics whose whole names match (.*)");
   add("--remap", "FROM:=TO", options->remap, "Publish the messages of one topic on another");
   action
       ->add_option_function<std::string>(
@@ -115,7 +115,7 @@ void addPlaybackAction(CLI::App& program, Work& work) {
             int ms = -1;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
             if (error != std::errc() || end != text.data() + text.size() || ms < 0)
-              throw UsageError("option '--wait' takes a number of milliseconds, not '" + text + "'");
+              throw programs::UsageError("option '--wait' takes a number of milliseconds, not '" + text + "'");
             options->wait = std::chrono::milliseconds(ms);
           },
           "Wait MS milliseconds for subscribers (1000)")
@@ -127,12 +127,11 @@ void addPlaybackAction(CLI::App& program, Work& work) {
       "  pongsim log playback --file rec/state.tlog\n"
       "  pongsim log playback --file rec.tlog --pattern '/model/.*' --remap /model/a/cmd_vel:=/cmd_vel -f");
   action->callback([options, &work] {
-    if (options->file.empty()) throw UsageError("no file given", "pongsim log playback --file FILE.tlog");
+    if (options->file.empty()) throw programs::UsageError("no file given", "pongsim log playback --file FILE.tlog");
     remapOf(options->remap);
     expressionOf(options->pattern);
     work = [options] {
-      std::signal(SIGINT, stop);
-      std::signal(SIGTERM, stop);
+      programs::takeStopSignals();
       return play(*options);
     };
   });

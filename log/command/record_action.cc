@@ -11,16 +11,18 @@
 #include <vector>
 
 #include "log/command/command.hh"
-#include "log/command/console.hh"
 #include "log/command/log_file.hh"
 #include "log/command/new_log.hh"
 #include "log/command/recording.hh"
 #include "log/command/ros2_option.hh"
-#include "log/command/stop_signal.hh"
 #include "log/command/times.hh"
 #include "log/command/topic_choice.hh"
 #include "pongsim/log.hh"
 #include "pongsim/node.hh"
+#include "pongsim/program/keystore.hh"
+#include "programs/console.hh"
+#include "programs/failure.hh"
+#include "programs/stop_signal.hh"
 
 namespace pongsim::log {
 
@@ -52,29 +54,29 @@ std::string counted(std::uint64_t count, const std::string& what) {
 
 void sayUnheard(const Recording& recording, const TopicChoice& choice) {
   for (const std::string& topic : choice.names()) {
-    if (!recording.hasHeard(topic)) say("warning: nothing was heard on '" + topic + "'");
+    if (!recording.hasHeard(topic)) programs::say("warning: no messages on '" + topic + "'");
   }
-  if (recording.messages() == 0) say("warning: the log is empty; pongsim topic -l lists what there is");
+  if (recording.messages() == 0) programs::say("warning: the log is empty; pongsim topic -l lists the topics");
 }
 
 void sayLost(const Recording& recording) {
   std::uint64_t sum = 0;
   for (const auto& [topic, count] : recording.lost()) {
     sum += count;
-    say("warning: " + counted(count, "message") + " of '" + topic + "' lost");
+    programs::say("warning: " + counted(count, "message") + " of '" + topic + "' lost");
   }
-  if (sum > 0) say("warning: this process or the disk did not keep up: record fewer topics");
+  if (sum > 0) programs::say("warning: this process or the disk was too slow: record fewer topics");
 }
 
 /// Records until the user or the time ends it.
 void recordWhile(Recording& recording, const std::string& file, std::chrono::nanoseconds duration) {
   const Clock::time_point start = Clock::now();
-  say("recording to " + file + "; Ctrl-C ends it");
-  while (!isStopped() && Clock::now() - start < duration) recording.goOn();
+  programs::say("recording to " + file + "; Ctrl-C ends it");
+  while (!programs::isStopped() && Clock::now() - start < duration) recording.goOn();
 }
 
 void sayWritten(std::uint64_t messages, std::size_t topics, const std::string& file) {
-  say(counted(messages, "message") + " of " + counted(topics, "topic") + " in " + file);
+  programs::say(counted(messages, "message") + " of " + counted(topics, "topic") + " in " + file);
 }
 
 /// Of a recording into which nothing went: else the same command is refused the next time.
@@ -92,7 +94,7 @@ int record(RecordCommandLine& given) {
   const std::string file = given.output.value_or(defaultName(given.ros2));
   const McapOptions options{.overwrites = given.overwrites, .compression = compressionFrom(given.compression)};
 
-  takeStopSignals();
+  programs::takeStopSignals();
   TransportOptions where;
   if (given.network) where.interface = *given.network;
   Transport transport(where);
@@ -108,7 +110,7 @@ int record(RecordCommandLine& given) {
     requireSomeOfRos2(*writer, writer->hasLeftOut(), "what was heard");
     sayWritten(writer->messages(), writer->topics(), file);
     sayUnheard(recording, choice);
-    return kDone;
+    return programs::kDone;
   }
   const std::unique_ptr<Writer> writer =
       newLog(file, options, [](std::string_view, std::string_view type) { return protobufDefinition(type); });
@@ -118,18 +120,18 @@ int record(RecordCommandLine& given) {
   sayLost(recording);
   sayWritten(recording.messages(), recording.topics(), file);
   sayUnheard(recording, choice);
-  return kDone;
+  return programs::kDone;
 }
 
 }  // namespace
 
-void addRecordAction(CLI::App& program, Work& work) {
+void addRecordAction(CLI::App& program, programs::Work& work) {
   const auto given = std::make_shared<RecordCommandLine>();
   CLI::App* action = program.add_subcommand("record", "Record topics of running worlds, until Ctrl-C");
-  action->set_help_flag("-h,--help", "Print this and end");
+  action->set_help_flag("-h,--help", "Print this help and exit");
   action
       ->add_option("TOPIC", given->topics,
-                   "Topics as /odom, or regular expressions of whole names as '/model/.*' (all topics)")
+                   "Topics such as /odom, or regular expressions for whole names such as '/model/.*' (all)")
       ->type_name("");
   const auto text = [action](const char* names, std::optional<std::string>& to, const char* value, const char* help) {
     action
@@ -137,24 +139,38 @@ void addRecordAction(CLI::App& program, Work& work) {
             names, [&to](const std::string& word) { to = word; }, help)
         ->type_name(value);
   };
-  text("-o,--output,--file", given->output, "FILE", "The log, .mcap or .tlog (DATE_TIME.tlog, as ign)");
-  action->add_flag("--force", given->overwrites, "Overwrite a file that is there");
-  text("--pattern", given->pattern, "REGEX", "One more expression, as 'ign log record' takes it");
-  text("--duration", given->duration, "S", "End after S seconds");
-  action->add_option("--compression", given->compression, "Of MCAP: zstd, lz4 or none (zstd)")->type_name("NAME");
+  text("-o,--output,--file", given->output, "FILE", "The log, .mcap or .tlog (DATE_TIME.tlog, like ign)");
+  action->add_flag("--force", given->overwrites, "Overwrite an existing file");
+  text("--pattern", given->pattern, "REGEX", "Another regular expression, like 'ign log record'");
+  text("--duration", given->duration, "S", "Exit after S seconds");
+  action->add_option("--compression", given->compression, "Compression of MCAP: zstd, lz4 or none (zstd)")
+      ->type_name("NAME");
   action
       ->add_option_function<std::string>(
           "-v,--verbose",
           [](const std::string& level) {
             if (level.size() != 1 || level[0] < '0' || level[0] > '4') {
-              throw UsageError("option '-v' takes a level from 0 to 4, not '" + level + "'");
+              throw programs::UsageError("option '-v' takes a level from 0 to 4, not '" + level + "'");
             }
             setLogLevel(static_cast<LogLevel>(level[0] - '0'));
           },
-          "How much is said: 1 errors, 2 warnings, 3 and 4 more (2)")
+          "Verbosity: 1 errors, 2 warnings, 3 and 4 more (2)")
       ->type_name("LEVEL");
   addRos2Options(*action, given->ros2);
-  text("--network", given->network, "INTERFACE", "Hear other machines too, by a network interface's name or address");
+  text("--network", given->network, "INTERFACE",
+       "Also record from machines on this network interface (name or address)");
+  action
+      ->add_option_function<std::string>(
+          "--secure",
+          [](const std::string& place) {
+            // an empty one would mean: not secured
+            if (place.empty()) {
+              throw programs::UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
+            }
+            secureBy(place);
+          },
+          "Take part as an identity of this keystore, like PONGSIM_SECURITY")
+      ->type_name("KEYSTORE[/NAME]");
   action->footer(
       "Examples:\n"
       "  pongsim log record -o run.mcap\n"

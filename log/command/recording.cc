@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "log/command/console.hh"
+#include "pongsim/program/keystore.hh"
+#include "programs/console.hh"
 
 namespace pongsim::log {
 
@@ -34,7 +35,14 @@ void Recording::goOn() {
 
 void Recording::look() {
   for (const TopicInfo& topic : transport_.discover(kLookTime)) {
-    if (choice_.has(topic.name) && isUseful(topic)) subscribe(topic.name);
+    if (!choice_.has(topic.name) || !isUseful(topic) || refused_.contains(topic.name)) continue;
+    try {
+      subscribe(topic.name);
+    } catch (const KeystoreError& error) {
+      // nobody has asked for this one by its name
+      refused_.insert(topic.name);
+      programs::say(std::string(error.what()) + "; it is not recorded");
+    }
   }
 }
 

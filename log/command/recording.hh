@@ -53,6 +53,8 @@ class Recording {
   Clock::time_point nextLook_ = Clock::now();
   std::uint64_t messages_ = 0;
   std::set<std::string> heard_;
+  /// Those that the identity may not subscribe to.
+  std::set<std::string> refused_;
   /// Why nothing more is written.
   std::exception_ptr failure_;
   // last: what it calls is there to the end

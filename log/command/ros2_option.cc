@@ -2,7 +2,8 @@
 
 #include <CLI/App.hpp>
 
-#include "log/command/console.hh"
+#include "log/store/failure.hh"
+#include "programs/console.hh"
 
 namespace pongsim::log {
 
@@ -20,7 +21,7 @@ std::string placed(const Diagnostic& diagnostic) {
 }  // namespace
 
 void addRos2Options(CLI::App& action, Ros2Wish& wish) {
-  action.add_flag("--ros2", wish.isWanted, "Write messages of ROS 2, for 'ros2 bag play'; MCAP only");
+  action.add_flag("--ros2", wish.isWanted, "Write ROS 2 messages, for 'ros2 bag play'; MCAP only");
   action
       .add_option_function<std::string>(
           "--ros2-config",
@@ -28,7 +29,7 @@ void addRos2Options(CLI::App& action, Ros2Wish& wish) {
             wish.isWanted = true;
             wish.configFile = file;
           },
-          "... with the names and types that a configuration of ros_gz_bridge says")
+          "... with the names and types of a ros_gz_bridge configuration")
       ->type_name("FILE");
 }
 
@@ -40,10 +41,10 @@ std::unique_ptr<MessageEncoder> ros2Encoder(const Ros2Wish& wish) {
   const Diagnostic* last = nullptr;
   for (const Diagnostic& each : diagnostics.all()) {
     if (each.severity == Severity::kWarning) {
-      say("warning: " + placed(each) + (each.hint.empty() ? "" : "\n  hint: " + each.hint));
+      programs::say("warning: " + placed(each) + (each.hint.empty() ? "" : "\n  hint: " + each.hint));
       continue;
     }
-    if (last != nullptr) sayError(placed(*last), last->hint);
+    if (last != nullptr) programs::sayError(placed(*last), last->hint);
     last = &each;
   }
   if (last != nullptr) throw Failure(placed(*last), last->hint);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "pongsim/message_encoder.hh"
+#include "pongsim/messages/message_encoder.hh"
 
 namespace CLI {
 class App;

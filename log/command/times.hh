@@ -14,7 +14,7 @@ std::string timeText(std::int64_t timeNs);
 
 /// @param text Seconds, as "12.5".
 /// @return Nanoseconds.
-/// @throws UsageError, naming the option, where it is no number of seconds, or is below 0.
+/// @throws UsageError, naming the option, where it is not a number of seconds, or is below 0.
 std::int64_t timeFrom(const std::string& option, const std::string& text);
 
 }  // namespace pongsim::log

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "log/command/console.hh"
 #include "pongsim/node.hh"
+#include "programs/failure.hh"
 
 namespace pongsim::log {
 
@@ -24,8 +24,8 @@ TopicChoice::TopicChoice(const std::vector<std::string>& words) {
     try {
       patterns_.emplace_back(word);
     } catch (const std::regex_error& error) {
-      throw UsageError("'" + word + "' is neither a topic nor a regular expression: " + error.what(),
-                       "as /odom, or '/model/.*'");
+      throw programs::UsageError("'" + word + "' is neither a topic nor a regular expression: " + error.what(),
+                                 "as /odom, or '/model/.*'");
     }
   }
   if (words.empty()) patterns_.emplace_back(".+");

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "log/command/console.hh"
+#include "programs/failure.hh"
 
 namespace pongsim::log {
 namespace {
@@ -22,7 +22,7 @@ TEST(TopicChoice, IsAllWithoutWords) {
   EXPECT_TRUE(TopicChoice({}).names().empty());
 }
 
-TEST(TopicChoice, RefusesWhatIsNoExpression) { EXPECT_THROW(TopicChoice({"/a(b"}), UsageError); }
+TEST(TopicChoice, RefusesWhatIsNoExpression) { EXPECT_THROW(TopicChoice({"/a(b"}), programs::UsageError); }
 
 }  // namespace
 }  // namespace pongsim::log

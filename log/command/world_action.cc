@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "log/command/command.hh"
-#include "log/command/console.hh"
 #include "log/playback/played_files.hh"
 #include "log/playback/played_sdf.hh"
 #include "log/tlog/tlog_reader.hh"
+#include "programs/console.hh"
+#include "programs/failure.hh"
 
 namespace pongsim::log {
 
@@ -47,24 +48,24 @@ int printWorld(const std::string& path) {
   const TlogReader reader(files.stateFile());
   const std::string world = recordedWorld(reader);
   if (world.empty()) {
-    say("the recording does not have the world in SDF: its models are made of its states");
-    print("<sdf version='1.9'><world name='" + worldNameIn(reader) + "'/></sdf>\n");
+    programs::say("the recording does not contain the world's SDF: the models are made from the states");
+    programs::print("<sdf version='1.9'><world name='" + worldNameIn(reader) + "'/></sdf>\n");
   } else {
-    print(playedSdf(world, files, worldNameIn(reader)));
+    programs::print(playedSdf(world, files, worldNameIn(reader)));
   }
-  return kDone;
+  return programs::kDone;
 }
 
 }  // namespace
 
-void addWorldAction(CLI::App& program, Work& work) {
+void addWorldAction(CLI::App& program, programs::Work& work) {
   const auto path = std::make_shared<std::string>();
-  CLI::App* action = program.add_subcommand("world", "Print the world of a recording as it is played, in SDF");
-  action->set_help_flag("-h,--help", "Print this and end");
+  CLI::App* action = program.add_subcommand("world", "Print the SDF world that plays a recording");
+  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("PATH", *path, "Folder of the recording, zip file of one, or .tlog file")->type_name("");
   action->footer("Examples:\n  pongsim log world ~/rec > played.sdf");
   action->callback([path, &work] {
-    if (path->empty()) throw UsageError("no recording given", "pongsim log world PATH");
+    if (path->empty()) throw programs::UsageError("no recording given", "pongsim log world PATH");
     work = [path] { return printWorld(*path); };
   });
 }

@@ -41,11 +41,11 @@ class Unpacked {
   }
   void add(std::size_t count) {
     used_ += count;
-    if (used_ > size_) throw Failure("it unpacks to more than the " + std::to_string(size_) + " bytes it claims");
+    if (used_ > size_) throw Failure("it decompresses to more than the " + std::to_string(size_) + " bytes it claims");
   }
   std::string finish() && {
     if (used_ < size_) {
-      throw Failure("it unpacks to " + std::to_string(used_) + " bytes, and claims " + std::to_string(size_));
+      throw Failure("it decompresses to " + std::to_string(used_) + " bytes, and claims " + std::to_string(size_));
     }
     bytes_.resize(used_);
     return std::move(bytes_);
@@ -59,7 +59,7 @@ class Unpacked {
 
 std::string unpackZstd(std::string_view packed, std::uint64_t size) {
   const std::unique_ptr<ZSTD_DCtx, EndsZstd> context(ZSTD_createDCtx());
-  if (context == nullptr) throw Failure("no memory to unpack");
+  if (context == nullptr) throw Failure("not enough memory to decompress");
   Unpacked unpacked(size);
   ZSTD_inBuffer in{packed.data(), packed.size(), 0};
   std::size_t hint = 1;
@@ -71,15 +71,16 @@ std::string unpackZstd(std::string_view packed, std::uint64_t size) {
     if (ZSTD_isError(hint) != 0) throw Failure(std::string("zstd: ") + ZSTD_getErrorName(hint));
     unpacked.add(out.pos);
     if (in.pos == in.size && out.pos < room) break;
-    if (out.pos == 0 && in.pos == before) throw Failure("zstd: it leads nowhere");
+    if (out.pos == 0 && in.pos == before) throw Failure("zstd: the data is invalid");
   }
-  if (hint != 0) throw Failure("zstd: it is cut off");
+  if (hint != 0) throw Failure("zstd: the data is truncated");
   return std::move(unpacked).finish();
 }
 
 std::string unpackLz4(std::string_view packed, std::uint64_t size) {
   LZ4F_dctx* made = nullptr;
-  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0) throw Failure("no memory to unpack");
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0)
+    throw Failure("not enough memory to decompress");
   const std::unique_ptr<LZ4F_dctx, EndsLz4> context(made);
   Unpacked unpacked(size);
   std::size_t hint = 1;
@@ -92,9 +93,9 @@ std::string unpackLz4(std::string_view packed, std::uint64_t size) {
     packed.remove_prefix(taken);
     unpacked.add(count);
     if (packed.empty() && count < room) break;
-    if (taken == 0 && count == 0) throw Failure("lz4: it leads nowhere");
+    if (taken == 0 && count == 0) throw Failure("lz4: the data is invalid");
   }
-  if (hint != 0) throw Failure("lz4: it is cut off");
+  if (hint != 0) throw Failure("lz4: the data is truncated");
   return std::move(unpacked).finish();
 }
 
@@ -121,7 +122,7 @@ struct Packer::Contexts {
 Packer::Packer(Compression compression) : compression_(compression), contexts_(std::make_unique<Contexts>()) {
   if (compression_ != Compression::kZstd) return;
   contexts_->zstd = ZSTD_createCCtx();
-  if (contexts_->zstd == nullptr) throw Failure("no memory to pack");
+  if (contexts_->zstd == nullptr) throw Failure("not enough memory to compress");
 }
 Packer::~Packer() = default;
 

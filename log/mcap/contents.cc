@@ -14,17 +14,17 @@ namespace {
 
 mcap::Header readHeader(const InputFile& file) {
   if (file.size() < mcap::kMagic.size())
-    throw Failure("it is no MCAP file: it has " + std::to_string(file.size()) + " bytes");
+    throw Failure("it is not an MCAP file: it has " + std::to_string(file.size()) + " bytes");
   const std::string magic = file.read(0, mcap::kMagic.size());
   if (magic.substr(0, 5) != mcap::kMagic.substr(0, 5)) {
-    throw Failure("it is no MCAP file: it does not begin as one", "pongsim log reads .mcap and .tlog");
+    throw Failure("it is not an MCAP file: it does not begin like one", "pongsim log reads .mcap and .tlog");
   }
-  if (magic != mcap::kMagic) throw Failure(atByte(5, "it is of another version of MCAP than 0"));
+  if (magic != mcap::kMagic) throw Failure(atByte(5, "it is not MCAP version 0"));
   if (file.size() < mcap::kMagic.size() + mcap::kRecordHead) return {};
   const std::string head = file.read(mcap::kMagic.size(), mcap::kRecordHead);
   ByteReader reader(head, mcap::kMagic.size(), "header");
   if (reader.number<std::uint8_t>() != static_cast<std::uint8_t>(mcap::Opcode::kHeader)) {
-    throw Failure(atByte(mcap::kMagic.size(), "a header should be here, and is not"));
+    throw Failure(atByte(mcap::kMagic.size(), "there is no header here"));
   }
   const std::uint64_t start = mcap::kMagic.size() + mcap::kRecordHead;
   const std::uint64_t length = reader.number<std::uint64_t>();
@@ -50,18 +50,18 @@ UnpackedBlock unpackBlock(const InputFile& file, const Block& block) {
   if (!block.isChunk) return {std::move(bytes), "", block.offset};
   ByteReader reader(bytes, block.offset, "chunk");
   const RecordPlace record = nextRecord(reader);
-  if (record.opcode != mcap::Opcode::kChunk) throw Failure(atByte(block.offset, "a chunk should be here, and is not"));
+  if (record.opcode != mcap::Opcode::kChunk) throw Failure(atByte(block.offset, "there is no chunk here"));
   ByteReader fields(record.content, block.offset + mcap::kRecordHead, "chunk");
   const mcap::Chunk chunk = mcap::readRecord<mcap::Chunk>(fields);
   const std::optional<Compression> compression = compressionOf(chunk.compression);
   if (!compression) {
-    throw Failure(atByte(block.offset, "the chunk is packed by '" + chunk.compression + "', which is not known"),
-                  "known are zstd and lz4");
+    throw Failure(atByte(block.offset, "the chunk is packed by '" + chunk.compression + "', which is not supported"),
+                  "supported are zstd and lz4");
   }
   try {
     std::string records = unpack(*compression, chunk.records, chunk.uncompressedSize);
     if (chunk.uncompressedCrc != 0 && crc32Of(records) != chunk.uncompressedCrc) {
-      throw Failure("its check sum is another");
+      throw Failure("its checksum is wrong");
     }
     const bool isPlain = *compression == Compression::kNone;
     return {std::move(records), chunk.compression, isPlain ? fields.offset() - chunk.records.size() : block.offset};
@@ -82,7 +82,7 @@ void forEachRecord(const UnpackedBlock& block, const std::function<void(const Re
     }
   } catch (const Failure& failure) {
     if (!isPacked) throw;
-    throw Failure(atByte(block.offset, std::string("in the chunk, unpacked, ") + failure.what()));
+    throw Failure(atByte(block.offset, std::string("in the decompressed chunk, ") + failure.what()));
   }
 }
 

@@ -12,7 +12,7 @@
 
 #include "log/mcap/mcap_writer.hh"
 #include "log/store/writer.hh"
-#include "pongsim/message_encoder.hh"
+#include "pongsim/messages/message_encoder.hh"
 
 namespace pongsim::log {
 

@@ -21,7 +21,7 @@ InputFile::InputFile(const std::filesystem::path& path)
   };
   struct stat status {};
   if (number_ < 0 || fstat(number_, &status) != 0) refuse(std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) refuse(S_ISDIR(status.st_mode) ? "it is a folder" : "it is no plain file");
+  if (!S_ISREG(status.st_mode)) refuse(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file");
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -29,8 +29,8 @@ InputFile::~InputFile() { ::close(number_); }
 
 std::string InputFile::read(std::uint64_t offset, std::uint64_t length) const {
   if (offset > size_ || length > size_ - offset) {
-    throw Failure(atByte(
-        offset, std::to_string(length) + " bytes should be here, and the file ends at " + std::to_string(size_)));
+    throw Failure(
+        atByte(offset, std::to_string(length) + " bytes expected here, but the file ends at " + std::to_string(size_)));
   }
   if (length > kMostAtOnce) {
     throw Failure(atByte(offset, "a piece of " + std::to_string(length) + " bytes, and " + std::to_string(kMostAtOnce) +
@@ -42,7 +42,7 @@ std::string InputFile::read(std::uint64_t offset, std::uint64_t length) const {
     const ssize_t count = ::pread(number_, bytes.data() + done, length - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw Failure(atByte(offset + done, std::string("it can't be read: ") + std::strerror(errno)));
-    if (count == 0) throw Failure(atByte(offset + done, "the file has become shorter"));
+    if (count == 0) throw Failure(atByte(offset + done, "the file has shrunk"));
     done += static_cast<std::size_t>(count);
   }
   return bytes;

@@ -46,9 +46,9 @@ TEST_F(InputFileTest, IsAsLongAsItWasWhenItWasOpened) {
   const InputFile file(path);
   std::ofstream(path, std::ios::app) << "more";
   EXPECT_EQ(file.size(), 10U);
-  EXPECT_EQ(failureAt(file, 8, 4), "byte 8: 4 bytes should be here, and the file ends at 10");
+  EXPECT_EQ(failureAt(file, 8, 4), "byte 8: 4 bytes expected here, but the file ends at 10");
   std::filesystem::resize_file(path, 5);
-  EXPECT_EQ(failureAt(file, 4, 3), "byte 5: the file has become shorter");
+  EXPECT_EQ(failureAt(file, 4, 3), "byte 5: the file has shrunk");
 }
 
 TEST_F(InputFileTest, IsNotReadBeyondItsEnd) {
@@ -63,7 +63,7 @@ TEST_F(InputFileTest, IsAPlainFile) {
   EXPECT_NE(refusal(folder_.path()).find("it is a folder"), std::string::npos);
   // it is not waited for who writes into it
   ASSERT_EQ(mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
-  EXPECT_NE(refusal(folder_.path() / "pipe").find("it is no plain file"), std::string::npos);
+  EXPECT_NE(refusal(folder_.path() / "pipe").find("it is not a regular file"), std::string::npos);
   EXPECT_NE(refusal(folder_.path() / "none").find("No such file"), std::string::npos);
 }
 

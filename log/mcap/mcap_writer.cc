@@ -12,7 +12,7 @@ namespace {
 template <class List>
 std::uint16_t nextId(const List& list, const char* what) {
   if (list.size() >= std::numeric_limits<std::uint16_t>::max()) {
-    throw Failure(std::string("an MCAP file has no more than 65535 ") + what);
+    throw Failure(std::string("an MCAP file has at most 65535 ") + what);
   }
   return static_cast<std::uint16_t>(list.size() + 1);
 }
@@ -36,7 +36,7 @@ McapWriter::~McapWriter() {
 void McapWriter::write(const Record& record) {
   if (record.timeNs < 0) {
     throw Failure("a message of '" + std::string(record.topic) + "' was recorded at " + std::to_string(record.timeNs) +
-                  " ns, and MCAP has no times before 0");
+                  " ns, but MCAP has no times before 0");
   }
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return failure_ != nullptr || waitingSize_ < options_.queueSize; });

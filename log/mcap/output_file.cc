@@ -15,8 +15,8 @@ OutputFile::OutputFile(std::filesystem::path path, bool overwrites)
     : path_(std::move(path)),
       number_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (overwrites ? O_TRUNC : O_EXCL), 0666)) {
   if (number_ >= 0) return;
-  if (errno == EEXIST) throw Failure("'" + path_.string() + "' is there already", "--force overwrites it");
-  throw Failure("'" + path_.string() + "' can't be made: " + std::strerror(errno));
+  if (errno == EEXIST) throw Failure("'" + path_.string() + "' already exists", "use --force to overwrite it");
+  throw Failure("'" + path_.string() + "' can't be created: " + std::strerror(errno));
 }
 
 OutputFile::~OutputFile() { ::close(number_); }
@@ -27,9 +27,8 @@ void OutputFile::write(std::string_view bytes) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       const int error = errno;
-      throw Failure(
-          "'" + path_.string() + "' can't be written: " + std::strerror(error),
-          error == ENOSPC || error == EDQUOT ? "make room on the disk; what has been written can be read" : "");
+      throw Failure("'" + path_.string() + "' can't be written: " + std::strerror(error),
+                    error == ENOSPC || error == EDQUOT ? "free disk space; what has been written is readable" : "");
     }
     bytes.remove_prefix(static_cast<std::size_t>(count));
     size_ += static_cast<std::uint64_t>(count);

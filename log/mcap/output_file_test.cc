@@ -42,7 +42,7 @@ TEST_F(OutputFileTest, SaysWhyItCannotBeWritten) {
     FAIL();
   } catch (const Failure& failure) {
     EXPECT_STREQ(failure.what(), "'/dev/full' can't be written: No space left on device");
-    EXPECT_EQ(failure.hint(), "make room on the disk; what has been written can be read");
+    EXPECT_EQ(failure.hint(), "free disk space; what has been written is readable");
   }
   EXPECT_EQ(full.size(), 0U);
 }

@@ -37,7 +37,7 @@ class Scan {
       while (next()) {
       }
     } catch (const Failure& failure) {
-      contents_.torn = std::string(failure.what()) + "; what comes from there on is left out";
+      contents_.torn = std::string(failure.what()) + "; the rest is ignored";
     }
     return std::move(contents_);
   }
@@ -48,7 +48,7 @@ class Scan {
     const std::uint64_t left = file_.size() - at_;
     if (left < mcap::kRecordHead) return cutOff("a record");
     const Head head = headAt(at_);
-    if (head.opcode == 0) throw Failure(atByte(at_, "a record should begin here, and does not"));
+    if (head.opcode == 0) throw Failure(atByte(at_, "no record begins here"));
     const bool isChunk = head.opcode == static_cast<std::uint8_t>(Opcode::kChunk);
     if (head.length > left - mcap::kRecordHead) return cutOff(isChunk ? "a chunk" : "a record");
     const std::uint64_t size = mcap::kRecordHead + head.length;
@@ -72,8 +72,8 @@ class Scan {
   }
 
   bool cutOff(const std::string& what) {
-    contents_.torn = atByte(at_, "it is cut off: " + what + " that begins here is not whole");
-    if (at_ == file_.size()) contents_.torn = atByte(at_, "it is cut off: it has no end");
+    contents_.torn = atByte(at_, "it is truncated: " + what + " that begins here is incomplete");
+    if (at_ == file_.size()) contents_.torn = atByte(at_, "it is truncated: it has no footer");
     return false;
   }
 

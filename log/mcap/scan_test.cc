@@ -49,10 +49,11 @@ TEST_F(ScanTest, EndsWhereTheFileIsCutOff) {
   const Contents inThird = contentsOfFirst(third.offset + third.length - 1);
   EXPECT_EQ(inThird.blocks.size(), 2U);
   EXPECT_EQ(inThird.torn,
-            "byte " + std::to_string(third.offset) + ": it is cut off: a chunk that begins here is not whole");
+            "byte " + std::to_string(third.offset) + ": it is truncated: a chunk that begins here is incomplete");
   const Contents behindThird = contentsOfFirst(third.offset + third.length);
   EXPECT_EQ(behindThird.blocks.size(), 3U);
-  EXPECT_EQ(behindThird.torn, "byte " + std::to_string(third.offset + third.length) + ": it is cut off: it has no end");
+  EXPECT_EQ(behindThird.torn,
+            "byte " + std::to_string(third.offset + third.length) + ": it is truncated: it has no footer");
 }
 
 TEST_F(ScanTest, TakesNothingOfAChunkThatIsDamaged) {
@@ -62,7 +63,7 @@ TEST_F(ScanTest, TakesNothingOfAChunkThatIsDamaged) {
   const Contents damaged = contentsByScan(InputFile(folder_.write("damaged.mcap", bytes)));
   EXPECT_EQ(damaged.blocks.size(), 1U);
   EXPECT_LT(damaged.count, whole.count);
-  EXPECT_NE(damaged.torn.value_or("").find("what comes from there on is left out"), std::string::npos);
+  EXPECT_NE(damaged.torn.value_or("").find("the rest is ignored"), std::string::npos);
 }
 
 }  // namespace

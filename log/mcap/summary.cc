@@ -82,7 +82,7 @@ std::optional<Contents> contentsBySummary(const InputFile& file, std::string& wh
   try {
     ByteReader reader(end, footerOffset, "footer");
     const RecordPlace record = nextRecord(reader);
-    if (record.opcode != mcap::Opcode::kFooter) throw Failure(atByte(footerOffset, "a footer should be here"));
+    if (record.opcode != mcap::Opcode::kFooter) throw Failure(atByte(footerOffset, "there is no footer here"));
     ByteReader fields(record.content, footerOffset + mcap::kRecordHead, "footer");
     const mcap::Footer footer = mcap::readRecord<mcap::Footer>(fields);
     if (footer.summaryStart == 0) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<Contents> contentsBySummary(const InputFile& file, std::string& wh
     const std::string_view summed =
         std::string_view(summary).substr(0, summary.size() - mcap::kMagic.size() - sizeof(footer.summaryCrc));
     if (footer.summaryCrc != 0 && crc32Of(summed) != footer.summaryCrc) {
-      throw Failure(atByte(footer.summaryStart, "its check sum is another"));
+      throw Failure(atByte(footer.summaryStart, "its checksum is wrong"));
     }
     return parse(std::string_view(summary).substr(0, summaryEnd - footer.summaryStart), footer.summaryStart);
   } catch (const Failure& failure) {

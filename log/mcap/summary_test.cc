@@ -59,7 +59,7 @@ TEST_F(SummaryTest, MayBeMissing) {
 TEST_F(SummaryTest, IsNotUsedWhereItIsDamagedOrLies) {
   std::string damaged = bytes_;
   damaged[damaged.size() - 60] ^= 1;
-  EXPECT_NE(faultOf(damaged).find("its check sum is another"), std::string::npos);
+  EXPECT_NE(faultOf(damaged).find("its checksum is wrong"), std::string::npos);
   EXPECT_FALSE(hasContents_);
   // in front of the footer, behind the file's end, and in the middle of a chunk
   EXPECT_NE(faultOf(withFooter({bytes_.size(), 0, 0})).find("its summary can't be at byte"), std::string::npos);

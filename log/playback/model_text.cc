@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "log/playback/played_sdf.hh"
+#include "log/store/failure.hh"
 
 namespace pongsim::log {
 
@@ -22,6 +23,8 @@ namespace im = ignition::msgs;
 // sdf::JointType of sdformat 12, from 1
 constexpr std::array<const char*, 9> kJointTypes{"ball",     "continuous", "fixed", "gearbox",  "prismatic",
                                                  "revolute", "revolute2",  "screw", "universal"};
+
+constexpr int kMostNested = 100;
 
 std::string escaped(std::string_view text) {
   std::string result;
@@ -162,7 +165,10 @@ std::string jointText(const RecordedState& state, std::uint64_t joint) {
   return text + "</joint>";
 }
 
-std::string composed(const RecordedState& state, std::uint64_t model, const PlayedFiles& files) {
+/// @param depth How many models it is in.
+/// @throws Failure where that are too many: in a damaged log models may hold themselves.
+std::string composed(const RecordedState& state, std::uint64_t model, const PlayedFiles& files, int depth = 0) {
+  if (depth > kMostNested) throw Failure("its models nest more than " + std::to_string(kMostNested) + " deep");
   std::string text = opening("model", state.text(model, "Name")) + poseText(state, model) +
                      element("static", state.text(model, "Static") == "1" ? "true" : "false");
   for (const std::uint64_t link : state.childrenWith(model, "Link")) {
@@ -171,7 +177,8 @@ std::string composed(const RecordedState& state, std::uint64_t model, const Play
             (inertial && inertial->mass() > 0 ? inertialText(*inertial) : "") + shapesText(state, link, files) +
             "</link>";
   }
-  for (const std::uint64_t nested : state.childrenWith(model, "Model")) text += composed(state, nested, files);
+  for (const std::uint64_t nested : state.childrenWith(model, "Model"))
+    text += composed(state, nested, files, depth + 1);
   for (const std::uint64_t joint : state.childrenWith(model, "Joint")) text += jointText(state, joint);
   return text + "</model>";
 }

@@ -46,7 +46,7 @@ std::vector<fs::path> recordingsIn(const fs::path& folder, int depth) {
 fs::path makeTemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "pongsim-log-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr)
-    throw Failure("a folder for what is unpacked can't be made: " + std::string(std::strerror(errno)));
+    throw Failure("can't create a folder to unpack into: " + std::string(std::strerror(errno)));
   return name;
 }
 
@@ -58,7 +58,7 @@ PlayedFiles::PlayedFiles(const fs::path& path) {
     find(path, path);
   } else if (!fs::is_regular_file(path, error)) {
     throw Failure("there is no recording '" + path.string() + "'",
-                  "it is a folder, a zip file or a .tlog file that pongsim run --record made");
+                  "give a folder, zip file or .tlog file made by pongsim run --record");
   } else if (isZip(path)) {
     unpacked_ = makeTemporaryFolder();
     try {
@@ -89,8 +89,8 @@ void PlayedFiles::find(const fs::path& folder, const fs::path& named) {
       list += (i == 0 ? "" : ", ") + found[i].filename().string();
     if (found.size() > kMostListed) list += " and " + std::to_string(found.size() - kMostListed) + " more";
     throw Failure("there are several recordings in '" + named.string() + "': " + list,
-                  folder == named ? "one is played at a time: '" + found.front().string() + "', for example"
-                                  : "one is played at a time: unpack it, and name the folder of one");
+                  folder == named ? "play one at a time: '" + found.front().string() + "', for example"
+                                  : "play one at a time: unpack it and give the folder of one");
   }
   folder_ = found.front();
   stateFile_ = folder_ / kStateFile;

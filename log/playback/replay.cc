@@ -42,7 +42,7 @@ void Replay::goTo(Time time) {
     return true;
   });
   readTo_ = to;
-  if (unread > 0) log_.warning(std::to_string(unread) + " states of the recording can't be read and are left out");
+  if (unread > 0) log_.warning(std::to_string(unread) + " states of the recording can't be read and are skipped");
   if (state_.takeNews()) editModels();
 }
 
@@ -60,7 +60,7 @@ void Replay::editModels() {
                           [this, name](const Outcome<Model>& made) {
                             // one that was asked for before has come
                             if (!made && !world_.model(name))
-                              log_.warning("model '" + name + "' can't be made: " + made.error);
+                              log_.warning("model '" + name + "' can't be created: " + made.error);
                           });
       } catch (const Failure& why) {
         log_.warning("model '" + name + "' is left out: " + why.what());

@@ -10,7 +10,7 @@
 #include "log/playback/played_files.hh"
 #include "log/playback/recorded_state.hh"
 #include "log/tlog/tlog_reader.hh"
-#include "pongsim/state_player.hh"
+#include "pongsim/state/state_player.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim::log {

@@ -19,7 +19,8 @@ fs::path zipOf(const fs::path& folder) { return folder.string() + ".zip"; }
 FolderLock lockOf(const fs::path& folder) {
   std::optional<FolderLock> lock = FolderLock::take(folder);
   if (lock) return *std::move(lock);
-  throw Failure("'" + folder.string() + "' is recorded into already", "give each recording a folder of its own");
+  throw Failure("'" + folder.string() + "' already contains a recording in progress",
+                "give each recording a folder of its own");
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ RecordFolder makeRecordFolder(fs::path folder, const fs::path& zip, WhereTaken w
   fs::create_directories(made.folder, error);
   if (error || !fs::is_directory(made.folder, error)) {
     throw Failure("the folder '" + made.folder.string() +
-                  "' can't be made: " + (error ? error.message() : "there is a file of that name"));
+                  "' can't be created: " + (error ? error.message() : "a file has that name"));
   }
   made.lock = lockOf(made.folder);
   return made;

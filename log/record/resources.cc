@@ -19,8 +19,8 @@ namespace im = ignition::msgs;
 namespace {
 
 bool hasAddress(std::string_view element) {
-  constexpr std::array<std::string_view, 4> kNames{"uri", "filename", "diffuse", "normal"};
-  return std::ranges::find(kNames, element) != kNames.end() || element.ends_with("_map");
+  constexpr std::array<std::string_view, 4> kAddresses{"uri", "filename", "diffuse", "normal"};
+  return std::ranges::find(kAddresses, element) != kAddresses.end() || element.ends_with("_map");
 }
 
 /// @return The folder of the model that a file belongs to; nothing where it belongs to none.

@@ -14,7 +14,7 @@
 
 #include "log/store/failure.hh"
 #include "log/store/writer.hh"
-#include "pongsim/state_changes.hh"
+#include "pongsim/state/state_changes.hh"
 
 namespace pongsim::log {
 

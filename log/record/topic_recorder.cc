@@ -27,7 +27,7 @@ TopicRecorder::TopicRecorder(const Node& node, const std::vector<std::string>& t
     try {
       expressions_.emplace_back(topic);
     } catch (const std::regex_error& error) {
-      throw std::invalid_argument("'" + topic + "' is no regular expression: " + error.what());
+      throw std::invalid_argument("'" + topic + "' is not a regular expression: " + error.what());
     }
   }
 }

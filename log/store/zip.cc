@@ -42,7 +42,7 @@ Archive openZip(const fs::path& file, int how) {
 fs::path placeOf(const std::string& name) {
   const fs::path path = fs::path(name).lexically_normal();
   if (path.empty() || path.is_absolute() || *path.begin() == "..")
-    throw Failure("the zip file is refused: '" + name + "' leads out of its folder");
+    throw Failure("the zip file was refused: '" + name + "' leads out of its folder");
   return path;
 }
 
@@ -95,9 +95,9 @@ void unpackZip(const fs::path& zipFile, const fs::path& folder) {
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
   if (!error && space.available < total) {
-    throw Failure("there is no room for the " + std::to_string(total) + " bytes of '" + zipFile.string() + "' in '" +
-                      folder.string() + "'",
-                  "TMPDIR names a folder on another disk");
+    throw Failure("not enough disk space for the " + std::to_string(total) + " bytes of '" + zipFile.string() +
+                      "' in '" + folder.string() + "'",
+                  "set TMPDIR to a folder on another disk");
   }
   for (zip_uint64_t i = 0; i < count; ++i) {
     const std::string name = stats[i].name;

@@ -23,7 +23,7 @@ void PlaybackSystem::configure(const SystemContext& context) {
   controlService_ = cleanTopic("/world/" + std::string(context.world.name()) + "/control");
   const bool isSecond = std::ranges::any_of(
       context.before, [](System* other) { return dynamic_cast<PlaybackSystem*>(other) != nullptr; });
-  if (isSecond) refuse(context.sdf, "a recording is played already", "leave out one of the two LogPlayback systems");
+  if (isSecond) refuse(context.sdf, "a recording is already being played", "remove one of the two LogPlayback systems");
   try {
     open(context);
   } catch (const Failure& why) {
@@ -36,7 +36,7 @@ void PlaybackSystem::open(const SystemContext& context) {
   reader_ = std::make_unique<TlogReader>(files_->stateFile());
   player_.emplace(Scene(context.world));
   replay_ = std::make_unique<Replay>(*reader_, *files_, context);
-  if (!replay_->range()) throw Failure("'" + path_ + "' has no state of a world");
+  if (!replay_->range()) throw Failure("'" + path_ + "' contains no state of a world");
   if (const auto torn = reader_->torn()) log_->warning(*torn);
   // for the first step
   goTo(player_->stepSize());
@@ -66,8 +66,8 @@ void PlaybackSystem::pauseAtEnd(const StepInfo& info) {
   pause.set_pause(true);
   pause_ = node_->request(controlService_, pause, "ignition.msgs.Boolean", {});
   // a warning: who asked for more steps than it has sees why they do not come
-  log_->warning("the recording is at its end, at " + std::to_string(toSeconds(info.time)) +
-                " s; the run is paused there until it is rewound or stopped");
+  log_->warning("end of the recording at " + std::to_string(toSeconds(info.time)) +
+                " s; paused until it is rewound or stopped");
 }
 
 void PlaybackSystem::worldChanged() { replay_->worldChanged(); }

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "pongsim/files/resolved_sdf.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/resolved_sdf.hh"
 #include "pongsim/scene.hh"
 
 namespace pongsim::log {
@@ -65,7 +65,7 @@ void RecordSystem::configure(const SystemContext& context) {
   log_ = &context.log;
   const bool isSecond =
       std::ranges::any_of(context.before, [](System* other) { return dynamic_cast<RecordSystem*>(other) != nullptr; });
-  if (isSecond) refuse(context.sdf, "the world is recorded already", "leave out one of the two LogRecord systems");
+  if (isSecond) refuse(context.sdf, "the world is already being recorded", "remove one of the two LogRecord systems");
   try {
     start(context);
   } catch (const Failure& why) {
@@ -125,7 +125,7 @@ std::string RecordSystem::worldText(const SystemContext& context) {
   if (position.file && fs::is_regular_file(*position.file, error)) text = resolvedSdf(*position.file, known);
   if (!text) {
     context.diagnostics.warning(context.sdf.position,
-                                "the world's file can't be read again: the recording has the world's state alone");
+                                "the world's file can't be read again: the recording contains only the state");
     return "<sdf version='1.9'><world name='" + std::string(context.world.name()) + "'/></sdf>";
   }
   return withAddresses(*text, [&](const std::string& address) {
@@ -170,7 +170,7 @@ void RecordSystem::postUpdate(const StepInfo& info) {
 void RecordSystem::reset() {
   // a log's times do not go back
   if (!isRecording_ || !last_) return;
-  log_->warning("the world goes back to its start: the recording ends here");
+  log_->warning("the world was reset: the recording ends here");
   finish();
 }
 

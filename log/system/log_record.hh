@@ -14,7 +14,7 @@
 #include "log/record/topic_recorder.hh"
 #include "log/record/worlds_folder.hh"
 #include "log/tlog/tlog_writer.hh"
-#include "pongsim/log_sink.hh"
+#include "pongsim/program/log_sink.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim::log {

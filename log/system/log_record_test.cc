@@ -202,7 +202,7 @@ TEST_F(LogRecordTest, OfTwoWorldsThatNameAFolderTheFirstHasIt) {
     for (const auto& world : worlds) world->step(10);
   }
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_NE(diagnostics.all()[0].message.find("is recorded into already"), std::string::npos)
+  EXPECT_NE(diagnostics.all()[0].message.find("already contains a recording in progress"), std::string::npos)
       << diagnostics.all()[0].message;
   EXPECT_GE(count(state(), "/world/w/changed_state"), 1U);
   EXPECT_EQ(count(state(), "/world/v/changed_state"), 0U);
@@ -216,7 +216,7 @@ TEST_F(LogRecordTest, WhatCantBeRecordedIsSaidAndTheWorldRuns) {
     ASSERT_NE(simulation, nullptr);
     ASSERT_EQ(diagnostics.all().size(), 1U);
     const std::string& said = diagnostics.all()[0].message;
-    EXPECT_NE(said.find(parameters.empty() ? "can't be made" : "'[' is no regular expression"), std::string::npos)
+    EXPECT_NE(said.find(parameters.empty() ? "can't be created" : "'[' is not a regular expression"), std::string::npos)
         << said;
     simulation->step();
   }

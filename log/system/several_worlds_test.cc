@@ -80,7 +80,7 @@ TEST_F(SeveralRecordedWorlds, ArePackedTogether) {
     FAIL();
   } catch (const Failure& why) {
     EXPECT_EQ(std::string(why.what()), "there are several recordings in '" + zip.string() + "': v, w");
-    EXPECT_EQ(std::string(why.hint()), "one is played at a time: unpack it, and name the folder of one");
+    EXPECT_EQ(std::string(why.hint()), "play one at a time: unpack it and give the folder of one");
   }
 }
 

@@ -125,7 +125,7 @@ class Recorded(unittest.TestCase):
         whole = self.file.read_bytes()
         (self.place.path / "cut.mcap").write_bytes(whole[: len(whole) * 2 // 3])
         info = json.loads(self.place.log("info", "cut.mcap", "--json"))
-        self.assertRegex(info["torn"], r"'cut.mcap': byte \d+: it is cut off")
+        self.assertRegex(info["torn"], r"'cut.mcap': byte \d+: it is truncated")
         self.place.log("convert", "cut.mcap", "-o", "saved.mcap", "--force")
         saved = messages(self.place.path / "saved.mcap")
         self.assertGreater(len(saved), 0)
@@ -138,12 +138,12 @@ class Recorded(unittest.TestCase):
         self.assertIn("field 'simm' is not in ignition.msgs.Clock\n  hint: did you mean 'sim'?",
                       self.place.log("export", "run.mcap", "/clock", "simm", "--csv", code=1))
         (self.place.path / "text.mcap").write_text("I am not a log at all\n")
-        self.assertIn("it is no MCAP file", self.place.log("info", "text.mcap", code=1))
+        self.assertIn("it is not an MCAP file", self.place.log("info", "text.mcap", code=1))
         self.assertIn("No such file", self.place.log("info", "nothing.mcap", code=1))
-        self.assertIn("is there already", self.place.log("convert", "run.mcap", "-o", "text.mcap", code=1))
-        self.assertIn("is the log that is read", self.place.log("convert", "run.mcap", "-o", "run.mcap", "--force", code=2))
-        self.assertIn("ends in .mcap or .tlog", self.place.log("convert", "run.mcap", "-o", "run.bag", code=2))
-        self.assertIn("'brotli' is no compression",
+        self.assertIn("already exists", self.place.log("convert", "run.mcap", "-o", "text.mcap", code=1))
+        self.assertIn("is also the input", self.place.log("convert", "run.mcap", "-o", "run.mcap", "--force", code=2))
+        self.assertIn("must end in .mcap or .tlog", self.place.log("convert", "run.mcap", "-o", "run.bag", code=2))
+        self.assertIn("'brotli' is not a compression",
                       self.place.log("convert", "run.mcap", "-o", "x.mcap", "--compression", "brotli", code=2))
         self.assertIn("unknown action 'inof'", self.place.log("inof", code=2))
         self.assertIn("neither a topic nor a regular expression", self.place.log("record", "-o", "x.mcap", "/a(", code=2))
@@ -178,7 +178,7 @@ class OfOthers(unittest.TestCase):
                     self.assertEqual([(each["name"], each["type"], each["count"]) for each in info["topics"]],
                                      [("/a", "a.B", 200), ("/bare", "", 200)])
                     self.assertIn("encoding is 'json'", place.log("export", "other.mcap", "/a", code=1))
-                    self.assertIn("can't go into a tlog", place.log("convert", "other.mcap", "-o", "a.tlog", code=1))
+                    self.assertIn("can't be written to a tlog", place.log("convert", "other.mcap", "-o", "a.tlog", code=1))
                     place.log("convert", "other.mcap", "-o", "again.mcap", "--force")
                     with open(place.path / "again.mcap", "rb") as stream:
                         read = [(channel.topic, schema and schema.name, message.log_time, message.data)

@@ -83,7 +83,7 @@ class Options(unittest.TestCase):
                        "10000", "-f")
         heard = [json.loads(line) for line in listener.communicate(timeout=PATIENCE)[0].splitlines()]
         self.assertEqual([message["name"] for message in heard], ["box::body"] * 3)
-        self.assertIn("is no renaming", self.place.log("playback", "--file", "rec/state.tlog", "--remap", "/a", code=2))
+        self.assertIn("is not a renaming", self.place.log("playback", "--file", "rec/state.tlog", "--remap", "/a", code=2))
 
 
 if __name__ == "__main__":

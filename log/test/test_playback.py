@@ -47,7 +47,7 @@ class Playback(unittest.TestCase):
 
     def test_more_steps_than_it_has_are_waited_for_with_a_word(self):
         played = self.place.start("run", "--playback", "rec", "-z", "0", "--iterations", "300")
-        wait_until(lambda: "the recording is at its end, at 0.2" in self.place.said(played), "the end")
+        wait_until(lambda: "end of the recording at 0.2" in self.place.said(played), "the end")
         self.run_pongsim(*CONTROL, "rewind: true, pause: false")
         self.assertEqual(played.wait(PATIENCE), 0, self.place.said(played))
 

@@ -41,7 +41,7 @@ class Record(unittest.TestCase):
         self.place.end(recorder, signal.SIGKILL)
         info = self.info()
         self.assertGreaterEqual(info["messages"], before)
-        self.assertIn("it is cut off", info["torn"])
+        self.assertIn("it is truncated", info["torn"])
         self.place.log("convert", "a.mcap", "-o", "whole.mcap")
         with open(self.place.path / "whole.mcap", "rb") as stream:
             self.assertEqual(sum(1 for _ in make_reader(stream, validate_crcs=True).iter_messages()), info["messages"])
@@ -59,10 +59,10 @@ class Record(unittest.TestCase):
     def test_it_ends_by_itself(self):
         recorder = self.place.record("-o", "a.mcap", "--duration", "0.3", "/nothing")
         self.assertEqual(recorder.wait(60), 0)
-        self.assertIn("nothing was heard on '/nothing'", self.place.said(recorder))
+        self.assertIn("no messages on '/nothing'", self.place.said(recorder))
         info = self.info()
         self.assertEqual((info["messages"], info["topics"], info["torn"]), (0, [], None))
-        self.assertIn("is there already", self.place.log("record", "-o", "a.mcap", "--duration", "0.1", code=1))
+        self.assertIn("already exists", self.place.log("record", "-o", "a.mcap", "--duration", "0.1", code=1))
         self.assertIn("takes a number of seconds", self.place.log("record", "--duration", "soon", code=2))
 
     def test_a_full_disk_is_said(self):

@@ -177,7 +177,7 @@ class Robot(unittest.TestCase):
                 self.assertEqual(quality.depth, 100 if connection.msgtype == "tf2_msgs/msg/TFMessage" else 10)
 
     def test_what_has_no_partner_is_said_once(self):
-        self.assertEqual(self.said.count("'/stats' is left out: ignition.msgs.WorldStatistics has no partner in ROS"), 1)
+        self.assertEqual(self.said.count("'/stats' is left out: ignition.msgs.WorldStatistics has no counterpart in ROS"), 1)
         self.assertNotIn("/stats", {topic for topic, *_ in self.live})
         messages = len(self.live)
         topics = len({topic for topic, *_ in self.live})
@@ -212,7 +212,7 @@ class Robot(unittest.TestCase):
         (self.place.path / "wrong.yaml").write_text("- {topic_name: /scan, ros_type_name: sensor_msgs/msg/LaserScn,\n"
                                                     "   gz_type_name: ignition.msgs.LaserScan}\n")
         said = self.place.log("convert", "plain.mcap", "-o", "x.mcap", "--ros2-config", "wrong.yaml", code=1)
-        self.assertRegex(said, r"error: wrong.yaml:1:\d+: 'sensor_msgs/msg/LaserScn' is no type of ROS")
+        self.assertRegex(said, r"error: wrong.yaml:1:\d+: 'sensor_msgs/msg/LaserScn' is not a ROS type")
         self.assertIn("hint: did you mean 'sensor_msgs/msg/LaserScan'?", said)
         self.assertIn("nothing.yaml", self.place.log("convert", "plain.mcap", "-o", "x.mcap", "--ros2-config",
                                                      "nothing.yaml", code=1))
@@ -220,14 +220,14 @@ class Robot(unittest.TestCase):
 
     def test_mistakes_are_said(self):
         said = self.place.log("convert", "plain.mcap", "-o", "x.tlog", "--ros2", code=2)
-        self.assertIn("'x.tlog' can't have messages of ROS", said)
-        self.assertIn("can't have messages of ROS",
+        self.assertIn("'x.tlog' can't have ROS messages", said)
+        self.assertIn("can't have ROS messages",
                       self.place.log("record", "-o", "x.tlog", "--ros2", "--duration", "0.1", code=2))
         said = self.place.log("convert", "plain.mcap", "-o", "x.mcap", "--ros2", "--topic", "/stats", code=1)
-        self.assertIn("nothing of 'plain.mcap' can be written as messages of ROS", said)
+        self.assertIn("nothing of 'plain.mcap' can be written as ROS messages", said)
         said = self.place.log("convert", "bag.mcap", "-o", "x.mcap", "--ros2", code=1)
         self.assertIn("'/scan' is left out: its messages are in 'cdr', not in 'protobuf'", said)
-        self.assertIn("is there already", self.place.log("convert", "plain.mcap", "-o", "bag.mcap", "--ros2", code=1))
+        self.assertIn("already exists", self.place.log("convert", "plain.mcap", "-o", "bag.mcap", "--ros2", code=1))
         self.assertEqual(list(self.place.path.glob("x*")), [])
 
     def test_a_missing_package_is_named(self):
@@ -269,7 +269,7 @@ class Alone(unittest.TestCase):
         recorder = self.place.record("-o", "none.mcap", "--ros2", "/stats")
         wait_until(lambda: "'/stats' is left out" in self.place.said(recorder), "a warning")
         self.assertEqual(self.place.end(recorder), 1)
-        self.assertIn("nothing of what was heard can be written as messages of ROS", self.place.said(recorder))
+        self.assertIn("nothing of what was heard can be written as ROS messages", self.place.said(recorder))
         # and the same command is not refused
         self.assertFalse((self.place.path / "none.mcap").exists())
 
@@ -278,7 +278,7 @@ class Alone(unittest.TestCase):
             self.skipTest("Fortress's recording is not here")
         said = subprocess.run([PONGSIM, "log", "convert", GOLDEN, "-o", "a.mcap", "--ros2"], cwd=self.place.path,
                               capture_output=True, text=True, timeout=PATIENCE, check=True).stderr
-        self.assertEqual(said.count("is left out: ignition.msgs.SerializedStateMap has no partner in ROS"), 1)
+        self.assertEqual(said.count("is left out: ignition.msgs.SerializedStateMap has no counterpart in ROS"), 1)
         (topic, kind, _, message, _), = of_ros(self.place.path / "a.mcap")
         self.assertEqual((topic, kind), ("/_ignition/sdf", "std_msgs/msg/String"))
         self.assertIn("<world name='log_pendulum'>", message.data)

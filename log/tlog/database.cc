@@ -16,11 +16,11 @@ constexpr int kBusyTime = 10000;
 const char* hintFor(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
-      return "make room on the disk; what was written before is kept";
+      return "free disk space; what was written before is kept";
     case SQLITE_NOTADB:
-      return "a tlog file is a database of SQLite, as Fortress's state.tlog";
+      return "a tlog file is an SQLite database, such as Fortress's state.tlog";
     case SQLITE_CORRUPT:
-      return "it was cut off or changed while it was copied";
+      return "it was truncated or changed while it was copied";
     default:
       return "";
   }

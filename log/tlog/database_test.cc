@@ -54,10 +54,10 @@ TEST_F(DatabaseTest, SaysWhatCannotBeDone) {
             std::string::npos);
   folder_.write("a.tlog", std::string(5000, 'x'));
   const Database text(path_.string(), path_, Database::Access::kRead);
-  EXPECT_EQ(refusal([&] { Statement(text, "SELECT 1 FROM topics"); }),
-            name +
-                " can't be read: file is not a database (a tlog file is a database of SQLite, as Fortress's "
-                "state.tlog)");
+  EXPECT_EQ(
+      refusal([&] { Statement(text, "SELECT 1 FROM topics"); }),
+      name +
+          " can't be read: file is not a database (a tlog file is an SQLite database, such as Fortress's state.tlog)");
   const std::filesystem::path other = folder_.path() / "b.tlog";
   const Database written(other.string(), other, Database::Access::kCreate);
   EXPECT_NE(refusal([&] { written.run("INSERT INTO absent VALUES (1)"); }).find("can't be written: no such table"),

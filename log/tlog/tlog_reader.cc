@@ -53,7 +53,7 @@ std::unique_ptr<Database> openDatabase(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
     throw Failure("there is no file '" + file.string() + "'",
-                  fs::is_directory(file, error) ? "it is a folder: name the .tlog file in it" : "");
+                  fs::is_directory(file, error) ? "it is a folder: give the .tlog file in it" : "");
   }
   try {
     auto database = std::make_unique<Database>(uriOf(file, "mode=ro"), file, Database::Access::kRead);
@@ -100,12 +100,12 @@ struct TlogReader::Parts {
       return fs::exists(file.string() + suffix, error) && fs::file_size(file.string() + suffix, error) > 0;
     };
     if (hasBeside("-wal")) {
-      tear = "'" + file.string() + "' was not ended, or is being written: the last second may be missing";
+      tear = "'" + file.string() + "' was not closed or is still being written: the last second may be missing";
     } else if (hasBeside("-journal")) {
-      tear = "'" + file.string() + "' was not ended: the last second is missing";
+      tear = "'" + file.string() + "' was not closed: the last second is missing";
     } else if (size < whole) {
       isCutOff = true;
-      tear = "'" + file.string() + "' is cut off: it has " + std::to_string(size) + " of " + std::to_string(whole) +
+      tear = "'" + file.string() + "' is truncated: it has " + std::to_string(size) + " of " + std::to_string(whole) +
              " bytes";
     }
   }
@@ -139,7 +139,7 @@ TlogReader::TlogReader(const fs::path& file) : parts_(std::make_unique<Parts>(fi
     if (statement.step()) version = statement.text(0);
   } catch (const Failure& why) {
     if (!why.hint().empty()) throw;
-    throw Failure("'" + file.string() + "' is no tlog: it has no table of migrations");
+    throw Failure("'" + file.string() + "' is not a tlog: it has no table of migrations");
   }
   if (version != kVersion)
     throw Failure("'" + file.string() + "' is a tlog of version '" + version + "', not of " + std::string(kVersion));

@@ -41,7 +41,8 @@ Crew::~Crew() {
 void Crew::begin() {
   if (!threads_.empty() && process_ != getpid()) {
     throw std::runtime_error(
-        "the threads of these environments stayed behind when the process was forked; make them in the process that "
+        "the threads of these environments did not survive the fork of the process; create the environments in the "
+        "process that "
         "steps them");
   }
   process_ = getpid();

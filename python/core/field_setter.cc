@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "pongsim/field_path.hh"
+#include "pongsim/messages/field_path.hh"
 
 namespace pongsim::python {
 

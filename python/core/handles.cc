@@ -8,7 +8,7 @@
 
 #include "core/errors.hh"
 #include "core/values.hh"
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 
 namespace pongsim::python {
 
@@ -53,12 +53,12 @@ py::class_<PyHandle> bindCommon(py::module_& module, const char* name, const cha
   return py::class_<PyHandle>(module, name, text)
       .def_property_readonly(
           "exists", [](PyHandle& self) { return !self.life->isClosed() && self.use().exists(); },
-          "Whether it is still there. If not, everything else but `id` raises Gone.")
+          "Whether it exists. If not, everything else but `id` raises Gone.")
       .def_property_readonly(
-          "id", [](PyHandle& self) { return self.inner.id().value; }, "Its number, never used twice in a run.")
+          "id", [](PyHandle& self) { return self.inner.id().value; }, "Its id, never reused in a run.")
       .def_property_readonly(
           "name", [](PyHandle& self) { return std::string(self.use().name()); },
-          "Its own name, without those of what holds it.")
+          "Its own name, without those of its parents.")
       .def("__eq__",
            [](PyHandle& self, py::object other) {
              if (!py::isinstance<PyHandle>(other)) return false;
@@ -69,20 +69,20 @@ py::class_<PyHandle> bindCommon(py::module_& module, const char* name, const cha
       .def("__repr__", [name = std::string(name)](PyHandle& self) {
         const bool isThere = !self.life->isClosed() && !self.life->isStepping() && self.inner.exists();
         return "<pongsim." + name + " " +
-               (isThere ? "'" + std::string(self.inner.name()) + "'" : std::string("that is gone")) + ">";
+               (isThere ? "'" + std::string(self.inner.name()) + "'" : std::string("(gone)")) + ">";
       });
 }
 
 void bindModel(py::module_& module) {
-  bindCommon<PyModel>(module, "Model", "One model of a running world. Equal to any other object for the same model.")
+  bindCommon<PyModel>(module, "Model", "A model of a running world. Objects for the same model are equal.")
       .def_property_readonly(
           "scoped_name", [](PyModel& self) { return self.use().scopedName(); },
-          "Its name with the models that it is nested in: \"outer::inner\".")
+          "Its name with its parent models: \"outer::inner\".")
       .def_property_readonly(
           "pose", [](PyModel& self) { return poseOf(self.use().pose()); },
           "Pose of the model frame in the world frame.")
       .def_property_readonly(
-          "is_static", [](PyModel& self) { return self.use().isStatic(); }, "Whether it never moves by itself.")
+          "is_static", [](PyModel& self) { return self.use().isStatic(); }, "Whether it is static.")
       .def(
           "move",
           [](PyModel& self, py::handle pose, bool stop) {
@@ -90,11 +90,10 @@ void bindModel(py::module_& module) {
             checkRefusal(self.edit("a move").setPose(X_WorldModel, afterMove(stop)));
           },
           py::arg("pose"), py::kw_only(), py::arg("stop") = false,
-          "Puts the model frame somewhere else, between two steps, with all its links: they keep their places in "
-          "it.\n\n"
+          "Moves the model frame with all its links, between two steps.\n\n"
           "pose: a Pose, x y z, or x y z roll pitch yaw, in the world frame [m, rad].\n"
-          "stop: take its velocity away; otherwise it turns with it, as in Fortress.\n"
-          "Raises Refused where a joint holds it to something outside of it.")
+          "stop: set its velocity to zero; otherwise the velocity rotates with it, as in Fortress.\n"
+          "Raises Refused if a joint connects it to something outside of it.")
       .def(
           "set_velocity",
           [](PyModel& self, py::handle linear, py::handle angular) {
@@ -103,7 +102,7 @@ void bindModel(py::module_& module) {
           py::arg("linear"), py::arg("angular") = py::make_tuple(0.0, 0.0, 0.0),
           "Sets the velocity of the model frame's origin [m/s] and the angular velocity [rad/s], both in the world "
           "frame. "
-          "All its links take part; the joints' velocities stay.")
+          "All its links change their velocities accordingly; joint velocities stay.")
       .def_property_readonly(
           "links", [](PyModel& self) { return handles(self.life, self.use().links()); },
           "Its links, without nested ones.")
@@ -111,14 +110,14 @@ void bindModel(py::module_& module) {
           "joints", [](PyModel& self) { return handles(self.life, self.use().joints()); },
           "Its joints, without nested ones.")
       .def_property_readonly(
-          "models", [](PyModel& self) { return handles(self.life, self.use().models()); }, "The models nested in it.")
+          "models", [](PyModel& self) { return handles(self.life, self.use().models()); }, "Its nested models.")
       .def(
           "link",
           [](PyModel& self, const std::string& name) {
             Model& model = self.use();
             return found<Link>(self.life, model.link(name), "model '" + model.scopedName() + "'", name, model.links());
           },
-          py::arg("name"), "The link of that name; of nested models by \"inner::wheel\". Raises KeyError.")
+          py::arg("name"), "The link with that name; in nested models \"inner::wheel\". Raises KeyError.")
       .def(
           "joint",
           [](PyModel& self, const std::string& name) {
@@ -126,20 +125,20 @@ void bindModel(py::module_& module) {
             return found<Joint>(self.life, model.joint(name), "model '" + model.scopedName() + "'", name,
                                 model.joints());
           },
-          py::arg("name"), "The joint of that name; of nested models by \"inner::hinge\". Raises KeyError.");
+          py::arg("name"), "The joint with that name; in nested models \"inner::hinge\". Raises KeyError.");
 }
 
 void bindLink(py::module_& module) {
-  bindCommon<PyLink>(module, "Link", "One link of a running world. Equal to any other object for the same link.")
+  bindCommon<PyLink>(module, "Link", "A link of a running world. Objects for the same link are equal.")
       .def_property_readonly(
           "scoped_name", [](PyLink& self) { return self.use().scopedName(); },
-          "Its name with the models that hold it: \"model::link\".")
+          "Its name with its models: \"model::link\".")
       .def_property_readonly(
           "model",
           [](PyLink& self) {
             return PyModel{self.life, self.use().model()};
           },
-          "The model that it belongs to.")
+          "Its model.")
       .def_property_readonly(
           "pose", [](PyLink& self) { return poseOf(self.use().pose()); }, "Pose of the link frame in the world frame.")
       .def_property_readonly(
@@ -171,16 +170,15 @@ void bindLink(py::module_& module) {
 void bindJoint(py::module_& module) {
   bindCommon<PyJoint>(
       module, "Joint",
-      "One joint of a running world. Angles in rad and torques in N m for an axis that turns, m and N for "
-      "one that slides.")
+      "A joint of a running world. Units are rad and N m for rotational axes, m and N for translational ones.")
       .def_property_readonly(
-          "type", [](PyJoint& self) { return std::string(self.use().type()); }, "The format's name: \"revolute\".")
+          "type", [](PyJoint& self) { return std::string(self.use().type()); }, "Its type in SDF: \"revolute\".")
       .def_property_readonly(
           "axis_count", [](PyJoint& self) { return self.use().axisCount(); },
-          "Axes that have a position: 0 for a fixed or ball joint, 1 or 2.")
+          "Number of axes with a position: 0 for a fixed or ball joint, 1 or 2.")
       .def(
           "position", [](PyJoint& self, int axis) { return self.use().position(axisOf(self.inner, axis)); },
-          py::arg("axis") = 0, "Position of the axis since the start, not wrapped [rad or m].")
+          py::arg("axis") = 0, "Position of the axis relative to the start, not wrapped [rad or m].")
       .def(
           "velocity", [](PyJoint& self, int axis) { return self.use().velocity(axisOf(self.inner, axis)); },
           py::arg("axis") = 0, "Velocity of the axis [rad/s or m/s].")
@@ -195,8 +193,8 @@ void bindJoint(py::module_& module) {
             }
           },
           py::arg("velocity"), py::arg("axis") = 0,
-          "Drives the axis at that velocity [rad/s or m/s] from the next step on, as far as its effort limit allows; 0 "
-          "brakes; None lets it go.")
+          "Drives the axis at a velocity [rad/s or m/s] from the next step on, within its effort limit; 0 brakes; None "
+          "ends it.")
       .def(
           "add_force",
           [](PyJoint& self, double force, int axis) {
@@ -212,9 +210,8 @@ void bindJoint(py::module_& module) {
             if (velocity) checkRefusal(joint.resetVelocity(finite(*velocity, "a velocity"), axisOf(joint, axis)));
           },
           py::arg("position") = py::none(), py::arg("velocity") = py::none(), py::arg("axis") = 0,
-          "Puts the axis to a position and a velocity between two steps, with all that hangs on it. Raises Refused "
-          "where "
-          "other joints hold that.");
+          "Sets position and velocity of the axis between two steps, and moves everything connected to the child. "
+          "Raises Refused if other joints prevent that.");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ void Life::checkThread() const {
 
 Simulation& Life::use() const {
   if (simulation_ == nullptr) {
-    raise("Gone", "the simulation is gone: it was closed, or nothing held its Simulation any more");
+    raise("Gone", "the simulation is gone: it was closed, or its Simulation was deleted");
   }
   checkThread();
   return *simulation_;
@@ -34,8 +34,8 @@ Simulation& Life::edit(const char* what) const {
   Simulation& simulation = use();
   if (stepper_ != 0) {
     raise("Busy", std::string(what) +
-                      " is for between two steps, and this is called from within one; note it and do it "
-                      "when step() has returned");
+                      " is not allowed within a step; do it "
+                      "after step() has returned");
   }
   return simulation;
 }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 
 namespace pongsim::python {
 
@@ -94,7 +94,7 @@ class Filler {
       wrongType("a dict of the fields of " + message.GetDescriptor()->name(), from);
     }
     for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(from)) {
-      if (!PyUnicode_Check(key.ptr())) throw py::type_error("names of fields are texts" + where());
+      if (!PyUnicode_Check(key.ptr())) throw py::type_error("names of fields must be strings" + where());
       const auto name = key.cast<std::string>();
       const FieldDescriptor* field = message.GetDescriptor()->FindFieldByName(name);
       if (field == nullptr) unknownField(*message.GetDescriptor(), name);
@@ -282,7 +282,7 @@ void addFile(const FileDescriptor& file, std::set<const FileDescriptor*>& known,
 
 void parse(Message& message, const char* data, std::size_t size) {
   if (!message.ParseFromArray(data, static_cast<int>(size))) {
-    throw py::value_error("these bytes are no " + message.GetDescriptor()->full_name());
+    throw py::value_error("these bytes are not of type " + message.GetDescriptor()->full_name());
   }
 }
 

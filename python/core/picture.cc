@@ -12,8 +12,8 @@
 #include "core/owner.hh"
 #include "core/sensor.hh"
 #include "core/values.hh"
-#include "pongsim/camera_scene.hh"
-#include "pongsim/sensor_settings.hh"
+#include "pongsim/sensing/camera_scene.hh"
+#include "pongsim/sensing/sensor_settings.hh"
 
 namespace pongsim::python {
 
@@ -29,9 +29,10 @@ class Painter final : public Life::Pending {
   Painter(std::shared_ptr<Life> life, std::uint32_t width, std::uint32_t height, double fieldOfView)
       : life_(std::move(life)) {
     if (width < 1 || height < 1 || width > kLargestEdge || height > kLargestEdge) {
-      throw py::value_error("a picture is from 1 to " + std::to_string(kLargestEdge) + " pixels wide and high");
+      throw py::value_error("a picture must be 1 to " + std::to_string(kLargestEdge) + " pixels wide and high");
     }
-    if (!(fieldOfView > 0 && fieldOfView < 3.1)) throw py::value_error("a field of view is above 0 and below 3.1 rad");
+    if (!(fieldOfView > 0 && fieldOfView < 3.1))
+      throw py::value_error("a field of view must be above 0 and below 3.1 rad");
     view_.width = width;
     view_.height = height;
     view_.fx = view_.fy = width / (2 * std::tan(fieldOfView / 2));
@@ -95,7 +96,7 @@ std::shared_ptr<Painter> make(const Owner& simulation, std::uint32_t width, std:
 py::tuple lensOf(PySensor& sensor) {
   const auto* settings = sensor.use().settings<CameraSettings>();
   if (settings == nullptr) {
-    throw py::value_error("sensor '" + sensor.use().scopedName() + "' is no camera, but of type " +
+    throw py::value_error("sensor '" + sensor.use().scopedName() + "' is not a camera but of type " +
                           std::string(sensor.use().type()));
   }
   return py::make_tuple(settings->width, settings->height, settings->horizontalFov, poseOf(settings->X_SensorCamera));
@@ -105,16 +106,15 @@ py::tuple lensOf(PySensor& sensor) {
 
 void bindPictures(py::module_& module) {
   py::class_<Painter, std::shared_ptr<Painter>>(module, "Painter",
-                                                "Draws a world from anywhere, without a camera in it. Changes nothing.")
+                                                "Draws a world from any pose, without a camera in it. Changes nothing.")
       .def(py::init(&make), py::arg("simulation"), py::arg("width"), py::arg("height"), py::arg("field_of_view"))
       .def("draw", &Painter::draw, py::arg("frame"), py::arg("eye"),
            "Red, green, blue of each pixel (8 bits each), row by row from the top.\n\n"
            "frame: pose of a frame in the world frame.\n"
-           "eye: pose of the eye in that frame; it looks along its x axis with z up.")
-      .def("bounds", &Painter::bounds,
-           "A box around what is drawn: its least and its greatest corner, world frame [m].");
+           "eye: pose of the camera in that frame; it looks along its x axis with z up.")
+      .def("bounds", &Painter::bounds, "Bounding box of everything visible: its minimum and maximum, world frame [m].");
   module.def("lens", &lensOf, py::arg("sensor"),
-             "Of a camera: width and height [pixels], horizontal field of view [rad], and the pose of its eye in the "
+             "Of a camera: width and height [pixels], horizontal field of view [rad], and its pose in the "
              "sensor's frame. Raises ValueError for others.");
 }
 

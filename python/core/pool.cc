@@ -65,7 +65,7 @@ void Pool::seal() {
     }
   }
   for (const Observed& each : observed_) {
-    if (each.column >= valueSize_) throw py::value_error("what is observed is not read");
+    if (each.column >= valueSize_) throw py::value_error("an observed value is not read");
   }
   const std::size_t rows = count();
   const auto make = [&](std::size_t width) { return std::make_shared<Memory>(rows * width, true); };

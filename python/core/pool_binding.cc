@@ -10,7 +10,7 @@ namespace pongsim::python {
 
 namespace {
 
-std::unique_ptr<Pool> make(const std::vector<Owner*>& simulations, std::size_t threads) {
+std::unique_ptr<Pool> makePool(const std::vector<Owner*>& simulations, std::size_t threads) {
   if (threads < 1) throw py::value_error("threads must be 1 or more");
   std::vector<std::shared_ptr<Life>> lives;
   for (const Owner* simulation : simulations) lives.push_back(simulation->life);
@@ -22,13 +22,14 @@ std::shared_ptr<Life> lifeOf(const Owner& simulation) { return simulation.life; 
 }  // namespace
 
 void bindPool(py::module_& module) {
-  py::class_<LidarLimits>(module, "LidarLimits", "How many beams a lidar has, and how far it sees.")
-      .def_readonly("beams", &LidarLimits::beams, "How many.")
-      .def_readonly("nearest", &LidarLimits::nearest, "The shortest range that it tells [m].")
-      .def_readonly("farthest", &LidarLimits::farthest, "The longest [m].");
-  module.def("lidar_limits", &lidarLimits, py::arg("sensor"), "Those of a lidar. Raises ValueError for others.");
-  py::class_<Pool>(module, "Pool", "Worlds that are stepped together, on several threads; for pongsim.gym.")
-      .def(py::init(&make), py::arg("simulations"), py::arg("threads"))
+  py::class_<LidarLimits>(module, "LidarLimits", "Number of beams and range of a lidar.")
+      .def_readonly("beams", &LidarLimits::beams, "Number of beams.")
+      .def_readonly("nearest", &LidarLimits::nearest, "Minimum range [m].")
+      .def_readonly("farthest", &LidarLimits::farthest, "Maximum range [m].");
+  module.def("lidar_limits", &lidarLimits, py::arg("sensor"),
+             "The beams of a lidar. Raises ValueError for other sensors.");
+  py::class_<Pool>(module, "Pool", "Worlds stepped together on several threads, for pongsim.gym.")
+      .def(py::init(&makePool), py::arg("simulations"), py::arg("threads"))
       .def("read_ranges",
            [](Pool& self, std::size_t world, PySensor& sensor) { self.addReading(world, rangesOf(sensor)); })
       .def("read_fields",

@@ -76,7 +76,7 @@ void PythonSystem::transfer(StateArchive& archive) {
 }
 
 void bindSystems(py::module_& module) {
-  py::class_<StepInfo>(module, "StepInfo", "Where a run stands when a system is called.")
+  py::class_<StepInfo>(module, "StepInfo", "Time and iteration of a call to a system.")
       .def_property_readonly(
           "time", [](const StepInfo& info) { return toSeconds(info.time); },
           "Simulated time at the end of this step [s].")
@@ -85,7 +85,7 @@ void bindSystems(py::module_& module) {
       .def_property_readonly(
           "dt", [](const StepInfo& info) { return toSeconds(info.dt); }, "Length of the step [s].")
       .def_property_readonly(
-          "iteration", [](const StepInfo& info) { return info.iteration; }, "Steps made, this one included.");
+          "iteration", [](const StepInfo& info) { return info.iteration; }, "Steps made, including this one.");
 }
 
 }  // namespace pongsim::python

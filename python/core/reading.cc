@@ -10,8 +10,8 @@
 
 #include "core/errors.hh"
 #include "core/topics.hh"
-#include "pongsim/field_path.hh"
-#include "pongsim/sensor_settings.hh"
+#include "pongsim/messages/field_path.hh"
+#include "pongsim/sensing/sensor_settings.hh"
 
 namespace pongsim::python {
 
@@ -44,7 +44,7 @@ void put(const Vector3& vector, double* to) { std::copy_n(vector.data(), 3, to);
 LidarLimits lidarLimits(PySensor& sensor) {
   const auto* settings = sensor.use().settings<LidarSettings>();
   if (settings == nullptr) {
-    throw py::value_error("sensor '" + sensor.use().scopedName() + "' is no lidar, but of type " +
+    throw py::value_error("sensor '" + sensor.use().scopedName() + "' is not a lidar but of type " +
                           std::string(sensor.use().type()));
   }
   const auto count = [](const LidarSettings::Scan& scan) {

@@ -51,7 +51,7 @@ struct Reading {
   std::shared_ptr<Heard> heard;
 };
 
-/// How many beams a lidar has, and how far it sees.
+/// Number of beams and range of a lidar.
 struct LidarLimits {
   std::size_t beams = 0;
   /// [m]

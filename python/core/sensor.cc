@@ -15,7 +15,7 @@
 #include "core/errors.hh"
 #include "core/message_dict.hh"
 #include "core/values.hh"
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 
 namespace pongsim::python {
 
@@ -218,12 +218,12 @@ std::vector<std::string> sensorNames(Life& life) {
 }
 
 void bindSensors(py::module_& module) {
-  py::class_<Memory, std::shared_ptr<Memory>>(module, "Memory", py::buffer_protocol(), "Bytes that arrays look at.")
+  py::class_<Memory, std::shared_ptr<Memory>>(module, "Memory", py::buffer_protocol(), "Memory viewed by arrays.")
       .def_buffer([](Memory& memory) {
         return py::buffer_info(memory.bytes.data(), 1, py::format_descriptor<std::uint8_t>::format(), 1,
                                {static_cast<py::ssize_t>(memory.bytes.size())}, {1}, !memory.isWritable);
       });
-  py::class_<Stream, std::shared_ptr<Stream>>(module, "Stream", "One kind of reading of a sensor.")
+  py::class_<Stream, std::shared_ptr<Stream>>(module, "Stream", "One kind of a sensor's readings.")
       .def_property_readonly("shape", [](const Stream& self) { return py::tuple(py::cast(self.use().shape)); })
       .def_property_readonly("format", [](const Stream& self) { return self.use().format; })
       .def_property_readonly("time_ns", [](const Stream& self) { return self.use().time; })
@@ -235,7 +235,7 @@ void bindSensors(py::module_& module) {
       .def("message", [](const Stream& self, py::handle type) {
         return messageAs(type, self.use().type, std::as_bytes(std::span(self.message)));
       });
-  py::class_<PySensor>(module, "Sensor", "One sensor of a running world.")
+  py::class_<PySensor>(module, "Sensor", "A sensor of a running world.")
       .def_property_readonly(
           "exists", [](PySensor& self) { return !self.life->isClosed() && self.use().exists(); },
           "Whether it is still there.")
@@ -244,12 +244,13 @@ void bindSensors(py::module_& module) {
       .def_property_readonly(
           "scoped_name", [](PySensor& self) { return self.use().scopedName(); }, "\"model::link::sensor\".")
       .def_property_readonly(
-          "type", [](PySensor& self) { return std::string(self.use().type()); }, "As the file has it: \"gpu_lidar\".")
+          "type", [](PySensor& self) { return std::string(self.use().type()); },
+          "Its type as in the file: \"gpu_lidar\".")
       .def_property_readonly(
           "pose", [](PySensor& self) { return poseOf(self.use().pose()); }, "Pose of its frame in the world frame.")
       .def_property_readonly(
           "update_rate", [](PySensor& self) { return self.use().updateRate(); },
-          "Readings a simulated second; 0: one every step.")
+          "Readings per simulated second; 0: one per step.")
       .def_property_readonly(
           "kinds",
           [](PySensor& self) {
@@ -257,10 +258,10 @@ void bindSensors(py::module_& module) {
             for (const Way& way : waysOf(self.use().type())) kinds.emplace_back(way.kind);
             return kinds;
           },
-          "What it has, the main one first: \"ranges\", \"points\", \"image\", \"depth\" or \"message\".")
+          "Its kinds of readings, the main one first: \"ranges\", \"points\", \"image\", \"depth\" or \"message\".")
       .def_property_readonly(
           "has_noise", [](PySensor& self) { return hasNoise(self.use().sdf()); },
-          "Whether its readings differ from seed to seed: a <noise> in its element is of a type other than none.")
+          "Whether its readings depend on the seed: its element has a <noise> of a type other than none.")
       .def(
           "stream",
           [](PySensor& self, const std::string& kind) {
@@ -270,7 +271,7 @@ void bindSensors(py::module_& module) {
               raise("Gone", "the sensor is gone: its model was removed");
             return self.streams.at(kind);
           },
-          py::arg("kind"), "What comes of one of its kinds; the first call begins to listen.");
+          py::arg("kind"), "Readings of one kind; the first call switches them on.");
 }
 
 }  // namespace pongsim::python

@@ -10,7 +10,7 @@
 
 #include "core/life.hh"
 #include "core/memory.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 
 namespace pongsim::python {
 

@@ -23,7 +23,7 @@
 #include "core/sensor.hh"
 #include "core/topics.hh"
 #include "core/values.hh"
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 
 namespace pongsim::python {
 
@@ -36,7 +36,7 @@ std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool l
                             bool levels, bool network, std::optional<int> domain, std::optional<std::string> interface,
                             const std::string& file) {
   if (threads < 1) throw py::value_error("threads must be 1 or more, not " + std::to_string(threads));
-  if (!network && (domain || interface)) throw py::value_error("domain and interface are for network=True");
+  if (!network && (domain || interface)) throw py::value_error("domain and interface need network=True");
   std::unique_ptr<Transport> transport;
   if (network) transport = std::make_unique<Transport>(TransportOptions{true, domain, std::move(interface)});
   SimulationOptions options;
@@ -85,7 +85,7 @@ void step(Owner& owner, std::uint64_t count) {
 
 void runUntil(Owner& owner, double seconds) {
   if (!std::isfinite(seconds) || std::abs(seconds) > 9e9) {
-    throw py::value_error("run_until wants a time in seconds, finite and below 9e9");
+    throw py::value_error("run_until needs a time in seconds, finite and below 9e9");
   }
   Life& life = *owner.life;
   Simulation& simulation = life.edit("run_until");
@@ -216,7 +216,7 @@ PyModel insert(Owner& owner, py::handle given, std::string name, py::handle pose
 }
 
 void remove(Owner& owner, PyModel& model) {
-  if (model.life != owner.life) throw py::value_error("the model is one of another simulation");
+  if (model.life != owner.life) throw py::value_error("the model is from another simulation");
   checkRefusal(owner.life->edit("removal").remove(model.inner));
 }
 
@@ -251,22 +251,22 @@ void setUpCollection(PyHeapTypeObject* heapType) {
 }
 
 void bindDiagnostic(py::module_& module) {
-  py::class_<Diagnostic>(module, "Diagnostic", "One thing that is wrong with a file, where, and what to do about it.")
+  py::class_<Diagnostic>(module, "Diagnostic", "An error or warning about a file, with its position and a hint.")
       .def_property_readonly(
           "is_error", [](const Diagnostic& self) { return self.severity == Severity::kError; },
-          "Whether it is an error; else a warning.")
+          "True: an error, False: a warning.")
       .def_property_readonly(
           "file",
           [](const Diagnostic& self) {
             return self.position.file ? std::optional<std::string>(*self.position.file) : std::nullopt;
           },
-          "The file's name as it was given; None where there is none.")
+          "The file's name as it was given; None without a file.")
       .def_property_readonly(
-          "line", [](const Diagnostic& self) { return self.position.line; }, "From 1; 0: not known.")
+          "line", [](const Diagnostic& self) { return self.position.line; }, "From 1; 0: unknown.")
       .def_property_readonly(
-          "column", [](const Diagnostic& self) { return self.position.column; }, "From 1; 0: not known.")
-      .def_readonly("message", &Diagnostic::message, "One line that names the thing.")
-      .def_readonly("hint", &Diagnostic::hint, "One line of help, or empty.")
+          "column", [](const Diagnostic& self) { return self.position.column; }, "From 1; 0: unknown.")
+      .def_readonly("message", &Diagnostic::message, "What is wrong, in one line.")
+      .def_readonly("hint", &Diagnostic::hint, "A hint in one line, or empty.")
       .def("__str__", [](const Diagnostic& self) { return format(self); })
       .def("__repr__", [](const Diagnostic& self) { return "<pongsim.Diagnostic " + format(self) + ">"; });
 }
@@ -280,17 +280,16 @@ void bindSimulation(py::module_& module) {
            py::arg("threads"), py::arg("levels"), py::arg("network"), py::arg("domain"), py::arg("interface"),
            py::arg("file"))
       .def("step", &step, py::arg("count") = 1,
-           "Makes `count` steps: hands over messages, calls the systems, moves the bodies. Other Python threads run "
-           "meanwhile; Ctrl-C ends it between two steps. Raises what a callback raises, and SystemFailed where the "
+           "Makes `count` steps: delivers messages, calls the systems, moves the bodies. Other Python threads run "
+           "meanwhile; Ctrl-C ends it between two steps. Raises exceptions of callbacks, and SystemFailed if the "
            "simulation is strict.")
-      .def("run_until", &runUntil, py::arg("time"),
-           "Makes steps until the simulated time is `time` [s] or more; none if it is already.")
+      .def("run_until", &runUntil, py::arg("time"), "Makes steps until the simulated time is at least `time` [s].")
       .def(
           "step_paused",
           [](Owner& self) {
             takeSteps(*self.life, [&, &simulation = self.life->edit("a step")] { simulation.stepPaused(); });
           },
-          "Hands over messages and calls the systems with `dt` zero; nothing moves.")
+          "Delivers messages and calls the systems with `dt` zero; nothing moves.")
       .def(
           "dispatch",
           [](Owner& self) {
@@ -299,22 +298,24 @@ void bindSimulation(py::module_& module) {
                       [&, &transport = self.life->edit("dispatch").transport()] { count = transport.dispatch(); });
             return count;
           },
-          "Hands over the messages and requests that have come, without a step. Returns how many.")
-      .def("reset", &reset, py::arg("seed") = py::none(),
-           "Sets the world back to its start, every bit of it, with that seed for all random numbers, or the one of "
-           "before. Models inserted since go, removed ones come back; systems and subscriptions stay.")
+          "Delivers received messages and requests without a step. Returns their number.")
+      .def(
+          "reset", &reset, py::arg("seed") = py::none(),
+          "Resets the world to its start, with the same bits, and a new seed or the same. Inserted models are removed, "
+          "removed ones return; systems and subscriptions stay.")
       .def("save", &save,
-           "All that the next steps depend on, as bytes for `restore`. Messages on their way are not in it.")
+           "Returns everything that the next steps depend on, as bytes for `restore`. Messages in transit are not "
+           "included.")
       .def("restore", &restore, py::arg("state"),
-           "Puts the world into a saved state, from which it goes on with the same bits. Raises Refused for another "
-           "world's, or where models, joints or systems have come or gone since.")
+           "Restores a saved state, from which the world continues with the same bits. Raises Refused for a state of "
+           "another world, or with other models, joints or systems.")
       .def(
           "state_hash", [](Owner& self) { return self.life->use().stateHash(); },
-          "A number made of all bits of the state: equal for two runs of the same world with the same seed and inputs. "
-          "As `pongsim run --hash` prints it: format(sim.state_hash(), \"016x\").")
+          "A hash of all bits of the state: equal for two runs of the same world with the same seed and inputs. "
+          "format(sim.state_hash(), \"016x\") is what `pongsim run --hash` prints.")
       .def(
           "close", [](Owner& self) { self.life->close(); },
-          "Ends the simulation. Everything that came of it raises Gone from then on.")
+          "Ends the simulation. All its objects raise Gone afterwards.")
       .def_property_readonly(
           "is_closed", [](Owner& self) { return self.life->isClosed(); }, "Whether it has ended.")
       .def_property_readonly(
@@ -326,10 +327,10 @@ void bindSimulation(py::module_& module) {
       .def_property(
           "step_size", [](Owner& self) { return toSeconds(self.life->use().stepSize()); },
           [](Owner& self, double seconds) {
-            if (!std::isfinite(seconds) || std::abs(seconds) > 1e6) throw py::value_error("a step is up to 1 s");
+            if (!std::isfinite(seconds) || std::abs(seconds) > 1e6) throw py::value_error("a step must be at most 1 s");
             checkRefusal(self.life->edit("the step's length").setStepSize(fromSeconds(seconds)));
           },
-          "Length of a step [s]: <max_step_size> of the world unless it was changed.")
+          "Step size [s]: <max_step_size> of the world unless changed.")
       .def_property(
           "gravity", [](Owner& self) { return tupleOf(self.life->use().world().gravity()); },
           [](Owner& self, py::handle gravity) {
@@ -338,11 +339,11 @@ void bindSimulation(py::module_& module) {
           "Gravity in the world frame [m/s^2].")
       .def_property_readonly(
           "name", [](Owner& self) { return std::string(self.life->use().world().name()); }, "The world's name.")
-      .def_readonly("diagnostics", &Owner::found, "What was found wrong while the world was loaded, in that order.")
-      .def_property_readonly("models", &models, "The models at the top level, in the order of the file.")
-      .def_property_readonly("model_names", &modelNames, "The scoped names of all models, nested ones too.")
+      .def_readonly("diagnostics", &Owner::found, "Errors and warnings from loading the world, in order.")
+      .def_property_readonly("models", &models, "The top-level models, in the order of the file.")
+      .def_property_readonly("model_names", &modelNames, "The scoped names of all models, including nested ones.")
       .def_property_readonly("joint_names", &jointNames,
-                             "\"model::joint\" for each axis that has a position; \"#1\" behind a second one.")
+                             "\"model::joint\" for each axis that has a position; \"#1\" is appended for a second one.")
       .def_property_readonly(
           "sensor_names", [](Owner& self) { return sensorNames(*self.life); }, "The scoped names of all sensors.")
       .def_property_readonly(
@@ -354,20 +355,20 @@ void bindSimulation(py::module_& module) {
             }
             return topics;
           },
-          "The topics that are spoken and heard in this simulation, with the types of their messages.")
+          "The topics of this simulation, with their message types.")
       .def("model", &findModel, py::arg("name"),
-           "The model of that name, nested ones as \"outer::inner\". Raises KeyError.")
+           "The model with that name, nested ones as \"outer::inner\". Raises KeyError.")
       .def("insert", &insert, py::arg("source"), py::kw_only(), py::arg("name") = "", py::arg("pose") = py::none(),
            py::arg("allow_renaming") = false, py::arg("namespace") = "",
-           "Inserts the first model of a file, of a model's folder, or of SDF or URDF text, with its systems.\n\n"
-           "name: in place of its own.\n"
-           "pose: of the model frame in the world, in place of the file's: a Pose, x y z, or x y z roll pitch yaw [m, "
+           "Inserts the first model of a file, a model folder, or SDF or URDF text, with its systems.\n\n"
+           "name: replaces its own.\n"
+           "pose: of the model frame in the world, replaces the file's: a Pose, x y z, or x y z roll pitch yaw [m, "
            "rad].\n"
-           "allow_renaming: take NAME_0, NAME_1 and so on where there is one of the name already.\n"
-           "namespace: \"/robot1\": in front of all its topics.\n"
-           "Raises LoadError, with the place in the file.")
+           "allow_renaming: use NAME_0, NAME_1 and so on if the name is taken.\n"
+           "namespace: prefix of all its topics, such as \"/robot1\".\n"
+           "Raises LoadError, with the position in the file.")
       .def("remove", &remove, py::arg("model"),
-           "Removes a model of the top level with its systems and the joints that hold on to it. Raises Refused.")
+           "Removes a top-level model with its systems and the joints connected to it. Raises Refused.")
       .def("poses_memory", &poses)
       .def("joint_states_memory", &jointStates)
       .def("find_sensor", [](Owner& self, const std::string& name) { return findSensor(self.life, name); })

@@ -27,15 +27,14 @@ std::string typeOfTopic(Life& life, const std::string& topic) {
     if (each.name == whole && each.type != "*") types.push_back(each.type);
   }
   if (types.size() == 1) return types.front();
-  throw py::value_error(types.empty() ? "nobody in this simulation has the topic '" + whole +
-                                            "', so its type is not known; give it, as type=\"Twist\""
-                                      : "the topic '" + whole + "' has several types here; give one, as type=\"" +
-                                            types.front() + "\"");
+  throw py::value_error(
+      types.empty() ? "this simulation has no topic '" + whole + "', so its type is unknown; give it as type=\"Twist\""
+                    : "the topic '" + whole + "' has several types; give one as type=\"" + types.front() + "\"");
 }
 
 std::chrono::nanoseconds nanoseconds(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0 || seconds > 1e6) {
-    throw py::value_error("a timeout is from 0 to 1e6 s, not " + std::to_string(seconds));
+    throw py::value_error("a timeout must be 0 to 1e6 s, not " + std::to_string(seconds));
   }
   return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
 }
@@ -61,7 +60,7 @@ std::optional<CallResult> askOwn(Life& life, const std::string& service, const M
 std::shared_ptr<Ear> Ear::open(const std::shared_ptr<Life>& life, const std::string& topic, py::object callback,
                                py::object type, std::size_t length) {
   Simulation& simulation = life->use();
-  if (length == 0) throw py::value_error("a length of 0 holds no message");
+  if (length == 0) throw py::value_error("the length must be above 0");
   auto ear = std::make_shared<Ear>();
   ear->topic_ = topic;
   ear->life_ = life;
@@ -121,8 +120,7 @@ py::object request(const std::shared_ptr<Life>& life, const std::string& service
   const std::chrono::nanoseconds patience = nanoseconds(timeout);
   std::string asked = requestType.empty() ? typeOfObject(message) : requestType;
   if (asked.empty()) {
-    throw py::value_error(
-        "what type the request has is not known; give it, as type=\"Entity\", or a message's own class");
+    throw py::value_error("the type of the request is unknown; give it as type=\"Entity\", or use a message class");
   }
   const bool isNamed = PyUnicode_Check(replyType.ptr());
   const std::string answered = knownType(isNamed ? replyType.cast<std::string>()
@@ -139,7 +137,7 @@ py::object request(const std::shared_ptr<Life>& life, const std::string& service
   if (!result) {
     raise("ServiceError", "this simulation has no service '" + service + "' that takes " + filled->GetTypeName() +
                               " and answers with " + answered +
-                              (life->isOnNetwork() ? "" : "; services of other processes are asked with network=True"));
+                              (life->isOnNetwork() ? "" : "; to call services of other processes, use network=True"));
   }
   if (!*result) raise("ServiceError", result->error);
   const std::string bytes = reply->SerializeAsString();
@@ -148,21 +146,20 @@ py::object request(const std::shared_ptr<Life>& life, const std::string& service
 
 void bindTopics(py::module_& module) {
   py::class_<Ear, std::shared_ptr<Ear>>(module, "Subscription",
-                                        "What hears a topic, until `close` or the end of the simulation.")
-      .def("close", &Ear::close, "Ends it: nothing comes any more.")
-      .def_property_readonly("topic", &Ear::topic, "The topic's name, as it was given.")
-      .def_property_readonly("is_open", &Ear::isOpen, "Whether it still hears.")
-      .def_property_readonly("received", &Ear::received, "Messages that have come so far.")
+                                        "A subscription to a topic, until `close` or the end of the simulation.")
+      .def("close", &Ear::close, "Ends the subscription.")
+      .def_property_readonly("topic", &Ear::topic, "The topic's name as given.")
+      .def_property_readonly("is_open", &Ear::isOpen, "Whether it is active.")
+      .def_property_readonly("received", &Ear::received, "Messages received so far.")
       .def_property_readonly("dropped", &Ear::dropped,
-                             "Messages lost so far because more than `length` came between two steps.");
+                             "Messages dropped so far because more than `length` arrived between two steps.");
   module.def("message_types", &messageTypes, "The full names of all message types, sorted.");
   module.def("message_type", &knownType, py::arg("name"),
-             "The full name of the message type that `name` stands for: \"ignition.msgs.Twist\" for \"Twist\" or "
-             "\"gz.msgs.Twist\". Raises ValueError where there is none.");
-  module.def(
-      "message_files", &filesOf, py::arg("type"),
-      "The file that describes a message type and those that it needs, as FileDescriptorProto in binary form, each "
-      "behind those that it needs itself.");
+             "The full name of a message type: \"ignition.msgs.Twist\" for \"Twist\" or "
+             "\"gz.msgs.Twist\". Raises ValueError if there is none.");
+  module.def("message_files", &filesOf, py::arg("type"),
+             "The file that describes a message type and its imports, as FileDescriptorProto in binary form, each "
+             "after its own imports.");
 }
 
 }  // namespace pongsim::python

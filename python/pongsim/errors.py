@@ -1,4 +1,4 @@
-"""What goes wrong, as exceptions. All derive from `Error`."""
+"""Exceptions. All derive from `Error`."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ if TYPE_CHECKING:
 
 
 class Error(Exception):
-    """What all exceptions of pongsim are."""
+    """Base class of all exceptions of pongsim."""
 
 
 class LoadError(Error):
-    """A world or a model can't be loaded. Its text names each fault with file, line and column."""
+    """A world or model can't be loaded. The text lists all errors with file, line and column."""
 
     def __init__(self, diagnostics: Sequence[Diagnostic]) -> None:
-        #: All that was found, warnings too, in the order of the file.
+        #: All errors and warnings, in the order of the file.
         self.diagnostics: list[Diagnostic] = list(diagnostics)
         errors = [each for each in self.diagnostics if each.is_error] or self.diagnostics
         super().__init__("\n".join(str(each) for each in errors) or "it can't be loaded")
-        #: Of the first error; None and 0 where it has no place in a file.
+        #: Position of the first error; None and 0 if it has none.
         self.file: str | None = errors[0].file if errors else None
         self.line: int = errors[0].line if errors else 0
         self.column: int = errors[0].column if errors else 0
@@ -32,35 +32,35 @@ class LoadError(Error):
 
 
 class Gone(Error):
-    """What is asked is not there any more: its model was removed, or the simulation is closed."""
+    """The object no longer exists: its model was removed, or the simulation was closed."""
 
 
 class Refused(Error):
-    """A change was refused, and nothing was changed. The text says why."""
+    """A change was refused and has no effect. The text has the reason."""
 
 
 class Busy(Error):
-    """Another thread steps the simulation, or a change is asked for from within a step."""
+    """Another thread is stepping the simulation, or a change was requested within a step."""
 
 
 class SystemFailed(Error):
-    """A system has failed: its name and why. Of a system in Python `__cause__` is what it has raised."""
+    """A system has failed: its name and the reason. For a system in Python, `__cause__` is its exception."""
 
 
 class ServiceError(Error):
-    """A service is not there, did not answer, or has refused. The text says which."""
+    """A service does not exist, did not respond, or has refused. The text says which."""
 
 
 class NoReading(Error):
-    """A sensor has no reading yet: it takes one when a step comes at which one is due."""
+    """A sensor has no reading yet: it takes one in the next step in which one is due."""
 
 
 class WorldWarning(UserWarning):
-    """Something in a file is left out or doubtful, and the rest of it runs."""
+    """Something in a file is left out or doubtful; the rest runs."""
 
 
 def describe(exception: BaseException) -> str:
-    """What was raised and where: "ValueError: too far (judge.py:12)"."""
+    """An exception and its position: "ValueError: too far (judge.py:12)"."""
     text = "".join(traceback.format_exception_only(type(exception), exception)).strip()
     frames = traceback.extract_tb(exception.__traceback__)
     if not frames:

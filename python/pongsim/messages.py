@@ -1,7 +1,6 @@
-"""The classes of all message types, made when they are asked for: `pongsim.messages.Twist`.
+"""Classes of all message types, made on first use: `pongsim.messages.Twist`.
 
-They are classes of Google's protobuf package, which must be installed (`python3-protobuf`, or protobuf of PyPI). A message
-can be a dict everywhere, for which nothing is needed.
+They need Google's protobuf package (`python3-protobuf`, or protobuf from PyPI). Dicts can be used everywhere instead.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ _classes: dict[str, Any] = {}
 
 
 def message_class(name: str) -> Any:
-    """The class of a message type, by its name with or without `ignition.msgs.`. Raises ValueError and ImportError."""
+    """Returns the class of a message type, named with or without `ignition.msgs.`. Raises ValueError and ImportError."""
     global _pool
     full = _core.message_type(name)
     if full in _classes:
@@ -27,7 +26,7 @@ def message_class(name: str) -> Any:
             for part in ("descriptor_pb2", "descriptor_pool", "message_factory")
         )
     except ImportError as missing:
-        raise ImportError("classes of messages need Google's protobuf package; dicts do without") from missing
+        raise ImportError("message classes need Google's protobuf package; use dicts without it") from missing
     if _pool is None:
         # of its own, so that classes of the same names from elsewhere do not clash with these
         _pool = descriptor_pool.DescriptorPool()

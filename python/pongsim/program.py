@@ -11,7 +11,7 @@ def main() -> int:
     """Becomes the program. What of it is in Python, as `pongsim sweep`, is run by this Python."""
     program = pathlib.Path(__file__).parent / "bin/pongsim"
     if not program.exists():
-        print(f"pongsim: error: there is no {program}: this package did not come as a wheel", file=sys.stderr)
+        print(f"pongsim: error: there is no {program}: this package is not a wheel", file=sys.stderr)
         return 1
     os.environ["PONGSIM_PYTHON"] = sys.executable
     os.execv(program, ["pongsim", *sys.argv[1:]])

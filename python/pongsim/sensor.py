@@ -1,4 +1,4 @@
-"""What sensors read, as arrays."""
+"""Sensor readings as arrays."""
 
 from __future__ import annotations
 
@@ -14,12 +14,11 @@ from .values import Pose
 
 
 class Sensor:
-    """One sensor of a running world.
+    """A sensor of a running world.
 
-    Arrays look at the memory that the sensor's readings are written to: nothing is copied when they are read, and they
-    change with the next reading that is due. Take a `copy()` of what is to stay. They can't be written to. A sensor that
-    nobody listens to costs nothing, so it is listened to from the first time that something of it is asked for on: until
-    its next reading that raises NoReading.
+    Arrays are read-only views of the memory with the sensor's latest reading: nothing is copied, and they change with the
+    next reading. Use `copy()` to keep one. A sensor is switched on when one of its readings is first used, since an unused
+    sensor costs nothing; until its next reading, that raises NoReading.
     """
 
     def __init__(self, core: _core.Sensor, kinds: tuple[str, ...]) -> None:
@@ -30,7 +29,7 @@ class Sensor:
 
     @property
     def exists(self) -> bool:
-        """Whether it is still there. If not, everything else raises Gone."""
+        """Whether it exists. If not, everything else raises Gone."""
         return self._core.exists
 
     @property
@@ -40,17 +39,17 @@ class Sensor:
 
     @property
     def scoped_name(self) -> str:
-        """Its name with what holds it: "model::link::sensor"."""
+        """Its name with its parents: "model::link::sensor"."""
         return self._core.scoped_name
 
     @property
     def type(self) -> str:
-        """Its type as the file has it: "gpu_lidar"."""
+        """Its type as in the file: "gpu_lidar"."""
         return self._core.type
 
     @property
     def kinds(self) -> list[str]:
-        """What it reads, the main one first: "ranges", "points", "image", "depth" or "message"."""
+        """Its kinds of readings, the main one first: "ranges", "points", "image", "depth" or "message"."""
         return self._core.kinds
 
     @property
@@ -60,18 +59,17 @@ class Sensor:
 
     @property
     def update_rate(self) -> float:
-        """Readings a simulated second; 0: one every step."""
+        """Readings per simulated second; 0: one per step."""
         return self._core.update_rate
 
     @property
     def ranges(self) -> NDArray[np.float64]:
-        """Of a lidar: how far it is along each beam [m], infinite where nothing is. Rows from the lowest one where there
-        are several."""
+        """Lidars: the range of each beam [m], infinite without a hit. Several rows begin with the lowest."""
         return self._array("ranges")
 
     @property
     def intensities(self) -> NDArray[np.float64]:
-        """Of a lidar: how strongly each beam comes back."""
+        """Lidars: the intensity of each beam."""
         stream = self._read("ranges")
         if stream.intensities is None:
             raise NoReading(f"sensor '{self.scoped_name}' has no intensities")
@@ -79,25 +77,25 @@ class Sensor:
 
     @property
     def points(self) -> NDArray[np.float32]:
-        """Of a lidar or a depth camera: x, y, z of each point in the sensor frame [m], in rows and columns."""
+        """Lidars and depth cameras: x, y, z of each point in the sensor frame [m], in rows and columns."""
         return self._array("points")
 
     @property
     def image(self) -> NDArray[Any]:
-        """Of a camera: rows and columns of pixels; red, green, blue for R8G8B8, one number for L8 and L16."""
+        """Cameras: rows and columns of pixels; red, green, blue for R8G8B8, one number for L8 and L16."""
         return self._array("image")
 
     @property
     def depth(self) -> NDArray[np.float32]:
-        """Of a depth camera: how far ahead of it each pixel is [m], infinite where nothing is."""
+        """Depth cameras: the depth of each pixel along the viewing axis [m], infinite where nothing is visible."""
         return self._array("depth")
 
     def message(self, type: Any = None) -> Any:
-        """Of a sensor without arrays, as an IMU: its last message, as a dict or as the class that is asked for."""
+        """Sensors without arrays, such as an IMU: the last message, as a dict or as an object of the given class."""
         return self._read("message").message(type)
 
     def count(self, kind: str | None = None) -> int:
-        """How many readings of that kind, or of the main one, have come since it is listened to."""
+        """Number of readings of that kind, or of the main one, since it was switched on."""
         return self._core.stream(kind or self.kinds[0]).count
 
     def time(self, kind: str | None = None) -> float:
@@ -105,15 +103,15 @@ class Sensor:
         return self._read(kind or self.kinds[0]).time_ns / 1e9
 
     def written_at(self, kind: str | None = None) -> int:
-        """Where in memory the last reading was written: where its array is."""
+        """Memory address of the last reading, where its array is."""
         return self._read(kind or self.kinds[0]).written_at
 
     def _read(self, kind: str) -> _core.Stream:
         stream = self._core.stream(kind)
         if stream.count == 0:
             raise NoReading(
-                f"sensor '{self.scoped_name}' has no {kind} yet: it is listened to from now on, and takes the next "
-                "reading that is due in a step"
+                f"sensor '{self.scoped_name}' has no {kind} yet: it is switched on now and takes the next "
+                "reading when one is due"
             )
         return stream
 

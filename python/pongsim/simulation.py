@@ -21,11 +21,11 @@ Message = Union["dict[str, Any]", str, Any]
 
 
 class Simulation(_core.Simulation):
-    """One world that runs in this process.
+    """A world that runs in this process.
 
-    It belongs to one thread at a time; several simulations run on several threads at once, for other Python threads run
-    while one steps. It ends with `close`, at the end of a `with` block, or when nothing holds it any more; models, links,
-    joints and sensors do not hold it, and raise Gone then.
+    Use it on one thread at a time. Several simulations can run on several threads at once, since stepping releases the
+    GIL. It ends with `close`, at the end of a `with` block, or when it is deleted. Models, links, joints and sensors do
+    not keep it alive, and raise Gone afterwards.
     """
 
     def __init__(
@@ -45,18 +45,19 @@ class Simulation(_core.Simulation):
     ) -> None:
         """Loads a world.
 
-        world: a file in SDF or URDF, or its text, which has a "<" in it.
-        file: of a text, the file that it stands for: what it includes is looked for from there, and faults name it.
-        seed: where all random numbers come from.
-        systems: systems in Python beside those of the file, as `add` takes them.
+        world: an SDF or URDF file, or its text, which contains a "<".
+        file: for a text, its file name, used in messages and as the base of relative paths.
+        seed: seed of all random numbers.
+        systems: systems in Python in addition to those of the file, as for `add`.
         load_systems: False: only bodies, joints and gravity.
-        strict: a system that fails ends the step with SystemFailed, in place of being switched off.
-        threads: how many threads move the bodies; the bits are the same.
-        levels: models of levels are there only while a performer is near.
-        network: topics and services are those of other processes, too, as of `pongsim topic`; else nothing leaves this
-            simulation. `domain` and `interface` are as PONGSIM_DOMAIN and PONGSIM_NETWORK.
+        strict: a failing system ends the step with SystemFailed instead of being switched off.
+        threads: number of threads that move bodies; the result has the same bits.
+        levels: models in levels exist only while a performer is near.
+        network: share topics and services with other processes, such as `pongsim topic`; otherwise they stay within this
+            simulation. `domain` and `interface` are like PONGSIM_DOMAIN and PONGSIM_NETWORK.
 
-        Raises LoadError with file, line and column where the world can't run; warns with WorldWarning of what is left out.
+        Raises LoadError with file, line and column if the world can't run; warns with WorldWarning about what is left
+        out.
         """
         super().__init__(
             os.fspath(world), seed, load_systems, strict, threads, levels, network, domain, interface,
@@ -77,15 +78,15 @@ class Simulation(_core.Simulation):
 
     def __repr__(self) -> str:
         if self.is_closed:
-            return "<pongsim.Simulation that is closed>"
+            return "<pongsim.Simulation, closed>"
         return f"<pongsim.Simulation '{self.name}' at {self.time:g} s>"
 
     def add(self, system: System) -> None:
-        """Adds a system in Python behind all that are there. Raises SystemFailed where its `configure` raises."""
+        """Adds a system in Python after all others. Raises SystemFailed if its `configure` raises."""
         if not isinstance(system, System):
-            raise TypeError(f"a system derives from pongsim.System, which {type(system).__name__} does not")
+            raise TypeError(f"a system must derive from pongsim.System, but {type(system).__name__} does not")
         if system._simulation is not None:
-            raise ValueError("the system is in a simulation already; each needs one of its own")
+            raise ValueError("the system is already in a simulation; use a new one")
         system._simulation = self
         try:
             self.add_system(system.name or type(system).__name__, system)
@@ -94,10 +95,12 @@ class Simulation(_core.Simulation):
             raise
 
     def sensor(self, name: str, *kinds: str) -> Sensor:
-        """The sensor of that name, "model::link::sensor", or its own name where no other has it, and listens to it.
+        """Returns the sensor with that name, and switches it on.
 
-        kinds: what is listened to from now on: "ranges", "points", "image", "depth" or "message"; without any, the main
-        one of its type. Raises KeyError, and ValueError for what such a sensor does not have.
+        name: "model::link::sensor", or its own name if that is unique.
+        kinds: kinds of readings to switch on: "ranges", "points", "image", "depth" or "message"; default: the main one of
+            its type.
+        Raises KeyError, and ValueError for a kind that the sensor does not have.
         """
         return Sensor(self.find_sensor(name), kinds)
 
@@ -114,33 +117,34 @@ class Simulation(_core.Simulation):
     def subscribe(
         self, topic: str, to: Callable[[Any], object] | Any, *, type: Any = None, length: int = 1000
     ) -> _core.Subscription:
-        """Hears a topic until the subscription is closed.
+        """Subscribes to a topic until the subscription is closed.
 
-        to: what is called with each message, or a queue (`put_nowait`) or a deque or list (`append`) that gets it. A full
-            queue loses its oldest message. It is called at the start of the step after the one that published, or from
-            `dispatch`; what it raises ends that step, which raises it.
-        type: what the messages are: None: dicts; a message's own Python class: objects of it; `bytes`: as they came.
-        length: so many messages wait for the next step; then the oldest is lost.
+        to: called with each message; or a queue (`put_nowait`), deque or list (`append`) for the messages. A full queue
+            drops its oldest message. It is called at the start of the step after the one that published, or within
+            `dispatch`; its exceptions end the step and are raised there.
+        type: type of the messages: None: dicts; a message class: its objects; `bytes`: the encoded messages.
+        length: largest number of waiting messages; then the oldest is dropped.
         """
         return self.open_subscription(topic, _receiver(to), type, length)
 
     def publish(self, topic: str, message: Message, *, type: str = "") -> None:
         """Publishes a message. It arrives at the start of the next step.
 
-        type: its type, as "Twist"; not needed for objects of a message's own class, nor where somebody in this simulation
-        has the topic already. Raises ValueError and TypeError that name the field which is wrong.
+        type: its type, such as "Twist"; not needed for objects of a message class, or if the topic already exists in this
+            simulation.
+        Raises ValueError and TypeError that name the wrong field.
         """
         self.publish_message(topic, message, type)
 
     def request(
         self, service: str, request: Message, *, type: str = "", reply: Any = "Boolean", timeout: float = 5.0
     ) -> Any:
-        """Asks a service, of this simulation or with `network` of another process, and waits for its answer.
+        """Calls a service of this simulation, or with `network` of another process, and returns its response.
 
-        type: the request's type, as "EntityFactory"; not needed for an object of a message's own class.
-        reply: the answer's type: a name, and the answer is a dict, or a message's own class, and it is an object of it.
-        timeout: how long to wait for other processes [s of wall time].
-        Raises ServiceError where there is no such service, or it refuses or does not answer.
+        type: the request's type, such as "EntityFactory"; not needed for an object of a message class.
+        reply: the response's type: a name for a dict, or a message class for an object of it.
+        timeout: time to wait for other processes [s of wall time].
+        Raises ServiceError if there is no such service, or if it refuses or does not respond.
         """
         return self.ask(service, request, type, reply, timeout)
 
@@ -156,7 +160,7 @@ def _receiver(to: Any) -> Callable[[Any], object]:
     if callable(to):
         called: Callable[[Any], object] = to
         return called
-    raise TypeError(f"a topic is heard by a function or a queue, not by a {type(to).__name__}")
+    raise TypeError(f"a subscription needs a function or a queue, not a {type(to).__name__}")
 
 
 def _put(queue: Any, message: Any) -> None:

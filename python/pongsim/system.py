@@ -10,50 +10,50 @@ if TYPE_CHECKING:
 
 
 class System:
-    """A part of the simulation, called in each step behind the systems of the world's file.
+    """A system: a part of the simulation, called in each step after the systems of the world's file.
 
-    Derive from it, override what is needed, and give an object of it to `Simulation.add`. What is not overridden costs
-    nothing. A system that raises is named on stderr and switched off until the next reset, and the world goes on; a strict
-    simulation raises SystemFailed in place of that. Within these functions everything can be read and commanded; what
-    changes who is in the world, or its time, is for between two steps and raises Busy here.
+    Derive from it, override the functions you need, and pass an object to `Simulation.add`. Functions that are not
+    overridden cost nothing. A system that raises is reported on stderr and switched off until the next reset, and the
+    world continues; a strict simulation raises SystemFailed instead. These functions can read and command everything, but
+    changes of the world's entities or time are only allowed between two steps, and raise Busy here.
     """
 
-    #: Names it in messages; None: its class's name.
+    #: Its name in messages; None: the class name.
     name: str | None = None
-    #: What it has raised and is switched off for; None where it works.
+    #: The exception for which it was switched off, or None.
     error: BaseException | None = None
     _simulation: Simulation | None = None
 
     @property
     def sim(self) -> Simulation:
-        """The simulation that it was added to. Raises RuntimeError before that."""
+        """Its simulation. Raises RuntimeError before it is added."""
         if self._simulation is None:
-            raise RuntimeError("the system is in no simulation yet: Simulation.add puts it there")
+            raise RuntimeError("the system is not in a simulation yet: use Simulation.add")
         return self._simulation
 
     def configure(self) -> None:
         """Finds models and opens topics. Called once, when it is added."""
 
     def pre_update(self, info: StepInfo) -> None:
-        """Before the physics: the place for commands. Messages have been handed over just before."""
+        """Before physics: the place for commands. Messages were delivered just before."""
 
     def update(self, info: StepInfo) -> None:
-        """Before the physics and after every system's `pre_update`."""
+        """Before physics, after all systems' `pre_update`."""
 
     def post_update(self, info: StepInfo) -> None:
-        """After the physics: the place to read the state and to publish."""
+        """After physics: the place for reading the state and publishing."""
 
     def reset(self) -> None:
-        """The world was set back to its start."""
+        """The world was reset."""
 
     def world_changed(self) -> None:
-        """Models or joints have come or gone."""
+        """Models or joints were added or removed."""
 
     def save(self) -> Any:
-        """What it remembers from step to step, as anything that `pickle` takes: part of `Simulation.save`.
+        """Returns its state between steps as any object for `pickle`; part of `Simulation.save`.
 
-        It counts where `restore` is overridden, too.
+        Only used if `restore` is overridden too.
         """
 
     def restore(self, state: Any) -> None:
-        """Takes back what `save` gave."""
+        """Restores an object returned by `save`."""

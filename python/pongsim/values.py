@@ -1,4 +1,4 @@
-"""Values that go in and out of a simulation."""
+"""Values used by simulations."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from typing import NamedTuple
 
 
 class Pose(NamedTuple):
-    """A place and an orientation of a frame in another frame."""
+    """Position and orientation of a frame in another frame."""
 
     #: x, y, z [m].
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    #: A quaternion of length 1: x, y, z, w.
+    #: Unit quaternion x, y, z, w.
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
 
     @property
     def roll_pitch_yaw(self) -> tuple[float, float, float]:
-        """The orientation about the fixed axes x, y, z [rad], as SDF has it; the pitch within a quarter turn."""
+        """Rotation about the fixed axes x, y, z [rad], as in SDF; the pitch is in [-pi/2, pi/2]."""
         x, y, z, w = self.orientation
         roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
         pitch = math.asin(min(max(2 * (w * y - z * x), -1.0), 1.0))
@@ -24,6 +24,6 @@ class Pose(NamedTuple):
 
     @property
     def yaw(self) -> float:
-        """The angle about z after which the x axis points, seen from above [rad]."""
+        """Heading: the angle about z of the direction of the x axis, seen from above [rad]."""
         x, y, z, w = self.orientation
         return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))

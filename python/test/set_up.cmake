@@ -5,9 +5,9 @@ if(NOT failed)
   execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${REQUIREMENTS}
                   RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
 endif()
-if(NOT failed)
+cmake_path(REPLACE_FILENAME REQUIREMENTS requirements_ray.txt OUTPUT_VARIABLE ray)
+if(NOT failed AND EXISTS ${ray})
   # The cluster of the tests is large: where it can't be had its own tests are skipped, and no others.
-  cmake_path(REPLACE_FILENAME REQUIREMENTS requirements_ray.txt OUTPUT_VARIABLE ray)
   execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${ray}
                   RESULT_VARIABLE noRay ERROR_VARIABLE whyNoRay OUTPUT_VARIABLE whyNoRay)
   if(noRay)

@@ -1,4 +1,4 @@
-"""One world as an environment of Gymnasium."""
+"""A world as a Gymnasium environment."""
 
 import re
 import subprocess
@@ -270,15 +270,15 @@ def test_functions_that_fail_are_named_and_the_environment_goes_on():
 @pytest.mark.parametrize(
     "changes, text",
     [
-        ({"reward": lambda now: np.zeros(3)}, r"gave an array of shape \(3,\); it is to be \(1,\)"),
+        ({"reward": lambda now: np.zeros(3)}, r"returned an array of shape \(3,\); it must be \(1,\)"),
         ({"reward": lambda now: np.nan}, "all must be finite"),
-        ({"reward": lambda now: "much"}, "which are no numbers"),
-        ({"reward": lambda now: now["speed"]}, "the task reads no 'speed'; it reads rail, felt"),
+        ({"reward": lambda now: "much"}, "which are not numbers"),
+        ({"reward": lambda now: now["speed"]}, "the task has no reading 'speed'; it has rail, felt"),
         ({"start": lambda sim, random: sim.model("kart")}, "the start '.*' raised KeyError.*cart"),
         ({"action": lambda sim, action: 1 / 0, "action_space": spaces.Discrete(2)}, "the action '.*' raised ZeroDivision"),
         (
             {"observation": lambda sim: np.zeros(3), "observation_space": spaces.Box(-1, 1, (2,)), "reward": lambda now: 0},
-            "does not fit into its space",
+            "outside its space",
         ),
     ],
 )
@@ -296,24 +296,24 @@ def test_what_functions_give_is_checked(changes, text):
         ({"world": COURT.with_name("nowhere.sdf")}, pongsim.LoadError, "nowhere.sdf"),
         ({"world": "<sdf version='1.9'><world name='w'><model/></world></sdf>"}, pongsim.LoadError, "name"),
         ({"action": [gym.JointForce("cart::rial", -1, 1)]}, KeyError, "rail"),
-        ({"action": [gym.JointForce("rail", -1, 1)]}, ValueError, "named with its model"),
+        ({"action": [gym.JointForce("rail", -1, 1)]}, ValueError, "name a joint with its model"),
         ({"action": [gym.JointForce("cart::rail", 1, -1)]}, ValueError, "lesser first"),
         ({"action": [gym.JointForce("cart::fix", -1, 1)]}, ValueError, "no axis that can be driven"),
         ({"action": [gym.Command("/x", {"linear.w": (0, 1)}, "Twist")]}, ValueError, "field 'linear.w'"),
         ({"action": [gym.Command("/x", {"linear": (0, 1)}, "Twist")]}, ValueError, "not a single number"),
         ({"action": [gym.Command("/x", {"linear.x": (0, np.inf)}, "Twist")]}, ValueError, "two finite numbers"),
-        ({"action": [gym.Command("/x", {"linear.x": (0, 1)})]}, ValueError, "give it, as type"),
-        ({"action": ["forward"]}, TypeError, "made of Steerings"),
-        ({"observation": {"r": gym.Ranges("imu")}}, ValueError, "is no lidar"),
+        ({"action": [gym.Command("/x", {"linear.x": (0, 1)})]}, ValueError, "give it as type"),
+        ({"action": ["forward"]}, TypeError, "consist of Steerings"),
+        ({"observation": {"r": gym.Ranges("imu")}}, ValueError, "is not a lidar"),
         ({"observation": {"r": gym.Ranges("eye")}}, KeyError, "no sensor 'eye'"),
         ({"observation": {"r": 7}}, TypeError, "must be a Reading"),
         ({"observation": {"r": gym.Fields("/imu", "frame_id")}}, ValueError, "frame_id"),
         ({"extra": {"rail": gym.Pose("cart")}}, ValueError, "both observed and extra"),
-        ({"step_time": 0.0015}, ValueError, "no whole number of the world's steps of 0.001 s"),
+        ({"step_time": 0.0015}, ValueError, "not a multiple of the world's step of 0.001 s"),
         ({"step_time": -1.0}, ValueError, "step_time must be above 0"),
         ({"time_limit": np.nan}, ValueError, "time_limit must be above 0"),
         ({"reward": 3}, TypeError, "reward must be a function"),
-        ({"action": lambda sim, action: None}, ValueError, "such a function needs it"),
+        ({"action": lambda sim, action: None}, ValueError, "need each other"),
     ],
 )
 def test_what_is_wrong_with_a_task_is_said(changes, kind, text):

@@ -69,4 +69,4 @@ def test_the_folder_is_that_of_an_installation(tmp_path, program):
     (package / "bin").unlink()
     result = subprocess.run([sys.executable, "-c", code.replace("runpy.run", "print(runpy.run").replace("()", "())")],
                             cwd=tmp_path, capture_output=True, text=True)
-    assert result.stdout == "1\n" and "did not come as a wheel" in result.stderr
+    assert result.stdout == "1\n" and "is not a wheel" in result.stderr

@@ -76,14 +76,14 @@ def test_a_run_that_ends_its_process_costs_itself_only(cluster, tmp_path, monkey
     rows = make(tmp_path, duration=0.01, parameters={"n": {"range": {"from": 0, "to": 39, "step": 1}}},
                 measures={"m": {"function": str(tmp_path / "judge.py:score")}}, options={"ray": cluster.address}).rows
     assert [row.run for row in rows if not row.is_done] == [20]
-    assert rows[20].reason.startswith("Ray has lost it 2 times")
+    assert rows[20].reason.startswith("Ray lost it 2 times")
 
 
 def test_a_cluster_that_is_not_there_is_told_and_nothing_is_forgotten(tmp_path):
     make(tmp_path)
     before = (tmp_path / "out/journal.jsonl").read_bytes()
-    for address, message in (("127.0.0.1:1", "there is no Ray cluster at '127.0.0.1:1'"), ("here", "is no address of a Ray"),
-                             ("ray://127.0.0.1:1", "there is no Ray cluster"), ("local", "is no address")):
+    for address, message in (("127.0.0.1:1", "there is no Ray cluster at '127.0.0.1:1'"), ("here", "is not the address of a Ray"),
+                             ("ray://127.0.0.1:1", "there is no Ray cluster"), ("local", "is not the address of a Ray")):
         with pytest.raises(sweep.SweepError, match=message):
             make(tmp_path, options={"ray": address, "restart": True})
     assert (tmp_path / "out/journal.jsonl").read_bytes() == before

@@ -78,7 +78,7 @@ def test_a_state_of_another_world_is_refused(court, ball):
     before = ball.state_hash()
     with pytest.raises(pongsim.Refused, match="another world"):
         ball.restore(court.save())
-    with pytest.raises(pongsim.Refused, match="no saved state"):
+    with pytest.raises(pongsim.Refused, match="not a saved state"):
         ball.restore(b"")
     with pytest.raises(pongsim.Refused):
         ball.restore(ball.save()[:-1])

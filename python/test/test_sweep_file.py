@@ -95,41 +95,41 @@ MISTAKES = {
     "unknown key": (HEAD + "seed: 3\n", r"s.yaml:4:7: error: a sweep has no 'seed' \(did you mean 'seeds'\?\)"),
     "no world": (HEAD.replace("w.sdf", "x.sdf"), r"s.yaml:1:8: error: there is no file .*x.sdf"),
     "bad yaml": (HEAD + "a: [1\nb: 2\n", r"s.yaml:5:2: error: "),
-    "unquoted": (HEAD + "parameters: {a: {xpath: //b[@c='d']/e}}\n", r"s.yaml:4:28: error: .*quote texts"),
-    "twice": (HEAD + "seeds: 2\nseeds: 3\n", r"s.yaml:5:1: error: 'seeds' is there twice"),
+    "unquoted": (HEAD + "parameters: {a: {xpath: //b[@c='d']/e}}\n", r"s.yaml:4:28: error: .*put text with"),
+    "twice": (HEAD + "seeds: 2\nseeds: 3\n", r"s.yaml:5:1: error: 'seeds' is given twice"),
     "alias": (HEAD + "parameters: {a: &x {values: [1]}, b: *x}\n", r"s.yaml:4:38: error: aliases"),
     "empty": ("", r"s.yaml:1:1: error: the file is empty"),
-    "a list": ("- 1\n", r"s.yaml:1:1: error: a sweep is a mapping"),
-    "no values": (HEAD + "parameters: {a: {}}\n", r"s.yaml:4:14: error: parameter 'a' has no values \(give one of"),
+    "a list": ("- 1\n", r"s.yaml:1:1: error: a sweep must be a mapping"),
+    "no values": (HEAD + "parameters: {a: {}}\n", r"s.yaml:4:14: error: parameter 'a' has no values \(give values"),
     "two kinds": (HEAD + "parameters: {a: {values: [1], between: [1, 2]}}\n", r"'a' has values and between"),
-    "no step": (HEAD + "parameters: {a: {range: {from: 0, to: 1}}}\n", r"s.yaml:4:18: error: .* one of step and count"),
-    "no way": (HEAD + "parameters: {a: {range: {from: 0, to: 1, step: -1}}}\n", r"s.yaml:4:48: error: with steps of -1"),
+    "no step": (HEAD + "parameters: {a: {range: {from: 0, to: 1}}}\n", r"s.yaml:4:18: error: .* either step or count"),
+    "no way": (HEAD + "parameters: {a: {range: {from: 0, to: 1, step: -1}}}\n", r"s.yaml:4:48: error: steps of -1"),
     "too many": (HEAD + "parameters: {a: {range: {from: 0, to: 1, step: 1e-9}}}\n", r"more than 1000000 values"),
     "too many runs": (HEAD + "seeds: 1000000\nparameters: {a: {values: [1, 2]}}\n", r"2000000 runs, more than"),
     "bounds": (HEAD + "parameters: {a: {between: [2, 1]}}\n", r"s.yaml:4:18: error: 'a'.between: 2 is not below 1"),
     "no samples": (HEAD + "parameters: {a: {between: [1, 2]}}\n", r"no 'latin_hypercube'"),
     "lengths": (HEAD + "combine: zip\nparameters: {a: {values: [1]}, b: {values: [1, 2]}}\n", r"same number .*a: 1, b: 2"),
-    "no number": (HEAD.replace("duration: 1", "duration: long"), r"s.yaml:2:11: error: duration is a number, not 'long'"),
-    "no finite number": (HEAD.replace("duration: 1", "duration: 1" + 400 * "0"), r"s.yaml:2:11: error: duration is a number"),
-    "no end": (HEAD.replace("duration: 1\n", ""), r"one of 'duration' and 'until'"),
+    "no number": (HEAD.replace("duration: 1", "duration: long"), r"s.yaml:2:11: error: duration must be a number, not 'long'"),
+    "no finite number": (HEAD.replace("duration: 1", "duration: 1" + 400 * "0"), r"s.yaml:2:11: error: duration must be a number"),
+    "no end": (HEAD.replace("duration: 1\n", ""), r"either 'duration' or 'until'"),
     "endless": (HEAD.replace("duration: 1", "until: {topic: /a, field: b, above: 1}"), r"needs limits.simulated"),
     "take": (HEAD.replace("function: judge.py:score", "topic: /a, field: b, take: lats"), r"there is no 'lats' to take \(did you mean 'last'"),
     "no function": (HEAD.replace("score", "scor"), r"s.yaml:3:26: error: .*judge.py has no function 'scor' \(did you mean 'score'"),
     "nowhere": ("world: w.sdf\nduration: 1\nmeasures: {m: {topic: /a, field: b}}\nparameters: {a: {values: [1]}}\n",
-                r"s.yaml:4:14: error: parameter 'a' goes nowhere"),
-    "reserved": (HEAD + "parameters: {status: {values: [1]}}\n", r"'status' can't name a parameter"),
+                r"s.yaml:4:14: error: parameter 'a' is not used"),
+    "reserved": (HEAD + "parameters: {status: {values: [1]}}\n", r"'status' can't be the name of a parameter"),
     "unknown name": (HEAD + "parameters: {a: {values: [1]}}\ncommands: [{topic: /t, message: {x: $b}}]\n",
-                     r"s.yaml:5:24: error: \$b is no parameter"),
+                     r"s.yaml:5:24: error: \$b is not a parameter"),
     "nothing met": (HEAD + "parameters: {a: {values: [1], xpath: '//model/link/mass'}}\n",
-                    r"s.yaml:4:38: error: '//model/link/mass' meets nothing in .*w.sdf \('//model/link' meets <link> at .*w.sdf:5, in which there is: collision\)"),
+                    r"s.yaml:4:38: error: '//model/link/mass' matches nothing in .*w.sdf \('//model/link' matches <link> at .*w.sdf:5, which contains: collision\)"),
     "two met": (HEAD + "parameters: {a: {values: [1], xpath: '//static'}}\n",
-                r"s.yaml:4:38: error: '//static' meets 2 things: <static> at .*w.sdf:5, <static> at .*w.sdf:11"),
-    "elements": (HEAD + "parameters: {a: {values: [1], xpath: '//inertial'}}\n", r"meets <inertial> at .*w.sdf:7, which has elements in it \(.*: mass\)"),
-    "no xpath": (HEAD + "parameters: {a: {values: [1], xpath: '//['}}\n", r"s.yaml:4:38: error: '//\[' is no XPath"),
-    "no character": (HEAD + 'parameters: {a: {values: [1], xpath: "//a\\0"}}\n', r"s.yaml:4:38: error: '//a\0' is no XPath"),
-    "a number": (HEAD + "parameters: {a: {values: [1], xpath: 'count(//mass)'}}\n", r"gives 1.0, not a place"),
+                r"s.yaml:4:38: error: '//static' matches 2 places: <static> at .*w.sdf:5, <static> at .*w.sdf:11"),
+    "elements": (HEAD + "parameters: {a: {values: [1], xpath: '//inertial'}}\n", r"matches <inertial> at .*w.sdf:7, which contains elements \(.*: mass\)"),
+    "no xpath": (HEAD + "parameters: {a: {values: [1], xpath: '//['}}\n", r"s.yaml:4:38: error: '//\[' is not an XPath"),
+    "no character": (HEAD + 'parameters: {a: {values: [1], xpath: "//a\\0"}}\n', r"s.yaml:4:38: error: '//a\0' is not an XPath"),
+    "a number": (HEAD + "parameters: {a: {values: [1], xpath: 'count(//mass)'}}\n", r"gives 1.0, not an element or attribute"),
     "same place": (HEAD + "parameters: {a: {values: [1], xpath: '//mass'}, b: {values: [1], xpath: '//inertial/mass'}}\n",
-                   r"s.yaml:4:\d+: error: .* leads to where another parameter goes"),
+                   r"s.yaml:4:\d+: error: .* selects the same place as another parameter"),
 }
 
 
@@ -143,7 +143,7 @@ def test_a_world_that_is_no_xml_is_told_with_its_place(tmp_path):
     write(tmp_path, "w.sdf", "<sdf>\n<world>\n</sdf>\n")
     write(tmp_path, "s.yaml", "world: w.sdf\nduration: 1\nmeasures: {m: {topic: /a, field: b}}\n"
           "parameters: {a: {values: [1], xpath: //b}}\n")
-    with pytest.raises(sweep.SweepError, match=r"w.sdf:3:7: error: it is no XML"):
+    with pytest.raises(sweep.SweepError, match=r"w.sdf:3:7: error: it is not XML"):
         sweep.read(tmp_path / "s.yaml")
 
 
@@ -156,5 +156,5 @@ def test_a_judge_that_is_no_python_is_told_with_its_place(tmp_path):
 
 def test_mistakes_in_a_dict_are_told_with_the_way_to_them(tmp_path):
     write(tmp_path, "w.sdf", WORLD)
-    with pytest.raises(sweep.SweepError, match=r"sweep.duration: error: duration is a number, not 'long'"):
+    with pytest.raises(sweep.SweepError, match=r"sweep.duration: error: duration must be a number, not 'long'"):
         sweep.read(ball(world=str(tmp_path / "w.sdf"), duration="long"))

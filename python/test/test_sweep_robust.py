@@ -73,7 +73,7 @@ def test_ctrl_c_keeps_what_is_done_and_the_next_time_makes_the_rest(tmp_path):
     workers = children(process.pid)
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=120)
-    assert process.returncode == 1 and "the same command goes on" in err and "Traceback" not in err
+    assert process.returncode == 1 and "run the same command to continue" in err and "Traceback" not in err
     assert all(not os.path.exists(f"/proc/{each}") for each in workers)
     assert (tmp_path / "s.sweep/results.csv").read_text().count("done") == 2
     write(tmp_path, "wait", "")
@@ -104,7 +104,7 @@ def test_a_line_that_a_crash_tore_is_made_again(tmp_path):
 
 def test_a_changed_sweep_is_refused_until_told(tmp_path):
     make(tmp_path)
-    with pytest.raises(sweep.SweepError, match=r"made with another the sweep \(--restart forgets them"):
+    with pytest.raises(sweep.SweepError, match=r"made with another the sweep \(use --restart to discard them"):
         make(tmp_path, duration=0.1)
     assert make(tmp_path, duration=0.1, options={"restart": True}).column("sim_time") == [0.1, 0.1]
     write(tmp_path, "w.sdf", WORLD.replace("<mass>2", "<mass>3"))
@@ -112,8 +112,8 @@ def test_a_changed_sweep_is_refused_until_told(tmp_path):
         make(tmp_path, duration=0.1)
 
 
-@pytest.mark.parametrize("text, message", [("{}\n", "no journal of a sweep"), ("\x00\xff\n", "no journal of a sweep"),
-                                           (None, "journal.jsonl:2: error: this is no row of a sweep")])
+@pytest.mark.parametrize("text, message", [("{}\n", "not a journal of a sweep"), ("\x00\xff\n", "not a journal of a sweep"),
+                                           (None, "journal.jsonl:2: error: this is not a row of a sweep")])
 def test_a_journal_that_is_none_is_refused(tmp_path, text, message):
     journal = make(tmp_path).folder / "journal.jsonl"
     lines = journal.read_text().splitlines(keepends=True)
@@ -128,7 +128,7 @@ def test_two_sweeps_in_one_folder_are_refused(tmp_path):
     wait_for((tmp_path / "pid.a").exists, process)
     code, _, err = command(tmp_path, file)
     write(tmp_path, "wait", "")
-    assert code == 1 and "another pongsim sweep is at work there" in err
+    assert code == 1 and "another pongsim sweep is running there" in err
     assert process.wait(120) == 0
 
 
@@ -152,7 +152,7 @@ print(results.table_error, len(results), len(results.failed), results.failed[0].
     table_error, made, failed, reason = out.strip().split("|")
     assert table_error == f"{tmp_path / 'out'}: File too large" and int(made) == seeds
     assert int(failed) == seeds - (len(lines) - 1)
-    assert reason == f"it could not be written to {tmp_path / 'out/journal.jsonl'}: File too large"
+    assert reason == f"it can't be written to {tmp_path / 'out/journal.jsonl'}: File too large"
     assert not list((tmp_path / "out").glob(".results*")) and not (tmp_path / "out/results.csv").exists()
     results = make(tmp_path, parameters=None, seeds=seeds)
     assert len(results) == seeds and not results.failed
@@ -198,7 +198,7 @@ def test_what_can_not_be_interrupted_is_killed(tmp_path, monkeypatch):
 
 def test_processes_that_do_not_start_end_the_sweep(tmp_path, monkeypatch):
     monkeypatch.setattr("pongsim.sweep.local_pool._START", "raise SystemExit(7)")
-    with pytest.raises(sweep.SweepError, match="do not start: the last one ended with code 7"):
+    with pytest.raises(sweep.SweepError, match="can't be started: the last one ended with code 7"):
         make(tmp_path)
 
 
@@ -228,9 +228,9 @@ def test_the_command(tmp_path):
     for arguments, expected, said in (
         ((), 2, "the following arguments are required: FILE.yaml"),
         (("s.yaml", "--jobs", "many"), 2, "argument -j/--jobs: invalid int value: 'many'"),
-        (("s.yaml", "--jobs", "0"), 1, "jobs is 1 or more, not 0"),
+        (("s.yaml", "--jobs", "0"), 1, "jobs must be 1 or more, not 0"),
         (("x.yaml",), 1, "x.yaml: No such file or directory"),
-        (("world", "s.yaml", "2"), 1, "there is no run 2: they are 0 to 1"),
+        (("world", "s.yaml", "2"), 1, "there is no run 2: runs are 0 to 1"),
         (("s.yaml", "--output", "w.sdf"), 1, "w.sdf/journal.jsonl: "),
     ):
         code, out, err = command(tmp_path, *arguments)

@@ -123,7 +123,7 @@ def gives_a_list(sim, parameters):
 
 @pytest.mark.parametrize("name, reason", [
     ("raises", r"ValueError: too high (judge.py:4)"), ("exits", "SystemExit: 3 (judge.py:8)"),
-    ("gives_a_list", "measure 'm': gives_a_list gives a list, not a number, a text, true or false"),
+    ("gives_a_list", "measure 'm': gives_a_list returned a list, not a number, text, true or false"),
 ])
 def test_a_measure_that_raises_fails_its_run_only(tmp_path, name, reason):
     write(tmp_path, "judge.py", RAISES)
@@ -132,12 +132,12 @@ def test_a_measure_that_raises_fails_its_run_only(tmp_path, name, reason):
 
 
 @pytest.mark.parametrize("measure, reason", [
-    ({"topic": "/model/ball/odometri"}, "no message came on /model/ball/odometri (did you mean '/model/ball/odometry'?)"),
+    ({"topic": "/model/ball/odometri"}, "no messages on /model/ball/odometri (did you mean '/model/ball/odometry'?)"),
     ({"field": "pose.positon.z"}, "a message of /model/ball/odometry has no 'positon' (did you mean 'position'?)"),
-    ({"field": "pose.position"}, "'pose.position' is no single value"),
-    ({"field": "pose.position[0]"}, "a message of /model/ball/odometry has no [0]: it is no list"),
-    ({"field": "pose..z"}, "'pose..z' is no field; it reads as pose.position.x or pose[0].name"),
-    ({"field": "header.data[0].key", "take": "mean"}, "'header.data[0].key' is 'frame_id', no number"),
+    ({"field": "pose.position"}, "'pose.position' is not a single value"),
+    ({"field": "pose.position[0]"}, "a message of /model/ball/odometry has no [0]: it is not a list"),
+    ({"field": "pose..z"}, "'pose..z' is not a field; write pose.position.x or pose[0].name"),
+    ({"field": "header.data[0].key", "take": "mean"}, "'header.data[0].key' is 'frame_id', not a number"),
 ])
 def test_a_topic_that_says_nothing_of_it_is_told(tmp_path, measure, reason):
     row = one(tmp_path, measures={"m": {"topic": "/model/ball/odometry", "field": "pose.position.z", **measure}})
@@ -189,9 +189,23 @@ def test_plots(tmp_path):
     assert image == results.folder / "plot.png" and image.read_bytes().startswith(b"\x89PNG")
     assert sweep.plot(results.folder, tmp_path / "p.svg", x=["seed"], y=["z"]).stat().st_size > 1000
     for arguments, message in (({"y": ["zz"]}, r"measure 'zz' is not there \(did you mean 'z'\?\)"),
-                               ({"x": ["status"]}, "'status' is no number"), ({"output": tmp_path / "a.txt"}, "no '.txt' file")):
+                               ({"x": ["status"]}, "'status' is not a number"), ({"output": tmp_path / "a.txt"}, "can't be a '.txt' file")):
         with pytest.raises(sweep.SweepError, match=message):
             sweep.plot(results.folder, **arguments)
     assert command(tmp_path, "plot", "out", "--x", "height", "-o", "c.pdf") == (0, "c.pdf\n", "")
     code, _, error = command(tmp_path, "plot", "nothing")
     assert code == 1 and "nothing: No such file" in error
+
+
+def test_a_plot_leaves_the_figures_of_a_notebook_alone(tmp_path):
+    results = make(tmp_path)
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    before = pyplot.get_backend()
+    pyplot.switch_backend("svg")
+    try:
+        pyplot.figure()
+        sweep.plot(results.folder)
+        assert pyplot.get_backend() == "svg" and pyplot.get_fignums() == [1]
+    finally:
+        pyplot.close("all")
+        pyplot.switch_backend(before)

@@ -46,7 +46,7 @@ def test_phases_in_their_order(ball):
     assert judge.changes == 1
     ball.reset()
     assert judge.resets == 1
-    with pytest.raises(RuntimeError, match="no simulation"):
+    with pytest.raises(RuntimeError, match="not in a simulation"):
         Judge().sim
 
 
@@ -122,7 +122,7 @@ def test_one_that_can_not_begin_is_not_there(ball):
 
 
 def test_what_can_not_be_added(ball):
-    with pytest.raises(TypeError, match="derives from pongsim.System"):
+    with pytest.raises(TypeError, match="must derive from pongsim.System"):
         ball.add(3)
     judge = Judge()
     ball.add(judge)
@@ -151,7 +151,7 @@ def test_one_that_uses_what_is_gone_rests_until_the_reset(ball, capfd):
     ball.add(judge)
     ball.remove(ball.model("ball"))
     ball.step(3)
-    assert "rests until the next reset" in capfd.readouterr().err
+    assert "stops until the next reset" in capfd.readouterr().err
     ball.reset()
     judge.calls.clear()
     ball.step()

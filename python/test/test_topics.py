@@ -78,7 +78,7 @@ def test_the_type_is_that_of_the_topic(court):
     court.publish("/cmd_vel", "linear: {x: 0.5}")
     court.run_until(1)
     assert court.model("pong_bot").pose.position != before
-    with pytest.raises(ValueError, match="type is not known"):
+    with pytest.raises(ValueError, match="type is unknown"):
         court.publish("/nobody", {})
 
 
@@ -110,7 +110,7 @@ def test_all_kinds_of_fields(court):
         ({"header": {"stamp": {"nsec": 2**40}}}, ValueError, "out of range"),
         ({"header": {"stamp": {"sec": 1.5}}}, TypeError, "whole number"),
         ({"header": {"data": [{"key": 1}]}}, TypeError, r"header.data\[0\].key"),
-        ({3: 4}, TypeError, "texts"),
+        ({3: 4}, TypeError, "strings"),
         ("linear: {x: }", ValueError, "1:"),
         (7, TypeError, "must be a dict"),
     ],

@@ -1,4 +1,4 @@
-"""Many worlds as one environment of Gymnasium."""
+"""Many worlds as a Gymnasium vector environment."""
 
 import gymnasium
 import numpy as np

@@ -1,6 +1,7 @@
 #include "ros2/bridge/bridge.hh"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "ros2/config/quality.hh"
@@ -84,7 +85,14 @@ void Bridge::followTopics() {
     if (reserved_.contains(rule.ros) || isTakenByRule(rule)) continue;
     Entry* entry = entryFor(rule);
     if (entry == nullptr) continue;
-    want(*entry, {topic.publishers > 0, topic.subscriptions > 0, topic.isLatched});
+    try {
+      want(*entry, {topic.publishers > 0, topic.subscriptions > 0, topic.isLatched});
+    } catch (const std::runtime_error& error) {
+      // the permissions of an enclave may leave out one that no rule asks for
+      if (refusedNames_.insert(topic.name + " " + topic.type).second) {
+        ros_.log().warning("topic '" + topic.name + "' is not bridged: " + error.what());
+      }
+    }
   }
 }
 
@@ -94,7 +102,7 @@ bool Bridge::isTakenByRule(const TopicRule& automatic) {
   if (found == settings_.rules.end()) return false;
   if (refusedNames_.insert(automatic.ignition + " " + automatic.pair->ignition).second) {
     ros_.log().warning("topic '" + automatic.ignition + "' is not bridged: in ROS '" + automatic.ros + "' is '" +
-                       found->ignition + "', as a rule says");
+                       found->ignition + "', as configured");
   }
   return true;
 }
@@ -122,7 +130,7 @@ void Bridge::warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>
         place.line > 0 ? *place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": "
                        : "";
     ros_.log().warning(where + "topic '" + topic.name + "' of the simulation has " + topic.type +
-                       ", which the rule for " + rule.pair->ignition + " leaves out");
+                       ", which the configuration of " + rule.pair->ignition + " leaves out");
   }
 }
 

@@ -267,10 +267,9 @@ TEST_F(BridgeTest, SaysThatARuleIsForAnotherType) {
   settings.rules[0].position = {std::make_shared<const std::string>("bridge.yaml"), 4, 3};
   testing::internal::CaptureStderr();
   bridge(settings).update();
-  EXPECT_EQ(
-      testing::internal::GetCapturedStderr(),
-      "warning: ros2: bridge.yaml:4:3: topic '/chatter' of the simulation has ignition.msgs.Twist, which the rule "
-      "for ignition.msgs.StringMsg leaves out\n");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "warning: ros2: bridge.yaml:4:3: topic '/chatter' of the simulation has ignition.msgs.Twist, which the "
+            "configuration of ignition.msgs.StringMsg leaves out\n");
 }
 
 TEST_F(BridgeTest, BridgesNoTopicUnderANameThatARuleGivesToAnother) {

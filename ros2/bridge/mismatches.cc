@@ -30,7 +30,7 @@ std::optional<std::string> mismatch(const Offer& offer, const Graph::Endpoint& t
   if (!here) return std::nullopt;
   const std::string who =
       std::string("a node ") + (theyWrite ? "publishes '" : "subscribes to '") + offer.ros + "' as ";
-  const std::string outcome = theyWrite ? "nothing of it gets here" : "it hears nothing";
+  const std::string outcome = theyWrite ? "no messages arrive" : "it receives no messages";
 
   if (const std::string type = typeOf(theirs); type != offer.pair->ros) {
     std::string text = who + type + ", which is " + std::string(offer.pair->ros) + " here: " + outcome;

@@ -26,7 +26,7 @@ struct Offer {
 };
 
 /// @return Why another node's endpoint never meets the offer, though it is of the same topic: another type, or a
-/// quality of service that does not go with the one here. Nothing where they meet, or have nothing to do with each
+/// quality of service that does not match the one here. Nothing where they meet, or have nothing to do with each
 /// other.
 std::optional<std::string> mismatch(const Offer& offer, const Graph::Endpoint& theirs);
 

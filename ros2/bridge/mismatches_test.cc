@@ -40,27 +40,27 @@ TEST(Mismatch, IsNoneOfOtherTopicsAndDirections) {
 }
 
 TEST(Mismatch, NamesBothTypes) {
-  EXPECT_EQ(mismatch(commandOffer(), theirWriter("rt/cmd_vel", "std_msgs::msg::dds_::String_")),
-            "a node publishes '/cmd_vel' as std_msgs/msg/String, which is geometry_msgs/msg/Twist here: nothing of it "
-            "gets here");
+  EXPECT_EQ(
+      mismatch(commandOffer(), theirWriter("rt/cmd_vel", "std_msgs::msg::dds_::String_")),
+      "a node publishes '/cmd_vel' as std_msgs/msg/String, which is geometry_msgs/msg/Twist here: no messages arrive");
   EXPECT_EQ(mismatch(scanOffer(), theirReader("rt/scan", "Bare")),
-            "a node subscribes to '/scan' as Bare, which is sensor_msgs/msg/LaserScan here: it hears nothing");
+            "a node subscribes to '/scan' as Bare, which is sensor_msgs/msg/LaserScan here: it receives no messages");
 }
 
 TEST(Mismatch, SaysHowATypeThatHasAPairIsHad) {
   EXPECT_EQ(mismatch(commandOffer(), theirWriter("rt/cmd_vel", "geometry_msgs::msg::dds_::TwistStamped_")),
             "a node publishes '/cmd_vel' as geometry_msgs/msg/TwistStamped, which is geometry_msgs/msg/Twist here: "
-            "nothing of it gets here; --ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' makes "
+            "no messages arrive; --ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' makes "
             "it that");
 }
 
 TEST(Mismatch, NamesTheQualityThatIsMissing) {
   EXPECT_EQ(mismatch(scanOffer(kBestEffortQos), theirReader("rt/scan", kScanOnWire)),
-            "a node subscribes to '/scan' as reliable, which it is not: it hears nothing");
+            "a node subscribes to '/scan' as reliable, which it is not: it receives no messages");
   EXPECT_EQ(mismatch(scanOffer(), theirReader("rt/scan", kScanOnWire, kLatchedQos)),
-            "a node subscribes to '/scan' as transient local, which it is not: it hears nothing");
+            "a node subscribes to '/scan' as transient local, which it is not: it receives no messages");
   EXPECT_EQ(mismatch(commandOffer(kDefaultQos), theirWriter("rt/cmd_vel", kTwistOnWire, kBestEffortQos)),
-            "a node publishes '/cmd_vel' as not reliable, which is asked for here: nothing of it gets here");
+            "a node publishes '/cmd_vel' as not reliable, which is asked for here: no messages arrive");
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ Json jsonOf(const Diagnostics& diagnostics) {
 /// Says each with its line of the file below it.
 void tell(const Diagnostics& diagnostics, const std::string& file) {
   std::vector<std::string> lines;
-  // what is no file is not read again
+  // what is not a file is not read again
   if (std::error_code error; std::filesystem::is_regular_file(file, error)) {
     std::ifstream stream(file, std::ios::binary);
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -146,22 +146,24 @@ int check(const CheckCommandLine& given) {
 
 void addCheckAction(CLI::App& program, Work& work) {
   const auto given = std::make_shared<CheckCommandLine>();
-  CLI::App* action =
-      program.add_subcommand("check", "Say what a configuration of ros_gz_bridge does, and what is wrong with it");
-  action->set_help_flag("-h,--help", "Print this and end");
+  CLI::App* action = program.add_subcommand("check", "Explain a ros_gz_bridge configuration and report its mistakes");
+  action->set_help_flag("-h,--help", "Print this help and exit");
   action->add_option("FILE", given->file, "The configuration, in YAML")->type_name("")->required();
   const auto add = [action](const char* name, const char* value, const char* help, std::string& target) {
     action->add_option(name, target, help)->type_name(value);
   };
-  add("--namespace", "NAME", "Namespace of the node, as /robot", given->nameSpace);
+  add("--namespace", "NAME", "Namespace of the node, such as /robot", given->nameSpace);
   add("--node-name", "NAME", "Name of the node (pongsim)", given->nodeName);
-  action->add_flag("--expand-gz-topic-names", given->expandsIgnition, "The simulation's topics get the namespace, too")
+  action
+      ->add_flag("--expand-gz-topic-names", given->expandsIgnition,
+                 "Put the namespace before the simulation's "
+                 "topics, too")
       ->disable_flag_override();
   action->add_flag("--json", given->asJson, "Print JSON: an object with topics, services and diagnostics")
       ->disable_flag_override();
   action->footer(
-      "Each line has the topic in ROS, which way messages go, and the topic of the simulation.\n"
-      "The exit code is 1 where there is an error.\n"
+      "Each line has the ROS topic, the direction, and the simulation's topic.\n"
+      "The exit code is 1 if there is an error.\n"
       "Example:\n"
       "  pongsim ros2 check bridge.yaml");
   action->callback([given, &work] { work = [given] { return check(*given); }; });

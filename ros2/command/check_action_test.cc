@@ -54,7 +54,7 @@ TEST_F(CheckTest, SaysWhatIsWrongWithTheLine) {
                                        "  gz_type_name: gz.msgs.StringMsg\n"),
             kFailed);
   EXPECT_EQ(said_, file_ +
-                       ":4:18: error: 'std_msgs/msg/Strin' is no type of ROS that can be bridged\n"
+                       ":4:18: error: 'std_msgs/msg/Strin' is not a ROS type that can be bridged\n"
                        "      ros_type_name: std_msgs/msg/Strin\n"
                        "                     ^\n"
                        "  hint: did you mean 'std_msgs/msg/String'?\n");

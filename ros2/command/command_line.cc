@@ -11,7 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/keystore.hh"
+#include "pongsim/program/nearest_word.hh"
 #include "ros2/command/console.hh"
 
 namespace pongsim::ros2 {
@@ -67,7 +68,7 @@ UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
 
   const std::string said = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) {
-    return UsageError(said, helpFor(action) + " tells more");
+    return UsageError(said, helpFor(action) + " has details");
   }
   std::string name = said.substr(0, said.find_first_of(": "));
   if (!isOption(name)) name.insert(0, name.size() > 1 ? "--" : "-");
@@ -78,12 +79,12 @@ UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
 
 int workOf(int argc, char** argv, std::span<const AddAction> actions) {
   Work work;
-  CLI::App program("Talks with nodes of ROS 2, and looks at what a simulation bridges to them.", kName);
-  program.set_help_flag("-h,--help", "Print this and end");
+  CLI::App program("Inspects ROS 2 nodes, and what a simulation bridges to them.", kName);
+  program.set_help_flag("-h,--help", "Print this help and exit");
   program.footer(
       "Environment:\n"
-      "  ROS_DOMAIN_ID       domain of ROS, 0 to 232 (0)\n"
-      "  ROS_DISTRO          distribution of the nodes, as humble (the default) or jazzy\n"
+      "  ROS_DOMAIN_ID       ROS domain, 0 to 232 (0)\n"
+      "  ROS_DISTRO          ROS distribution of the nodes: humble (default), jazzy...\n"
       "  ROS_LOCALHOST_ONLY  1: only nodes that use 127.0.0.1");
   for (const AddAction add : actions) add(program, work);
   for (CLI::App* action : program.get_subcommands({})) action->group("Actions");
@@ -118,6 +119,8 @@ int run(int argc, char** argv, std::span<const AddAction> actions) {
   } catch (const UsageError& error) {
     sayError(error.what(), error.hint());
     return kWrongUsage;
+  } catch (const KeystoreError& error) {
+    return fail(error.what(), error.hint());
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -31,7 +31,7 @@ void say(std::string_view message) { writeError("pongsim: " + std::string(messag
 int print(std::string_view data) {
   errno = 0;
   if (std::fwrite(data.data(), 1, data.size(), stdout) == data.size() && std::fflush(stdout) == 0) return kDone;
-  if (errno != EPIPE) sayError(std::string("cannot write to stdout: ") + std::strerror(errno));
+  if (errno != EPIPE) sayError(std::string("can't write to stdout: ") + std::strerror(errno));
   return kFailed;
 }
 

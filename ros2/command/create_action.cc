@@ -16,8 +16,8 @@
 #include <system_error>
 #include <vector>
 
-#include "pongsim/nearest_word.hh"
 #include "pongsim/node.hh"
+#include "pongsim/program/nearest_word.hh"
 #include "ros2/command/command.hh"
 #include "ros2/command/console.hh"
 #include "ros2/command/description_source.hh"
@@ -61,8 +61,8 @@ double numberOf(const std::string& option, const std::string& text) {
 CreateOptions optionsOf(const CreateCommandLine& given) {
   const std::string* sources[] = {&given.file, &given.topic, &given.parameter, &given.text};
   const auto count = std::ranges::count_if(sources, [](const std::string* each) { return !each->empty(); });
-  if (count == 0) throw UsageError("nothing to create given", "one of -file, -topic, -param and -string says what");
-  if (count > 1) throw UsageError("one of -file, -topic, -param and -string at a time");
+  if (count == 0) throw UsageError("nothing to create", "use -file, -topic, -param or -string");
+  if (count > 1) throw UsageError("use only one of -file, -topic, -param and -string");
   if (!given.owner.empty() && given.parameter.empty()) throw UsageError("option '--node' needs '-param'");
   CreateOptions options{given, {}, {}, {std::nullopt, [](std::string_view what) { say(what); }}, {}};
   const auto number = [&](const char* name) {
@@ -147,8 +147,8 @@ bool describe(const CreateOptions& options, ignition::msgs::EntityFactory& reque
                                ? descriptionFromParameter(node, given.owner, given.parameter, options.search)
                                : descriptionFromTopic(node, given.topic, options.search);
   if (!description) {
-    fail(given.topic.empty() ? "no node has told of a parameter '" + given.parameter + "'"
-                             : "no message came on '" + node.resolve(given.topic) + "'");
+    fail(given.topic.empty() ? "no node has a parameter '" + given.parameter + "'"
+                             : "no messages on '" + node.resolve(given.topic) + "'");
     return false;
   }
   if (description->empty()) {
@@ -192,20 +192,19 @@ int create(const CreateOptions& options) {
 void addCreateAction(CLI::App& program, Work& work) {
   const auto given = std::make_shared<CreateCommandLine>();
   CLI::App* action = program.add_subcommand("create", "Insert a model, as ros_gz_sim's create does");
-  action->set_help_flag("-h,--help", "Print this and end");
+  action->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [&](const char* name, const char* value, const char* help, std::string& target) {
     action->add_option("--" + std::string(name), target, help)->type_name(value);
   };
-  add("world", "WORLD", "The world's name, where several run", given->world);
-  add("file", "FILE", "What to insert: a file, SDF or URDF, or an address as model://box", given->file);
-  add("topic", "TOPIC", "... or what a node keeps on a topic, as robot_description", given->topic);
-  add("param", "NAME", "... or what a node has as a parameter, a text", given->parameter);
-  add("node", "NODE", "The node whose parameter it is (the first one that has it)", given->owner);
+  add("world", "WORLD", "The world's name, if several run", given->world);
+  add("file", "FILE", "What to insert: an SDF or URDF file, or an address such as model://box", given->file);
+  add("topic", "TOPIC", "... or the message that a node keeps on a topic, such as robot_description", given->topic);
+  add("param", "NAME", "... or a text parameter of a node", given->parameter);
+  add("node", "NODE", "The node with that parameter (the first one that has it)", given->owner);
   add("string", "TEXT", "... or the text itself", given->text);
   add("name", "NAME", "Its name in the world (the one that it has)", given->name);
   action
-      ->add_flag("--allow_renaming", given->allowsRenaming,
-                 "Take another name where that one is taken, in place of failing")
+      ->add_flag("--allow_renaming", given->allowsRenaming, "If the name is taken, use another one instead of failing")
       ->disable_flag_override();
   for (const char* coordinate : {"x", "y", "z"}) add(coordinate, "M", "Its position [m] (0)", given->pose[coordinate]);
   add("R", "RAD", "Its roll [rad] (0)", given->pose["R"]);
@@ -214,7 +213,7 @@ void addCreateAction(CLI::App& program, Work& work) {
   add("timeout", "MS", "Give up after MS milliseconds without world, message or parameter (never)", given->timeout);
   addDomainOptions(*action, given->domain);
   action->footer(
-      "One dash will do for all of these, as with ros_gz_sim: -world, -x.\n"
+      "A single dash works for all of these, as in ros_gz_sim: -world, -x.\n"
       "Examples:\n"
       "  pongsim ros2 create -topic robot_description -name robot -z 0.1\n"
       "  pongsim ros2 create -world pong -file box.sdf -x 1 -Y 1.57 -allow_renaming");

@@ -79,9 +79,8 @@ std::optional<std::string> descriptionFromTopic(RosNode& node, const std::string
   std::unique_lock lock(mutex);
   while (!changed.wait_for(lock, kBetweenLooks, [&] { return description.has_value(); }) && !remarks.isLate()) {
     if (isPublishedOnceOnly(node, name)) {
-      remarks.add(
-          "a node publishes '" + name +
-          "' but does not keep what it said for who comes late: its durability is volatile, not transient local");
+      remarks.add("a node publishes '" + name +
+                  "' but does not keep it for late subscribers: its durability is volatile, not transient local");
     }
     remarks.add("waiting for a message on '" + name + "'");
   }
@@ -109,7 +108,7 @@ std::optional<std::string> descriptionFromParameter(RosNode& node, const std::st
                  response->values[0].type == rcl_interfaces::ParameterType::kParameterString) {
         return response->values[0].string_value;
       } else if (!ownerName.empty()) {
-        remarks.add("node '" + who + "' has no parameter '" + parameter + "' that is a text");
+        remarks.add("node '" + who + "' has no parameter '" + parameter + "' of type string");
       }
     }
     remarks.add(ownerName.empty() ? "waiting for a node with a parameter '" + parameter + "'"

@@ -85,7 +85,7 @@ TEST_F(DescriptionSourceTest, TakesTheParameterOfANode) {
   EXPECT_EQ(descriptionFromParameter(node_, "", "robot_description", until(test::kDeadline)), "<robot/>");
   EXPECT_EQ(descriptionFromParameter(node_, "publisher", "robot_description", until(test::kDeadline)), "<robot/>");
   EXPECT_EQ(descriptionFromParameter(node_, "/publisher", "number", until(std::chrono::seconds(2))), std::nullopt);
-  EXPECT_NE(said().find("node '/publisher' has no parameter 'number' that is a text"), std::string::npos);
+  EXPECT_NE(said().find("node '/publisher' has no parameter 'number' of type string"), std::string::npos);
   EXPECT_EQ(descriptionFromParameter(node_, "/nobody", "number", until(std::chrono::milliseconds(100))), std::nullopt);
   EXPECT_THROW(descriptionFromParameter(node_, "no-node", "x", until(test::kDeadline)), std::invalid_argument);
   isOver = true;

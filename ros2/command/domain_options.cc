@@ -2,17 +2,19 @@
 
 #include <CLI/App.hpp>
 #include <charconv>
+#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 
+#include "pongsim/program/keystore.hh"
 #include "ros2/command/console.hh"
 #include "ros2/config/environment.hh"
+#include "ros2/wire/participant.hh"
+#include "ros2/wire/security.hh"
 
 namespace pongsim::ros2 {
 
 namespace {
-
-constexpr int kLastDomain = 232;
 
 int domainOf(const std::string& text) {
   int domain = -1;
@@ -35,11 +37,18 @@ ParticipantOptions DomainOptions::participant() const {
   if (domain) options.domain = domainOf(*domain);
   if (distro) {
     const std::optional<Distro> known = distroNamed(*distro);
-    if (!known) throw UsageError("'" + *distro + "' is no distribution of ROS 2", "humble or jazzy, for example");
+    if (!known) throw UsageError("'" + *distro + "' is not a distribution of ROS 2", "humble or jazzy, for example");
     options.distro = *known;
   }
   if (network) options.interface = *network;
+  const Security security = securityOfEnvironment(options.domain);
+  if (!security.warning.empty()) say(security.warning);
   return options;
+}
+
+void takeKeystore(const std::string& place) {
+  if (place.empty()) throw UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
+  secureBy(place);
 }
 
 void addDomainOptions(CLI::App& action, const std::shared_ptr<DomainOptions>& given) {
@@ -49,10 +58,18 @@ void addDomainOptions(CLI::App& action, const std::shared_ptr<DomainOptions>& gi
             name, [given, &target](const std::string& text) { target = text; }, help)
         ->type_name(value);
   };
-  add("--domain", "N", "Domain of ROS, 0 to 232 (what ROS_DOMAIN_ID says, else 0)", given->domain);
-  add("--distro", "NAME", "Distribution of the nodes, as humble or jazzy (what ROS_DISTRO says, else humble)",
-      given->distro);
-  add("--network", "INTERFACE", "Look at other machines too, by a network interface's name or address", given->network);
+  add("--domain", "N", "ROS domain, 0 to 232 (ROS_DOMAIN_ID, else 0)", given->domain);
+  add("--distro", "NAME", "ROS distribution of the nodes: humble, jazzy... (ROS_DISTRO, else humble)", given->distro);
+  add("--network", "INTERFACE", "Also look at machines on this network interface (name or address)", given->network);
+  action
+      .add_option_function<std::string>(
+          "--secure",
+          [](const std::string& place) {
+            takeKeystore(place);
+            unsetenv("ROS_SECURITY_ENABLE");
+          },
+          "Take part as an identity of this keystore (ROS_SECURITY_KEYSTORE and others)")
+      ->type_name("KEYSTORE[/NAME]");
 }
 
 }  // namespace pongsim::ros2

@@ -23,6 +23,10 @@ struct DomainOptions {
   ParticipantOptions participant() const;
 };
 
+/// Takes the value of `--secure`: this process is to be an identity of that keystore.
+/// @throws UsageError for an empty one, which would mean that nothing is secured.
+void takeKeystore(const std::string& place);
+
 /// Gives an action the options `--domain`, `--distro` and `--network`.
 void addDomainOptions(CLI::App& action, const std::shared_ptr<DomainOptions>& given);
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 #include "ros2/command/command.hh"
 #include "ros2/command/console.hh"
 #include "ros2/command/domain_options.hh"
@@ -19,7 +19,7 @@ namespace pongsim::ros2 {
 namespace {
 
 // Whoever is there has told by then; on an idle machine it takes a second.
-constexpr std::chrono::seconds kDiscoveryTime{5};
+constexpr std::chrono::seconds kNodesTime{5};
 
 struct NodesCommandLine {
   std::shared_ptr<DomainOptions> domain = std::make_shared<DomainOptions>();
@@ -77,7 +77,7 @@ int showNodes(const NodesCommandLine& given) {
   const ParticipantOptions options = given.domain->participant();
   Participant participant(options);
   const NodeWatch watch(participant);
-  watch.settle(kDiscoveryTime);
+  watch.settle(kNodesTime);
   std::vector<NodeInfo> nodes = watch.nodes();
   if (!given.node.empty()) {
     const std::string wanted = given.node.starts_with('/') ? given.node : "/" + given.node;
@@ -98,11 +98,11 @@ int showNodes(const NodesCommandLine& given) {
 
 void addNodesAction(CLI::App& program, Work& work) {
   const auto given = std::make_shared<NodesCommandLine>();
-  CLI::App* action = program.add_subcommand("nodes", "List the nodes of the domain, tell of one");
-  action->set_help_flag("-h,--help", "Print this and end");
-  action->add_option("NODE", given->node, "Tell of that one: its topics, services and actions")->type_name("");
-  action->add_flag("-v,--verbose", given->isVerbose, "Tell of all")->disable_flag_override();
-  action->add_flag("--json", given->asJson, "Print JSON: an array with all that is known of each")
+  CLI::App* action = program.add_subcommand("nodes", "List the nodes in the domain, describe one");
+  action->set_help_flag("-h,--help", "Print this help and exit");
+  action->add_option("NODE", given->node, "Describe this node: its topics, services and actions")->type_name("");
+  action->add_flag("-v,--verbose", given->isVerbose, "Describe all of them")->disable_flag_override();
+  action->add_flag("--json", given->asJson, "Print JSON: an array with everything known about each")
       ->disable_flag_override();
   addDomainOptions(*action, given->domain);
   action->footer(

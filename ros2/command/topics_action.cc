@@ -16,11 +16,12 @@
 #include <vector>
 
 #include "pongsim/log.hh"
-#include "pongsim/nearest_word.hh"
 #include "pongsim/node.hh"
+#include "pongsim/program/nearest_word.hh"
 #include "ros2/bridge/topics_service.hh"
 #include "ros2/command/command.hh"
 #include "ros2/command/console.hh"
+#include "ros2/command/domain_options.hh"
 #include "ros2/command/rows.hh"
 
 namespace pongsim::ros2 {
@@ -32,11 +33,11 @@ using ignition::msgs::Param_V;
 using Clock = std::chrono::steady_clock;
 
 /// How long a look around waits for the other processes to tell of their services, at most.
-constexpr std::chrono::milliseconds kDiscoveryTime{5000};
-constexpr std::chrono::milliseconds kBetweenLooks{20};
-constexpr std::chrono::seconds kAnswerTime{5};
+constexpr std::chrono::milliseconds kServicesTime{5000};
+constexpr std::chrono::milliseconds kDispatchTime{20};
+constexpr std::chrono::seconds kTopicsTime{5};
 constexpr double kLongestLook = 3600;
-constexpr std::string_view kWorldPrefix = "/world/", kTopicsSuffix = "/ros2/topics", kControlSuffix = "/control";
+constexpr std::string_view kTopicsPrefix = "/world/", kTopicsSuffix = "/ros2/topics", kControlSuffix = "/control";
 
 struct TopicsCommandLine {
   std::string world;
@@ -59,10 +60,10 @@ std::vector<std::string> worldsWith(const std::vector<ServiceInfo>& services, st
   std::vector<std::string> worlds;
   for (const ServiceInfo& service : services) {
     std::string_view name = service.name;
-    if (name.size() <= kWorldPrefix.size() + suffix.size() || !name.starts_with(kWorldPrefix) ||
+    if (name.size() <= kTopicsPrefix.size() + suffix.size() || !name.starts_with(kTopicsPrefix) ||
         !name.ends_with(suffix))
       continue;
-    name.remove_prefix(kWorldPrefix.size());
+    name.remove_prefix(kTopicsPrefix.size());
     name.remove_suffix(suffix.size());
     if (name.find('/') == std::string_view::npos) worlds.emplace_back(name);
   }
@@ -90,7 +91,7 @@ std::optional<std::string> findWorld(Transport& transport, const TopicsCommandLi
   const std::string wanted = cleanTopic(given.world);
   const Clock::time_point deadline = Clock::now() + given.timeout;
   while (true) {
-    const std::vector<ServiceInfo> services = transport.discoverServices(kDiscoveryTime);
+    const std::vector<ServiceInfo> services = transport.discoverServices(kServicesTime);
     std::vector<std::string> bridged = worldsWith(services, kTopicsSuffix);
     if (wanted.empty() ? bridged.size() == 1 : std::ranges::count(bridged, wanted) > 0) {
       return wanted.empty() ? bridged.front() : wanted;
@@ -99,13 +100,13 @@ std::optional<std::string> findWorld(Transport& transport, const TopicsCommandLi
       failWithout(wanted, bridged, worldsWith(services, kControlSuffix));
       return std::nullopt;
     }
-    transport.dispatchFor(kBetweenLooks);
+    transport.dispatchFor(kDispatchTime);
   }
 }
 
 std::optional<Param_V> ask(Transport& transport, const std::string& world) {
   Param_V reply;
-  const CallResult result = transport.node().call(topicsServiceOf(world), ignition::msgs::Empty(), reply, kAnswerTime);
+  const CallResult result = transport.node().call(topicsServiceOf(world), ignition::msgs::Empty(), reply, kTopicsTime);
   if (result) return reply;
   fail(result.error);
   return std::nullopt;
@@ -204,7 +205,7 @@ int listTopics(const TopicsCommandLine& given) {
   return print(tableOf(*watched));
 }
 
-/// @throws UsageError where it is no number from 0 to `most`.
+/// @throws UsageError where it is not a number from 0 to `most`.
 double numberOption(const char* option, const std::string& text, double most) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -219,12 +220,12 @@ double numberOption(const char* option, const std::string& text, double most) {
 
 void addTopicsAction(CLI::App& program, Work& work) {
   const auto given = std::make_shared<TopicsCommandLine>();
-  CLI::App* action = program.add_subcommand("topics", "List what a running simulation bridges, and how much passes");
-  action->set_help_flag("-h,--help", "Print this and end");
+  CLI::App* action = program.add_subcommand("topics", "List what a running simulation bridges, with rates");
+  action->set_help_flag("-h,--help", "Print this help and exit");
   const auto add = [action](const char* names, const char* value, const char* help, auto take) {
     action->add_option_function<std::string>(names, take, help)->type_name(value);
   };
-  add("-w,--world", "WORLD", "The world's name, where several run",
+  add("-w,--world", "WORLD", "The world's name, if several run",
       [given](const std::string& words) { given->world = words; });
   add("-d,--duration", "S", "Measure for S seconds (1)",
       [given](const std::string& words) { given->duration = numberOption("-d", words, kLongestLook); });
@@ -232,10 +233,11 @@ void addTopicsAction(CLI::App& program, Work& work) {
     given->timeout = std::chrono::milliseconds(static_cast<std::int64_t>(numberOption("--timeout", words, 1e9)));
   });
   action->add_flag("--json", given->asJson, "Print JSON: an array of objects")->disable_flag_override();
-  add("--network", "INTERFACE", "Ask other machines too, by a network interface's name or address",
+  add("--network", "INTERFACE", "Also ask machines on this network interface (name or address)",
       [](const std::string& words) { setenv("PONGSIM_NETWORK", words.c_str(), 1); });
+  add("--secure", "KEYSTORE[/NAME]", "Be an identity of this keystore, as with PONGSIM_SECURITY", takeKeystore);
   action->footer(
-      "Each line has the topic in ROS, which way messages go, and the topic of the simulation.\n"
+      "Each line has the ROS topic, the direction, and the simulation's topic.\n"
       "Examples:\n"
       "  pongsim ros2 topics\n"
       "  pongsim ros2 topics -d 5 --json");

@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 
 namespace pongsim::ros2 {
 
@@ -187,7 +187,7 @@ void Entry::readMap(const YAML::Node& map, std::span<const Key> keys) {
   std::set<std::string> seen;
   for (const auto& pair : map) {
     if (!pair.first.IsScalar()) {
-      fail(reading_.at(pair.first), "a key must be a word");
+      fail(reading_.at(pair.first), "a key must be a string");
       continue;
     }
     const std::string& key = pair.first.Scalar();
@@ -195,10 +195,10 @@ void Entry::readMap(const YAML::Node& map, std::span<const Key> keys) {
     if (known == keys.end()) {
       std::vector<std::string_view> names;
       for (const Key& each : keys) names.push_back(each.name);
-      reading_.warning(reading_.at(pair.first), "key '" + key + "' is not known, and means nothing",
+      reading_.warning(reading_.at(pair.first), "key '" + key + "' is unknown and has no effect",
                        didYouMean(key, names));
     } else if (!seen.insert(key).second) {
-      fail(reading_.at(pair.first), "key '" + key + "' is there twice");
+      fail(reading_.at(pair.first), "key '" + key + "' is given twice");
     } else {
       (this->*known->take)(key, pair.second);
     }
@@ -207,7 +207,7 @@ void Entry::readMap(const YAML::Node& map, std::span<const Key> keys) {
 
 std::optional<Said> Entry::text(std::string_view key, const YAML::Node& value) {
   if (!value.IsScalar()) {
-    fail(reading_.at(value), "'" + std::string(key) + "' must be a text");
+    fail(reading_.at(value), "'" + std::string(key) + "' must be a string");
     return std::nullopt;
   }
   // as in ros_gz an empty one is none
@@ -234,7 +234,7 @@ std::optional<std::size_t> Entry::depth(std::string_view key, const YAML::Node& 
     return std::nullopt;
   }
   if (number == 0) {
-    reading_.warning(reading_.at(value), "'" + std::string(key) + "' is 0, which is taken for 1");
+    reading_.warning(reading_.at(value), "'" + std::string(key) + "' is 0: 1 is used");
     number = 1;
   }
   return number;
@@ -281,7 +281,7 @@ void Entry::takeProfile(std::string_view key, const YAML::Node& value) {
   std::vector<std::string_view> names;
   for (const Profile& each : kProfiles) names.push_back(each.name);
   const std::string hint = didYouMean(name->text, names);
-  fail(name->position, "'" + name->text + "' is no profile", hint.empty() ? "SENSOR_DATA, for example" : hint);
+  fail(name->position, "'" + name->text + "' is not a profile", hint.empty() ? "SENSOR_DATA, for example" : hint);
 }
 
 void Entry::takeQos(std::string_view key, const YAML::Node& value) {
@@ -308,7 +308,7 @@ void Entry::takeNames() {
   rule_.ros = both ? both : ros ? ros : ignition;
   rule_.ignition = both ? both : ignition ? ignition : ros;
   if (!rule_.ros && isFine_) {
-    fail(reading_.at(node_), "no topic is named", "topic_name: NAME, or ros_topic_name and gz_topic_name");
+    fail(reading_.at(node_), "no topic name is given", "topic_name: NAME, or ros_topic_name and gz_topic_name");
   }
   const auto require = [this](const std::optional<Said>& word, const char* key, const char* example) {
     if (!word && isFine_) fail(reading_.at(node_), std::string("there is no '") + key + "'", example);
@@ -318,7 +318,7 @@ void Entry::takeNames() {
   if (!isService) {
     require(rule_.ignitionType, "gz_type_name", "gz_type_name: ignition.msgs.StringMsg");
     for (const auto& type : {rule_.requestType, rule_.replyType}) {
-      if (type) fail(type->position, "a topic has no types of request and reply", "service_name names a service");
+      if (type) fail(type->position, "a topic has no request and reply types", "for a service, use service_name");
     }
     return;
   }
@@ -327,7 +327,7 @@ void Entry::takeNames() {
     if (word) fail(word->position, "a service has no topic, direction or frame");
   }
   if (rule_.requestType.has_value() != rule_.replyType.has_value()) {
-    fail(reading_.at(node_), "of the types of request and reply there must be both or none",
+    fail(reading_.at(node_), "give both the request and the reply type, or neither",
          "gz_req_type_name and gz_rep_type_name");
   }
 }
@@ -387,15 +387,15 @@ std::vector<RuleText> readBridgeText(std::string_view text, const std::string& n
   try {
     const YAML::Node list = YAML::Load(std::string(text));
     if (const auto rest = behindTheFirstDocument(text)) {
-      reading.error(reading.at(*rest), "what begins here belongs to nothing before it",
-                    "the file is one list; look at the line's first letters");
+      reading.error(reading.at(*rest), "the indentation here is wrong",
+                    "the file must be one list; check the beginning of the line");
     }
     if (!list.IsDefined() || list.IsNull()) {
-      reading.error(reading.whole(), "the file is empty", "each topic is an item of a list: - topic_name: NAME");
+      reading.error(reading.whole(), "the file is empty", "write each topic as a list item: - topic_name: NAME");
       return rules;
     }
     if (!list.IsSequence()) {
-      reading.error(reading.at(list), "it is no list", "each topic is an item of a list: - topic_name: NAME");
+      reading.error(reading.at(list), "it is not a list", "write each topic as a list item: - topic_name: NAME");
       return rules;
     }
     for (const YAML::Node& item : list) {
@@ -406,7 +406,7 @@ std::vector<RuleText> readBridgeText(std::string_view text, const std::string& n
       if (std::optional<RuleText> rule = Entry(item, reading).read()) rules.push_back(std::move(*rule));
     }
   } catch (const YAML::Exception& error) {
-    reading.error(reading.at(error.mark), "it is no YAML: " + error.msg);
+    reading.error(reading.at(error.mark), "it is not YAML: " + error.msg);
   }
   return rules;
 }
@@ -427,7 +427,7 @@ std::vector<RuleText> readBridgeFile(const std::filesystem::path& file, Diagnost
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > kMostBytes) {
-    diagnostics.error(whole, "the file is larger than 16 MiB, which no configuration is");
+    diagnostics.error(whole, "the file is larger than 16 MiB");
     return {};
   }
   return readBridgeText(text, file.string(), diagnostics);

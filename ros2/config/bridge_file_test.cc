@@ -104,14 +104,14 @@ TEST(BridgeFile, TakesServicesOfLaterVersions) {
 
 TEST(BridgeFile, WarnsOfAKeyThatItDoesNotKnow) {
   EXPECT_EQ(saidOf(topicWith("  direcion: GZ_TO_ROS\n")),
-            "bridge.yaml:4:3: warning: key 'direcion' is not known, and means nothing\n"
+            "bridge.yaml:4:3: warning: key 'direcion' is unknown and has no effect\n"
             "  hint: did you mean 'direction'?\n");
 }
 
 TEST(BridgeFile, SaysWhereItContradictsItself) {
   EXPECT_EQ(saidOf(topicWith("  ros_topic_name: b\n")),
             "bridge.yaml:4:19: error: 'topic_name' and 'ros_topic_name' exclude each other\n");
-  EXPECT_EQ(saidOf(topicWith("  lazy: true\n  lazy: false\n")), "bridge.yaml:5:3: error: key 'lazy' is there twice\n");
+  EXPECT_EQ(saidOf(topicWith("  lazy: true\n  lazy: false\n")), "bridge.yaml:5:3: error: key 'lazy' is given twice\n");
   EXPECT_EQ(saidOf(topicWith("  ign_type_name: ignition.msgs.Int32\n")),
             "bridge.yaml:4:18: error: 'ign_type_name' is 'ignition.msgs.Int32', and 'gz.msgs.StringMsg' by its other "
             "name\n");
@@ -130,15 +130,15 @@ TEST(BridgeFile, SaysWhichValueCannotBe) {
             "bridge.yaml:4:20: error: 'publisher_queue' must be an integer between 1 and 1000000, not '-1'\n");
   EXPECT_EQ(saidOf(topicWith("  lazy: perhaps\n")), "bridge.yaml:4:9: error: 'lazy' must be true or false\n");
   EXPECT_EQ(saidOf(topicWith("  qos_profile: SENSOR\n")),
-            "bridge.yaml:4:16: error: 'SENSOR' is no profile\n  hint: SENSOR_DATA, for example\n");
+            "bridge.yaml:4:16: error: 'SENSOR' is not a profile\n  hint: SENSOR_DATA, for example\n");
   EXPECT_EQ(saidOf(topicWith("  qos: {reliability: reliabel}\n")),
             "bridge.yaml:4:22: error: 'reliability' can't be 'reliabel'\n  hint: did you mean 'reliable'?\n");
-  EXPECT_EQ(saidOf(topicWith("  frame_id: [a]\n")), "bridge.yaml:4:13: error: 'frame_id' must be a text\n");
+  EXPECT_EQ(saidOf(topicWith("  frame_id: [a]\n")), "bridge.yaml:4:13: error: 'frame_id' must be a string\n");
 }
 
 TEST(BridgeFile, SaysWhatIsMissing) {
   EXPECT_EQ(saidOf("- ros_type_name: a\n  gz_type_name: b\n"),
-            "bridge.yaml:1:3: error: no topic is named\n"
+            "bridge.yaml:1:3: error: no topic name is given\n"
             "  hint: topic_name: NAME, or ros_topic_name and gz_topic_name\n");
   EXPECT_EQ(saidOf("- topic_name: a\n  gz_type_name: b\n"),
             "bridge.yaml:1:3: error: there is no 'ros_type_name'\n  hint: ros_type_name: std_msgs/msg/String\n");
@@ -149,14 +149,14 @@ TEST(BridgeFile, SaysWhatIsMissing) {
 TEST(BridgeFile, SaysWhatIsNoList) {
   EXPECT_NE(saidOf("").find("bridge.yaml: error: the file is empty"), std::string::npos);
   EXPECT_NE(saidOf("# nothing but this\n").find("bridge.yaml: error: the file is empty"), std::string::npos);
-  EXPECT_NE(saidOf("topic_name: a\n").find("bridge.yaml:1:1: error: it is no list"), std::string::npos);
+  EXPECT_NE(saidOf("topic_name: a\n").find("bridge.yaml:1:1: error: it is not a list"), std::string::npos);
   EXPECT_NE(saidOf("- a\n- topic_name\n").find("bridge.yaml:2:3: error: an item of the list must be a map"),
             std::string::npos);
-  EXPECT_NE(saidOf("- topic_name: [a\n").find("bridge.yaml:2:1: error: it is no YAML: "), std::string::npos);
-  EXPECT_NE(saidOf("--- []\n--- []\n").find("bridge.yaml:2:1: error: what begins here belongs to nothing before it"),
+  EXPECT_NE(saidOf("- topic_name: [a\n").find("bridge.yaml:2:1: error: it is not YAML: "), std::string::npos);
+  EXPECT_NE(saidOf("--- []\n--- []\n").find("bridge.yaml:2:1: error: the indentation here is wrong"),
             std::string::npos);
   // which yaml-cpp leaves out without a word
-  EXPECT_NE(saidOf("- a: b\n, c: d\n").find("bridge.yaml:2:1: error: what begins here belongs to nothing before it"),
+  EXPECT_NE(saidOf("- a: b\n, c: d\n").find("bridge.yaml:2:1: error: the indentation here is wrong"),
             std::string::npos);
 }
 

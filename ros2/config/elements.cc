@@ -5,18 +5,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 #include "ros2/config/bridge_file.hh"
 #include "ros2/config/environment.hh"
 #include "ros2/config/rules.hh"
 #include "ros2/config/topic_argument.hh"
 #include "ros2/node/names.hh"
+#include "ros2/wire/participant.hh"
+#include "ros2/wire/security.hh"
 
 namespace pongsim::ros2 {
 
 namespace {
-
-constexpr double kLastDomain = 232;
 
 /// Where the element stands, or the plugin where it was not given.
 const SourcePosition& positionOf(const Element& plugin, std::string_view name) {
@@ -85,9 +85,17 @@ std::optional<ParticipantOptions> SettingsElements::readParticipant(const Elemen
       options.distro = *known;
     } else {
       const std::string hint = didYouMean(distro_, distroNames());
-      refuse(positionOf(plugin, "distro"), "'" + distro_ + "' is no distribution of ROS 2",
+      refuse(positionOf(plugin, "distro"), "'" + distro_ + "' is not a distribution of ROS 2",
              hint.empty() ? "humble or jazzy, for example" : hint);
     }
+  }
+  if (!isFine) return std::nullopt;
+  try {
+    // as the participant does, which would end without a word of where
+    const Security security = securityOfEnvironment(options.domain);
+    if (!security.warning.empty()) diagnostics.warning(plugin.position, security.warning);
+  } catch (const KeystoreError& error) {
+    refuse(plugin.position, error.what(), error.hint());
   }
   return isFine ? std::optional(options) : std::nullopt;
 }
@@ -105,7 +113,7 @@ std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostic
   // each alone, so that the message is about what is wrong
   if (const auto wrong = rosNameError("/" + nodeName_); wrong || nodeName_.find('/') != std::string::npos) {
     found.error(positionOf(plugin, "node_name"), "the name of the node, '" + nodeName_ + "', " +
-                                                     wrong.value_or("has a slash, which belongs in <namespace>"));
+                                                     wrong.value_or("contains a slash: put that part in <namespace>"));
   }
   if (settings.nameSpace != "/") {
     if (const auto wrong = rosNameError(settings.nameSpace)) {
@@ -130,7 +138,7 @@ std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostic
                   "<expand_gz_topic_names> has no effect: no rules are given");
   }
   if (!bridgesAll_ && texts.empty()) {
-    found.warning(positionOf(plugin, "bridge_all"), "no topic is bridged: <bridge_all> is false, and none is named");
+    found.warning(positionOf(plugin, "bridge_all"), "no topic is bridged: <bridge_all> is false and no topic is given");
   }
   for (const Diagnostic& each : found.all()) diagnostics.add(each);
   return found.hasErrors() ? std::nullopt : std::optional(std::move(settings));

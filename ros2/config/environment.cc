@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "ros2/wire/participant.hh"
+
 namespace pongsim::ros2 {
 
 namespace {
@@ -13,7 +15,6 @@ constexpr std::string_view kDistros[] = {"dashing", "eloquent", "foxy",   "galac
                                          "iron",    "jazzy",    "kilted", "lyrical",  "rolling"};
 // Those before it are as Humble.
 constexpr std::string_view kFirstNew = "iron";
-constexpr int kLastDomain = 232;
 
 std::string_view environment(const char* name) {
   const char* text = std::getenv(name);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "pongsim/message.hh"
-#include "pongsim/nearest_word.hh"
 #include "pongsim/node.hh"
+#include "pongsim/program/nearest_word.hh"
 #include "ros2/node/names.hh"
 #include "ros2/pairs/pairs.hh"
 
@@ -90,7 +90,7 @@ std::optional<std::string> Maker::rosName(const Said& said, const char* kind) {
   std::string name = expanded(scope_, said.text);
   if (const auto wrong = rosNameError(name)) {
     error(said.position, std::string(kind) + " '" + said.text + "' " + *wrong,
-          std::string("ros_") + kind + "_name and gz_" + kind + "_name give it a name of its own on each side");
+          std::string("ros_") + kind + "_name and gz_" + kind + "_name give it a different name on each side");
     return std::nullopt;
   }
   return name;
@@ -101,8 +101,8 @@ std::optional<std::string> Maker::ignitionName(const Said& said) {
                      : said.text.starts_with('/') ? said.text
                                                   : "/" + said.text;
   if (const auto wrong = topicNameError(name)) {
-    error(said.position, "'" + said.text + "' is no name in the simulation: it " + *wrong,
-          said.text.starts_with('~') ? "with expand_gz_topic_names it is expanded as in ROS" : "");
+    error(said.position, "'" + said.text + "' is not a name in the simulation: it " + *wrong,
+          said.text.starts_with('~') ? "set expand_gz_topic_names to expand it as in ROS" : "");
     return std::nullopt;
   }
   return name;
@@ -115,13 +115,13 @@ const Pair* Maker::pairOf(const RuleText& text) {
   if (const Pair* pair = findPair(ros.text, known.value_or(ignition.text))) return pair;
   const std::string partners = partnersOf(ros.text);
   if (partners.empty()) {
-    error(ros.position, "'" + ros.text + "' is no type of ROS that can be bridged", hintOfRosType(ros.text));
+    error(ros.position, "'" + ros.text + "' is not a ROS type that can be bridged", hintOfRosType(ros.text));
   } else if (!known) {
     const std::string nearest = nearestMessageType(ignition.text);
-    error(ignition.position, "'" + ignition.text + "' is no message type",
+    error(ignition.position, "'" + ignition.text + "' is not a message type",
           nearest.empty() ? ros.text + " goes with " + partners : "did you mean '" + nearest + "'?");
   } else {
-    error(ignition.position, ros.text + " does not go with " + *known, "it goes with " + partners);
+    error(ignition.position, ros.text + " does not match " + *known, "use " + partners);
   }
   return nullptr;
 }
@@ -177,9 +177,9 @@ bool Maker::join(TopicRule& known, const TopicRule& rule) {
   const bool isSame = known.direction == rule.direction && (!bothToRos || known.toRos == rule.toRos) &&
                       (!bothFromRos || known.fromRos == rule.fromRos) && frames(known) == frames(rule);
   if (isSame) {
-    warning(rule.position, "it says again what " + placeOf(known.position) + " says");
+    warning(rule.position, "it repeats " + placeOf(known.position) + " says");
   } else {
-    error(rule.position, "topic '" + rule.ros + "' is bridged in another way at " + placeOf(known.position));
+    error(rule.position, "topic '" + rule.ros + "' is bridged differently at " + placeOf(known.position));
   }
   return true;
 }
@@ -187,14 +187,14 @@ bool Maker::join(TopicRule& known, const TopicRule& rule) {
 void Maker::warnOfIneffective(const TopicRule& rule) {
   if (rule.goesToRos()) {
     if (rule.toRos.isLazy.value_or(false) && rule.toRos.isTransientLocal.value_or(false)) {
-      warning(rule.position, "a lazy topic has nothing to give to late readers but what came since the first one",
-              "lazy: false, for transient_local");
+      warning(rule.position, "a lazy topic can only offer late readers what came since the first one",
+              "set lazy: false for transient_local");
     }
     if (!rule.frameId.empty() && !rule.pair->hasHeader) {
       warning(rule.position, "the frame_id has no effect: " + std::string(rule.pair->ros) + " has no header");
     }
   } else if (!rule.frameId.empty()) {
-    warning(rule.position, "the frame_id has no effect on what comes from ROS");
+    warning(rule.position, "the frame_id has no effect on messages from ROS");
   }
 }
 
@@ -208,7 +208,7 @@ const ServiceKind* Maker::kindOf(const RuleText& text) {
       all += (all.empty() ? "" : ", ") + std::string(each.type);
     }
     const std::string hint = didYouMean(text.rosType->text, known);
-    error(text.rosType->position, "'" + text.rosType->text + "' is no service that can be bridged",
+    error(text.rosType->position, "'" + text.rosType->text + "' is not a service that can be bridged",
           hint.empty() ? "one of " + all : hint);
     return nullptr;
   }
@@ -216,8 +216,8 @@ const ServiceKind* Maker::kindOf(const RuleText& text) {
   for (const auto& [said, meant] :
        {std::pair(*text.requestType, kind->request), std::pair(*text.replyType, kind->reply)}) {
     if (ignitionTypeOf(said.text) == meant) continue;
-    error(said.position, std::string(kind->type) + " does not go with " + said.text,
-          "it goes with " + std::string(kind->request) + " and " + std::string(kind->reply));
+    error(said.position, std::string(kind->type) + " does not match " + said.text,
+          "use " + std::string(kind->request) + " and " + std::string(kind->reply));
     return nullptr;
   }
   return &*kind;
@@ -231,14 +231,14 @@ void Maker::addService(const RuleText& text) {
   const bool isOfWorld = name.starts_with("/world/") && std::ranges::count(name, '/') == 3;
   if (!isOfWorld || name.substr(name.rfind('/') + 1) != kind->name) {
     error(text.ignition->position,
-          "'" + *ignition + "' is no service of the simulation that is a " + std::string(kind->type),
+          "'" + *ignition + "' is not a service of the simulation of type " + std::string(kind->type),
           "it is '/world/WORLD/" + std::string(kind->name) + "'");
     return;
   }
   for (const ServiceRule& known : rules_.services) {
     if (known.ros != *ros) continue;
     if (known.ignition == *ignition) {
-      warning(text.position, "it says again what " + placeOf(known.position) + " says");
+      warning(text.position, "it repeats " + placeOf(known.position) + " says");
     } else {
       error(text.position, "service '" + *ros + "' of ROS is '" + known.ignition + "' at " + placeOf(known.position));
     }
@@ -259,7 +259,7 @@ void warnOfOtherWorlds(std::span<const ServiceRule> services, std::string_view w
   const std::string own = cleanTopic("/world/" + std::string(world) + "/");
   for (const ServiceRule& rule : services) {
     if (rule.ignition.starts_with(own)) continue;
-    diagnostics.warning(rule.position, "service '" + rule.ignition + "' is of another world, and is not bridged",
+    diagnostics.warning(rule.position, "service '" + rule.ignition + "' belongs to another world and is not bridged",
                         "this world is '" + std::string(world) + "'");
   }
 }

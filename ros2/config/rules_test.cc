@@ -60,14 +60,14 @@ TEST(Rules, TakeEachWayOfNamingAType) {
 
 TEST(Rules, NameTheNearestType) {
   EXPECT_EQ(ofArguments({"/a@sensor_msgs/msg/LaserScam@gz.msgs.LaserScan"}).said,
-            "w:1:1: error: 'sensor_msgs/msg/LaserScam' is no type of ROS that can be bridged\n"
+            "w:1:1: error: 'sensor_msgs/msg/LaserScam' is not a ROS type that can be bridged\n"
             "  hint: did you mean 'sensor_msgs/msg/LaserScan'?\n");
   EXPECT_EQ(ofArguments({"/a@sensor_msgs/msg/LaserScan@gz.msgs.LaserScam"}).said,
-            "w:1:1: error: 'gz.msgs.LaserScam' is no message type\n"
+            "w:1:1: error: 'gz.msgs.LaserScam' is not a message type\n"
             "  hint: did you mean 'ignition.msgs.LaserScan'?\n");
   EXPECT_EQ(ofArguments({"/a@sensor_msgs/msg/LaserScan@gz.msgs.Twist"}).said,
-            "w:1:1: error: sensor_msgs/msg/LaserScan does not go with ignition.msgs.Twist\n"
-            "  hint: it goes with ignition.msgs.LaserScan\n");
+            "w:1:1: error: sensor_msgs/msg/LaserScan does not match ignition.msgs.Twist\n"
+            "  hint: use ignition.msgs.LaserScan\n");
 }
 
 TEST(Rules, CompleteNamesWithTheNamespace) {
@@ -93,7 +93,7 @@ TEST(Rules, RefuseNamesThatCanBeNone) {
   EXPECT_NE(ofArguments({"/a-b@std_msgs/msg/String@gz.msgs.StringMsg"}).said.find("topic '/a-b' has a '-'"),
             std::string::npos);
   EXPECT_NE(ofArguments({"~/a@std_msgs/msg/String@gz.msgs.StringMsg"})
-                .said.find("with expand_gz_topic_names it is expanded as in ROS"),
+                .said.find("set expand_gz_topic_names to expand it as in ROS"),
             std::string::npos);
 }
 
@@ -137,19 +137,19 @@ TEST(Rules, JoinTheTwoWaysOfATopic) {
 }
 
 TEST(Rules, WarnOfWhatIsSaidTwiceAndRefuseWhatIsSaidInTwoWays) {
-  EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay).said, "f:5:3: warning: it says again what f:1:3 says\n");
+  EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay).said, "f:5:3: warning: it repeats f:1:3 says\n");
   EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay + "  publisher_queue: 3\n").said,
-            "f:5:3: error: topic '/ros_chatter' is bridged in another way at f:1:3\n");
+            "f:5:3: error: topic '/ros_chatter' is bridged differently at f:1:3\n");
   EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay + "  direction: GZ_TO_ROS\n").said,
-            "f:5:3: error: topic '/ros_chatter' is bridged in another way at f:1:3\n");
+            "f:5:3: error: topic '/ros_chatter' is bridged differently at f:1:3\n");
 }
 
 TEST(Rules, WarnOfWhatHasNoEffect) {
   EXPECT_EQ(ofFile(std::string(kOneWay) + "  frame_id: map\n").said,
             "f:1:3: warning: the frame_id has no effect: std_msgs/msg/String has no header\n");
   EXPECT_EQ(ofFile(std::string(kOneWay) + "  lazy: true\n  qos: {durability: transient_local}\n").said,
-            "f:1:3: warning: a lazy topic has nothing to give to late readers but what came since the first one\n"
-            "  hint: lazy: false, for transient_local\n");
+            "f:1:3: warning: a lazy topic can only offer late readers what came since the first one\n"
+            "  hint: set lazy: false for transient_local\n");
 }
 
 TEST(Rules, KnowTheServicesOfAWorld) {
@@ -170,7 +170,7 @@ TEST(Rules, WarnOfServicesOfAnotherWorld) {
   warnOfOtherWorlds(made.rules.services, "w", diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(format(diagnostics.all()[0]),
-            "w:2:1: warning: service '/world/v/create' is of another world, and is not bridged\n"
+            "w:2:1: warning: service '/world/v/create' belongs to another world and is not bridged\n"
             "  hint: this world is 'w'");
 }
 
@@ -187,12 +187,12 @@ TEST(Rules, TakeTheWordsOfHumble) {
 
 TEST(Rules, RefuseServicesThatAreNone) {
   EXPECT_EQ(ofArguments({"/world/w/control@ros_gz_interfaces/srv/ControlWord"}).said,
-            "w:1:1: error: 'ros_gz_interfaces/srv/ControlWord' is no service that can be bridged\n"
+            "w:1:1: error: 'ros_gz_interfaces/srv/ControlWord' is not a service that can be bridged\n"
             "  hint: did you mean 'ros_gz_interfaces/srv/ControlWorld'?\n");
   EXPECT_NE(ofArguments({"/pause@ros_gz_interfaces/srv/ControlWorld"}).said.find("hint: it is '/world/WORLD/control'"),
             std::string::npos);
   EXPECT_NE(ofArguments({"/world/w/control@ros_gz_interfaces/srv/ControlWorld@gz.msgs.Pose@gz.msgs.Boolean"})
-                .said.find("does not go with gz.msgs.Pose"),
+                .said.find("does not match gz.msgs.Pose"),
             std::string::npos);
   EXPECT_NE(ofFile("- {ros_service_name: a, gz_service_name: /world/v/control, ros_type_name: "
                    "ros_gz_interfaces/srv/ControlWorld}\n"

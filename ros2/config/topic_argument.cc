@@ -18,7 +18,7 @@ std::optional<RuleText> readTopicArgument(std::string_view text, const SourcePos
     return std::nullopt;
   };
   const std::size_t first = text.find('@');
-  if (first == std::string_view::npos || first == 0) return refuse("names no topic before a '@'");
+  if (first == std::string_view::npos || first == 0) return refuse("has no topic before the '@'");
   std::string_view rest = text.substr(first + 1);
   // as ros_gz does: a second @ counts before the others
   std::size_t second = rest.find('@');
@@ -29,10 +29,10 @@ std::optional<RuleText> readTopicArgument(std::string_view text, const SourcePos
   const auto said = [&](std::string_view word) { return Said{std::string(word), position}; };
   rule.ros = rule.ignition = said(text.substr(0, first));
   rule.rosType = said(rest.substr(0, second));
-  if (rule.rosType->text.empty()) return refuse("names no type of ROS");
+  if (rule.rosType->text.empty()) return refuse("has no ROS type");
   rule.isService = rule.rosType->text.find("/srv/") != std::string::npos;
   if (second == std::string_view::npos) {
-    if (!rule.isService) return refuse("names no type of the simulation");
+    if (!rule.isService) return refuse("has no simulation type");
     return rule;
   }
   const char between = rest[second];
@@ -41,13 +41,13 @@ std::optional<RuleText> readTopicArgument(std::string_view text, const SourcePos
     if (between != '@') return refuse("is a service, which has no direction");
     const std::size_t third = rest.find('@');
     if (third == std::string_view::npos || third == 0 || third + 1 == rest.size()) {
-      return refuse("is a service, of which it takes both types or none: SERVICE@ROS_TYPE@REQUEST@REPLY");
+      return refuse("is a service: give both types or neither: SERVICE@ROS_TYPE@REQUEST@REPLY");
     }
     rule.requestType = said(rest.substr(0, third));
     rule.replyType = said(rest.substr(third + 1));
     return rule;
   }
-  if (rest.empty()) return refuse("names no type of the simulation");
+  if (rest.empty()) return refuse("has no simulation type");
   if (rest.find_first_of("@[]") != std::string_view::npos) return refuse("has more than two types");
   rule.ignitionType = said(rest);
   rule.direction = between == '[' ? Direction::kToRos : between == ']' ? Direction::kFromRos : Direction::kBoth;

@@ -49,15 +49,15 @@ TEST(TopicArgument, IsAServiceByItsType) {
 }
 
 TEST(TopicArgument, SaysWhatIsWrong) {
-  EXPECT_EQ(errorOf(""), "'' names no topic before a '@'");
-  EXPECT_EQ(errorOf("@a@b"), "'@a@b' names no topic before a '@'");
-  EXPECT_EQ(errorOf("/a@@b"), "'/a@@b' names no type of ROS");
-  EXPECT_EQ(errorOf("/a@std_msgs/msg/String"), "'/a@std_msgs/msg/String' names no type of the simulation");
-  EXPECT_EQ(errorOf("/a@std_msgs/msg/String["), "'/a@std_msgs/msg/String[' names no type of the simulation");
+  EXPECT_EQ(errorOf(""), "'' has no topic before the '@'");
+  EXPECT_EQ(errorOf("@a@b"), "'@a@b' has no topic before the '@'");
+  EXPECT_EQ(errorOf("/a@@b"), "'/a@@b' has no ROS type");
+  EXPECT_EQ(errorOf("/a@std_msgs/msg/String"), "'/a@std_msgs/msg/String' has no simulation type");
+  EXPECT_EQ(errorOf("/a@std_msgs/msg/String["), "'/a@std_msgs/msg/String[' has no simulation type");
   EXPECT_EQ(errorOf("/a@b@c@d"), "'/a@b@c@d' has more than two types");
   EXPECT_EQ(errorOf("/a@b@c]d"), "'/a@b@c]d' has more than two types");
   EXPECT_EQ(errorOf("/a@p/srv/S[c"), "'/a@p/srv/S[c' is a service, which has no direction");
-  EXPECT_NE(errorOf("/a@p/srv/S@c").find("both types or none"), std::string::npos);
+  EXPECT_NE(errorOf("/a@p/srv/S@c").find("both types or neither"), std::string::npos);
 }
 
 }  // namespace

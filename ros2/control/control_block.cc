@@ -46,8 +46,8 @@ void readCommand(const Element& interface, ControlledJoint& joint, Diagnostics& 
     return;
   }
   diagnostics.warning(interface.position,
-                      "joint '" + joint.name + "' can't be commanded by '" + name + "': that is left out",
-                      "position, velocity and effort are there");
+                      "joint '" + joint.name + "' can't be commanded by '" + name + "': it is ignored",
+                      "use position, velocity or effort");
 }
 
 void readState(const Element& interface, ControlledJoint& joint, Diagnostics& diagnostics) {

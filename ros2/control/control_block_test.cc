@@ -1,6 +1,6 @@
 #include "ros2/control/control_block.hh"
 
-#include "pongsim/urdf_source.hh"
+#include "pongsim/files/urdf_source.hh"
 #include "ros2/robot/robot_world.hh"
 
 namespace pongsim::ros2 {
@@ -84,8 +84,8 @@ TEST(ControlBlock, SaysWhereItIsWrong) {
       "<param name='initial_value'>much</param></state_interface></joint></ros2_control>");
   const Words messages = read.messages();
   ASSERT_EQ(messages.size(), 2U);
-  EXPECT_TRUE(messages[0].starts_with(
-      "world.sdf:3:1: warning: joint 'j' can't be commanded by 'acceleration': that is left out"))
+  EXPECT_TRUE(
+      messages[0].starts_with("world.sdf:3:1: warning: joint 'j' can't be commanded by 'acceleration': it is ignored"))
       << messages[0];
   EXPECT_TRUE(messages[1].starts_with("world.sdf:4:34: error: 'much' is not a finite number")) << messages[1];
   EXPECT_EQ(read.blocks.at(0).joints.at(0).initialPosition, std::nullopt);

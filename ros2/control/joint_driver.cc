@@ -38,7 +38,7 @@ std::vector<std::string> JointDriver::begin() {
   for (std::size_t i = 0; i < driven_.size(); ++i) {
     const ControlledJoint& controlled = controlled_[i];
     const auto note = [&](const std::optional<std::string>& why) {
-      if (why) refused.push_back("joint '" + controlled.name + "' does not begin where it should: " + *why);
+      if (why) refused.push_back("joint '" + controlled.name + "' does not start at its initial value: " + *why);
     };
     if (controlled.initialPosition && *controlled.initialPosition != driven_[i].joint.position()) {
       note(driven_[i].joint.resetPosition(*controlled.initialPosition));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pongsim/handles.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 #include "ros2/control/control_block.hh"
 #include "ros2/control/joint_commands.hh"

@@ -42,11 +42,13 @@ TEST(Ros2Control, TakesCommandsAndTellsStates) {
   std::vector<ignition::msgs::Model> states;
   world.listen("/robot_joint_states", states);
   const std::string message = said([&] { world.step(1); });
-  EXPECT_NE(message.find("the controllers of 'm' run outside of the simulation: commands for hinge are taken from "
-                         "'/robot_joint_commands', states told on '/robot_joint_states'; for nodes of ROS to reach "
-                         "these, run with --ros2. In the URDF that ros2_control_node reads: <hardware><plugin>"
-                         "topic_based_ros2_control/TopicBasedSystem</plugin><param name=\"joint_commands_topic\">"),
-            std::string::npos)
+  EXPECT_NE(
+      message.find(
+          "the controllers of 'm' run outside of the simulation: commands for hinge are read from "
+          "'/robot_joint_commands', states are published on '/robot_joint_states'; run with --ros2 so that ROS nodes "
+          "can reach these topics. In the URDF that ros2_control_node reads: "
+          "<hardware><plugin>topic_based_ros2_control/TopicBasedSystem</plugin><param name=\"joint_commands_topic\">"),
+      std::string::npos)
       << message;
   world.tellText("/robot_joint_commands", "ignition.msgs.Model",
                  "joint {name: 'hinge' axis1 {position: 0.5 velocity: nan force: nan}}");
@@ -69,7 +71,7 @@ TEST(Ros2Control, RefusesWhatCannotBeMeantAndWarnsOfUnknownJoints) {
       world.step(20);
     });
   };
-  EXPECT_NE(tell("hinge", "inf").find("it commands joint 'hinge' what is infinite or absurdly large"),
+  EXPECT_NE(tell("hinge", "inf").find("it commands joint 'hinge' with an infinite or very large value"),
             std::string::npos);
   EXPECT_EQ(tell("hinge", "nan"), "");
   EXPECT_EQ(world.model("m").joint("hinge")->position(), 0);
@@ -84,7 +86,7 @@ TEST(Ros2Control, GivesASecondRobotTopicsOfItsOwn) {
   RunningWorld world(modelWith(plugin(kBlock), "a") + modelWith(plugin(kBlock), "b") +
                      modelWith(plugin("<ros><namespace>c</namespace></ros>" + kBlock), "c"));
   const std::string message = said([&] { world.step(1); });
-  EXPECT_NE(message.find("controllers of 'b' run outside of the simulation: commands for hinge are taken from "
+  EXPECT_NE(message.find("controllers of 'b' run outside of the simulation: commands for hinge are read from "
                          "'/b/robot_joint_commands'"),
             std::string::npos)
       << message;
@@ -129,7 +131,7 @@ TEST(Ros2Control, SaysWhatIsMissing) {
           plugin("<ros2_control><joint name='hinge'/><joint name='hinges'/></ros2_control><parameters>none.yaml"
                  "</parameters>"))),
       (Words{"parameters 'none.yaml': there is no such file",
-             "<ros2_control> lists joint 'hinges', which is no joint of model 'm' with one axis: it is left out"}));
+             "<ros2_control> lists joint 'hinges', which is not a joint of model 'm' with one axis: it is left out"}));
 }
 
 }  // namespace

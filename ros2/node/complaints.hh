@@ -27,7 +27,7 @@ class Complaints {
       last_ = now;
       before = std::exchange(keptBack_, 0);
     }
-    log.warning(std::string(what) + (before > 0 ? " (and " + std::to_string(before) + " such before it)" : ""));
+    log.warning(std::string(what) + (before > 0 ? " (and " + std::to_string(before) + " before it)" : ""));
   }
 
  private:

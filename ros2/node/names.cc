@@ -14,11 +14,11 @@ bool isAllowed(char letter) { return isDigit(letter) || isLetter(letter) || lett
 }  // namespace
 
 std::optional<std::string> rosNameError(std::string_view name) {
-  if (name.size() < 2 || name.front() != '/') return "is no absolute name";
+  if (name.size() < 2 || name.front() != '/') return "is not an absolute name";
   if (name.back() == '/') return "ends with a slash";
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char letter = name[i];
-    if (!isAllowed(letter)) return "has a '" + std::string(1, letter) + "', which ROS allows in no name";
+    if (!isAllowed(letter)) return "has a '" + std::string(1, letter) + "', which ROS does not allow in names";
     if (i == 0 || name[i - 1] != '/') continue;
     if (letter == '/') return "has two slashes in a row";
     if (isDigit(letter)) return "has a word that begins with the digit " + std::string(1, letter);

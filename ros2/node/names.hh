@@ -6,6 +6,9 @@
 
 namespace pongsim::ros2 {
 
+/// Where participants tell which nodes they are, and which endpoints are whose.
+inline constexpr const char* kDiscoveryTopic = "ros_discovery_info";
+
 /// @return What is wrong with an absolute name of ROS ("has a '-'"), or nothing.
 std::optional<std::string> rosNameError(std::string_view name);
 

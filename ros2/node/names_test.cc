@@ -17,11 +17,11 @@ TEST(Names, OfTheSimulationBecomeNamesOfRos) {
 }
 
 TEST(Names, SayWhatIsWrongWithThem) {
-  EXPECT_EQ(rosNameError("scan"), "is no absolute name");
-  EXPECT_EQ(rosNameError("/"), "is no absolute name");
+  EXPECT_EQ(rosNameError("scan"), "is not an absolute name");
+  EXPECT_EQ(rosNameError("/"), "is not an absolute name");
   EXPECT_EQ(rosNameError("/a/"), "ends with a slash");
   EXPECT_EQ(rosNameError("/a//b"), "has two slashes in a row");
-  EXPECT_EQ(rosNameError("/a-b"), "has a '-', which ROS allows in no name");
+  EXPECT_EQ(rosNameError("/a-b"), "has a '-', which ROS does not allow in names");
   EXPECT_EQ(rosNameError("/a/3d"), "has a word that begins with the digit 3");
 }
 

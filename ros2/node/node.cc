@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "ros2/node/names.hh"
 #include "ros2/types/rmw_dds_common.hh"
 
 namespace pongsim::ros2 {
 
 namespace {
 
-constexpr const char* kDiscoveryTopic = "ros_discovery_info";
 constexpr std::size_t kHumbleGid = 24, kJazzyGid = 16;
 
 Contract contractOf(const RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos) {

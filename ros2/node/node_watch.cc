@@ -15,9 +15,8 @@ namespace pongsim::ros2 {
 
 namespace {
 
-constexpr const char* kDiscoveryTopic = "ros_discovery_info";
 constexpr std::string_view kActionPart = "/_action/", kGoal = "/_action/send_goal";
-constexpr std::string_view kRequestEnd = "_Request", kGoalEnd = "_SendGoal";
+constexpr std::string_view kTypeRequestEnd = "_Request", kGoalEnd = "_SendGoal";
 constexpr std::chrono::milliseconds kBetweenLooks{50};
 // Participants answer within a few milliseconds, and repeat twice a second what was lost.
 constexpr std::chrono::milliseconds kQuiet{700};
@@ -38,7 +37,7 @@ std::string without(std::string text, std::string_view end) {
 /// action for nothing.
 void addService(const std::string& name, std::string type, std::vector<NodeInfo::Way>& services,
                 std::vector<NodeInfo::Way>& actions) {
-  type = without(std::move(type), kRequestEnd);
+  type = without(std::move(type), kTypeRequestEnd);
   if (name.ends_with(kGoal)) {
     actions.push_back({without(name, kGoal), without(type, kGoalEnd)});
   } else if (name.find(kActionPart) == std::string::npos) {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "pongsim/log_sink.hh"
+#include "pongsim/program/log_sink.hh"
 #include "ros2/node/node.hh"
 
 namespace pongsim::ros2 {

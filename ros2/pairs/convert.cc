@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 
 namespace pongsim::ros2 {
 

@@ -12,7 +12,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// A class is known by its label, as text; one that is no number counts as 0.
+/// A class is known by its label, as text; one that is not a number counts as 0.
 template <class Detection>
 std::uint32_t labelOf(const Detection& detection) {
   std::uint32_t label = 0;

@@ -18,7 +18,7 @@ namespace pongsim::ros2 {
 namespace {
 
 constexpr const char* kConfigFile = "config_file";
-constexpr const char* kTransforms = "/tf";
+constexpr const char* kTransformTopic = "/tf";
 constexpr const char* kFixedTransforms = "/tf_static";
 
 /// @return Whether the topic is the one on which a drive tells where its robot is, unless it says otherwise:
@@ -62,7 +62,7 @@ class Ros2TopicEncoder final : public TopicEncoder {
   void encode(std::span<const std::byte> message, const Take& take) override {
     if (!std::in_range<int>(message.size()) ||
         !message_->ParseFromArray(message.data(), static_cast<int>(message.size()))) {
-      throw std::runtime_error(std::to_string(message.size()) + " bytes are no " + message_->GetTypeName());
+      throw std::runtime_error(std::to_string(message.size()) + " bytes are not of type " + message_->GetTypeName());
     }
     for (std::size_t i = 0; i < conversions_.size(); ++i) {
       conversions_[i](*message_, nullptr, [this](std::size_t size, const Fill& fill) {
@@ -89,7 +89,7 @@ std::unique_ptr<MessageEncoder> Ros2Encoder::make(const EncoderSettings& setting
     if (name == kConfigFile) {
       rules = makeRules(readBridgeFile(value, found), {}, found);
     } else {
-      found.error({}, "encoding for ROS 2 has no setting '" + name + "'");
+      found.error({}, "the ROS 2 encoding has no setting '" + name + "'");
     }
   }
   for (const Diagnostic& each : found.all()) diagnostics.add(each);
@@ -106,13 +106,13 @@ std::variant<std::vector<TopicRule>, std::string> Ros2Encoder::rulesFor(const st
   }
   if (!found.empty()) return found;
   const Pair* pair = defaultPair(type);
-  if (pair == nullptr) return type + " has no partner in ROS";
+  if (pair == nullptr) return type + " has no counterpart in ROS";
   TopicRule rule = automaticRule(topic, rosNameFor(topic), *pair);
   if (const auto wrong = rosNameError(rule.ros)) return "its name in ROS, '" + rule.ros + "', " + *wrong;
   if (std::string other = takenBy(rule); !other.empty()) return other;
   found.push_back(std::move(rule));
   if (isOdometry(topic, type)) {
-    rule = automaticRule(topic, kTransforms, *pair);
+    rule = automaticRule(topic, kTransformTopic, *pair);
     if (takenBy(rule).empty()) found.push_back(std::move(rule));
   }
   return found;
@@ -122,8 +122,8 @@ std::variant<std::vector<TopicRule>, std::string> Ros2Encoder::rulesFor(const st
 std::string Ros2Encoder::takenBy(const TopicRule& rule) const {
   const auto said = std::ranges::find(rules_, rule.ros, &TopicRule::ros);
   // transforms of several robots are in one topic
-  const bool isShared = rule.ros == kTransforms && said != rules_.end() && said->pair->ros == rule.pair->ros;
-  if (said != rules_.end() && !isShared) return "in ROS '" + rule.ros + "' is '" + said->ignition + "', as a rule says";
+  const bool isShared = rule.ros == kTransformTopic && said != rules_.end() && said->pair->ros == rule.pair->ros;
+  if (said != rules_.end() && !isShared) return "in ROS '" + rule.ros + "' is '" + said->ignition + "', as configured";
   const auto other = taken_.find(rule.ros);
   if (other == taken_.end() || other->second.pair->ros == rule.pair->ros) return {};
   return "'" + rule.ros + "' is " + std::string(other->second.pair->ros) + " in ROS already, of '" +

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "pongsim/message_encoder.hh"
+#include "pongsim/messages/message_encoder.hh"
 #include "ros2/config/topic_rule.hh"
 
 namespace pongsim::ros2 {

@@ -87,8 +87,8 @@ TEST_F(Ros2EncoderTest, TurnsATopicIntoThatOfItsDefaultPair) {
 }
 
 TEST_F(Ros2EncoderTest, SaysWhyATopicIsLeftOut) {
-  EXPECT_EQ(refusal(plain_, "/scene", "ignition.msgs.Scene"), "ignition.msgs.Scene has no partner in ROS");
-  EXPECT_EQ(refusal(plain_, "/x", "other.Type"), "other.Type has no partner in ROS");
+  EXPECT_EQ(refusal(plain_, "/scene", "ignition.msgs.Scene"), "ignition.msgs.Scene has no counterpart in ROS");
+  EXPECT_EQ(refusal(plain_, "/x", "other.Type"), "other.Type has no counterpart in ROS");
   opened(plain_, "/a-b", kScan);
   EXPECT_EQ(refusal(plain_, "/a_b", "ignition.msgs.Twist"),
             "'/a_b' is sensor_msgs/msg/LaserScan in ROS already, of '/a-b'");
@@ -100,7 +100,7 @@ TEST_F(Ros2EncoderTest, RefusesBytesThatAreNoMessage) {
     encoded(*lidar, "\xff\xff\xff");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "3 bytes are no ignition.msgs.LaserScan");
+    EXPECT_STREQ(error.what(), "3 bytes are not of type ignition.msgs.LaserScan");
   }
   EXPECT_EQ(encoded(*lidar, "").size(), 1U);
 }
@@ -200,7 +200,7 @@ TEST_F(Ros2EncoderTest, FollowsAConfiguration) {
   EXPECT_NE(lidar->topics()[0].metadata.at("offered_qos_profiles").find("reliability: 2"), std::string::npos);
   EXPECT_EQ(read<sensor_msgs::LaserScan>(encoded(*lidar, "")[0]).header.frame_id, "laser");
   EXPECT_EQ(opened(*encoder, "/cmd_vel", "ignition.msgs.Twist")->topics()[0].type, "geometry_msgs/msg/TwistStamped");
-  EXPECT_EQ(refusal(*encoder, "/scan", kScan), "in ROS '/scan' is '/lidar', as a rule says");
+  EXPECT_EQ(refusal(*encoder, "/scan", kScan), "in ROS '/scan' is '/lidar', as configured");
   // what a rule names is there as it says alone, and the others' transforms beside it
   EXPECT_EQ(opened(*encoder, "/model/a/tf", kPoses)->topics().size(), 1U);
   EXPECT_EQ(opened(*encoder, "/model/b/tf", kPoses)->topics().size(), 2U);
@@ -216,7 +216,7 @@ TEST_F(Ros2EncoderTest, SaysWhatIsWrongWithItsSettings) {
   EXPECT_EQ(diagnostics_.all()[0].hint, "did you mean 'std_msgs/msg/String'?");
   Diagnostics other;
   EXPECT_EQ(Ros2Encoder::make({{"config", "x"}}, other), nullptr);
-  EXPECT_EQ(other.all().at(0).message, "encoding for ROS 2 has no setting 'config'");
+  EXPECT_EQ(other.all().at(0).message, "the ROS 2 encoding has no setting 'config'");
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(KinematicTree, SaysWhatUrdfHasNot) {
   const Made made(link("a") + link("b", "0 1 0 0 0 0") + link("c", "0 2 0 0 0 0") + link("alone", "3 0 0 0 0 1") +
                   joint("ab", "fixed", "a", "b") + joint("bc", "fixed", "b", "c") + joint("ac", "fixed", "a", "c"));
   EXPECT_EQ(made.frames(), (Words{"m/a", "m/b", "m/c", "m/alone"}));
-  EXPECT_EQ(made.tree.warnings, (Words{"link 'm::alone' hangs on no other one: it is \"floating\" in the URDF",
+  EXPECT_EQ(made.tree.warnings, (Words{"link 'm::alone' has no parent: it is \"floating\" in the URDF",
                                        "joint 'ac' closes a loop: it is left out of the URDF"}));
   EXPECT_EQ(made.tree.links[3].motion, Motion::kFree);
   expectPoses(*made.simulation, made.model, made.tree, 1e-12);

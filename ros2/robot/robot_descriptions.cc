@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pongsim/urdf_source.hh"
+#include "pongsim/files/urdf_source.hh"
 #include "ros2/robot/urdf_writer.hh"
 #include "ros2/types/std_msgs.hh"
 

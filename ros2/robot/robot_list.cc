@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "pongsim/urdf_source.hh"
+#include "pongsim/files/urdf_source.hh"
 
 namespace pongsim::ros2 {
 
@@ -106,7 +106,7 @@ void RobotList::addRobot(const Model& model) {
   if (isOfUrdf && std::ranges::any_of(tree.links, isTaken)) {
     frames.prefix += std::string(model.name()) + "/";
     log_.warning("robot '" + std::string(model.name()) +
-                 "' has frames that another one has too: on /tf its own begin with '" + frames.prefix + "'");
+                 "' shares frame names with another robot: on /tf they are prefixed with '" + frames.prefix + "'");
     tree = treeOfUrdf(model, frames);
   }
   Robot& robot = robots_.emplace_back(Robot{model, std::string(model.name()), std::move(tree), {}});

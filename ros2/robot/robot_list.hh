@@ -8,7 +8,7 @@
 
 #include "pongsim/handles.hh"
 #include "pongsim/log.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "ros2/pairs/frames.hh"
 #include "ros2/robot/kinematic_tree.hh"
 #include "ros2/robot/robot_settings.hh"

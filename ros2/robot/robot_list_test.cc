@@ -104,7 +104,7 @@ TEST(RobotList, KeepsTheFramesOfTwoUrdfsApart) {
   RobotList list(simulation->world(), {}, {});
   testing::internal::CaptureStderr();
   ASSERT_TRUE(list.update());
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("robot 'two' has frames that another one has too"),
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("robot 'two' shares frame names with another robot"),
             std::string::npos);
   EXPECT_EQ(list.robots().front().tree.links.at(0).frame, "base");
   EXPECT_EQ(list.robots().back().tree.links.at(0).frame, "two/base");

@@ -59,9 +59,9 @@ void Robots::lookForOthers(Time now) {
                          !endpoint.id.isOfSameParticipant(ros_.participant().id());
     if (!isOther) continue;
     hasFoundOthers_ = true;
-    ros_.log().warning("another node tells '" + plainName(kDescription) +
-                       "' too: if it is a robot_state_publisher, some frames have two parents now; "
-                       "<tf>false</tf> and <robot_description>false</robot_description> leave them to it");
+    ros_.log().warning("another node publishes '" + plainName(kDescription) +
+                       "' too: if it is a robot_state_publisher, some frames now have two parents; "
+                       "set <tf> and <robot_description> to false to leave them to it");
     return;
   }
 }

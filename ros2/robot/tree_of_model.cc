@@ -37,7 +37,7 @@ class TreeMaker {
     grow();
     for (const Link& link : links_) {
       if (tree_.find(link.id())) continue;
-      warn("link '" + link.scopedName() + "' hangs on no other one: it is \"floating\" in the URDF");
+      warn("link '" + link.scopedName() + "' has no parent: it is \"floating\" in the URDF");
       addFree(link, 0, Frames().toRos(link.scopedName()) + "_floating");
       grow();
     }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "pongsim/element.hh"
-#include "pongsim/urdf_source.hh"
+#include "pongsim/files/urdf_source.hh"
 #include "ros2/robot/kinematic_tree.hh"
 
 namespace pongsim::ros2 {

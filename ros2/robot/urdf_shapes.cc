@@ -25,7 +25,7 @@ std::vector<UrdfShape> capsuleOf(double radius, double length) {
 
 std::vector<UrdfShape> ellipsoidOf(const Vector3& radii, std::string& warning) {
   const bool isBall = radii.x() == radii.y() && radii.y() == radii.z();
-  if (!isBall) warning = "is an ellipsoid, which URDF does not have: the ball around it is there";
+  if (!isBall) warning = "is an ellipsoid, which URDF does not have: a sphere around it is used";
   return {sphereOf(radii.maxCoeff())};
 }
 
@@ -36,7 +36,7 @@ std::vector<UrdfShape> meshOf(const std::string& file, const std::string& submes
     return {};
   }
   if (!submesh.empty()) {
-    warning = "is the part '" + submesh + "' of a mesh, and URDF shows whole files: all of '" + file + "' is there";
+    warning = "is the part '" + submesh + "' of a mesh, but URDF uses whole files: all of '" + file + "' is there";
   }
   return {{.kind = UrdfShape::Kind::kMesh, .size = scale, .address = fileAddress(file)}};
 }
@@ -59,7 +59,7 @@ struct ShapesOf {
   std::vector<UrdfShape> operator()(const CapsuleShape& shape) const { return capsuleOf(shape.radius, shape.length); }
   std::vector<UrdfShape> operator()(const EllipsoidShape& shape) const { return ellipsoidOf(shape.radii, warning); }
   std::vector<UrdfShape> operator()(const PlaneShape&) const {
-    warning = "is a plane without an end, which URDF does not have: it is left out";
+    warning = "is an infinite plane, which URDF does not have: it is left out";
     return {};
   }
   std::vector<UrdfShape> operator()(const TriangleShape&) const {
@@ -72,31 +72,31 @@ struct ShapesOf {
 }  // namespace
 
 std::vector<UrdfShape> urdfShapesOf(const ignition::msgs::Geometry& geometry, std::string& warning) {
-  using Type = ignition::msgs::Geometry;
+  using Kind = ignition::msgs::Geometry;
   warning.clear();
   switch (geometry.type()) {
-    case Type::BOX:
+    case Kind::BOX:
       return {boxOf(vectorOf(geometry.box().size()))};
-    case Type::SPHERE:
+    case Kind::SPHERE:
       return {sphereOf(geometry.sphere().radius())};
-    case Type::CYLINDER:
+    case Kind::CYLINDER:
       return {cylinderOf(geometry.cylinder().radius(), geometry.cylinder().length())};
-    case Type::CAPSULE:
+    case Kind::CAPSULE:
       return capsuleOf(geometry.capsule().radius(), geometry.capsule().length());
-    case Type::ELLIPSOID:
+    case Kind::ELLIPSOID:
       return ellipsoidOf(vectorOf(geometry.ellipsoid().radii()), warning);
-    case Type::PLANE: {
+    case Kind::PLANE: {
       UrdfShape sheet = boxOf({geometry.plane().size().x(), geometry.plane().size().y(), kSheet});
       sheet.X_ShapePart.rotation =
           Quaternion::FromTwoVectors(Vector3::UnitZ(), vectorOf(geometry.plane().normal()).normalized());
       return {sheet};
     }
-    case Type::MESH:
+    case Kind::MESH:
       return meshOf(geometry.mesh().filename(), geometry.mesh().submesh(), vectorOf(geometry.mesh().scale()), warning);
-    case Type::EMPTY:
+    case Kind::EMPTY:
       return {};
     default:
-      warning = "is a " + std::string(geometry.type() == Type::HEIGHTMAP ? "heightmap" : "polyline or an image") +
+      warning = "is a " + std::string(geometry.type() == Kind::HEIGHTMAP ? "heightmap" : "polyline or an image") +
                 ", which URDF does not have: it is left out";
       return {};
   }

@@ -18,9 +18,9 @@ namespace {
 
 using VisualMessages = google::protobuf::RepeatedPtrField<ignition::msgs::Visual>;
 
-class Writer {
+class UrdfWriter {
  public:
-  Writer(const World& world, const Model& model, const KinematicTree& tree) : model_(model), tree_(tree) {
+  UrdfWriter(const World& world, const Model& model, const KinematicTree& tree) : model_(model), tree_(tree) {
     result_.warnings = tree.warnings;
     Scene(world).fillIn(scene_, [id = model.id().value](std::uint64_t candidate) { return candidate == id; });
     for (const auto& found : scene_.model()) collectVisuals(found);
@@ -166,7 +166,7 @@ class Writer {
 }  // namespace
 
 UrdfText writeUrdf(const World& world, const Model& model, const KinematicTree& tree) {
-  return Writer(world, model, tree).write();
+  return UrdfWriter(world, model, tree).write();
 }
 
 }  // namespace pongsim::ros2

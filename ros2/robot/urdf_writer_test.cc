@@ -118,8 +118,8 @@ TEST(UrdfWriter, WritesShapesWithTheirMaterials) {
   EXPECT_EQ(dynamic_cast<const ::urdf::Box&>(*link->collision_array[0]->geometry).dim.z, 3);
   EXPECT_EQ(dynamic_cast<const ::urdf::Sphere&>(*link->collision_array[1]->geometry).radius, 3);
   EXPECT_EQ(written.urdf.warnings,
-            (Words{"collision 'egg' of 'm/a' is an ellipsoid, which URDF does not have: the ball around it is there",
-                   "collision 'ground' of 'm/a' is a plane without an end, which URDF does not have: it is left out"}));
+            (Words{"collision 'egg' of 'm/a' is an ellipsoid, which URDF does not have: a sphere around it is used",
+                   "collision 'ground' of 'm/a' is an infinite plane, which URDF does not have: it is left out"}));
 }
 
 TEST(UrdfWriter, NamesTheFilesOfMeshes) {

@@ -83,7 +83,7 @@ Outcome<si::Bounds> boundsOf(const Model& model) {
     return std::holds_alternative<PlaneShape>(shape);
   });
   if (isEndless) return {si::Bounds(), {}};
-  if (box.isEmpty()) return {{}, "'" + model.scopedName() + "' has no collision, whose shape would bound it"};
+  if (box.isEmpty()) return {{}, "'" + model.scopedName() + "' has no collision to compute its bounds from"};
   si::Bounds bounds;
   bounds.type = si::Bounds::kTypeBox;
   bounds.points = {message(box.max()), message(box.min())};
@@ -99,7 +99,7 @@ Outcome<Region> Region::from(const si::Bounds& bounds) {
     points.push_back(vectorOf(point));
   }
   if (bounds.type == si::Bounds::kTypeConvexHull) {
-    if (points.size() < 3) return {{}, "a convex hull has 3 points or more"};
+    if (points.size() < 3) return {{}, "a convex hull needs at least 3 points"};
     if (!spanPlane(points)) return {{}, "the points of the convex hull lie on a line"};
     return {Region(convexHull(std::move(points))), {}};
   }

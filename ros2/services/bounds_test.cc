@@ -77,7 +77,7 @@ TEST(BoundsOf, AreEmptyWhereThereIsNoEndAndAnErrorWhereThereIsNothing) {
   Outcome<Bounds> plane = boundsOf(world.model("plane"));
   ASSERT_TRUE(plane);
   EXPECT_EQ(*plane, Bounds());
-  EXPECT_EQ(boundsOf(world.model("ghost")).error, "'ghost' has no collision, whose shape would bound it");
+  EXPECT_EQ(boundsOf(world.model("ghost")).error, "'ghost' has no collision to compute its bounds from");
 }
 
 class RegionTest : public testing::Test {
@@ -137,7 +137,8 @@ TEST_F(RegionTest, SaysWhatIsWrongWithBounds) {
             "the first point of the box must be its upper corner, the second its lower");
   EXPECT_EQ(errorOf(boundsWith(Bounds::kTypeBox, {{1, 1, 1}})), "bounds that are a box have two points, not 1");
   EXPECT_EQ(errorOf(boundsWith(Bounds::kTypeSphere, {})), "bounds that are a sphere have two points, not 0");
-  EXPECT_EQ(errorOf(boundsWith(Bounds::kTypeConvexHull, {{1, 1, 1}, {0, 0, 0}})), "a convex hull has 3 points or more");
+  EXPECT_EQ(errorOf(boundsWith(Bounds::kTypeConvexHull, {{1, 1, 1}, {0, 0, 0}})),
+            "a convex hull needs at least 3 points");
   EXPECT_EQ(errorOf(boundsWith(Bounds::kTypeConvexHull, {{1, 1, 1}, {0, 0, 0}, {2, 2, 2}})),
             "the points of the convex hull lie on a line");
 }

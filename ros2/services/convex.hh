@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "pongsim/shape.hh"
+#include "pongsim/geometry/shape.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::ros2 {

@@ -31,7 +31,7 @@ std::optional<EntityFilter> EntityFilter::from(const si::EntityFilters& asked, R
     filter.names_ = std::make_unique<RE2>(asked.filter, posixExtended());
     if (!filter.names_->ok()) {
       result = failed("filter '" + asked.filter.substr(0, 100) +
-                      "' is no regular expression (POSIX Extended): " + filter.names_->error().substr(0, 200));
+                      "' is not a regular expression (POSIX Extended): " + filter.names_->error().substr(0, 200));
       return std::nullopt;
     }
   }

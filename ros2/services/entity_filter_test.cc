@@ -49,7 +49,7 @@ TEST_F(EntityFilterTest, SearchesNamesForAPosixExpression) {
 TEST_F(EntityFilterTest, RefusesWhatIsNoExpressionOrWouldTakeForEver) {
   EXPECT_EQ(named("box["), Names{"error"});
   EXPECT_EQ(result_.result, Result::kResultOperationFailed);
-  EXPECT_TRUE(result_.error_message.starts_with("filter 'box[' is no regular expression (POSIX Extended): "))
+  EXPECT_TRUE(result_.error_message.starts_with("filter 'box[' is not a regular expression (POSIX Extended): "))
       << result_.error_message;
   EXPECT_EQ(named("((((a{900}){900}){900}){900}){900}"), Names{"error"});
   EXPECT_EQ(named(std::string(2'000'000, '(')), Names{"error"});

@@ -50,7 +50,7 @@ std::vector<Model> EntityFinder::poses() const {
 }
 
 Outcome<Model> EntityFinder::find(const std::string& name) const {
-  if (name.empty()) return {{}, "no entity is named"};
+  if (name.empty()) return {{}, "no entity is given"};
   if (const std::optional<Model> model = world_.model(name)) return {model, {}};
   return {{}, "there is no entity '" + name + "'"};
 }

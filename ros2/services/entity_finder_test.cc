@@ -32,7 +32,7 @@ TEST_F(EntityFinderTest, TellsEntitiesFromPoses) {
 TEST_F(EntityFinderTest, FindsByName) {
   EXPECT_TRUE(finder_.find("cart"));
   EXPECT_TRUE(finder_.find("outer::inner"));
-  EXPECT_EQ(finder_.find("").error, "no entity is named");
+  EXPECT_EQ(finder_.find("").error, "no entity is given");
   EXPECT_EQ(finder_.find("cat").error, "there is no entity 'cat'");
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 
 namespace pongsim::ros2 {
 

@@ -125,7 +125,7 @@ TEST_F(EntityServicesTest, PutWhatTheySpawnIntoItsNamespace) {
 TEST_F(EntityServicesTest, SayWhyTheyDoNotSpawn) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   expectRefused({}, SpawnResult::kNoResource, "both uri and resource_string are empty");
-  expectRefused(text(ball("a"), "a::b"), SpawnResult::kNameInvalid, "has '::' in it");
+  expectRefused(text(ball("a"), "a::b"), SpawnResult::kNameInvalid, "contains '::'");
   expectRefused(text(ball("a"), "world"), SpawnResult::kNameInvalid, "is the world's frame");
   expectRefused(text(ball("a"), "a\nb"), SpawnResult::kNameInvalid, "has a control character");
   expectRefused(text("<mujoco/>"), SpawnResult::kUnsupportedFormat, "begins with <mujoco>");
@@ -164,7 +164,7 @@ TEST_F(EntityServicesTest, SayWhyTheyDoNotSpawn) {
 
 TEST_F(EntityServicesTest, RefuseResourcesOfEnormousLength) {
   expectRefused(text(std::string(100'000'000, ' ')), SpawnResult::kResourceParseError,
-                "resource_string is 100000000 bytes long; up to 33554432 are taken");
+                "resource_string is 100000000 bytes long; up to 33554432 are allowed");
 }
 
 TEST_F(EntityServicesTest, SpawnSeveralEachByItself) {
@@ -197,8 +197,8 @@ TEST_F(EntityServicesTest, DeleteWhatIsAtTheTopLevel) {
   EXPECT_EQ(remove("box"), succeeded());
   EXPECT_EQ(entities(), Names{"wall"});
   EXPECT_EQ(remove("box"), notFound("there is no entity 'box'"));
-  EXPECT_EQ(remove(""), notFound("no entity is named"));
-  EXPECT_EQ(remove("wall::door"), failed("'wall::door' is a part of 'wall' and can't be removed alone"));
+  EXPECT_EQ(remove(""), notFound("no entity is given"));
+  EXPECT_EQ(remove("wall::door"), failed("'wall::door' is part of 'wall' and can't be removed alone"));
 }
 
 TEST_F(EntityServicesTest, FilterEntities) {

@@ -83,7 +83,7 @@ Result setState(const EntityFinder& finder, const si::srv::SetEntityState::Reque
   }
   if (request.set_acceleration && !request.set_pose && !request.set_twist) {
     return refused(Result::kResultFeatureUnsupported,
-                   "an acceleration can't be set: it comes of forces (the topic of apply-link-wrench takes them)");
+                   "an acceleration can't be set: apply forces instead (with the topic of apply-link-wrench)");
   }
 
   if (request.set_pose) {
@@ -96,7 +96,7 @@ Result setState(const EntityFinder& finder, const si::srv::SetEntityState::Reque
                        frame->angular + frame->pose.rotation * vectorOf(angular));
   }
   Result result = succeeded();
-  if (isAccelerated) result.error_message = "the acceleration is ignored: it comes of forces";
+  if (isAccelerated) result.error_message = "the acceleration is ignored: apply forces instead";
   return result;
 }
 

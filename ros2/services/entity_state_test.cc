@@ -113,7 +113,7 @@ TEST_F(EntityStateTest, MovesWhatIsStaticButGivesItNoVelocity) {
 TEST_F(EntityStateTest, SaysWhatItCantSet) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(set(request("bell")), notFound("there is no entity 'bell'"));
-  EXPECT_EQ(set(request("")), notFound("no entity is named"));
+  EXPECT_EQ(set(request("")), notFound("no entity is given"));
 
   Request asked = request("ball");
   asked.set_pose = true;
@@ -142,7 +142,7 @@ TEST_F(EntityStateTest, SaysThatAnAccelerationIsNotSet) {
   asked.state.acceleration.linear.x = 1;
   EXPECT_EQ(set(asked).result, Result::kResultFeatureUnsupported);
   asked.set_twist = true;
-  EXPECT_EQ(set(asked), refused(Result::kResultOk, "the acceleration is ignored: it comes of forces"));
+  EXPECT_EQ(set(asked), refused(Result::kResultOk, "the acceleration is ignored: apply forces instead"));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ void RosGzServices::offer(const std::string& target, const std::vector<std::stri
     Request message;
     if (const Refusal refusal = convert(request, message)) return tell(*refusal);
     if (!requests_.send(target, message, ignition::msgs::Boolean::descriptor()->full_name(), tell)) {
-      tell("nobody runs this simulation who could be asked: a program steps it by itself");
+      tell("nothing controls this simulation: a program steps it itself");
     }
   };
   for (const std::string& name : offeredAs) offers_.add<Service>(name, handle);

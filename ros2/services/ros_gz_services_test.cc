@@ -58,7 +58,7 @@ TEST_F(RosGzServicesTest, ControlTheWorld) {
   what.seed = 0;
   what.reset.time_only = true;
   EXPECT_FALSE(control(what));
-  EXPECT_TRUE(world_.process().waitForError("service '/world/w/control': .*a new seed counts from the start on"));
+  EXPECT_TRUE(world_.process().waitForError("service '/world/w/control': .*a new seed needs a reset"));
 }
 
 TEST_F(RosGzServicesTest, RunUntilATime) {

@@ -16,7 +16,7 @@ namespace si = simulation_interfaces;
 
 namespace {
 
-constexpr const char* kNobodyRuns = "nobody runs this simulation who could be asked: a program steps it by itself";
+constexpr const char* kNobodyRuns = "nothing controls this simulation: a program steps it itself";
 
 const std::string& boolean() {
   static const std::string name = ignition::msgs::Boolean::descriptor()->full_name();
@@ -58,13 +58,13 @@ void RunRequests::setState(std::uint8_t target, Done done) {
   using Response = si::srv::SetSimulationState::Response;
   const std::uint8_t now = state();
   if (target == State::kStateNoWorld || target == State::kStateLoadingWorld) {
-    return done(refused(Response::kIncorrectTransition, "there is one world, which is neither loaded nor unloaded"));
+    return done(refused(Response::kIncorrectTransition, "the one world can't be loaded or unloaded"));
   }
   if (target > State::kStateLoadingWorld) {
     return done(refused(Response::kIncorrectTransition, "there is no state " + std::to_string(target)));
   }
   if (target == now) {
-    return done(refused(Response::kAlreadyInTargetState, "the simulation is in that state already"));
+    return done(refused(Response::kAlreadyInTargetState, "the simulation is already in that state"));
   }
   switch (target) {
     case State::kStatePlaying:
@@ -90,8 +90,8 @@ void RunRequests::setState(std::uint8_t target, Done done) {
 }
 
 void RunRequests::step(std::uint64_t count, Done done) {
-  if (count == 0) return done(failed("0 steps are none to make"));
-  if (stepping_) return done(failed("another request makes its steps"));
+  if (count == 0) return done(failed("the number of steps must be above 0"));
+  if (stepping_) return done(failed("another request is stepping"));
   if (!info_.paused) return done(failed("the simulation is not paused"));
   if (count > std::numeric_limits<std::uint32_t>::max()) {
     return done(failed(std::to_string(count) + " steps are more than 4294967295, the most for one request"));
@@ -109,10 +109,10 @@ void RunRequests::lookAtSteps() {
   if (!stepping_ || !stepping_->isAnswered) return;
   const std::uint64_t made = info_.iteration - (info_.paused ? 0 : 1) - stepping_->first;
   if (!info_.paused && made < stepping_->count) return;
-  if (!info_.paused) return endSteps(failed("somebody let the simulation go on meanwhile"));
+  if (!info_.paused) return endSteps(failed("the simulation was resumed meanwhile"));
   if (made == stepping_->count) return endSteps(succeeded());
-  endSteps(failed("somebody stopped it after " + std::to_string(made) + " of " + std::to_string(stepping_->count) +
-                  " steps"));
+  endSteps(failed("the simulation was stopped after " + std::to_string(made) + " of " +
+                  std::to_string(stepping_->count) + " steps"));
 }
 
 void RunRequests::endSteps(const Result& result) {

@@ -95,7 +95,7 @@ TEST_F(RunRequestsTest, SayThatSomebodyLetItGoOn) {
   transport_.dispatch();
   playing(1);
   playing(2);
-  EXPECT_EQ(results_, std::vector<Result>{failed("somebody let the simulation go on meanwhile")});
+  EXPECT_EQ(results_, std::vector<Result>{failed("the simulation was resumed meanwhile")});
 }
 
 TEST_F(RunRequestsTest, StayPausedAfterAResetAmongSteps) {

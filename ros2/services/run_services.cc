@@ -94,8 +94,9 @@ void RunServices::reset(std::uint8_t scope, const RunRequests::Done& done) {
   if (scope == Request::kScopeDefault || (scope & kEach) == kEach) return run_.resetAll(isStepped_(), done);
   if (scope == Request::kScopeSpawned) return spawner_.removeInserted(done);
   if ((scope & ~kEach) != 0) return done(failed("there is no scope " + std::to_string(scope)));
-  done(refused(Result::kResultFeatureUnsupported,
-               "time and state can't be reset alone: all can be (scope 0 or 255), and spawned entities can go (4)"));
+  done(
+      refused(Result::kResultFeatureUnsupported,
+              "time and state can't be reset alone; reset everything (scope 0 or 255) or delete spawned entities (4)"));
 }
 
 }  // namespace pongsim::ros2

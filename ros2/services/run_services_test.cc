@@ -55,8 +55,8 @@ TEST_F(RunServicesTest, TellWhatWorks) {
   const auto features = world_.call<srv::GetSimulatorFeatures>("~/get_simulator_features").features;
   std::vector<std::uint16_t> numbers = features.features;
   std::ranges::sort(numbers);
-  EXPECT_EQ(numbers, (std::vector<std::uint16_t>{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
-                                                 12, 13, 14, 20, 23, 24, 25, 26, 31, 32, 33, 44, 50}));
+  EXPECT_EQ(numbers, (std::vector<std::uint16_t>{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
+                                                 13, 14, 20, 23, 24, 25, 26, 31, 32, 33, 44, 50}));
   EXPECT_EQ(features.spawn_formats, (std::vector<std::string>{"sdf", "urdf"}));
 }
 
@@ -116,7 +116,7 @@ TEST_F(RunServicesTest, MakeStepsAndAnswerWhenTheyAreMade) {
 }
 
 TEST_F(RunServicesTest, RefuseStepsThatCantBeMade) {
-  EXPECT_EQ(step(0), failed("0 steps are none to make"));
+  EXPECT_EQ(step(0), failed("the number of steps must be above 0"));
   EXPECT_EQ(step(1ULL << 32), failed("4294967296 steps are more than 4294967295, the most for one request"));
   EXPECT_EQ(now(), 0);
   EXPECT_EQ(setState(State::kStatePlaying), succeeded());
@@ -126,10 +126,10 @@ TEST_F(RunServicesTest, RefuseStepsThatCantBeMade) {
 TEST_F(RunServicesTest, SayThatStepsWereStopped) {
   auto steps = std::async(std::launch::async, [&] { return step(4'000'000'000); });
   while (now() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  EXPECT_EQ(step(1), failed("another request makes its steps"));
+  EXPECT_EQ(step(1), failed("another request is stepping"));
   EXPECT_EQ(setState(State::kStatePaused), succeeded());
   const Result result = steps.get();
-  EXPECT_EQ(result, failed("somebody stopped it after " + std::to_string(now()) + " of 4000000000 steps"));
+  EXPECT_EQ(result, failed("the simulation was stopped after " + std::to_string(now()) + " of 4000000000 steps"));
 }
 
 TEST_F(RunServicesTest, SayThatAResetEndedTheSteps) {

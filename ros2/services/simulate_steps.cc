@@ -37,7 +37,7 @@ void SimulateSteps::start(const Goals::Id& id, std::uint64_t steps) {
   };
   if (running_) return refuse("the simulation is not paused: another goal steps it");
   if (!info_.paused) return refuse("the simulation is not paused");
-  if (steps == 0) return refuse("0 steps are none to make");
+  if (steps == 0) return refuse("the number of steps must be above 0");
   running_ = {id, steps, info_.iteration};
   askForSteps();
 }
@@ -57,7 +57,7 @@ void SimulateSteps::askForSteps() {
                                  });
   if (!request_) {
     end(Status::kStatusAborted, Code::kResultOperationFailed,
-        "nobody runs this simulation who could be asked for steps: there is no service '" + control_ + "'");
+        "nothing controls this simulation: there is no service '" + control_ + "'");
   }
 }
 
@@ -85,9 +85,9 @@ void SimulateSteps::preUpdate(const StepInfo& info) {
   if (running_->isStopping || !running_->isTaken) return;
   if (running_->completed == running_->steps) {
     if (info.paused) return end(Status::kStatusSucceeded, Code::kResultOk, {});
-    return end(Status::kStatusAborted, Code::kResultOperationFailed, "somebody let the simulation go on meanwhile");
+    return end(Status::kStatusAborted, Code::kResultOperationFailed, "the simulation was resumed meanwhile");
   }
-  if (info.paused) end(Status::kStatusAborted, Code::kResultOperationFailed, "somebody paused it " + progress());
+  if (info.paused) end(Status::kStatusAborted, Code::kResultOperationFailed, "it was paused " + progress());
 }
 
 void SimulateSteps::postUpdate(const StepInfo& info) {

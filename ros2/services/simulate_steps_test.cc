@@ -143,7 +143,7 @@ TEST_F(SimulateStepsTest, SaysWhoElseHasEndedIt) {
   send(1, 1'000'000'000);
   turn();
   stepsLeft_ = 0;
-  EXPECT_TRUE(result(1).result.result.error_message.starts_with("somebody paused it after "));
+  EXPECT_TRUE(result(1).result.result.error_message.starts_with("it was paused after "));
   send(2, 1'000'000'000);
   turn();
   steps_.reset();
@@ -153,13 +153,13 @@ TEST_F(SimulateStepsTest, SaysWhoElseHasEndedIt) {
   send(3, 1'000'000'000);
   iterations_ = before + 999'999'999;
   isPaused_ = false;
-  EXPECT_EQ(result(3).result.result.error_message, "somebody let the simulation go on meanwhile");
+  EXPECT_EQ(result(3).result.result.error_message, "the simulation was resumed meanwhile");
 }
 
 TEST_F(SimulateStepsTest, AGoalThatCannotBeMetIsAborted) {
   send(1, 5);
   EXPECT_EQ(result(1).result.result.error_message,
-            "nobody runs this simulation who could be asked for steps: there is no service '/world/w/control'");
+            "nothing controls this simulation: there is no service '/world/w/control'");
   send(2, 0);
   EXPECT_EQ(result(2).result.result.result, Code::kResultOperationFailed);
   EXPECT_EQ(iterations_, 0);

@@ -34,7 +34,7 @@ bool isMissingFile(const Diagnostic& diagnostic) {
 }
 
 bool isUnusableFile(const Diagnostic& diagnostic) {
-  return has(diagnostic.message, "can't be read as ") || has(diagnostic.message, "is an address of an unknown kind");
+  return has(diagnostic.message, "can't be read as ") || has(diagnostic.message, "is not a supported kind of address");
 }
 
 /// @return What an error in reading means.
@@ -55,7 +55,7 @@ bool isOtherFormat(const std::filesystem::path& file) {
 }  // namespace
 
 std::optional<std::string> entityNameError(const std::string& name) {
-  if (has(name, "::")) return "has '::' in it, which stands between names";
+  if (has(name, "::")) return "contains '::', which separates names";
   if (name == "world") return "is the world's frame";
   if (name.starts_with("__") && name.ends_with("__")) return "is reserved by SDF";
   const auto isControl = [](char letter) { return static_cast<unsigned char>(letter) < ' ' || letter == '\x7f'; };
@@ -85,7 +85,7 @@ void Spawner::spawn(const si::SpawnEntity& asked, Spawned spawned) {
   const std::optional<ModelTemplate> model = read(asked.entity_resource, result);
   if (!model) return spawned({result, {}});
   const std::string& name = asked.name.empty() ? model->name() : asked.name;
-  if (name.empty()) return refuse(SpawnResult::kNameInvalid, "neither the request nor the resource gives it a name");
+  if (name.empty()) return refuse(SpawnResult::kNameInvalid, "neither the request nor the resource contains a name");
   if (const auto error = entityNameError(name)) {
     return refuse(SpawnResult::kNameInvalid, "the resource's name '" + name.substr(0, 100) + "' " + *error);
   }
@@ -105,7 +105,7 @@ std::optional<ModelTemplate> Spawner::read(const si::Resource& resource, Result&
   if (resource.uri.empty() && resource.resource_string.size() > kLongestResource) {
     result = refused(SpawnResult::kResourceParseError,
                      "resource_string is " + std::to_string(resource.resource_string.size()) + " bytes long; up to " +
-                         std::to_string(kLongestResource) + " are taken");
+                         std::to_string(kLongestResource) + " are allowed");
     return std::nullopt;
   }
   Diagnostics diagnostics;
@@ -142,7 +142,9 @@ std::optional<ModelTemplate> Spawner::readAddress(const std::string& uri, Diagno
 
 void Spawner::insert(const ModelTemplate& model, const InsertOptions& options, Spawned spawned) {
   const auto tell = std::make_shared<Spawned>(std::move(spawned));
-  const std::uint64_t owed = owed_.owe([tell] { (*tell)({failed("the world was reset before the entity came"), {}}); });
+  const std::uint64_t owed = owed_.owe([tell] {
+    (*tell)({failed("the world was reset before the entity was spawned"), {}});
+  });
   edits_.insert(model, options, [this, tell, owed, name = options.name](const Outcome<Model>& inserted) {
     if (!owed_.settle(owed)) return;
     if (inserted.value) return (*tell)({succeeded(), std::string(inserted.value->name())});
@@ -155,14 +157,15 @@ void Spawner::remove(const std::string& name, std::function<void(const Result&)>
   Outcome<Model> model = finder_.find(name);
   if (!model) return done(notFound(model.error));
   if (const auto parent = model->parent()) {
-    return done(failed("'" + name + "' is a part of '" + parent->scopedName() + "' and can't be removed alone"));
+    return done(failed("'" + name + "' is part of '" + parent->scopedName() + "' and can't be removed alone"));
   }
   remove(*model, std::move(done));
 }
 
 void Spawner::remove(const Model& model, std::function<void(const Result&)> done) {
   const auto tell = std::make_shared<std::function<void(const Result&)>>(std::move(done));
-  const std::uint64_t owed = owed_.owe([tell] { (*tell)(failed("the world was reset before the entity went")); });
+  const std::uint64_t owed =
+      owed_.owe([tell] { (*tell)(failed("the world was reset before the entity was deleted")); });
   edits_.remove(model, [this, tell, owed](const std::optional<std::string>& refusal) {
     if (owed_.settle(owed)) (*tell)(refusal ? failed(*refusal) : succeeded());
   });

@@ -9,7 +9,7 @@ namespace {
 TEST(EntityNames, AreWhatSdfAllows) {
   for (const char* good : {"", "box", "box 1", "größe", "a/b", "a:b", "__a"})
     EXPECT_EQ(entityNameError(good), std::nullopt);
-  EXPECT_EQ(entityNameError("a::b"), "has '::' in it, which stands between names");
+  EXPECT_EQ(entityNameError("a::b"), "contains '::', which separates names");
   EXPECT_EQ(entityNameError("world"), "is the world's frame");
   EXPECT_EQ(entityNameError("__root__"), "is reserved by SDF");
   EXPECT_EQ(entityNameError("a\tb"), "has a control character");

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "pongsim/commands.hh"
-#include "pongsim/fields.hh"
+#include "pongsim/files/urdf_source.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
-#include "pongsim/urdf_source.hh"
 #include "ros2/control/control_block.hh"
 #include "ros2/control/controller_file.hh"
 #include "ros2/control/joint_commands.hh"
@@ -38,7 +38,7 @@ class Ros2Control final : public System {
     declaration.parameter("parameters", &files_, "",
                           "file of the controller manager, of which the update rate and the position gain count");
     declaration.element("ros2_control", "joints with their interfaces, for a model that did not come as URDF");
-    declaration.parameter("joint_commands_topic", &commandsTopic_, "", "where commands come from")
+    declaration.parameter("joint_commands_topic", &commandsTopic_, "", "command topic")
         .otherwise("/robot_joint_commands");
     declaration.parameter("joint_states_topic", &statesTopic_, "", "where states go").otherwise("/robot_joint_states");
     declaration.parameter("update_rate", &updateRate_, "Hz", "of the controllers, and of the states")
@@ -78,7 +78,7 @@ class Ros2Control final : public System {
     }
     if (groups_.empty()) {
       refuse(sdf, "there is no <ros2_control> that lists joints of model '" + model_ + "'",
-             urdf != nullptr ? "it stands in the <robot> of the URDF" : "a model in SDF has it in this <plugin>");
+             urdf != nullptr ? "put it in the <robot> of the URDF" : "for an SDF model, put it in this <plugin>");
     }
     schedule_ = Schedule(periodOf(settings.updateRate));
   }
@@ -136,8 +136,9 @@ class Ros2Control final : public System {
       }
       const ControllerFile read = readControllerFile(file);
       if (!read.error.empty()) {
-        context.diagnostics.warning(element->position, "parameters '" + element->text + "': " + read.error,
-                                    "the rate of the controllers is taken for 100 Hz; <update_rate> here says another");
+        context.diagnostics.warning(
+            element->position, "parameters '" + element->text + "': " + read.error,
+            "the controllers' rate is assumed to be 100 Hz; set <update_rate> here if it differs");
       }
       settings.updateRate = read.updateRate.value_or(settings.updateRate);
       settings.positionGain = read.positionGain.value_or(settings.positionGain);
@@ -161,7 +162,7 @@ class Ros2Control final : public System {
       if (std::ranges::find(names, joint.name) == names.end()) {
         const std::string nearest = nearestName(joint.name, names);
         diagnostics.warning(joint.position,
-                            "<ros2_control> lists joint '" + joint.name + "', which is no joint of model '" +
+                            "<ros2_control> lists joint '" + joint.name + "', which is not a joint of model '" +
                                 std::string(model.name()) + "' with one axis: it is left out",
                             nearest.empty() ? "" : "did you mean '" + nearest + "'?");
       } else if (std::ranges::find(joints, joint.name, &ControlledJoint::name) == joints.end()) {
@@ -229,8 +230,8 @@ class Ros2Control final : public System {
                            isWithin(commands[i].effort, kLargestForce);
       if (isSound) continue;
       if (!isRefusing_) {
-        log_.warning("topic '" + group.commandsTopic + "': a message is refused: it commands joint '" +
-                     group.driver.joints()[i].name + "' what is infinite or absurdly large");
+        log_.warning("topic '" + group.commandsTopic + "': a message was refused: it commands joint '" +
+                     group.driver.joints()[i].name + "' with an infinite or very large value");
       }
       isRefusing_ = true;
       return;
@@ -252,8 +253,8 @@ class Ros2Control final : public System {
                topic.publishers + topic.relayingPublishers > 0;
       });
       log_.warning("the controllers of '" + model_ + "' run outside of the simulation: commands for " + names +
-                   " are taken from '" + group.commandsTopic + "', states told on '" + group.statesTopic + "'" +
-                   (isBridged ? "" : "; for nodes of ROS to reach these, run with --ros2") +
+                   " are read from '" + group.commandsTopic + "', states are published on '" + group.statesTopic + "'" +
+                   (isBridged ? "" : "; run with --ros2 so that ROS nodes can reach these topics") +
                    ". In the URDF that ros2_control_node reads: <hardware><plugin>topic_based_ros2_control/"
                    "TopicBasedSystem</plugin><param name=\"joint_commands_topic\">" +
                    group.commandsTopic + "</param><param name=\"joint_states_topic\">" + group.statesTopic +

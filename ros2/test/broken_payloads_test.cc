@@ -87,7 +87,7 @@ TEST(BrokenPayloads, WithTextsThatDoNotEndAreRefused) {
       Type value;
       const auto error = readCdr(payload, value);
       ASSERT_TRUE(error.has_value()) << nameOf<Type>();
-      EXPECT_NE(error->find("a text without an end"), std::string::npos) << *error;
+      EXPECT_NE(error->find("a string without an end"), std::string::npos) << *error;
       ++texts;
     }
   });

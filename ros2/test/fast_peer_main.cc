@@ -2,7 +2,8 @@
 //   fast_peer read TOPIC TYPE QOS          "read SECONDS HEX" for each payload, from when the reader was there
 //   fast_peer write TOPIC TYPE QOS HEX MS  writes the payload every so many milliseconds; 0: once
 // QOS is reliable, best_effort or latched. Says "matched N" whenever the number of counterparts changes. Ends when its
-// input does. ROS_DOMAIN_ID and ROS_LOCALHOST_ONLY count as for a node.
+// input does. ROS_DOMAIN_ID and ROS_LOCALHOST_ONLY count as for a node, and so do ROS_SECURITY_ENABLE, _KEYSTORE and
+// _ENCLAVE_OVERRIDE.
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -121,6 +122,25 @@ std::string environment(const char* name) {
   return text == nullptr ? std::string() : std::string(text);
 }
 
+/// As rmw_fastrtps_shared_cpp has them for an enclave, where security is on.
+void addSecurity(dds::DomainParticipantQos& qos) {
+  if (environment("ROS_SECURITY_ENABLE") != "true") return;
+  const std::string folder = "file://" + environment("ROS_SECURITY_KEYSTORE") + "/enclaves" +
+                             environment("ROS_SECURITY_ENCLAVE_OVERRIDE") + "/";
+  const auto add = [&qos](const char* name, const std::string& value) {
+    qos.properties().properties().emplace_back(name, value);
+  };
+  add("dds.sec.auth.plugin", "builtin.PKI-DH");
+  add("dds.sec.auth.builtin.PKI-DH.identity_ca", folder + "identity_ca.cert.pem");
+  add("dds.sec.auth.builtin.PKI-DH.identity_certificate", folder + "cert.pem");
+  add("dds.sec.auth.builtin.PKI-DH.private_key", folder + "key.pem");
+  add("dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC");
+  add("dds.sec.access.plugin", "builtin.Access-Permissions");
+  add("dds.sec.access.builtin.Access-Permissions.permissions_ca", folder + "permissions_ca.cert.pem");
+  add("dds.sec.access.builtin.Access-Permissions.governance", folder + "governance.p7s");
+  add("dds.sec.access.builtin.Access-Permissions.permissions", folder + "permissions.p7s");
+}
+
 /// As rmw_fastrtps_shared_cpp makes it (participant.cpp, branch humble).
 dds::DomainParticipant* makeParticipant() {
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
@@ -138,6 +158,7 @@ dds::DomainParticipant* makeParticipant() {
     qos.transport().user_transports.push_back(
         std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>());
   }
+  addSecurity(qos);
   const auto domain = static_cast<std::uint32_t>(std::atoi(environment("ROS_DOMAIN_ID").c_str()));
   return dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
 }

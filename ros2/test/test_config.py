@@ -197,7 +197,7 @@ def test_a_run_with_a_wrong_configuration_does_not_begin(tmp_path):
                          + "- topic_name: a\n  ros_type_name: std_msgs/msg/Strin\n  gz_type_name: gz.msgs.StringMsg\n"
                          + "  direction: GZ_TO_RO\n")
     said = refused("--ros2-config", file)
-    assert f"{file}:9:17: error: sensor_msgs/msg/PointCloud2 does not go with ignition.msgs.LaserScan" in said
+    assert f"{file}:9:17: error: sensor_msgs/msg/PointCloud2 does not match ignition.msgs.LaserScan" in said
     assert f"{file}:14:14: error: 'direction' can't be 'GZ_TO_RO'" in said
     assert "hint: did you mean 'GZ_TO_ROS'?" in said
     said = refused("--ros2-topic", "/a@geometry_msgs/msg/Twist@gz.msgs.Twist",

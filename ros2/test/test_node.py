@@ -205,7 +205,7 @@ def value(kind, **values):
 def test_a_late_reader_of_rosout_gets_what_was_warned_of():
     with peers.running(WORLD):
         peer = peers.Peer()
-        # what is no number makes the simulation complain, once a second at most
+        # what is not a number makes the simulation complain, once a second at most
         command = peer.writer("/cmd_vel", peers.Twist)
         bad = peers.Twist(linear=peers.Vector3(x=float("nan")))
         first = peer.reader("/rosout", Log, ROSOUT)
@@ -391,15 +391,15 @@ def test_create_inserts_as_ros_gz_sim_does(tmp_path):
 
         late = create("-topic", "nothing", "-timeout", "1500")
         assert late.returncode == 1
-        assert "waiting for a message on '/nothing'" in late.stderr and "no message came on '/nothing'" in late.stderr
+        assert "waiting for a message on '/nothing'" in late.stderr and "no messages on '/nothing'" in late.stderr
         other = create("-world", "driv", "-string", SDF, "-timeout", "100")
         assert other.returncode == 1 and "did you mean 'drive'" in other.stderr
         assert create("-string", "<sdf").returncode == 1
 
 
 def test_a_wrong_command_line_of_create_says_why():
-    for arguments, why in [((), "nothing to create given"),
-                           (("-file", "a", "-string", "b"), "at a time"),
+    for arguments, why in [((), "nothing to create"),
+                           (("-file", "a", "-string", "b"), "use only one of"),
                            (("-string", "b", "-x", "one"), "option '-x' takes a number, not 'one'"),
                            (("-string", "b", "-x", "nan"), "takes a number"),
                            (("-string", "b", "-node", "n"), "needs '-param'"),

@@ -200,7 +200,7 @@ def test_without_ros_a_world_with_controllers_says_what_to_do(tmp_path):
     (tmp_path / "arm.urdf").write_text(URDF.read_text())
     result = subprocess.run([peers.PONGSIM, "run", world, "-z", "0", "--iterations", "10"], capture_output=True,
                             text=True, check=True)
-    assert "for nodes of ROS to reach these, run with --ros2" in result.stderr
+    assert "run with --ros2 so that ROS nodes can reach these topics" in result.stderr
 
 
 def hash_of(world):

@@ -159,8 +159,8 @@ def test_a_command_of_another_type_is_said_and_not_obeyed(tmp_path):
             return "std_msgs/msg/String" in text and "TwistStamped" in text and text
 
         text = peers.until(said, "a warning")
-        assert ("a node publishes '/cmd_vel' as std_msgs/msg/String, which is geometry_msgs/msg/Twist here: nothing of it "
-                "gets here") in text
+        assert ("a node publishes '/cmd_vel' as std_msgs/msg/String, which is geometry_msgs/msg/Twist here: no messages "
+                "arrive") in text
         assert "--ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' makes it that" in text
         # who does it right is obeyed, and nobody is told twice
         publish_until(right, Twist(linear=Vector3(x=0.5)),
@@ -171,7 +171,7 @@ def test_a_command_of_another_type_is_said_and_not_obeyed(tmp_path):
 def test_a_reader_that_asks_for_more_is_told(tmp_path):
     with open(tmp_path / "log", "w") as log, peers.running(peers.ROOT / "worlds/pong_lidar.sdf", "--ros2", log=log):
         reader = peers.Peer().reader("/lidar", LaserScan, peers.LATCHED)
-        peers.until(lambda: "a node subscribes to '/lidar' as transient local, which it is not: it hears nothing"
+        peers.until(lambda: "a node subscribes to '/lidar' as transient local, which it is not: it receives no messages"
                     in (tmp_path / "log").read_text(), "a warning")
         assert not peers.take(reader)
 

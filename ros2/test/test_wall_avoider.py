@@ -170,14 +170,14 @@ class Simulation:
         self.commands = peer.reader("/cmd_vel", Twist)
         self.seconds = 100.0
 
-    def answer(self, *ranges):
-        """Sends that scan until a command comes."""
+    def answer(self, *ranges, speed=None):
+        """Sends that scan until a command comes; of that speed, where one is given: others may be on their way."""
         peers.take(self.commands)
         scan = LaserScan(angle_min=-0.1, angle_increment=0.1, ranges=list(ranges))
 
         def command():
             self.scans.write(scan)
-            return peers.take(self.commands)
+            return [each for each in peers.take(self.commands) if speed is None or each.linear.x == speed]
 
         return peers.until(command, "a command")[-1]
 
@@ -203,7 +203,7 @@ def test_it_stops_when_no_scan_comes_for_a_while_of_simulated_time(installed, tm
         assert "No scan comes: stopping" in (tmp_path / "log").read_text()
         # time has begun anew, as after a reset
         simulation.seconds = 1.0
-        assert simulation.answer(9.0, 9.0, 9.0).linear.x == 0.25
+        simulation.answer(9.0, 9.0, 9.0, speed=0.25)
         peers.until(stopped, "a command to stop")
         assert simulation.seconds > 1.9
 

@@ -18,7 +18,7 @@ CdrWriter::CdrWriter(std::span<std::byte> place) : place_(place.subspan(kEncapsu
 
 CdrReader::CdrReader(std::span<const std::byte> payload) {
   if (payload.size() < kEncapsulation) {
-    fail("it has " + std::to_string(payload.size()) + " bytes, and not even its encoding in them");
+    fail("it has " + std::to_string(payload.size()) + " bytes, too few for its encoding");
     return;
   }
   const auto kind = std::to_integer<std::uint8_t>(payload[1]);
@@ -52,9 +52,9 @@ bool CdrReader::take(void* to, std::size_t size, std::size_t count) {
 bool CdrReader::isCredible(std::uint32_t count, std::size_t leastSize, std::size_t most) {
   const std::size_t left = bytes_.size() - at_;
   if (count > left / std::max<std::size_t>(leastSize, 1)) {
-    fail("claims " + std::to_string(count) + " elements, and " + std::to_string(left) + " bytes are left");
+    fail("claims " + std::to_string(count) + " elements, but " + std::to_string(left) + " bytes are left");
   } else if (most > 0 && count > most) {
-    fail("has " + std::to_string(count) + " elements, of which it may have " + std::to_string(most));
+    fail("has " + std::to_string(count) + " elements, but may have " + std::to_string(most));
   }
   return !error_;
 }
@@ -64,18 +64,19 @@ void CdrReader::readText(std::string& text, std::size_t most) {
   read(size);
   if (error_) return;
   if (size > bytes_.size() - at_) {
-    fail("claims " + std::to_string(size) + " letters, and " + std::to_string(bytes_.size() - at_) + " bytes are left");
+    fail("claims " + std::to_string(size) + " characters, but " + std::to_string(bytes_.size() - at_) +
+         " bytes are left");
     return;
   }
   // an empty text has one letter, the zero at its end; some writers leave that out
   const char* begin = reinterpret_cast<const char*>(bytes_.data() + at_);
   if (size > 0 && begin[size - 1] != '\0') {
-    fail("is a text without an end");
+    fail("is a string without an end");
     return;
   }
   const std::size_t length = size > 0 ? size - 1 : 0;
   if (most > 0 && length > most) {
-    fail("has " + std::to_string(length) + " letters, of which it may have " + std::to_string(most));
+    fail("has " + std::to_string(length) + " characters, but may have " + std::to_string(most));
     return;
   }
   text.assign(begin, length);

@@ -187,7 +187,7 @@ class CdrReader {
     if (!error_) field_ = outer;
   }
 
-  /// @return What is wrong ("field 'ranges' claims 4000000000 elements, and 12 bytes are left"), or nothing.
+  /// @return What is wrong ("field 'ranges' claims 4000000000 elements, but 12 bytes are left"), or nothing.
   const std::optional<std::string>& error() const { return error_; }
 
   template <class Value>

@@ -42,7 +42,7 @@ TEST(Cdr, RefusesASequenceThatClaimsMoreThanThereIs) {
   // behind the encapsulation: stamp 8, text 4 + 11, seven floats from 24 on
   std::memcpy(&bytes[kEncapsulation + 52], &many, sizeof many);
   sensor_msgs::LaserScan read;
-  EXPECT_EQ(readCdr(bytes, read), "field 'ranges' claims 4000000000 elements, and 16 bytes are left");
+  EXPECT_EQ(readCdr(bytes, read), "field 'ranges' claims 4000000000 elements, but 16 bytes are left");
   EXPECT_LT(read.ranges.capacity(), 100U);
 }
 
@@ -50,7 +50,7 @@ TEST(Cdr, RefusesATextWithoutAnEnd) {
   auto bytes = toCdr(std_msgs::String{"hello"});
   bytes.back() = std::byte('!');
   std_msgs::String read;
-  EXPECT_EQ(readCdr(bytes, read), "field 'data' is a text without an end");
+  EXPECT_EQ(readCdr(bytes, read), "field 'data' is a string without an end");
 }
 
 TEST(Cdr, ReadsTheOtherByteOrder) {

@@ -22,7 +22,7 @@ std::string nameInMsg(std::string_view name);
 /// @return "geometry_msgs/Twist"'s own fields, then those of all others with their names.
 std::string joinFieldLists(const std::string& name, const FieldLists& all);
 
-/// @return The word for a type that is no list.
+/// @return The word for a type that is not a list.
 template <class Type>
 std::string wordInMsg() {
   if constexpr (Structure<Type>) return nameInMsg(nameOf<Type>());

@@ -24,7 +24,7 @@ std::string describeField(std::string_view name, int typeId, std::size_t capacit
 std::string describeType(std::string_view name, const std::string& fields);
 std::string hashOf(const std::string& name, const Descriptions& all);
 
-/// @return The number of a type that is no list (FieldType.msg).
+/// @return The number of a type that is not a list (FieldType.msg).
 template <class Type>
 constexpr int singleTypeId() {
   if constexpr (Structure<Type>) return 1;

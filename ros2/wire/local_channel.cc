@@ -22,7 +22,7 @@ LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Re
       receiver_(receiver),
       packet_(largest),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
-  if (wake_ < 0) throw std::runtime_error("the system gives no more file handles");
+  if (wake_ < 0) throw std::runtime_error("no more file descriptors");
   thread_ = std::thread([this] { run(); });
 }
 

@@ -44,12 +44,12 @@ struct Senders {
   bool isAnybody = false;
 };
 
-/// @return A socket that hears what is sent to any address of this machine at the port, by `senders`; empty where the
-/// port is taken.
+/// @return A socket that receives what is sent to any address of this machine at the port, by `senders`; empty
+/// where the port is taken.
 UdpSocket openUnicast(std::uint16_t port, const Senders& senders);
 
-/// @return A socket that hears what is sent to the group at the port by way of that interface; others may share the
-/// port. Empty where it can't be had.
+/// @return A socket that receives what is sent to the group at the port by way of that interface; others may share
+/// the port. Empty where it can't be had.
 UdpSocket openMulticast(std::uint32_t group, std::uint16_t port, std::uint32_t interface, const Senders& senders);
 
 /// @return A socket that sends and hears nothing.

@@ -34,7 +34,7 @@ using rtps::Locator_t;
 constexpr std::uint32_t kGroup = 0xefff0001;
 // So many participants of this machine are looked for at the ports that they have by their numbers, for those who hear
 // no group.
-constexpr std::uint32_t kParticipants = 32;
+constexpr std::uint32_t kParticipantsSought = 32;
 constexpr std::size_t kLargestPacket = 65536;
 
 std::uint32_t addressOf(const Locator_t& locator) {
@@ -311,7 +311,7 @@ bool LocalUdpTransport::configureInitialPeerLocator(Locator_t& locator, const rt
   } else if (isMulticast(locator)) {
     list.push_back(locatorOf(addressOf(locator), ports.getMulticastPort(domain)));
   } else {
-    for (std::uint32_t i = 0; i < kParticipants; ++i) {
+    for (std::uint32_t i = 0; i < kParticipantsSought; ++i) {
       const std::uint32_t port = ports.getUnicastPort(domain, i);
       if (port <= 65535) list.push_back(locatorOf(addressOf(locator), port));
     }
@@ -352,7 +352,7 @@ Reach reachOf(bool isLoopbackOnly, const std::optional<std::string>& interface) 
 }
 
 LocalUdp::LocalUdp(const Reach& reach, std::shared_ptr<std::atomic<bool>> isOpen)
-    : TransportDescriptorInterface(dds_rtps::s_maximumMessageSize, kParticipants),
+    : TransportDescriptorInterface(dds_rtps::s_maximumMessageSize, kParticipantsSought),
       reach_(reach),
       isOpen_(std::move(isOpen)) {}
 

@@ -21,24 +21,22 @@ void Outbox::add(Target& target, Buffer* buffer, const SampleId& related) {
   {
     const std::lock_guard lock(mutex_);
     waiting_.push_back({&target, buffer, related});
-    if (++target.pending_ > target.mostWaiting()) dropOldestOf(target);
+    if (++target.waiting_ > target.mostWaiting()) dropOldestOf(target);
   }
   added_.notify_one();
 }
 
 void Outbox::dropOldestOf(const Target& target) {
   const auto oldest = std::ranges::find(waiting_, &target, &Entry::target);
-  // the one that is being sent is not among them
-  if (oldest == waiting_.end()) return;
   buffers_.giveBack(oldest->buffer);
-  --oldest->target->pending_;
+  --oldest->target->waiting_;
   ++oldest->target->dropped_;
   waiting_.erase(oldest);
 }
 
 void Outbox::flush(Target& target) {
   std::unique_lock lock(mutex_);
-  sent_.wait(lock, [&target] { return target.pending_ == 0; });
+  sent_.wait(lock, [&target] { return target.waiting_ == 0 && !target.isSending_; });
 }
 
 void Outbox::run() {
@@ -51,10 +49,13 @@ void Outbox::run() {
     if (isOver_) return;
     const Entry entry = waiting_.front();
     waiting_.pop_front();
+    --entry.target->waiting_;
+    entry.target->isSending_ = true;
     lock.unlock();
     entry.target->send(entry.buffer, entry.related);
     lock.lock();
-    if (--entry.target->pending_ == 0) sent_.notify_all();
+    entry.target->isSending_ = false;
+    if (entry.target->waiting_ == 0) sent_.notify_all();
   }
 }
 

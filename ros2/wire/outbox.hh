@@ -31,8 +31,9 @@ class Outbox {
 
    private:
     friend class Outbox;
-    /// In the outbox or being sent; guarded by the outbox's mutex.
-    std::size_t pending_ = 0;
+    /// Samples in the outbox. Guarded by the outbox's mutex, as is the next.
+    std::size_t waiting_ = 0;
+    bool isSending_ = false;
     std::atomic<std::uint64_t> dropped_ = 0;
   };
 

@@ -15,6 +15,7 @@
 
 #include "ros2/wire/fast_dds.hh"
 #include "ros2/wire/local_udp.hh"
+#include "ros2/wire/security.hh"
 
 namespace pongsim::ros2 {
 
@@ -22,15 +23,12 @@ namespace {
 
 using eprosima::fastrtps::Duration_t;
 
-constexpr int kLastDomain = 232;
 // How soon a process that died without a word is forgotten.
 const Duration_t kLease{10, 0};
 // Whoever was not told when he came is told soon: Fast DDS answers a new participant once, and that may be lost.
 const Duration_t kAnnouncementPeriod{0, 500'000'000};
 // So many may find a port on this machine.
 constexpr std::uint32_t kParticipants = 115;
-// From it peers see that it is ROS; the zero at its end belongs to it.
-constexpr std::string_view kUserData("enclave=/;", 11);
 
 /// Settings that Fast DDS has once for the whole process; the same as those of pongsim's own transport.
 void setUpLibrary() {
@@ -53,6 +51,7 @@ rtps::Locator_t locatorOf(const char* address) {
 }
 
 rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
+                                             const std::optional<SecureIdentity>& identity,
                                              const std::shared_ptr<std::atomic<bool>>& isOpen) {
   rtps::RTPSParticipantAttributes attributes;
   attributes.useBuiltinTransports = false;
@@ -63,8 +62,16 @@ rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
   attributes.builtin.initialPeersList.push_back(locatorOf("127.0.0.1"));
   attributes.builtin.mutation_tries = kParticipants;
   // as rmw names them: by the enclave
-  attributes.setName("/");
-  attributes.userData.assign(kUserData.begin(), kUserData.end());
+  const std::string enclave = identity ? identity->name : "/";
+  attributes.setName(enclave.c_str());
+  // from it peers see that it is ROS; the zero at its end belongs to it
+  const std::string userData = "enclave=" + enclave + ";" + '\0';
+  attributes.userData.assign(userData.begin(), userData.end());
+  if (identity) {
+    for (const auto& [name, value] : securityProperties(*identity)) {
+      attributes.properties.properties().emplace_back(name, value);
+    }
+  }
   attributes.builtin.use_WriterLivelinessProtocol = true;
   attributes.builtin.discovery_config.leaseDuration = kLease;
   attributes.builtin.discovery_config.leaseDuration_announcementperiod = kAnnouncementPeriod;
@@ -80,11 +87,13 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
     throw std::invalid_argument("ROS_DOMAIN_ID is " + std::to_string(options.domain) + ", not between 0 and 232");
   }
   setUpLibrary();
+  const std::optional<SecureIdentity> identity = securityOfEnvironment(options.domain).identity;
   const auto isOpen = std::make_shared<std::atomic<bool>>(false);
   participant_ = rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(options.domain), false,
-                                                     attributesOf(options, isOpen), this);
+                                                     attributesOf(options, identity, isOpen), this);
   if (participant_ == nullptr) {
-    throw std::runtime_error("cannot open the ROS domain " + std::to_string(options.domain));
+    throw std::runtime_error("can't open the ROS domain " + std::to_string(options.domain) +
+                             (identity ? " as identity '" + identity->name + "'" : ""));
   }
   id_ = guidOf(participant_->getGuid());
   participant_->enable();

@@ -23,8 +23,11 @@ enum class Distro {
   kJazzy
 };
 
+/// The last domain that leaves participants ports below 65536 (RTPS 9.6.1.1).
+inline constexpr int kLastDomain = 232;
+
 struct ParticipantOptions {
-  /// 0 to 232.
+  /// 0 to `kLastDomain`.
   int domain = 0;
   Distro distro = Distro::kHumble;
   /// Whether it keeps to 127.0.0.1, where nodes that do not are not met (ROS_LOCALHOST_ONLY).

@@ -24,16 +24,18 @@ Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, boo
   attributes.endpoint.topicKind = rtps::NO_KEY;
   attributes.endpoint.reliabilityKind = reliabilityOf(contract);
   attributes.endpoint.durabilityKind = durabilityOf(contract);
+  // for access control, before it is announced
+  attributes.endpoint.properties.properties().emplace_back("topic_name", contract.topic);
   attributes.times.initialAcknackDelay = kHeartbeatPeriod;
   attributes.times.heartbeatResponseDelay = kAtOnce;
   reader_ = rtps::RTPSDomain::createRTPSReader(&participant, attributes, &history_, this);
-  if (reader_ == nullptr) throw std::runtime_error("DDS makes no reader for '" + contract.topic + "'");
+  if (reader_ == nullptr) throw std::runtime_error("DDS can't create a reader for '" + contract.topic + "'");
   id_ = guidOf(reader_->getGuid());
   namespace dds = eprosima::fastdds::dds;
   if (!participant.registerReader(reader_, topicAttributesOf(contract),
                                   endpointQosOf<dds::ReaderQos>(contract, tellsHash))) {
     rtps::RTPSDomain::removeRTPSReader(reader_);
-    throw std::runtime_error("DDS does not announce the reader of '" + contract.topic + "'");
+    throw std::runtime_error("DDS can't announce the reader of '" + contract.topic + "'");
   }
 }
 

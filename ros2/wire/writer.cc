@@ -72,6 +72,8 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
   attributes.endpoint.topicKind = rtps::NO_KEY;
   attributes.endpoint.reliabilityKind = reliabilityOf(contract);
   attributes.endpoint.durabilityKind = durabilityOf(contract);
+  // for access control, before it is announced
+  attributes.endpoint.properties.properties().emplace_back("topic_name", contract.topic);
   // sends on the outbox's thread
   attributes.mode = rtps::SYNCHRONOUS_WRITER;
   attributes.times.initialHeartbeatDelay = kAtOnce;
@@ -79,13 +81,13 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
   attributes.times.nackResponseDelay = kAtOnce;
   attributes.times.nackSupressionDuration = kAtOnce;
   writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, payloads_, &history_, this);
-  if (writer_ == nullptr) throw std::runtime_error("DDS makes no writer for '" + contract.topic + "'");
+  if (writer_ == nullptr) throw std::runtime_error("DDS can't create a writer for '" + contract.topic + "'");
   id_ = guidOf(writer_->getGuid());
   namespace dds = eprosima::fastdds::dds;
   if (!participant.registerWriter(writer_, topicAttributesOf(contract),
                                   endpointQosOf<dds::WriterQos>(contract, tellsHash))) {
     rtps::RTPSDomain::removeRTPSWriter(writer_);
-    throw std::runtime_error("DDS does not announce the writer of '" + contract.topic + "'");
+    throw std::runtime_error("DDS can't announce the writer of '" + contract.topic + "'");
   }
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::assets {
 
@@ -44,7 +44,7 @@ class Search {
     for (const fs::path& place : places) {
       if (isThere(place)) return place;
     }
-    return fail("'" + uri_ + "' is not found", "it was looked for at " + listOf(places) + advice);
+    return fail("'" + uri_ + "' is not found", "looked for it at " + listOf(places) + advice);
   }
 
   std::nullopt_t fail(std::string message, std::string hint) {
@@ -56,9 +56,9 @@ class Search {
     const std::optional<FuelAddress> address = parseFuelAddress(uri_);
     if (!address) {
       return fail("'" + uri_ + "' is not the address of a Fuel model or world",
-                  "it should read https://fuel.gazebosim.org/1.0/OWNER/models/NAME or .../NAME/VERSION");
+                  "write https://fuel.gazebosim.org/1.0/OWNER/models/NAME or .../NAME/VERSION");
     }
-    if (cache.empty()) return fail("there is no Fuel cache to find '" + uri_ + "' in", "set IGN_FUEL_CACHE_PATH");
+    if (cache.empty()) return fail("there is no Fuel cache to look in for '" + uri_ + "'", "set IGN_FUEL_CACHE_PATH");
     if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return found;
     if (fetch != nullptr) {
       fetch->bring({uri_});
@@ -80,7 +80,7 @@ class Search {
       places.push_back(placeOf(other, cache));
     }
     return fail("'" + uri_ + "' is not in the local Fuel cache",
-                "it was looked for at " + listOf(places) + "; 'pongsim fuel download -u ADDRESS' puts it there");
+                "looked for it at " + listOf(places) + "; download it with 'pongsim fuel download -u ADDRESS'");
   }
 
  private:
@@ -112,14 +112,14 @@ std::optional<fs::path> Finder::operator()(std::string_view uri, const fs::path&
   const std::size_t mark = uri.find("://");
   const std::string_view scheme = uri.substr(0, mark == uri.npos ? 0 : mark);
   const std::string_view path = uri.substr(mark == uri.npos ? 0 : mark + 3);
-  if (path.empty()) return search.fail("'" + std::string(uri) + "' names nothing", "write model://NAME or a path");
-  if (path.find('\0') != path.npos) return search.fail("there is a zero byte in an address", "");
+  if (path.empty()) return search.fail("'" + std::string(uri) + "' contains no name", "write model://NAME or a path");
+  if (path.find('\0') != path.npos) return search.fail("an address contains a zero byte", "");
   const bool isModel = scheme == "model" || scheme == "package";
   if (!scheme.empty() && !isModel && scheme != "file") {
-    return search.fail("'" + std::string(uri) + "' is an address of an unknown kind",
-                       "model://NAME, package://NAME/FILE, file://PATH, paths and addresses of Fuel models are known");
+    return search.fail("'" + std::string(uri) + "' is not a supported kind of address",
+                       "use model://NAME, package://NAME/FILE, file://PATH, a path or the address of a Fuel model");
   }
-  const std::string advice = places_.folders.empty() ? "; PONGSIM_RESOURCE_PATH can name folders to look in" : "";
+  const std::string advice = places_.folders.empty() ? "; set PONGSIM_RESOURCE_PATH to search more folders" : "";
   return search.in(candidates(path, isModel ? nullptr : &folder, places_), advice);
 }
 

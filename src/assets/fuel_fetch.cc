@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "base/shared_library.hh"
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 #include "pongsim/log.hh"
 
 namespace pongsim::assets {
@@ -153,7 +153,7 @@ void FuelFetch::run(const std::vector<std::string>& addresses) {
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   // a line for each that is settled: "ok ADDRESS" or "failed ADDRESS TAB WHY TAB ADVICE"
-  fail(WIFSIGNALED(status) ? "the download was broken off" : "the download ended without a word");
+  fail(WIFSIGNALED(status) ? "the download was interrupted" : "the download ended without a result");
   for (std::string_view rest = answer; !rest.empty();) {
     std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
@@ -168,14 +168,14 @@ void FuelFetch::run(const std::vector<std::string>& addresses) {
 
 Problem FuelFetch::whyNot(const std::string& address) const {
   const std::string missing = "'" + address + "' is not in the local Fuel cache";
-  if (isFuelOffline()) return {missing, "nothing is downloaded, for PONGSIM_OFFLINE or --offline says so"};
-  if (program_.empty()) return {missing, "the package pongsim-fuel downloads it: apt-get install pongsim-fuel"};
+  if (isFuelOffline()) return {missing, "downloads are off: PONGSIM_OFFLINE or --offline is set"};
+  if (program_.empty()) return {missing, "install pongsim-fuel to download it: apt-get install pongsim-fuel"};
   const std::optional<std::string> resource = resourceOf(address);
   const auto failed = resource ? failed_.find(*resource) : failed_.end();
   if (failed != failed_.end()) {
     return {"'" + address + "' can't be downloaded: " + failed->second.text, failed->second.hint};
   }
-  return {missing, "what it names is not there"};
+  return {missing, "there is no such model or file on the server"};
 }
 
 }  // namespace pongsim::assets

@@ -66,11 +66,11 @@ std::variant<std::vector<MeshPart>, Problem> partsOf(const aiScene& scene) {
   SceneCopier copier(scene);
   if (scene.mRootNode != nullptr) copier.copy(*scene.mRootNode, aiMatrix4x4(), 0);
   if (copier.isTooLarge()) {
-    return Problem{"holds more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
+    return Problem{"contains more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
   }
-  if (!copier.isFinite()) return Problem{"holds a coordinate that is not finite", {}};
+  if (!copier.isFinite()) return Problem{"contains a coordinate that is not finite", {}};
   std::vector<MeshPart> parts = copier.take();
-  if (parts.empty()) return Problem{"holds no triangles", {}};
+  if (parts.empty()) return Problem{"contains no triangles", {}};
   return parts;
 }
 

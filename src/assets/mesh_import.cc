@@ -45,7 +45,7 @@ std::unique_ptr<aiPropertyStore, ReleaseProperties> importSettings(int dropped) 
 std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& file, int dropped, unsigned steps) {
   const std::string ending = lowerCaseEnding(file);
   if (std::ranges::find(kEndings, ending) == kEndings.end()) {
-    return Problem{"is of a kind that is not read", "meshes in .dae, .stl, .obj, .glb and .gltf are"};
+    return Problem{"is not in a supported format", "supported formats are .dae, .stl, .obj, .glb and .gltf"};
   }
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);

@@ -147,11 +147,11 @@ std::variant<std::vector<MeshLook>, Problem> readMeshLook(const std::filesystem:
   LookCopier copier(scene, submesh, file.parent_path());
   if (scene.mRootNode != nullptr) copier.copy(*scene.mRootNode, aiMatrix4x4(), 0);
   if (copier.isTooLarge()) {
-    return Problem{"holds more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
+    return Problem{"contains more than " + std::to_string(kMostTriangles) + " triangles, which is the limit", {}};
   }
-  if (!copier.isFinite()) return Problem{"holds a coordinate that is not finite", {}};
+  if (!copier.isFinite()) return Problem{"contains a coordinate that is not finite", {}};
   std::vector<MeshLook> looks = copier.take();
-  if (looks.empty()) return Problem{submesh.empty() ? "holds no triangles" : "has no submesh '" + submesh + "'", {}};
+  if (looks.empty()) return Problem{submesh.empty() ? "contains no triangles" : "has no submesh '" + submesh + "'", {}};
   if (isCentered && !submesh.empty()) center(looks);
   return looks;
 }

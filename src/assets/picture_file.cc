@@ -32,7 +32,7 @@ std::variant<Picture, Problem> readPicture(const std::filesystem::path& file) {
   const std::string start = startOf(file);
   if (start.starts_with(kJpegStart)) return readJpeg(file, kMostPicturePixels);
   if (!start.starts_with(kPngStart)) {
-    return Problem{"is neither a PNG nor a JPEG image", "other formats (TGA, BMP, TIFF, DDS) have to be converted"};
+    return Problem{"is neither a PNG nor a JPEG image", "convert images in other formats (TGA, BMP, TIFF, DDS)"};
   }
   PngImage png;
   auto pixels = readRgba(file, kMostPicturePixels, 0, png);

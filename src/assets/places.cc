@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 namespace pongsim::assets {
 

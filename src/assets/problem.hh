@@ -5,7 +5,7 @@
 
 namespace pongsim::assets {
 
-/// Why a file is of no use, in a sentence that follows its name: "holds no triangles".
+/// Why a file is of no use, in a sentence that follows its name: "contains no triangles".
 struct Problem {
   std::string text;
   std::string hint;

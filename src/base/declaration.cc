@@ -154,14 +154,13 @@ void Parameter::readElement(const Element& element) const {
 
 double Parameter::number(const Element& element) const {
   const double value = element.as<double>();
-  const std::string what = unit_ == "m" ? "a length" : "a number";
   if (above_ && (!(value > *above_) || (isFinite_ && std::isinf(value)))) {
-    refuseValue(element, "must be " + what + " above " + (*above_ == 0 ? "zero" : textOf(*above_)));
+    refuseValue(element, "must be above " + (*above_ == 0 ? "zero" : textOf(*above_)));
   }
   if (atLeast_ && (!(value >= *atLeast_) || (isFinite_ && std::isinf(value)))) {
-    refuseValue(element, "must be " + what + " of at least " + (*atLeast_ == 0 ? "zero" : textOf(*atLeast_)));
+    refuseValue(element, "must be " + (*atLeast_ == 0 ? "zero or more" : "at least " + textOf(*atLeast_)));
   }
-  if (atMost_ && !(value <= *atMost_)) refuseValue(element, "must be " + what + " of at most " + textOf(*atMost_));
+  if (atMost_ && !(value <= *atMost_)) refuseValue(element, "must be at most " + textOf(*atMost_));
   if (std::isnan(value) || (isFinite_ && std::isinf(value))) refuseValue(element, "must be a finite number");
   const bool isForce = unit_ == "N" || unit_ == "N m";
   if (isForce && std::abs(value) > kLargestForce && !std::isinf(value)) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pongsim/log_sink.hh"
+#include "pongsim/program/log_sink.hh"
 
 namespace pongsim {
 

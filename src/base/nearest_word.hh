@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 
 namespace pongsim::base {
 

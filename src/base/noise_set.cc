@@ -1,4 +1,4 @@
-#include "pongsim/noise_set.hh"
+#include "pongsim/sensing/noise_set.hh"
 
 namespace pongsim {
 

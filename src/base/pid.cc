@@ -1,4 +1,4 @@
-#include "pongsim/pid.hh"
+#include "pongsim/control/pid.hh"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "pongsim/speed_limiter.hh"
+#include "pongsim/control/speed_limiter.hh"
 
 #include <algorithm>
 #include <string>

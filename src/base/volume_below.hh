@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "pongsim/geometry/volume_moments.hh"
 #include "pongsim/types.hh"
-#include "pongsim/volume_moments.hh"
 
 namespace pongsim::base {
 

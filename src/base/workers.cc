@@ -15,7 +15,7 @@ void pause() {
 
 }  // namespace
 
-Workers::Workers(int threads, int looks) : looks_(looks) {
+Workers::Workers(int threads, int looks) : looks_(looks), parts_(static_cast<std::size_t>(threads)) {
   for (int worker = 1; worker < threads; ++worker) threads_.emplace_back([this, worker] { help(worker); });
 }
 
@@ -27,10 +27,12 @@ Workers::~Workers() {
 }
 
 void Workers::share(std::size_t count, Call call, void* context) {
-  count_ = count;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    parts_[i].next.store(count * i / parts_.size(), std::memory_order_relaxed);
+    parts_[i].end = count * (i + 1) / parts_.size();
+  }
   call_ = call;
   context_ = context;
-  next_ = 0;
   inside_ = kOpen;
   ++round_;
   round_.notify_all();
@@ -48,7 +50,14 @@ void Workers::share(std::size_t count, Call call, void* context) {
 }
 
 void Workers::take(int worker) {
-  for (std::size_t i = next_++; i < count_; i = next_++) call_(context_, i, worker);
+  for (std::size_t turn = 0; turn < parts_.size(); ++turn) {
+    Part& part = parts_[(static_cast<std::size_t>(worker) + turn) % parts_.size()];
+    // who only looks leaves the line where it is
+    while (part.next.load(std::memory_order_relaxed) < part.end) {
+      const std::size_t i = part.next.fetch_add(1, std::memory_order_relaxed);
+      if (i < part.end) call_(context_, i, worker);
+    }
+  }
 }
 
 void Workers::help(int worker) {

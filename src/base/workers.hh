@@ -9,7 +9,8 @@
 namespace pongsim::base {
 
 /// Threads that share a piece of work which comes again and again, thousands of times a second: they wait awake for a
-/// moment before they sleep. Allocates nothing once made.
+/// moment before they sleep. Each begins with its own part, the same each time, so that what it needs is in its
+/// processor's caches, and then helps the others. Allocates nothing once made.
 class Workers {
  public:
   /// @param threads How many work, the caller of `forEach` included; at least 1.
@@ -37,6 +38,11 @@ class Workers {
   }
 
  private:
+  /// What of the work is a thread's own, on a cache line of its own.
+  struct alignas(64) Part {
+    std::atomic<std::size_t> next = 0;
+    std::size_t end = 0;
+  };
   using Call = void (*)(void* context, std::size_t index, int worker);
 
   void share(std::size_t count, Call call, void* context);
@@ -48,10 +54,9 @@ class Workers {
   const int looks_;
 
   // the work; written only while nobody is in it
-  std::size_t count_ = 0;
+  std::vector<Part> parts_;
   Call call_ = nullptr;
   void* context_ = nullptr;
-  std::atomic<std::size_t> next_ = 0;
 
   /// How many threads are in the work, and whether more may come in.
   std::atomic<std::uint32_t> inside_ = 0;

@@ -6,7 +6,7 @@
 
 #include "cli/command.hh"
 #include "cli/command_line.hh"
-#include "cli/extension_command.hh"
+#include "cli/extension/extension_command.hh"
 #include "cli/manual.hh"
 
 namespace pongsim::cli {

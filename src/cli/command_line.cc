@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -16,8 +17,10 @@
 
 #include "base/nearest_word.hh"
 #include "cli/console.hh"
+#include "cli/extension/optional_values.hh"
 #include "cli/fortress_words.hh"
 #include "cli/ign_arguments.hh"
+#include "pongsim/program/keystore.hh"
 
 namespace pongsim::cli {
 
@@ -79,7 +82,7 @@ UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
 
   const std::string said = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) {
-    return UsageError(said, helpFor(command) + " tells more");
+    return UsageError(said, helpFor(command) + " has details");
   }
   std::string name = said.substr(0, said.find_first_of(": "));
   if (!isOption(name)) name.insert(0, name.size() > 1 ? "--" : "-");
@@ -121,7 +124,7 @@ int parse(CLI::App& program, std::vector<std::string> arguments) {
 std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work& work) {
   auto program =
       std::make_unique<CLI::App>("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
-  program->set_help_flag("-h,--help", "Print this and end");
+  program->set_help_flag("-h,--help", "Print this help and exit");
   // behind a command its words are its own: "pongsim ros2 topic" is not "pongsim topic"
   program->require_subcommand(0, 1);
   program->footer(
@@ -131,9 +134,10 @@ std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work
       "  pongsim topic --help\n"
       "\n"
       "Environment:\n"
-      "  PONGSIM_DOMAIN         DDS domain, 0 to 232 (0): processes of different ones do not meet\n"
+      "  PONGSIM_DOMAIN         DDS domain, 0 to 232 (0): processes in different domains do not see each other\n"
       "  PONGSIM_NETWORK        network interface for other machines, by name or address\n"
-      "  PONGSIM_PLUGIN_PATH    folders of systems, before pongsim's own\n"
+      "  PONGSIM_SECURITY       keystore, or KEYSTORE/NAME, to secure all topics and services\n"
+      "  PONGSIM_PLUGIN_PATH    folders of systems, searched before pongsim's own\n"
       "  PONGSIM_RESOURCE_PATH  folders of worlds and models");
   for (const AddCommand add : commands) add(*program, work);
   return program;
@@ -145,7 +149,7 @@ Work workOf(int argc, char** argv, std::span<const AddCommand> commands) {
   const IgnLine line = lineOf(argc, argv);
   if (line.text) return [text = *line.text] { return print(text) ? kDone : kFailed; };
   if (line.arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
-  const int done = parse(*program, line.arguments);
+  const int done = parse(*program, withOptionalValuesLast(line.arguments, *program));
   // what the commands have read stands in the program
   return [program, work, done] { return *work ? (*work)() : done; };
 }
@@ -153,11 +157,17 @@ Work workOf(int argc, char** argv, std::span<const AddCommand> commands) {
 int run(int argc, char** argv, std::span<const AddCommand> commands) {
   // a reader that goes away is seen where the writing is done
   std::signal(SIGPIPE, SIG_IGN);
+  // so is a file that may not grow
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return workOf(argc, argv, commands)();
   } catch (const UsageError& error) {
     sayError(error.what(), error.hint());
     return kWrongUsage;
+  } catch (const KeystoreError& error) {
+    return fail(error.what(), error.hint());
+  } catch (const std::bad_alloc&) {
+    return fail("not enough memory");
   } catch (const std::exception& error) {
     return fail(error.what());
   }

@@ -47,7 +47,7 @@ bool errorsHaveColors() {
 bool print(std::string_view data) {
   errno = 0;
   if (std::fwrite(data.data(), 1, data.size(), stdout) == data.size() && std::fflush(stdout) == 0) return true;
-  if (errno != EPIPE) sayError(std::string("cannot write to stdout: ") + std::strerror(errno));
+  if (errno != EPIPE) sayError(std::string("can't write to stdout: ") + std::strerror(errno));
   return false;
 }
 

@@ -25,22 +25,20 @@ struct Answer {
 };
 
 constexpr Answer kAbsentCommands[] = {
-    {"gui", "there are no windows here", "pongsim view draws a world, pongsim topic -e --plot what a sensor sees"},
-    {"launch", "pongsim starts worlds, not lists of programs",
-     "start what the file lists one by one, in a script: pongsim run WORLD &"},
+    {"gui", "pongsim has no windows", "'pongsim view' draws a world, 'pongsim topic -e --plot' what a sensor measures"},
+    {"launch", "pongsim does not run launch files", "start the programs in a script: pongsim run WORLD &"},
     {"gazebo", "'gazebo' is 'run' here", "pongsim run WORLD"},
     {"sim", "'sim' is 'run' here", "pongsim run WORLD"}};
 
 /// Those of the program `ign`, which a link of that name to pongsim has.
 constexpr Answer kOptionsOfIgn[] = {
-    {"--version", "'--version' stands alone", "pongsim --version"},
+    {"--version", "'--version' can't be combined with other options", "pongsim --version"},
     {"--versions", "there is one version of pongsim", "pongsim --version"},
-    {"--force-version", "there is one version of pongsim, that of 'pongsim --version'", "leave it out"}};
+    {"--force-version", "there is only one version of pongsim: see 'pongsim --version'", "leave it out"}};
 
 std::optional<Advice> missing(std::string_view word, std::string_view package) {
-  return Advice{
-      "'" + std::string(word) + "' comes with the package " + std::string(package) + ", which is not installed",
-      "apt-get install " + std::string(package)};
+  return Advice{"'" + std::string(word) + "' is in the package " + std::string(package) + ", which is not installed",
+                "apt-get install " + std::string(package)};
 }
 
 template <class Answers>

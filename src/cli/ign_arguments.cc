@@ -34,9 +34,8 @@ std::string_view versionOf(std::string_view command) {
 void checkVersion(std::string_view command, std::string_view wanted) {
   const std::string_view version = versionOf(command);
   if (wanted.substr(0, wanted.find('.')) == version) return;
-  throw UsageError(
-      "there is no version '" + std::string(wanted) + "' of '" + std::string(command) + "' here",
-      "it does what version " + std::string(version) + ", that of Fortress, does: leave out --force-version");
+  throw UsageError("there is no version '" + std::string(wanted) + "' of '" + std::string(command) + "' here",
+                   "it does the same as version " + std::string(version) + " of Fortress: leave out --force-version");
 }
 
 /// @return The flags that are joined in a word ("sr" of "-srv4"), and what stands behind them ("v4").

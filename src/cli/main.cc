@@ -2,10 +2,11 @@
 #include <string>
 #include <variant>
 
+#include "base/last_words.hh"
 #include "base/shared_library.hh"
 #include "cli/own_folder.hh"
 #include "cli/talk.hh"
-#include "msgs/described_types.hh"
+#include "msgs/types/described_types.hh"
 
 namespace pongsim::msgs {
 
@@ -38,5 +39,6 @@ int runWhole(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  pongsim::base::sayLastWords();
   return pongsim::cli::isTalk(argc, argv) ? pongsim::cli::talk(argc, argv) : runWhole(argc, argv);
 }

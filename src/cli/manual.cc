@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "cli/extension_command.hh"
+#include "cli/extension/extension_command.hh"
 
 namespace pongsim::cli {
 
@@ -106,8 +106,8 @@ std::string page(const CLI::App& command, const std::string& name, const std::st
          (commands.empty() ? argumentsOf(command) : " " + italic("COMMAND") + argumentsOf(command)) + "\n" +
          (commands.empty() ? "" : ".SH COMMANDS\n" + commands) + ".SH OPTIONS\n" + optionsOf(command) +
          sectionsOf(command.get_footer()) +
-         ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nThe work failed: a file with mistakes, nobody who listens or "
-         "answers.\n.TP\n2\nThe command line was wrong.\n.SH SEE ALSO\n" +
+         ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nThe work failed: errors in a file, no subscriber or no "
+         "response.\n.TP\n2\nThe command line was wrong.\n.SH SEE ALSO\n" +
          seeAlso + "\n";
 }
 

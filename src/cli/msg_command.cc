@@ -10,8 +10,8 @@
 #include "cli/console.hh"
 #include "cli/message_option.hh"
 #include "cli/own_folder.hh"
-#include "msgs/definition.hh"
-#include "msgs/message_template.hh"
+#include "msgs/encoding/message_template.hh"
+#include "msgs/types/definition.hh"
 #include "pongsim/message.hh"
 
 namespace pongsim::cli {
@@ -40,7 +40,7 @@ int listTypes(const MsgCommandLine& given) {
 
 Work workFor(const MsgCommandLine& given) {
   if (int{given.list} + int{given.infoType.has_value()} + int{given.templateType.has_value()} != 1) {
-    throw UsageError(given.list || given.infoType ? "one thing at a time" : "nothing to do given",
+    throw UsageError(given.list || given.infoType ? "only one action at a time" : "no action given",
                      "one of --list, --info TYPE and --template TYPE");
   }
   if (given.list) return [&given] { return listTypes(given); };
@@ -60,18 +60,17 @@ Work workFor(const MsgCommandLine& given) {
 
 void addMsgCommand(CLI::App& program, Work& work) {
   const auto given = std::make_shared<MsgCommandLine>();
-  CLI::App* command = program.add_subcommand("msg", "List message types, print how one is made up");
-  command->set_help_flag("-h,--help", "Print this and end");
+  CLI::App* command = program.add_subcommand("msg", "List message types, print the definition of one");
+  command->set_help_flag("-h,--help", "Print this help and exit");
   command->add_flag("-l,--list", given->list, "Print the message types, sorted")->disable_flag_override();
-  command
-      ->add_flag("--json", given->json, "Print JSON: the list as an array, else an object with the type and its text")
+  command->add_flag("--json", given->json, "Print JSON: the list as an array, or an object with the type and its text")
       ->disable_flag_override();
   const auto add = [command](const char* names, const char* description, std::optional<std::string>& target) {
     const auto keep = [&target](const std::string& text) { target = text; };
     command->add_option_function<std::string>(names, keep, description)->type_name("TYPE");
   };
   add("-i,--info", "Print the type's definition: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->infoType);
-  add("-t,--template", "Print a message of the type as text to fill in", given->templateType);
+  add("-t,--template", "Print a template of a message of the type", given->templateType);
   command->add_flag("--as-ign", given->asIgn)->disable_flag_override()->group("");
   command->footer(
       "Examples:\n"

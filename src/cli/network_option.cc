@@ -22,8 +22,8 @@ void addNetworkOption(CLI::App& command) {
   };
   command
       .add_option_function<std::string>("--network", open,
-                                        "Talk to other machines too, by a network interface's name or address,\n"
-                                        "and let anybody there talk to it")
+                                        "Also communicate over this network interface (name or address). Anybody on\n"
+                                        "that network can then take part")
       ->type_name("INTERFACE");
 }
 

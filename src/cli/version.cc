@@ -17,7 +17,7 @@ std::string versionText() {
 
 void addVersionOption(CLI::App& program, Work&) {
   program.set_version_flag("--version", versionText,
-                           "Print the version, and those of the libraries that results depend on, and end");
+                           "Print the version, and those of the libraries that affect results, and exit");
 }
 
 }  // namespace pongsim::cli

@@ -11,8 +11,8 @@
 #include "assets/finder.hh"
 #include "assets/places.hh"
 #include "cli/own_folder.hh"
-#include "pongsim/fuel_address.hh"
-#include "sdf/model_config.hh"
+#include "pongsim/files/fuel_address.hh"
+#include "sdf/includes/model_config.hh"
 
 namespace pongsim::cli {
 

@@ -8,8 +8,8 @@
 #include "description/link.hh"
 #include "description/plugin.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/files/urdf_source.hh"
 #include "pongsim/types.hh"
-#include "pongsim/urdf_source.hh"
 
 namespace pongsim::description {
 

@@ -6,7 +6,7 @@
 #include "description/plugin.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
-#include "pongsim/sensor_settings.hh"
+#include "pongsim/sensing/sensor_settings.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::description {

@@ -20,6 +20,8 @@ endforeach()
 
 if(sources)
   add_library(pongsim_messages SHARED ${sources})
+  # what protoc writes is one file's alone
+  set_target_properties(pongsim_messages PROPERTIES UNITY_BUILD OFF)
   target_compile_options(pongsim_messages PRIVATE -w)
   set_target_properties(pongsim_messages PROPERTIES OUTPUT_NAME pongsim-messages CXX_VISIBILITY_PRESET default
     VISIBILITY_INLINES_HIDDEN OFF VERSION ${PROJECT_VERSION} SOVERSION ${PONGSIM_SOVERSION})

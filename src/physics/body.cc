@@ -46,11 +46,12 @@ btRigidBody::btRigidBodyConstructionInfo constructionInfo(const PrincipalMass& m
 
 }  // namespace
 
-Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gravity, HullStore& hulls)
-    : Body(entities.links()[link], link, massOf(entities, entities.links()[link]), gravity, hulls) {}
+Body::Body(const world::Entities& entities, world::Slot link, const Vector3& gravity, HullStore& hulls,
+           SharedShapes& shared)
+    : Body(entities.links()[link], link, massOf(entities, entities.links()[link]), gravity, hulls, shared) {}
 
 Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity,
-           HullStore& hulls)
+           HullStore& hulls, SharedShapes& shared)
     : link_(link),
       id_(record.id),
       moves_(isMoving(record)),
@@ -60,7 +61,7 @@ Body::Body(const world::LinkRecord& record, world::Slot link, const PrincipalMas
       X_LinkBody_(mass.X_LinkBody),
       X_BodyLink_(X_LinkBody_.inverse()),
       isCentred_(X_BodyLink_.position.isZero(0)),
-      shape_(*record.description, X_BodyLink_, moves_, hulls),
+      shape_(*record.description, X_BodyLink_, moves_, hulls, shared),
       rigid_(constructionInfo(mass, shape_.root())) {
   const description::Link& description = *record.description;
   setPose(record.X_WorldLinkStart);

@@ -3,8 +3,8 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "physics/mass.hh"
-#include "physics/shape.hh"
-#include "pongsim/state_archive.hh"
+#include "physics/shapes/shape.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
@@ -19,7 +19,8 @@ class Body {
  public:
   /// @param gravity World frame [m/s^2].
   /// @throws std::invalid_argument if a moving link's mass or inertia can't be.
-  Body(const world::Entities& entities, world::Slot link, const Vector3& gravity, HullStore& hulls);
+  Body(const world::Entities& entities, world::Slot link, const Vector3& gravity, HullStore& hulls,
+       SharedShapes& shared);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
@@ -67,7 +68,7 @@ class Body {
 
  private:
   Body(const world::LinkRecord& record, world::Slot link, const PrincipalMass& mass, const Vector3& gravity,
-       HullStore& hulls);
+       HullStore& hulls, SharedShapes& shared);
 
   world::Slot link_;
   LinkId id_;

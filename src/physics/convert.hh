@@ -2,7 +2,7 @@
 
 #include <LinearMath/btTransform.h>
 
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::physics {

@@ -1,6 +1,5 @@
 #include "physics/dynamics_world.hh"
 
-#include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 
 #include <algorithm>
@@ -8,17 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "physics/contact_solver.hh"
-#include "physics/group_solver.hh"
-#include "physics/manifold_state.hh"
+#include "physics/contacts/manifold_state.hh"
+#include "physics/solving/contact_solver.hh"
+#include "physics/solving/group_solver.hh"
 
 namespace pongsim::physics {
 
 namespace {
-
-// a body that does more than that in one step rolls [rad], [m]
-constexpr double kSmallTurn = 1e-4;
-constexpr double kSmallShift = 1e-5;
 
 std::unique_ptr<btConstraintSolver> makeSolver(const Settings& settings) {
   switch (settings.solver) {
@@ -42,10 +37,10 @@ std::vector<std::unique_ptr<btConstraintSolver>> makeSolvers(const Settings& set
 
 DynamicsWorld::DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, GroupWork& work)
     : workers_(settings.threads),
-      dispatcher_(configuration, workers_, rest_),
-      world_(dispatcher_, broadphase_, configuration, makeSolvers(settings), workers_, rest_, work) {
+      dispatcher_(configuration, workers_, rest_, settings.maxContacts),
+      world_(dispatcher_, broadphase_, configuration, makeSolvers(settings), settings.maxContacts, workers_, rest_,
+             work) {
   world_.setGravity(btVector3(0, 0, 0));
-  world_.setForceUpdateAllAabbs(false);
 
   btContactSolverInfo& info = world_.getSolverInfo();
   info.m_numIterations = settings.iterations;
@@ -87,7 +82,7 @@ void DynamicsWorld::separate(btRigidBody& a, btRigidBody& b) {
 void DynamicsWorld::findPairsOf(btRigidBody& body) {
   btBroadphaseProxy* proxy = body.getBroadphaseProxy();
   if (proxy == nullptr) return;
-  broadphase_.setAabbForceUpdate(proxy, proxy->m_aabbMin, proxy->m_aabbMax, &dispatcher_);
+  broadphase_.findPairs(*proxy);
 }
 
 void DynamicsWorld::transferContacts(StateArchive& archive) {
@@ -104,31 +99,7 @@ void DynamicsWorld::forgetRest() {
 void DynamicsWorld::step(double dt) {
   if (std::exchange(lastStep_, dt) != dt) forgetRest();
   hasStepped_ = true;
-  forgetRolledContacts(dt);
   world_.stepSimulation(dt, 0);
-}
-
-// A rolling wheel's old points of contact lie behind it and would push it forward. The step finds those on a plane
-// anew; a body that does not roll keeps its own, which give it a broader base.
-void DynamicsWorld::forgetRolledContacts(double dt) {
-  const auto isPlane = [](const btCollisionObject* object) {
-    return object->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
-  };
-  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
-    btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(i);
-    if (manifold->getNumContacts() == 0) continue;
-    const btCollisionObject* other = isPlane(manifold->getBody0())   ? manifold->getBody1()
-                                     : isPlane(manifold->getBody1()) ? manifold->getBody0()
-                                                                     : nullptr;
-    if (other == nullptr) continue;
-    const btRigidBody& body = *btRigidBody::upcast(other);
-    const btVector3& normal = manifold->getContactPoint(0).m_normalWorldOnB;
-    const double turn = body.getAngularVelocity().length() * dt;
-    const double shift = body.getLinearVelocity().cross(normal).length() * dt;
-    if (turn <= kSmallTurn || shift <= kSmallShift) continue;
-    manifold->clearManifold();
-    rest_.wake(body);
-  }
 }
 
 }  // namespace pongsim::physics

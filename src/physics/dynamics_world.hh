@@ -1,63 +1,60 @@
 #pragma once
 
-#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
-
 #include <cstdint>
 
-#include "physics/collision_configuration.hh"
-#include "physics/dispatcher.hh"
-#include "physics/grouped_world.hh"
+#include "physics/contacts/broad_phase.hh"
+#include "physics/contacts/collision_configuration.hh"
+#include "physics/contacts/dispatcher.hh"
 #include "physics/settings.hh"
-#include "pongsim/state_archive.hh"
+#include "physics/solving/grouped_world.hh"
+#include "pongsim/state/state_archive.hh"
 
 namespace pongsim::physics {
 
-/// A Bullet world with all that it stands on, set up as `Settings` say.
+/// A Bullet world with everything it needs, configured by `Settings`.
 class DynamicsWorld {
  public:
-  /// @param configuration Must outlive it, and may serve another world after it.
+  /// @param configuration Must outlive this; may be used by another world afterwards.
   DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, GroupWork& work);
 
   GroupedWorld& bullet() { return world_; }
 
-  /// Takes a body in.
-  /// @param number Of its own and larger than those of the bodies before it: of a pair, the one with the smaller number
-  /// comes first, whenever it was taken in, so that what is found between the two has the same bits.
+  /// Adds a body.
+  /// @param number Unique and larger than those of earlier bodies: in a pair, the body with the smaller number comes
+  /// first regardless of when it was added, so that their contacts have the same bits.
   void add(btRigidBody& body, std::uint64_t number);
 
-  /// Finds what bodies touch where they are now, without moving them.
+  /// Finds the contacts of bodies at their current poses, without moving them.
   void findTouches() { world_.performDiscreteCollisionDetection(); }
   Dispatcher& dispatcher() { return dispatcher_; }
 
-  /// Forgets what touches the body, which is somewhere else now, and finds what it may touch there.
+  /// Discards the contacts of a body that was moved, and finds its new candidate pairs.
   void moved(btRigidBody& body);
 
-  /// Forgets that the two may touch, and what they touched.
+  /// Discards the candidate pair and contacts of two bodies.
   void separate(btRigidBody& a, btRigidBody& b);
 
-  /// Finds what the body may touch now that the filter says otherwise than before.
+  /// Finds the candidate pairs of a body after its filter has changed.
   void findPairsOf(btRigidBody& body);
 
-  /// Takes the points at which bodies touch, or puts them in place of those that it finds where the bodies are now.
+  /// Saves the contact points, or replaces those found at the current poses by saved ones.
   void transferContacts(StateArchive& archive);
 
-  /// Bodies at rest are no longer, for something that is not theirs has changed.
+  /// Wakes resting bodies after an external change.
   void forgetRest();
 
-  /// One step of exactly `dt` [s].
+  /// Makes one step of exactly `dt` [s].
   void step(double dt);
 
  private:
-  void forgetRolledContacts(double dt);
-
   base::Workers workers_;
   Rest rest_;
   Dispatcher dispatcher_;
-  btDbvtBroadphase broadphase_;
+  BroadPhase broadphase_;
   GroupedWorld world_;
   /// Length of the last step [s].
   double lastStep_ = 0;
-  /// Only a step finds out who rests: without one since `forgetRest` there is nothing to forget.
+  /// Only a step puts bodies to rest: without one since `forgetRest` there are none to wake.
   bool hasStepped_ = false;
 };
 

@@ -11,18 +11,18 @@
 #include <string>
 #include <utility>
 
+#include "base/prefetch.hh"
 #include "physics/body.hh"
-#include "physics/collision_configuration.hh"
-#include "physics/contact_filter.hh"
-#include "physics/contact_list.hh"
+#include "physics/contacts/collision_configuration.hh"
+#include "physics/contacts/contact_filter.hh"
+#include "physics/contacts/contact_list.hh"
+#include "physics/contacts/manifold_state.hh"
+#include "physics/contacts/surface.hh"
 #include "physics/convert.hh"
 #include "physics/dynamics_world.hh"
-#include "physics/friction.hh"
-#include "physics/friction_frames.hh"
 #include "physics/gearbox.hh"
 #include "physics/joint.hh"
-#include "physics/manifold_state.hh"
-#include "physics/surface.hh"
+#include "physics/solving/friction_frames.hh"
 
 namespace pongsim::physics {
 
@@ -41,13 +41,14 @@ struct Engine::Parts final : GroupWork {
   }
   ~Parts() override;
 
-  long long mostContacts(const btPersistentManifold& manifold) const override {
-    return physics::mostContacts(manifold, settings.maxContacts);
-  }
   void prepare(std::span<btCollisionObject* const> groupBodies, std::span<btTypedConstraint* const> groupJoints,
                double seconds) override;
   void finish(std::span<btCollisionObject* const> groupBodies,
               std::span<btTypedConstraint* const> groupJoints) override;
+  void prefetch(std::size_t member) const override { base::prefetch(*moving[member]); }
+  void prefetchSurface(std::size_t member) const override { moving[member]->shape().prefetch(); }
+  // what it is stands in it; one of a gearbox's parts is smaller
+  void prefetch(const btTypedConstraint& joint) const override { base::prefetch(joint, sizeof(Joint)); }
 
   void grow();
   void prepareHulls();
@@ -59,6 +60,9 @@ struct Engine::Parts final : GroupWork {
   void renumberFrom(world::Slot firstLink, world::Slot firstJoint);
   void take(Body& body);
   JointEnd end(world::Slot link, const Pose& X_LinkJoint);
+  bool hasAxis(world::Slot joint, std::size_t axis) const {
+    return joint < joints.size() && axis < joints[joint]->axisCount();
+  }
   Joint& jointWithAxis(world::Slot slot, std::size_t axis);
   Body& bodyOf(const btCollisionObject& object) { return *bodies[static_cast<world::Slot>(object.getUserIndex())]; }
   [[noreturn]] void reportExplosion(world::Slot link) const;
@@ -66,6 +70,7 @@ struct Engine::Parts final : GroupWork {
   const world::Entities& entities;
   const Settings settings;
   HullStore& hulls;
+  SharedShapes shared;
   Vector3 gravity;
   ContactFilter filter;
   DynamicsWorld world;
@@ -153,7 +158,7 @@ void Engine::Parts::grow() {
   const world::Slot firstLink = bodies.size(), firstJoint = joints.size();
   std::vector<std::unique_ptr<Body>> newBodies;
   for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
-    newBodies.push_back(std::make_unique<Body>(entities, link, gravity, hulls));
+    newBodies.push_back(std::make_unique<Body>(entities, link, gravity, hulls, shared));
   }
   // before a body comes: who may touch it is asked then
   filter.grow();
@@ -256,16 +261,17 @@ JointEnd Engine::Parts::end(world::Slot link, const Pose& X_LinkJoint) {
 }
 
 Joint& Engine::Parts::jointWithAxis(world::Slot slot, std::size_t axis) {
-  if (slot >= joints.size() || axis >= joints[slot]->axisCount()) {
-    throw std::invalid_argument("the joint has no such axis to command");
-  }
+  // who commands one commands those of the next robots soon
+  constexpr world::Slot kAhead = 6;
+  if (slot + kAhead < joints.size()) joints[slot + kAhead]->prefetchAxis();
+  if (!hasAxis(slot, axis)) throw std::invalid_argument("the joint has no such axis");
   return *joints[slot];
 }
 
 void Engine::Parts::reportExplosion(world::Slot link) const {
   const world::LinkRecord& record = entities.links()[link];
   throw std::runtime_error("the motion of link '" + entities.models()[record.model].scopedName +
-                           "::" + record.description->name + "' has no finite value any more");
+                           "::" + record.description->name + "' is no longer finite");
 }
 
 Engine::Engine(const world::Entities& entities, const Settings& settings)
@@ -276,6 +282,8 @@ Engine::Engine(const world::Entities& entities, const Settings& settings)
 }
 
 Engine::~Engine() = default;
+
+bool Engine::hasAxis(world::Slot joint, std::size_t axis) const { return parts_->hasAxis(joint, axis); }
 
 void Engine::setJointVelocityTarget(world::Slot joint, double velocity, std::size_t axis) {
   parts_->jointWithAxis(joint, axis).setVelocityTarget(velocity, axis);

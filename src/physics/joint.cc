@@ -189,24 +189,29 @@ void Joint::release() {
   }
 }
 
-Joint::Frames Joint::frames() const {
-  Frames frames{m_rbA.getWorldTransform() * X_ParentJoint_, m_rbB.getWorldTransform() * X_ChildJoint_, {}, {}};
-  frames.axes[0] = frames.drives[0] = frames.X_WorldParent.getBasis().getColumn(0);
-  if (!hasTwoAxes(type_)) return frames;
-  frames.axes[1] = frames.X_WorldChild.getBasis() * secondAxis_;
-  const double c = frames.axes[0].dot(frames.axes[1]);
-  frames.drives[0] = (frames.axes[0] - c * frames.axes[1]) / (1 - c * c);
-  frames.drives[1] = (frames.axes[1] - c * frames.axes[0]) / (1 - c * c);
-  return frames;
+Joint::Axes Joint::axesAlong(const btVector3& first) const {
+  if (!hasTwoAxes(type_)) return {{first}, {first}};
+  const btVector3 second = m_rbB.getWorldTransform().getBasis() * X_ChildJoint_.getBasis() * secondAxis_;
+  const double c = first.dot(second);
+  return {{first, second}, {(first - c * second) / (1 - c * c), (second - c * first) / (1 - c * c)}};
 }
+
+Joint::Frames Joint::frames() const {
+  const btTransform X_WorldParent = m_rbA.getWorldTransform() * X_ParentJoint_;
+  return {axesAlong(X_WorldParent.getBasis().getColumn(0)), X_WorldParent, m_rbB.getWorldTransform() * X_ChildJoint_};
+}
+
+/// Takes the nearest of all angles that look like this one to where it was [rad].
+void Joint::Axis::follow(double angle) { position += std::remainder(angle - position, 2 * std::numbers::pi); }
 
 void Joint::prepare(double dt) {
   if (axisCount_ == 0) return;
-  const Frames now = frames();
+  const Axes now = axesAlong(m_rbA.getWorldTransform().getBasis() * X_ParentJoint_.getBasis().getColumn(0));
   for (std::size_t i = 0; i < axisCount_; ++i) {
     Axis& axis = axes_[i];
     prepare(axis, now.drives[i], dt);
-    if (axis.appliedForce != 0) applyForce(axis.appliedAlong * axis.appliedForce, now.X_WorldChild.getOrigin());
+    if (axis.appliedForce == 0) continue;
+    applyForce(axis.appliedAlong * axis.appliedForce, m_rbB.getWorldTransform()(X_ChildJoint_.getOrigin()));
   }
 }
 
@@ -260,7 +265,7 @@ void Joint::applyForce(const btVector3& force, const btVector3& point) {
 void Joint::readReaction(Vector3& force, Vector3& torque) {
   force = torque = Vector3::Zero();
   if (getJointFeedback() == nullptr) {
-    feedback_ = {};
+    feedback_ = noFeedback();
     childArm_ = btVector3(0, 0, 0);
     for (Axis& axis : axes_) axis.appliedForce = 0;
     setJointFeedback(&feedback_);
@@ -295,6 +300,10 @@ void Joint::transfer(StateArchive& archive) {
 void Joint::update() {
   if (gearbox_) updateGears();
   if (axisCount_ == 0) return;
+  if (!slides_ && !hasTwoAxes(type_)) {
+    updateTurn();
+    return;
+  }
   const Frames now = frames();
   if (slides_) {
     const btVector3 point = now.X_WorldChild.getOrigin();
@@ -307,10 +316,17 @@ void Joint::update() {
   const btVector3 relativeTurn = m_rbB.getAngularVelocity() - m_rbA.getAngularVelocity();
   const std::array<double, 2> found = angles(now);
   for (std::size_t i = 0; i < axisCount_; ++i) {
-    // the nearest of all angles that look alike to where it was
-    axes_[i].position += std::remainder(found[i] - axes_[i].position, 2 * std::numbers::pi);
+    axes_[i].follow(found[i]);
     axes_[i].velocity = now.drives[i].dot(relativeTurn);
   }
+}
+
+/// Of a joint that turns about one axis.
+void Joint::updateTurn() {
+  const btMatrix3x3 parent = m_rbA.getWorldTransform().getBasis() * X_ParentJoint_.getBasis();
+  const btVector3 side = m_rbB.getWorldTransform().getBasis() * X_ChildJoint_.getBasis().getColumn(1);
+  axes_[0].follow(angleAboutX(side * parent));
+  axes_[0].velocity = parent.getColumn(0).dot(m_rbB.getAngularVelocity() - m_rbA.getAngularVelocity());
 }
 
 void Joint::updateGears() {
@@ -322,7 +338,7 @@ void Joint::updateGears() {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     Axis& axis = axes_[i];
     const double found = turnAbout(directions[i], R_WorldReference, *gears[i]);
-    axis.position += std::remainder(found - axis.position, 2 * std::numbers::pi);
+    axis.follow(found);
     const btVector3 relativeTurn = bodies[i]->getAngularVelocity() - gearbox_->body.getAngularVelocity();
     axis.velocity = relativeTurn.dot(R_WorldReference * directions[i]);
   }
@@ -335,7 +351,6 @@ double Joint::offset(const Frames& frames) const {
 std::array<double, 2> Joint::angles(const Frames& frames) const {
   const btMatrix3x3& parent = frames.X_WorldParent.getBasis();
   const btMatrix3x3& child = frames.X_WorldChild.getBasis();
-  if (!hasTwoAxes(type_)) return {angleAboutX(child.getColumn(1) * parent), 0};
   // how far the second axis has turned about the first, and against what the first has about the second
   const double first = angleAboutX(frames.axes[1] * parent) - angleAboutX(secondAxis_);
   const btVector3 start = btVector3(1, 0, 0) - secondAxis_.x() * secondAxis_;

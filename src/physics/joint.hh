@@ -7,10 +7,11 @@
 #include <memory>
 #include <optional>
 
+#include "base/prefetch.hh"
 #include "description/joint.hh"
 #include "physics/body.hh"
 #include "physics/gearbox.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/state.hh"
 
@@ -50,6 +51,11 @@ class Joint final : public btTypedConstraint {
 
   /// How many axes it has to command.
   std::size_t axisCount() const { return axisCount_; }
+  /// Asks for the memory of what a command of the first axis needs.
+  void prefetchAxis() const {
+    base::prefetch(axisCount_);
+    base::prefetch(axes_.front());
+  }
   void setVelocityTarget(double velocity, std::size_t axis);
   void clearVelocityTarget(std::size_t axis) { axes_[axis].velocityTarget.reset(); }
   void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
@@ -79,14 +85,16 @@ class Joint final : public btTypedConstraint {
   btScalar getParam(int, int) const override { return 0; }
 
  private:
-  /// The frames of both ends in the world frame.
-  struct Frames {
-    btTransform X_WorldParent;
-    btTransform X_WorldChild;
-    /// The axes themselves.
+  struct Axes {
+    /// The axes themselves, world frame.
     std::array<btVector3, 2> axes;
     /// A torque along one of these does work on its axis alone, and a relative turn along it is that axis' velocity.
     std::array<btVector3, 2> drives;
+  };
+  /// The frames of both ends in the world frame.
+  struct Frames : Axes {
+    btTransform X_WorldParent;
+    btTransform X_WorldChild;
   };
   struct AxisRow {
     bool active = false;
@@ -107,8 +115,12 @@ class Joint final : public btTypedConstraint {
     btVector3 appliedAlong{0, 0, 0};
     AxisRow motor;
     AxisRow limit;
+
+    void follow(double angle);
   };
   struct Row;
+  /// @return Zeros; Bullet's vectors are not by themselves.
+  static btJointFeedback noFeedback() { return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; }
   struct Gearbox {
     double ratio;
     btRigidBody& body;
@@ -119,10 +131,12 @@ class Joint final : public btTypedConstraint {
   };
 
   double inertiaOf(const JointEnd& parent, const JointEnd& child, const btVector3& axis) const;
+  Axes axesAlong(const btVector3& first) const;
   Frames frames() const;
   std::array<double, 2> angles(const Frames& frames) const;
   double offset(const Frames& frames) const;
   void prepare(Axis& axis, const btVector3& along, double dt);
+  void updateTurn();
   void updateGears();
   void addGearRow(Row& row, double errorRate);
   void applyForce(const btVector3& force, const btVector3& point);
@@ -151,7 +165,7 @@ class Joint final : public btTypedConstraint {
   std::unique_ptr<Gearbox> gearbox_;
 
   /// What the solver's rows did, once that has been asked for.
-  btJointFeedback feedback_{};
+  btJointFeedback feedback_ = noFeedback();
   /// Where the rows met, seen from the child's centre of mass; world frame.
   btVector3 childArm_{0, 0, 0};
 };

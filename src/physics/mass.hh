@@ -5,14 +5,13 @@
 
 namespace pongsim::physics {
 
-/// How a link's mass is spread, seen in the frame in which Bullet wants it: at the centre of mass, along the principal
-/// axes.
+/// Mass properties of a link in Bullet's body frame: at the centre of mass, along the principal axes.
 struct PrincipalMass {
   /// [kg]
   double mass = 0;
   /// Principal moments of inertia [kg m^2].
   Vector3 moments = Vector3::Zero();
-  /// Pose of that frame in the link frame.
+  /// Pose of the body frame in the link frame.
   Pose X_LinkBody;
 };
 

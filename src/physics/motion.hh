@@ -4,12 +4,12 @@
 
 namespace pongsim::physics {
 
-/// @param axis Of length 1.
-/// @return The rotation by `angle` [rad] about it, as Bullet makes it, but with the same bits on every machine.
+/// @param axis Unit vector.
+/// @return The rotation by `angle` [rad] about it, like Bullet's, but with the same bits on every machine.
 btQuaternion turnAbout(const btVector3& axis, double angle);
 
-/// @return Where a body is after `dt` [s] at these velocities [m/s], [rad/s]; turned by an eighth of a turn at most.
-/// What does not turn keeps its rotation to the bit.
+/// @return A body's pose after `dt` [s] at these velocities [m/s], [rad/s], rotated by at most an eighth of a turn.
+/// Without rotation, the orientation keeps its bits.
 btTransform moved(const btTransform& now, const btVector3& linear, const btVector3& angular, double dt);
 
 }  // namespace pongsim::physics

@@ -4,39 +4,40 @@
 
 namespace pongsim::physics {
 
-/// How Bullet solves joints and contacts together.
+/// How joints and contacts are solved.
 enum class Solver {
   /// Dantzig's direct method for small groups of bodies, iterations for large ones.
   kDirect,
   /// Projected Gauss-Seidel.
   kSequentialImpulse,
-  /// The same, sped up by non-smooth conjugate gradients.
+  /// The same, accelerated by non-smooth conjugate gradients.
   kNncg,
 };
 
-/// Penetration is taken back no faster than by that times the length of a step [m/s^2]: at about the speed that gravity
-/// gives in a step, which is what the solver's own errors are of. Fortress's engine takes all back at 1 mm/s.
+/// Penetration is corrected at most at this times the step size [m/s^2], about the speed that gravity gives in a step,
+/// which is the magnitude of the solver's own errors. Fortress's engine corrects all at 1 mm/s.
 inline constexpr double kFastestParting = 10;
 
-/// How the step is computed. The defaults are what the measurements in `docs/physics.md` speak for.
+/// Settings of a step. The defaults are justified by the measurements in `docs/physics.md`.
 struct Settings {
-  /// How many threads solve groups of bodies; the result is the same.
+  /// Number of threads that solve groups of bodies; the result is the same.
   int threads = 1;
   Solver solver = Solver::kDirect;
-  /// At most, where there are iterations.
+  /// Maximum number of iterations.
   int iterations = 50;
-  /// Iterations end earlier once no row's impulse changes by more than the square root of that; 0 never.
+  /// Iterations end early when no row's impulse changes by more than the square root of this; 0: never.
   double residual = 0;
-  /// Groups of bodies with more rows of joints and contacts than that are not solved directly.
+  /// Groups with more rows of joints and contacts than this are not solved directly, except trees of links with no more
+  /// bounded rows than this.
   int mostDirectRows = 150;
-  /// Softness of all rows [1/(N m s) and the like]: lets the direct method solve a box on four corners, too.
+  /// Softness of all rows [1/(N m s) and the like]; lets the direct method also solve a box on four corners.
   double softness = 1e-8;
-  /// Parts of an error that a step takes back, in joints and in contacts.
+  /// Fractions of an error corrected in a step, for joints and for contacts.
   double jointErrorReduction = 0.9;
   double contactErrorReduction = 0.2;
-  /// Points at which two collisions touch, where neither says how many; negative: no limit. Bullet has four at most.
+  /// Contact points of two collisions if neither sets a number; negative: no limit. Bullet has at most four.
   long long maxContacts = 20;
-  /// Where pieces of meshes are kept for later runs; empty: nowhere.
+  /// Folder in which pieces of meshes are cached for later runs; empty: none.
   std::filesystem::path hullCache = {};
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 CoreSystem physics() {
   CoreSystem system{"physics", "ignition::gazebo::systems::Physics", {}};
-  system.declaration.is("Moves the world. Nothing moves in a world that lists systems and not this one.",
+  system.declaration.is("Runs the physics. Nothing moves in a world that lists systems but not this one.",
                         Declaration::Place::kWorld);
   return system;
 }
@@ -18,7 +18,7 @@ CoreSystem physics() {
 CoreSystem userCommands() {
   CoreSystem system{"user-commands", "ignition::gazebo::systems::UserCommands", {}};
   Declaration& declaration = system.declaration;
-  declaration.is("Changes the world while it runs. Each world has these services, whether it lists the system or not.",
+  declaration.is("Changes the world while it runs. Every world has these services, whether it lists the system or not.",
                  Declaration::Place::kWorld);
   const auto serves = [&declaration](const char* name, const char* type, const char* text) {
     declaration.serves(std::string("/world/W/") + name, type, "ignition.msgs.Boolean", text);
@@ -26,15 +26,15 @@ CoreSystem userCommands() {
   serves("create", "ignition.msgs.EntityFactory", "a model or a light, from text, from a file or as a copy");
   serves("create_multiple", "ignition.msgs.EntityFactory_V", "several, all or none");
   serves("remove", "ignition.msgs.Entity", "a model or a light, by name or id");
-  serves("set_pose", "ignition.msgs.Pose", "where a model of the top level is");
+  serves("set_pose", "ignition.msgs.Pose", "moves a top-level model");
   serves("set_pose_vector", "ignition.msgs.Pose_V", "the same of several, all or none");
   serves("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates",
-         "where on the earth the world is, or a model of the top level");
-  serves("light_config", "ignition.msgs.Light", "how a light shines");
+         "sets where on the earth the world is, or a top-level model");
+  serves("light_config", "ignition.msgs.Light", "changes a light");
   serves("set_physics", "ignition.msgs.Physics", "step size, gravity and real-time factor");
   serves("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", "how the wheels of WheelSlip slip");
   serves("level/set_performer", "ignition.msgs.StringMsg",
-         "lets a model of the top level perform: levels are loaded where it is");
+         "makes a top-level model a performer: levels are loaded around it");
   declaration.subscribes("/world/W/light_config", "ignition.msgs.Light", "the same as a topic");
   return system;
 }

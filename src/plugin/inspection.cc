@@ -13,7 +13,7 @@ namespace pongsim::plugin {
 
 std::variant<Inspection, std::string> Inspection::of(const std::filesystem::path& file) {
   const std::string name = "the plugin " + file.string();
-  const base::RunningPart running(name.c_str(), "while it was looked into");
+  const base::RunningPart running(name.c_str(), "while it was inspected");
   auto opened = Library::open(file);
   if (auto* reason = std::get_if<std::string>(&opened)) return std::move(*reason);
   Inspection inspection(std::get<std::unique_ptr<Library>>(std::move(opened)));

@@ -3,12 +3,12 @@
 #include <link.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <iterator>
-#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace pongsim::plugin {
@@ -18,76 +18,80 @@ namespace {
 constexpr std::string_view kTableName = "pongsim_systems";
 constexpr unsigned char kElfClass = sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32;
 
-/// A file's bytes, of which any part may be asked for.
-class ElfBytes {
+/// A file of which parts are read: a library may be large, and is looked at each time that a world loads it.
+class ElfFile {
  public:
-  explicit ElfBytes(const std::filesystem::path& file) {
+  explicit ElfFile(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return;
-    std::ifstream stream(file, std::ios::binary);
-    bytes_.assign(std::istreambuf_iterator<char>(stream), {});
+    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+    if (ignored) return;
+    size_ = size;
+    stream_.open(file, std::ios::binary);
+  }
+
+  /// @return So many values there; nothing where the file ends before.
+  template <class Value>
+  std::optional<std::vector<Value>> at(std::size_t offset, std::size_t count) {
+    if (offset > size_ || (size_ - offset) / sizeof(Value) < count) return std::nullopt;
+    std::vector<Value> values(count);
+    stream_.seekg(static_cast<std::streamoff>(offset));
+    stream_.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(Value)));
+    return stream_ ? std::optional(std::move(values)) : std::nullopt;
   }
 
   /// @return The value there; nothing where the file ends before.
   template <class Value>
-  std::optional<Value> at(std::size_t offset) const {
-    if (offset > bytes_.size() || bytes_.size() - offset < sizeof(Value)) return std::nullopt;
-    Value value;
-    std::memcpy(&value, bytes_.data() + offset, sizeof value);
-    return value;
-  }
-
-  /// @return Whether the text there is `text` and ends.
-  bool hasText(std::size_t offset, std::string_view text) const {
-    if (offset > bytes_.size() || bytes_.size() - offset <= text.size()) return false;
-    return std::string_view(bytes_.data() + offset, text.size()) == text && bytes_[offset + text.size()] == '\0';
+  std::optional<Value> at(std::size_t offset) {
+    const auto values = at<Value>(offset, 1);
+    return values ? std::optional(values->front()) : std::nullopt;
   }
 
  private:
-  std::vector<char> bytes_;
+  std::size_t size_ = 0;
+  std::ifstream stream_;
 };
 
 /// @return Where in the file that address of the loaded library comes from.
-std::optional<std::size_t> offsetOf(const ElfBytes& bytes, const ElfW(Ehdr) & header, std::size_t address) {
-  for (std::size_t i = 0; i < header.e_phnum; ++i) {
-    const auto part = bytes.at<ElfW(Phdr)>(header.e_phoff + i * sizeof(ElfW(Phdr)));
-    if (!part) return std::nullopt;
-    if (part->p_type == PT_LOAD && address >= part->p_vaddr && address - part->p_vaddr < part->p_filesz) {
-      return address - part->p_vaddr + part->p_offset;
+std::optional<std::size_t> offsetOf(ElfFile& file, const ElfW(Ehdr) & header, std::size_t address) {
+  const auto parts = file.at<ElfW(Phdr)>(header.e_phoff, header.e_phnum);
+  if (!parts) return std::nullopt;
+  for (const ElfW(Phdr) & part : *parts) {
+    if (part.p_type == PT_LOAD && address >= part.p_vaddr && address - part.p_vaddr < part.p_filesz) {
+      return address - part.p_vaddr + part.p_offset;
     }
   }
   return std::nullopt;
 }
 
 /// @return The address of the table among the names of a section, those that the library exports.
-std::optional<std::size_t> tableAmong(const ElfBytes& bytes, const ElfW(Ehdr) & header, const ElfW(Shdr) & names) {
-  const auto texts = bytes.at<ElfW(Shdr)>(header.e_shoff + names.sh_link * sizeof(ElfW(Shdr)));
-  if (!texts) return std::nullopt;
-  for (std::size_t i = 0; i < names.sh_size / sizeof(ElfW(Sym)); ++i) {
-    const auto symbol = bytes.at<ElfW(Sym)>(names.sh_offset + i * sizeof(ElfW(Sym)));
-    if (!symbol) return std::nullopt;
-    if (symbol->st_shndx != SHN_UNDEF && bytes.hasText(texts->sh_offset + symbol->st_name, kTableName)) {
-      return symbol->st_value;
-    }
+std::optional<std::size_t> tableAmong(ElfFile& file, const ElfW(Shdr) & names, const ElfW(Shdr) & textsOfNames) {
+  const auto symbols = file.at<ElfW(Sym)>(names.sh_offset, names.sh_size / sizeof(ElfW(Sym)));
+  const auto texts = file.at<char>(textsOfNames.sh_offset, textsOfNames.sh_size);
+  if (!symbols || !texts || texts->empty() || texts->back() != '\0') return std::nullopt;
+  for (const ElfW(Sym) & symbol : *symbols) {
+    if (symbol.st_shndx == SHN_UNDEF || symbol.st_name >= texts->size()) continue;
+    if (std::string_view(texts->data() + symbol.st_name) == kTableName) return symbol.st_value;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::uint32_t> interfaceVersion(const std::filesystem::path& file) {
-  const ElfBytes bytes(file);
-  const auto header = bytes.at<ElfW(Ehdr)>(0);
+std::optional<std::uint32_t> interfaceVersion(const std::filesystem::path& path) {
+  ElfFile file(path);
+  const auto header = file.at<ElfW(Ehdr)>(0);
   if (!header || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0 || header->e_ident[EI_CLASS] != kElfClass) {
     return std::nullopt;
   }
-  for (std::size_t i = 0; i < header->e_shnum; ++i) {
-    const auto section = bytes.at<ElfW(Shdr)>(header->e_shoff + i * sizeof(ElfW(Shdr)));
-    if (!section) return std::nullopt;
-    if (section->sh_type != SHT_DYNSYM) continue;
-    const auto address = tableAmong(bytes, *header, *section);
-    const auto offset = address ? offsetOf(bytes, *header, *address) : std::nullopt;
-    return offset ? bytes.at<std::uint32_t>(*offset) : std::nullopt;
+  const auto sections = file.at<ElfW(Shdr)>(header->e_shoff, header->e_shnum);
+  if (!sections) return std::nullopt;
+  for (const ElfW(Shdr) & section : *sections) {
+    if (section.sh_type != SHT_DYNSYM) continue;
+    if (section.sh_link >= sections->size()) return std::nullopt;
+    const auto address = tableAmong(file, section, (*sections)[section.sh_link]);
+    const auto offset = address ? offsetOf(file, *header, *address) : std::nullopt;
+    return offset ? file.at<std::uint32_t>(*offset) : std::nullopt;
   }
   return std::nullopt;
 }

@@ -11,16 +11,15 @@ namespace pongsim::plugin {
 namespace {
 
 std::string otherVersion(std::uint32_t version) {
-  return "it was built for version " + std::to_string(version) + " of pongsim's plugin interface, this is version " +
-         std::to_string(kAbiVersion) +
-         (version < kAbiVersion ? ": it is too old, build it anew" : ": this pongsim is too old for it");
+  return "it is built for version " + std::to_string(version) + " of pongsim's plugin interface, this is version " +
+         std::to_string(kAbiVersion) + (version < kAbiVersion ? ": rebuild it" : ": it needs a newer pongsim");
 }
 
 /// @return Why a library can't be opened, with what is to be done where pongsim lacks something that it wants.
 std::string withAdvice(const std::string& why) {
   const auto has = [&why](const char* text) { return why.find(text) != std::string::npos; };
   const bool wantsOther = has("libpongsim.so.") || (has("undefined symbol") && has("7pongsim"));
-  return wantsOther ? why + ": it was built for another version of pongsim, build it anew" : why;
+  return wantsOther ? why + ": it was built for another version of pongsim; rebuild it" : why;
 }
 
 }  // namespace

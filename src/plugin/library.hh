@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "pongsim/message_encoder.hh"
+#include "pongsim/messages/message_encoder.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim::plugin {

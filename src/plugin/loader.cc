@@ -97,10 +97,11 @@ void Loader::reportNotFound(const std::string& name, const description::Plugin& 
       diagnostics.warning(plugin.sdf.position, "plugin '" + plugin.filename + "' is not installed: it is left out",
                           install);
     } else if (isOfFortress) {
-      diagnostics.warning(plugin.sdf.position, "the system '" + name + "' of Gazebo is not there yet: it is left out");
+      diagnostics.warning(plugin.sdf.position,
+                          "the system '" + name + "' of Gazebo is not supported yet: it is left out");
     } else {
       diagnostics.warning(plugin.sdf.position,
-                          "plugin '" + plugin.filename + "' is one of Gazebo Classic or ROS: it is left out",
+                          "plugin '" + plugin.filename + "' is a plugin of Gazebo Classic or ROS: it is left out",
                           "Fortress can't load it either");
     }
     return;

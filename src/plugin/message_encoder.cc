@@ -1,4 +1,4 @@
-#include "pongsim/message_encoder.hh"
+#include "pongsim/messages/message_encoder.hh"
 
 #include <filesystem>
 #include <optional>
@@ -19,20 +19,20 @@ std::unique_ptr<MessageEncoder> makeMessageEncoder(std::string_view name, const 
   const std::optional<std::filesystem::path> file = plugin::findLibrary(plugin::defaultSearchPath(), library);
   if (!file) {
     const std::string package(plugin::packageOf(name));
-    diagnostics.error({}, "what encodes messages for '" + std::string(name) + "' is not installed",
+    diagnostics.error({}, "the message encoder of '" + std::string(name) + "' is not installed",
                       package.empty() ? "" : "the package " + package + " has it: apt-get install " + package);
     return nullptr;
   }
   auto opened = plugin::Library::open(*file);
   if (const auto* why = std::get_if<std::string>(&opened)) {
-    diagnostics.error({}, "what encodes messages for '" + std::string(name) + "' can't be loaded from " +
-                              file->string() + ": " + *why);
+    diagnostics.error(
+        {}, "the message encoder of '" + std::string(name) + "' can't be loaded from " + file->string() + ": " + *why);
     return nullptr;
   }
   // it stays in memory
   const EncoderTable* table = std::get<std::unique_ptr<plugin::Library>>(opened)->encoder();
   if (table == nullptr) {
-    diagnostics.error({}, file->string() + " does not encode messages");
+    diagnostics.error({}, file->string() + " is not a message encoder");
     return nullptr;
   }
   return table->make(settings, diagnostics);

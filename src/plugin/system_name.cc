@@ -31,7 +31,7 @@ std::string systemName(std::string_view filename) {
   std::string_view name = filename;
   removePrefix(name, "lib");
   removeSuffix(name, ".so");
-  for (std::string_view family : {"ignition-gazebo", "gz-sim", "pongsim"}) {
+  for (std::string_view family : {"ignition-gazebo", "gz-sim", "ignition-launch", "gz-launch", "pongsim"}) {
     if (removeFamily(name, family)) {
       removeSuffix(name, "-system");
       break;

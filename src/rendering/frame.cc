@@ -11,7 +11,7 @@ Frame::Frame(const Gl& gl, Kind kind, std::uint32_t width, std::uint32_t height,
   gl.getIntegerv(GL_MAX_RENDERBUFFER_SIZE, &longest);
   if (width_ > longest || height_ > longest) {
     throw std::runtime_error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                             " pixels can't be drawn: the longest edge is " + std::to_string(longest));
+                             " pixels is too large to draw: the longest edge is " + std::to_string(longest));
   }
   const GLenum format = kind == Kind::kColors ? GL_SRGB8_ALPHA8 : GL_R32F;
   gl.genFramebuffers(1, &drawn_);

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "pongsim/camera_scene.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/types.hh"
 #include "rendering/scene.hh"
 #include "rendering/shaders.hh"

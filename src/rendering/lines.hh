@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "pongsim/camera_scene.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/types.hh"
 #include "rendering/gl.hh"
 #include "rendering/program.hh"

@@ -19,7 +19,7 @@ GLuint compile(const Gl& gl, GLenum type, const char* source) {
   std::array<char, 1000> said{};
   gl.getShaderInfoLog(shader, said.size(), nullptr, said.data());
   gl.deleteShader(shader);
-  throw std::runtime_error(std::string("a shader can't be compiled: ") + said.data());
+  throw std::runtime_error(std::string("the shader can't be compiled: ") + said.data());
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ Program::Program(const Gl& gl, const char* vertexSource, const char* fragmentSou
   if (isLinked == GL_TRUE) return;
   std::array<char, 1000> said{};
   gl.getProgramInfoLog(id_, said.size(), nullptr, said.data());
-  throw std::runtime_error(std::string("shaders don't fit each other: ") + said.data());
+  throw std::runtime_error(std::string("the shaders can't be linked: ") + said.data());
 }
 
 Program::~Program() { gl_.deleteProgram(id_); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pongsim/camera_scene.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::rendering {

@@ -90,8 +90,9 @@ class Renderer::Content {
     tellLighting(lighting.block);
 
     const Frame& frame = frameFor(Frame::Kind::kColors, view, view.antiAliasing >= kSamples ? kSamples : 1);
-    begin(frame);
+    // before the frame is bound: Mesa clears with what was set then
     gl_.enable(GL_FRAMEBUFFER_SRGB);
+    begin(frame);
     drawBackground(scene, view, lighting.block);
     const Matrix4d clip = clipFromPlace(view);
     const Program* inUse = nullptr;
@@ -113,8 +114,8 @@ class Renderer::Content {
   void drawDepths(const Scene& scene, const PictureView& view, std::span<float> depths) {
     tidy(scene);
     const Frame& frame = frameFor(Frame::Kind::kDepths, view, 1);
-    begin(frame);
     gl_.disable(GL_FRAMEBUFFER_SRGB);
+    begin(frame);
     constexpr std::array<float, 4> kNothing{INFINITY, 0, 0, 0};
     gl_.clearBufferfv(GL_COLOR, 0, kNothing.data());
     const Matrix4d clip = clipFromPlace(view);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "pongsim/camera_scene.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "rendering/context.hh"
 #include "rendering/scene.hh"
 

@@ -6,34 +6,34 @@
 #include <string>
 
 #include "pongsim/diagnostic.hh"
-#include "pongsim/urdf_source.hh"
+#include "pongsim/files/urdf_source.hh"
 
 namespace pongsim::sdf {
 
 class Includes;
 
-/// What the readers of one file share.
+/// Shared by the readers of a file.
 struct Context {
-  /// What is wrong with the files.
+  /// Errors and warnings about the files.
   Diagnostics& diagnostics;
-  /// What they say well, and nothing here simulates.
+  /// Valid content that pongsim does not simulate.
   Diagnostics& unsimulated;
-  /// Opens the files that this one includes.
+  /// Reads included files.
   Includes& includes;
-  /// The file is written in SDF 1.`version`.
+  /// The file is in SDF 1.`version`.
   int version = 9;
   /// The file's folder.
   std::filesystem::path folder = {};
-  /// What the file is, where it is URDF: its model, not one within that, was made from it.
+  /// Source of the file's own model, not of nested ones, if it is URDF.
   std::shared_ptr<const UrdfSource> urdf = nullptr;
-  /// What is read stands in a world or at the root, not in a model.
+  /// Whether the parent is a world or the root, not a model.
   bool isInWorld = false;
-  /// Subjects of warnings that are given once a file.
+  /// Subjects of warnings given once per file.
   std::set<std::string> said = {};
-  /// How many more unknown names are worth a search for one that is spelt alike, which takes its time.
+  /// Remaining searches for names similar to unknown ones, which are slow.
   int searchesLeft = 50;
 
-  /// @return Whether this is the first time that `subject` comes up.
+  /// @return Whether this is the first time for `subject`.
   bool firstTime(std::string subject) { return said.insert(std::move(subject)).second; }
 };
 

@@ -8,13 +8,13 @@
 #include <tuple>
 #include <utility>
 
-#include "sdf/element_check.hh"
-#include "sdf/file_text.hh"
-#include "sdf/includes.hh"
-#include "sdf/model_document.hh"
-#include "sdf/names.hh"
+#include "sdf/includes/includes.hh"
+#include "sdf/includes/model_document.hh"
+#include "sdf/readers/world_reader.hh"
+#include "sdf/schema/element_check.hh"
+#include "sdf/text/file_text.hh"
+#include "sdf/text/names.hh"
 #include "sdf/version.hh"
-#include "sdf/world_reader.hh"
 
 namespace pongsim::sdf {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "sdf/schema.hh"
-#include "sdf/unflatten.hh"
-#include "sdf/values.hh"
+#include "sdf/includes/unflatten.hh"
+#include "sdf/schema/schema.hh"
+#include "sdf/text/values.hh"
 #include "sdf/version.hh"
 
 namespace pongsim::sdf {
@@ -145,7 +145,7 @@ void separateNames(Element& holder, Context& context) {
       context.diagnostics.warning(attribute->position,
                                   child.name + " '" + old + "' has the name of something else in its " + holder.name +
                                       ": it is called '" + name + "'",
-                                  "as Fortress calls it; from SDF 1.7 on this is an error");
+                                  "as in Fortress; from SDF 1.7 this is an error");
       attribute->value = name;
     }
   }
@@ -163,7 +163,7 @@ void warnOfRemoved(const std::string& label, const SourcePosition& position, con
                    const Element& holder, Context& context) {
   if (part.row.removedIn <= context.version || !context.firstTime("removed " + label)) return;
   context.diagnostics.warning(position, label + " has no effect in <" + holder.name + ">",
-                              "SDF 1." + std::to_string(part.row.removedIn) + " took it out of the format");
+                              "SDF 1." + std::to_string(part.row.removedIn) + " removed it");
 }
 
 bool isRemoved(const Schema::Part& part) { return part.row.removedIn != 0; }

@@ -5,11 +5,11 @@
 
 namespace pongsim::sdf {
 
-/// What becomes of elements that SDF 1.9 has no place for.
+/// What happens to elements that SDF 1.9 does not have.
 enum class RemovedUse { kDrop, kKeep };
 
-/// Brings a file to SDF 1.9, so that readers know that version only. It warns of what 1.9 has no place for where that
-/// meant something.
+/// Upgrades a file to SDF 1.9, so that readers only handle that version. Warns about elements that 1.9 does not have if
+/// they had an effect.
 /// @param root The `<sdf>` element, of version 1.`context.version`.
 void upgrade(Element& root, Context& context, RemovedUse removed = RemovedUse::kDrop);
 

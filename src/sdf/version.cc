@@ -30,7 +30,7 @@ int readVersion(const Element& root, Diagnostics& diagnostics) {
   const int version = std::clamp(*minor, kOldestVersion, kNewestVersion);
   if (version != *minor) {
     diagnostics.warning(attribute->position,
-                        "SDF " + text + " is not supported: the file is read as SDF 1." + std::to_string(version));
+                        "SDF " + text + " is not supported: reading the file as SDF 1." + std::to_string(version));
   }
   return version;
 }

@@ -10,10 +10,10 @@ namespace pongsim::sdf {
 inline constexpr int kOldestVersion = 4;
 inline constexpr int kNewestVersion = 9;
 
-/// @return The y of "1.y", from 0 up; nothing for any other text.
+/// @return The y of "1.y", zero or more; nothing for other texts.
 std::optional<int> parseVersion(std::string_view text);
 
-/// @return The version 1.y of a file, within what is supported; the newest, and an error added, where none is given.
+/// @return The y of a file's version 1.y, clamped to the supported ones; the newest, with an error, if none is given.
 int readVersion(const Element& root, Diagnostics& diagnostics);
 
 }  // namespace pongsim::sdf

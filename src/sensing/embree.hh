@@ -6,8 +6,8 @@
 
 namespace pongsim::sensing {
 
-/// What is used of Embree's functions, by their names without `rtc`. Its library is opened with the first scene: only
-/// runs with a lidar need it, and every command would wait for it.
+/// Embree's functions, without the prefix `rtc`. The library is opened with the first scene, since only runs with
+/// lidars need it and loading takes time.
 struct Embree {
   decltype(&rtcNewDevice) newDevice;
   decltype(&rtcReleaseDevice) releaseDevice;
@@ -28,7 +28,7 @@ struct Embree {
   decltype(&rtcIntersect8) intersect8;
 };
 
-/// @throws std::runtime_error where its library can't be opened, saying what to install.
+/// @throws std::runtime_error if the library can't be opened; the message names the package.
 const Embree& embree();
 
 struct ReleaseDevice {

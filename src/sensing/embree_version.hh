@@ -4,7 +4,7 @@
 
 namespace pongsim::sensing {
 
-/// @return "3.13.5", of the library that scenes use; "not installed" where there is none.
+/// @return Version of the library, "3.13.5"; "not installed" without it.
 std::string embreeVersion();
 
 }  // namespace pongsim::sensing

@@ -15,18 +15,18 @@
 
 namespace pongsim::sensing {
 
-/// What a geometry looks like.
+/// Appearance of a geometry.
 struct Look {
-  /// Nothing: it is not drawn.
+  /// Nothing: invisible.
   std::variant<std::monostate, Shape, std::shared_ptr<const description::TriangleMesh>> body = std::monostate();
   Pose X_GeometryBody = {};
   Vector3 scale = {1, 1, 1};
 };
 
-/// Reads what descriptions leave in files: of visuals their loader reads none.
+/// Reads files referred to by descriptions; the loader does not read those of visuals.
 class LookReader {
  public:
-  /// What is told of a file that is of no use: "mesh", the file, what is wrong with it.
+  /// Called with a file that can't be used: "mesh", the file, the problem.
   using Warn = std::function<void(const std::string&, const std::filesystem::path&, const assets::Problem&)>;
 
   /// @return The same triangles for the same mesh.

@@ -9,8 +9,8 @@
 
 namespace pongsim::sensing {
 
-/// Triangles that beams meet, in their own frame. Embree finds which of them may be met, in single precision and by
-/// what the processor has; which is met and where is reckoned in double precision, so that it is the same everywhere.
+/// A triangle mesh in its own frame. Embree finds candidate triangles in single precision, depending on the processor;
+/// the hit is computed in double precision, so that it is the same on every machine.
 class Mesh {
  public:
   /// @param triangles At least one.
@@ -18,9 +18,8 @@ class Mesh {
 
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 
-  /// @return The first point of the line between `from` and `to`, in lengths of its direction, where it meets a
-  /// triangle from outside, which is where its corners go round counter-clockwise, or from either side if `seesInside`;
-  /// infinity where there is none.
+  /// @return The first hit on the line between `from` and `to`, in lengths of its direction; infinity without one.
+  /// Triangles are hit from outside, where their vertices are counter-clockwise, or from either side if `seesInside`.
   double firstHit(const Line& line, double from, double to, bool seesInside) const;
 
  private:

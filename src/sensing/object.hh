@@ -12,27 +12,27 @@
 
 namespace pongsim::sensing {
 
-/// A visual in its place.
+/// A visual at its pose.
 struct Object {
-  /// A formula, or triangles.
+  /// A formula, or a mesh.
   std::variant<Shape, const Mesh*> body;
-  /// Of the body, before scaling, in its own frame.
+  /// Bounding box of the body before scaling, in its own frame.
   Eigen::AlignedBox3d bounds;
   world::Slot link = world::kNoSlot;
-  /// In place of a link; it moves by itself.
+  /// Set instead of a link; moves by itself.
   const description::Actor* actor = nullptr;
   Pose X_LinkObject;
   Vector3 scale = Vector3::Ones();
-  /// Its place among all objects of the scene.
+  /// Index in the scene.
   std::size_t order = 0;
-  /// Model at the top level.
+  /// Top-level model.
   ModelId owner;
   std::uint32_t visibility = 0;
   double retro = 0;
-  /// Its surface is seen from inside, too.
+  /// Whether its surface is also visible from inside.
   bool seesInside = false;
 
-  /// Where the link is, and what follows from it: the way from the world to the frame of the body before scaling.
+  /// Pose of the link, and the derived transform from the world to the frame of the body before scaling.
   Pose X_WorldLink;
   Vector3 position = Vector3::Zero();
   Matrix3 M_ObjectWorld = Matrix3::Identity();
@@ -43,8 +43,8 @@ struct Object {
   Eigen::AlignedBox3d boundsInWorld() const;
 
   /// @param world A line in the world frame.
-  /// @return Its first point between `from` and `to` where the object is seen, in lengths of its direction; infinity or
-  /// more than `to` where there is none.
+  /// @return Its first hit between `from` and `to`, in lengths of its direction; infinity, or more than `to`, without
+  /// one.
   double firstSeenOn(const Line& world, double from, double to) const;
 };
 

@@ -4,42 +4,42 @@
 #include <memory>
 #include <span>
 
-#include "pongsim/beam_scene.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/sensing/beam_scene.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 #include "world/state.hh"
 
 namespace pongsim::sensing {
 
-/// How beams are cast.
+/// Parameters of a scan.
 struct Beams {
-  /// Where they start.
+  /// Origin of the beams.
   Pose X_WorldSensor;
-  /// Model at the top level that the sensor is part of.
+  /// Top-level model of the sensor.
   ModelId owner;
   /// [m]
   double minRange = 0;
   double maxRange = 0;
-  /// A visual is seen where one of these bits is in its visibility flags.
+  /// A visual is visible if it shares a bit with its visibility flags.
   std::uint32_t visibilityMask = 0xFFFFFFFF;
 };
 
-/// The visuals of a world, as beams meet them: what stands still apart from what moves. See `BeamScene`.
+/// The visuals of a world for lidars, static ones separate from moving ones. See `BeamScene`.
 class Scene {
  public:
   Scene();
   ~Scene();
 
-  /// Takes in all visuals, in place of those that it has.
-  /// @param diagnostics Warnings about files that can't be read; each is given once in the life of the scene.
+  /// Replaces all visuals.
+  /// @param diagnostics Warnings about files that can't be read, each once in the life of the scene.
   void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics);
 
   /// Moves what has moved since.
   /// @param state Of the same entities.
   void update(const world::State& state);
 
-  /// As `BeamScene::cast`.
+  /// Like `BeamScene::cast`.
   void cast(const Beams& beams, std::span<const Vector3> directions, std::span<Echo> echoes);
 
  private:

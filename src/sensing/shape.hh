@@ -9,7 +9,7 @@
 
 namespace pongsim::sensing {
 
-/// A place on a line that is none.
+/// Position on a line without a hit.
 inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 /// The points `origin + t * direction`. The direction may have any length but zero.
@@ -18,35 +18,35 @@ struct Line {
   Vector3 direction;
 };
 
-/// The part of a line that lies within a body, in lengths of its direction: at `enter` it meets the body's surface from
-/// outside, at `leave` from inside. Either is infinite where it does not.
+/// The part of a line inside a body, in lengths of its direction: at `enter` it hits the surface from outside, at
+/// `leave` from inside. Infinite without a hit.
 struct Passage {
   double enter;
   double leave;
 };
 
-/// A rectangle in the plane z = 0, centred on its frame. Its outside is towards z.
+/// A rectangle in the plane z = 0, centred on its frame; its outside is towards z.
 struct Sheet {
-  /// Half of its size along x and y [m].
+  /// Half lengths along x and y [m].
   Eigen::Vector2d half;
 };
 
-/// A body whose surface a formula gives.
+/// A body with a surface given by a formula.
 using Shape = std::variant<description::Box, description::Sphere, description::Cylinder, description::Capsule,
                            description::Ellipsoid, Sheet>;
 
 /// @param line In the frame of the shape.
-/// @return Nothing where the line passes by.
+/// @return Nothing if the line misses the shape.
 std::optional<Passage> passage(const Shape& shape, const Line& line);
 
-/// @return The smallest box along the axes of the shape's frame that holds it.
+/// @return The bounding box in the shape's frame.
 Eigen::AlignedBox3d boundsOf(const Shape& shape);
 
-/// @param half Half of the box's size [m].
+/// @param half Half lengths of the box [m].
 std::optional<Passage> boxPassage(const Vector3& half, const Line& line);
 
-/// @return The first point of the line, not before `from`, where it meets the surface from outside, or from either side
-/// if `seesInside`; infinity where there is none.
+/// @return The first hit on the line, not before `from`, from outside, or from either side if `seesInside`; infinity
+/// without one.
 double firstSeen(const Passage& passage, double from, bool seesInside);
 
 }  // namespace pongsim::sensing

@@ -7,11 +7,11 @@
 
 namespace pongsim::sim {
 
-/// Tells what is wrong in the messages of a run.
-/// @return The first error in one line, "sdf:1:1: model 'r' has no link"; empty where there is none.
+/// Logs errors and warnings of a run.
+/// @return The first error in one line, "sdf:1:1: model 'r' has no link"; empty without errors.
 std::string logDiagnostics(const Diagnostics& diagnostics, const Logger& log);
 
-/// As `logDiagnostics`, for who tells of the errors himself: they are returned only.
+/// Like `logDiagnostics`, but errors are only returned, for callers that report them.
 std::string logWarnings(const Diagnostics& diagnostics, const Logger& log);
 
 }  // namespace pongsim::sim

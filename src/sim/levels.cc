@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "pongsim/log.hh"
-#include "sim/access.hh"
-#include "sim/editor.hh"
+#include "sim/api/access.hh"
+#include "sim/edits/editor.hh"
 #include "world/actor_motion.hh"
 
 namespace pongsim::sim {
@@ -127,10 +127,10 @@ bool Levels::isPerforming(ModelId model) const {
 
 std::optional<std::string> Levels::add(Access& access, ModelId model, std::string name, const Vector3& size) {
   const world::Slot slot = access.entities.slot(model);
-  if (slot == world::kNoSlot) return "the model is not there any more";
+  if (slot == world::kNoSlot) return "the model no longer exists";
   const world::ModelRecord& record = access.entities.models()[slot];
-  if (record.parent != world::kNoSlot) return "model '" + record.scopedName + "' is a part of another one";
-  if (isPerforming(model)) return "model '" + record.scopedName + "' is a performer already";
+  if (record.parent != world::kNoSlot) return "model '" + record.scopedName + "' is part of another model";
+  if (isPerforming(model)) return "model '" + record.scopedName + "' is already a performer";
   if (!size.allFinite() || !(size.minCoeff() > 0)) return "the size of a performer must be three numbers above zero";
   if (name.empty()) name = "perf_" + record.scopedName;
   performers_.push_back({access.entities.nextId(), std::move(name), model, nullptr, size, false});

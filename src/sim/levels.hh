@@ -12,7 +12,7 @@
 #include "description/actor.hh"
 #include "description/levels.hh"
 #include "pongsim/handles.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 #include "world/entities.hh"
 
@@ -20,38 +20,38 @@ namespace pongsim::sim {
 
 class Access;
 
-/// Of a model that is made to perform while running, as in Fortress whatever the model [m].
+/// Box of models that become performers at run time, as in Fortress [m].
 inline const Vector3 kPerformerSize(2, 2, 2);
 
-/// Which levels of a world are loaded, and who performs. A level is loaded when the box of a performer meets its own,
-/// and unloaded when none meets that box grown by the buffer, as in Fortress; what is in no loaded level, but in one
-/// that is not, is set aside. Performers, what is in no level, and what a joint holds to something that stays, is
-/// always there.
+/// The loaded levels and the performers of a world. As in Fortress, a level is loaded when the box of a performer
+/// overlaps its own, and unloaded when none overlaps that box enlarged by the buffer. Entities that are only in
+/// unloaded levels are set aside. Performers, entities in no level, and those connected by a joint to something loaded
+/// are always there.
 class Levels {
  public:
-  /// Back to the start, when all entities are there: no level is loaded, and who performs says the file.
+  /// Resets to the start, when all entities exist: no level is loaded, and the performers are those of the file.
   void start(Access& access);
 
-  /// Whether levels are used; otherwise all is there, whoever is where.
+  /// Enables levels; otherwise everything is always loaded.
   void use() { areUsed_ = true; }
   bool areUsed() const { return areUsed_; }
 
-  /// Loads and unloads levels, and lets come and go what is in them. To be called at the start and before each step;
-  /// it allocates nothing where nothing changes.
+  /// Loads and unloads levels with their entities. Call it at the start and before each step; it does not allocate
+  /// unless something changes.
   void update(Access& access);
 
-  /// Lets a model of the top level perform.
-  /// @param name Of the performer; empty: "perf_" and the model's.
-  /// @param size Full lengths of its box [m].
-  /// @return Why not, or nothing.
+  /// Makes a top-level model a performer.
+  /// @param name Of the performer; empty: "perf_" and the model's name.
+  /// @param size Side lengths of its box [m].
+  /// @return Why it was refused, or nothing.
   std::optional<std::string> add(Access& access, ModelId model, std::string name, const Vector3& size);
-  /// Lets a model perform that is not there yet, from when it is.
+  /// Makes a model a performer when it is added later.
   void addLater(std::string model) { awaited_.push_back(std::move(model)); }
 
-  /// Replaces `performers` by those that are there.
+  /// Replaces `performers` by the existing ones.
   void listPerformers(const Access& access, std::vector<Performer>& performers) const;
 
-  /// Which levels are loaded and who performs.
+  /// Saves or restores the loaded levels and the performers.
   void transfer(StateArchive& archive, const Access& access);
 
   /// The names of all levels, and whether each is loaded.
@@ -65,21 +65,21 @@ class Levels {
     bool isLoaded = false;
   };
   enum class Kind { kModel, kLight, kActor };
-  /// Something that is in levels.
+  /// An entity in levels.
   struct Member {
     Kind kind;
     std::uint64_t id;
-    /// Which.
+    /// Its levels.
     std::vector<std::size_t> zones;
   };
   struct Part {
     std::uint64_t id;
     std::string name;
-    /// Either is what performs.
+    /// The performing model or actor; one of the two.
     ModelId model;
     const description::Actor* actor;
     Vector3 size;
-    /// The file says so.
+    /// From the file.
     bool isOfFile;
   };
 
@@ -98,13 +98,13 @@ class Levels {
   std::vector<Member> members_;
   std::vector<Part> performers_;
   std::vector<std::string> awaited_;
-  /// Something that would go is held by a joint.
+  /// A joint keeps an entity that would be set aside.
   bool isHeld_ = false;
-  /// Nobody has looked yet who is to be there.
+  /// Membership was not evaluated yet.
   bool isNew_ = true;
-  /// Those of `Access` that have been looked at.
+  /// The evaluated changes of `Access`.
   std::uint64_t changes_ = 0;
-  // made once, used in each step
+  // Made once, used in each step.
   std::vector<Eigen::AlignedBox3d> boxes_;
 };
 

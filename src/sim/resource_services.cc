@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "msgs/control_messages.hh"
+#include "msgs/control/control_messages.hh"
 
 namespace pongsim::sim {
 
@@ -36,11 +36,12 @@ ResourceServices::ResourceServices(Simulation& simulation, FolderAdded folderAdd
 
 ServiceAnswer ResourceServices::add(const Message& request) {
   const std::vector<std::string> folders = msgs::strings(request);
-  if (folders.empty()) return ServiceAnswer::refused("the request names no folder");
+  if (folders.empty()) return ServiceAnswer::refused("the request contains no folder");
   // all or none
   for (const std::string& folder : folders) {
     std::error_code error;
-    if (!std::filesystem::is_directory(folder, error)) return ServiceAnswer::refused("'" + folder + "' is no folder");
+    if (!std::filesystem::is_directory(folder, error))
+      return ServiceAnswer::refused("'" + folder + "' is not a folder");
   }
   for (const std::string& folder : folders) {
     if (const std::optional<std::string> refusal = simulation_.addResourceFolder(folder)) {
@@ -57,7 +58,7 @@ ServiceAnswer ResourceServices::add(const Message& request) {
 ServiceAnswer ResourceServices::resolve(const Message& request, Message& reply) {
   const std::string address = msgs::string(request);
   const std::optional<std::filesystem::path> found = simulation_.resolve(address);
-  if (!found) return ServiceAnswer::refused("there is no '" + address + "' where models are looked for");
+  if (!found) return ServiceAnswer::refused("there is no '" + address + "' in the folders with models");
   msgs::setString(found->string(), reply);
   return true;
 }

@@ -8,15 +8,14 @@
 
 namespace pongsim::sim {
 
-/// Tells others where a run looks for the files that inserted models name, and lets them add folders:
-/// `/gazebo/resource_paths/get`, `add` and `resolve`, and the topic `/gazebo/resource_paths`, which has all of them
-/// when one is added.
+/// Services for the folders in which a run searches files of inserted models: `/gazebo/resource_paths/get`, `add` and
+/// `resolve`, and the topic `/gazebo/resource_paths`, which publishes all folders when one is added.
 class ResourceServices {
  public:
   using FolderAdded = std::function<void(const std::filesystem::path& folder)>;
 
-  /// @param simulation Must outlive it.
-  /// @param folderAdded Told of each folder that others add.
+  /// @param simulation Must outlive this.
+  /// @param folderAdded Called with each folder added by a request.
   ResourceServices(Simulation& simulation, FolderAdded folderAdded);
 
  private:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "msgs/status_messages.hh"
+#include "msgs/control/status_messages.hh"
 
 namespace pongsim::sim {
 

@@ -5,28 +5,28 @@
 #include <optional>
 #include <string>
 
+#include "pongsim/control/rolling_mean.hh"
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
-#include "pongsim/rolling_mean.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim::sim {
 
-/// How often a sensor speaks, on `TOPIC/performance_metrics`. (Fortress divides by nanoseconds for the rate in
-/// simulated time, and leaves cameras' `fps_optional` out.)
+/// Publishes a sensor's actual rates on `TOPIC/performance_metrics`. (Fortress computes the rate in simulated time
+/// wrongly, dividing by nanoseconds, and leaves out cameras' `fps_optional`.)
 class SensorMetrics {
  public:
-  /// @param topic Of the sensor.
+  /// @param topic The sensor's topic.
   SensorMetrics(const Sensor& sensor, const std::string& topic, Node& node);
 
   bool hasSubscribers() const { return publisher_.hasSubscribers(); }
 
-  /// Call it with each reading that is published.
-  /// @param nominalRate Readings a simulated second as they are asked for now, zero: one every step.
+  /// Call it with each published reading.
+  /// @param nominalRate Current rate, readings per simulated second; zero: one per step.
   void publish(Time now, double nominalRate);
 
-  /// Forgets what was published.
+  /// Discards what was measured.
   void reset();
 
  private:
@@ -35,7 +35,7 @@ class SensorMetrics {
     Time simulated;
     Clock::time_point real;
   };
-  /// A camera's pictures a second are the mean of so many.
+  /// A camera's rate is the mean over this many images.
   static constexpr std::size_t kPictures = 30;
 
   bool isCamera_;

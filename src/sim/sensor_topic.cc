@@ -2,8 +2,8 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "msgs/control_messages.hh"
-#include "pongsim/sensor.hh"
+#include "msgs/control/control_messages.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "sim/sensor_metrics.hh"
 
 namespace pongsim {
@@ -45,9 +45,9 @@ SensorTopic::~SensorTopic() = default;
 
 void SensorTopic::declare(Declaration& declaration) {
   declaration.publishes("TOPIC/performance_metrics", "ignition.msgs.PerformanceSensorMetrics",
-                        "with `<enable_metrics>`: how often it speaks, in simulated and in real time");
+                        "with `<enable_metrics>`: its actual rate, in simulated and in real time");
   declaration.serves("TOPIC/set_rate", "ignition.msgs.Double", "ignition.msgs.Empty",
-                     "messages a simulated second, at most what the file says");
+                     "messages per simulated second, at most the file's rate");
 }
 
 bool SensorTopic::hasSubscribers() const {

@@ -50,12 +50,13 @@ void warnOfPair(Simulation& one, Simulation& other, const SourcePosition& place,
   }
   if (!both.empty()) {
     diagnostics.warning(place, quotedWorld(one) + " and " + quotedWorld(other) + " publish on the same " + listOf(both),
-                        "who listens gets the messages of both");
+                        "subscribers get the messages of both");
   }
   const auto warn = [&](Simulation& from, Simulation& to, const std::vector<std::string>& topics) {
     if (topics.empty()) return;
-    diagnostics.warning(place, quotedWorld(to) + " hears what " + quotedWorld(from) + " publishes: " + listOf(topics),
-                        "its steps are not the same in each run then, for each world goes at its own pace");
+    diagnostics.warning(place,
+                        quotedWorld(to) + " subscribes to what " + quotedWorld(from) + " publishes: " + listOf(topics),
+                        "its runs are then not reproducible, since each world runs at its own pace");
   };
   warn(one, other, heardByOther);
   warn(other, one, heardByOne);

@@ -15,83 +15,83 @@
 #include "pongsim/diagnostic.hh"
 #include "pongsim/simulation.hh"
 #include "pongsim/system.hh"
-#include "sim/access.hh"
-#include "sim/edit_queue.hh"
+#include "sim/api/access.hh"
+#include "sim/edits/edit_queue.hh"
+#include "sim/running/world_place.hh"
 #include "sim/system_slot.hh"
-#include "sim/world_place.hh"
 
 namespace pongsim::sim {
 
-/// The systems of a world, and their phases.
+/// The systems of a world, called in phases.
 class SystemSet {
  public:
-  /// All references must outlive it.
-  /// @param edits Carries out what systems ask for.
-  /// @param strict A system that fails ends the step with an exception, in place of being switched off.
-  /// @param place Worlds of a file have random streams of their own, and those that run beside others are named where
-  /// systems speak.
+  /// All references must outlive this.
+  /// @param edits Carries out requests of systems.
+  /// @param strict Whether a failing system ends the step with an exception instead of being switched off.
+  /// @param place Each world of a file has its own random streams; worlds that run at once are named in log messages.
   SystemSet(Access& access, ModelEdits& edits, Transport& transport, std::uint64_t seed, bool strict,
             const WorldPlace& place);
   ~SystemSet();
   SystemSet(const SystemSet&) = delete;
   SystemSet& operator=(const SystemSet&) = delete;
 
-  /// Makes and configures the systems that the world asks for: its own plugins in the order of the file, then each
-  /// model's. A world that lists none gets those that Fortress's servers have by default. A system that can't use its
-  /// parameters is left out with a warning, as in Fortress, and the rest of the world runs.
-  /// @param isConfigured A server config file says which there are: none are there by default.
-  /// @param options Which systems there are beside them, and whether it matters that the world lists no physics.
+  /// Makes and configures the world's systems: its own plugins in the order of the file, then each model's. A world
+  /// without systems gets the default ones of Fortress's server. A system with invalid parameters is left out with a
+  /// warning, as in Fortress, and the rest of the world runs.
+  /// @param isConfigured A server config file sets the systems: there are no default ones.
+  /// @param options Additional systems, and whether a missing physics system matters.
   void load(const description::World& world, bool isConfigured, const SimulationOptions& options,
             Diagnostics& diagnostics);
 
-  /// Configures a system of the program's own, behind all others.
-  /// @param name No other added system may have it.
-  /// @return Whether it can be used; else `diagnostics` says why not.
+  /// Configures a system of the program, after all others.
+  /// @param name Unique among added systems.
+  /// @return Whether it can be used; otherwise `diagnostics` has the reason.
   bool add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics);
 
-  /// @return Whether the world's bodies are to be moved: the world lists the physics system, or lists no system.
+  /// @return Whether bodies move: the world lists the physics system, or no system.
   bool wantsPhysics() const { return wantsPhysics_; }
 
-  /// Makes and configures the systems of a model that was inserted, and of those nested in it.
+  /// Makes and configures the systems of an inserted model and of its nested models.
   void load(world::Slot model, Diagnostics& diagnostics);
 
-  /// Ends the systems of models that have gone.
+  /// Ends the systems of removed models.
   void unload(const std::vector<ModelId>& models);
 
-  /// Lets the systems of models that are set aside rest, and those of models that are back be called again.
+  /// Stops calling systems of models that are set aside, and resumes those of returned models.
   void updateWhoRests();
 
-  /// Tells the systems that the world has changed, if it has since they were told.
+  /// Notifies the systems if the world has changed since the last call.
   void announceChanges();
 
-  /// Sets the systems back, after the world was. Those of models that have come back are made and configured anew,
-  /// those of models that have gone end, those that are switched off are switched on.
-  /// @param seed In place of the one of before.
+  /// Resets the systems after the world. Systems of models that have returned are made and configured again, those of
+  /// removed models end, and those switched off are switched on.
+  /// @param seed New seed; unset: the same.
   void reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed);
 
-  /// Tells the systems that time has been set: their `reset` is called.
+  /// Notifies the systems that the time was set, by `reset`.
   void jump();
 
-  /// @return What the systems remember, with their random streams, one after the other.
+  /// @return The state of each system with its random stream.
   std::vector<std::string> save();
-  /// Gives that back.
-  /// @param awakeOnly Not to those that rest: they can't be, where they look for what is set aside with them.
+  /// Restores that state.
+  /// @param awakeOnly Skips systems that are set aside, whose entities do not exist now.
   void restore(const std::vector<std::string>& saved, bool awakeOnly);
 
-  /// Adds which systems there are.
+  /// Adds the list of systems to a hash.
   void addTo(base::Hash& hash) const;
 
-  /// @throws std::runtime_error, as the others, where systems must not fail and one has.
+  /// @throws std::runtime_error (likewise below) if the set is strict and a system has failed.
   void preUpdate(const StepInfo& info);
   void update(const StepInfo& info);
   void postUpdate(const StepInfo& info);
 
  private:
+  void lookAhead(std::size_t system) const;
   void loadWorldPlugins(const description::World& world, bool isConfigured, const SimulationOptions& options,
                         Diagnostics& diagnostics);
   void loadModelPlugins(world::Slot model, Diagnostics& diagnostics);
   void loadOwnPlugins(world::Slot model, Diagnostics& diagnostics);
-  /// What a `<plugin>` stands in: a model, an actor, or where it is neither the world.
+  /// The parent of a `<plugin>`: a model, an actor, or if neither, the world.
   struct Holder {
     world::Slot model = world::kNoSlot;
     const world::ActorRecord* actor = nullptr;
@@ -104,10 +104,10 @@ class SystemSet {
   void collectAwake();
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   Random stream(const std::string& name) const;
-  /// @return What stands behind the name of a system where it speaks.
+  /// @return Text after a system's name in log messages.
   std::string where() const;
   void noteFailure(const SystemSlot& slot, const std::string& what);
-  /// Ends the step where a system must not have failed.
+  /// Ends the step if the set is strict and a system has failed.
   void check() const;
 
   Access& access_;
@@ -118,17 +118,17 @@ class SystemSet {
   World world_;
   const description::Plugin defaultSceneBroadcaster_;
   bool wantsPhysics_ = true;
-  /// Whether the plugins of files count, and those of models that come while it runs, and not added systems alone.
+  /// Whether plugins of files are loaded, also those of models inserted later, and not only added systems.
   bool loadsPlugins_ = false;
-  // The libraries must be there until the systems are gone.
+  // The libraries must outlive the systems.
   plugin::Loader loader_;
-  /// Models whose systems have ended: they come back with them.
+  /// Models whose systems have ended; the systems return with them.
   std::vector<ModelId> unloaded_;
   std::optional<std::string> failure_;
   EditQueue queue_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
-  /// Those that are called in a step, in their order.
+  /// Those called in a step, in order.
   std::vector<SystemSlot*> awake_;
 };
 

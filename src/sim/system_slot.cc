@@ -40,7 +40,7 @@ bool SystemSlot::start(const Element& plugin, World& world, const std::optional<
   try {
     parts_.system->declare(declaration_);
     if (const char* place = missingPlace(declaration_.place(), model.has_value(), actor.has_value())) {
-      diagnostics.warning(plugin.position, left + "it must stand in " + place);
+      diagnostics.warning(plugin.position, left + "it belongs in " + place);
       return false;
     }
     if (!declaration_.read(plugin, parts_.name, diagnostics)) return false;
@@ -74,7 +74,7 @@ void SystemSlot::failed(const std::exception& error) {
   if (dynamic_cast<const Gone*>(&error) == nullptr) return switchOff(error.what());
   // it has used a handle to what is gone, for which it can't be blamed
   isOff_ = true;
-  log_.warning(std::string("rests until the next reset: ") + error.what());
+  log_.warning(std::string("stops until the next reset: ") + error.what());
 }
 
 void SystemSlot::switchOff(const std::string& why) {
@@ -98,7 +98,7 @@ void SystemSlot::run(const char* phase, Call call) {
   } catch (const std::exception& error) {
     failed(error);
   } catch (...) {
-    switchOff("it threw what is no std::exception");
+    switchOff("it threw something other than a std::exception");
   }
   leave();
 }

@@ -13,38 +13,38 @@
 #include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/system.hh"
-#include "sim/access.hh"
-#include "sim/edit_queue.hh"
+#include "sim/api/access.hh"
+#include "sim/edits/edit_queue.hh"
 
 namespace pongsim::sim {
 
-/// One system of a running world, with all that its context refers to. Whatever calls into the system goes through
-/// here: a system that throws, or gives a command that makes no sense, is named and switched off.
+/// A system of a running world, with everything its context refers to. All calls into the system go through here: a
+/// system that throws, or gives an invalid command, is named and switched off.
 class SystemSlot final : public CallGuard {
  public:
   struct Parts {
-    /// Where the `<plugin>` stands; 0 for the world and for actors.
+    /// Model with the `<plugin>`; 0 for the world and for actors.
     ModelId model;
-    /// Which plugin of the model or of the world.
+    /// Index of the plugin in the model or world.
     std::size_t number;
     /// "diff-drive of rover".
     std::string name;
-    /// Where its `<plugin>` is.
+    /// Position of its `<plugin>`.
     SourcePosition position;
     Node node;
     Random random;
     std::unique_ptr<System> system;
-    /// Where the `<plugin>` stands in an actor.
+    /// Actor with the `<plugin>`, if any.
     ActorId actor = {};
-    /// Behind the name where it speaks: " (world b)", or empty.
+    /// Follows its name in log messages: " (world b)", or empty.
     std::string where = {};
-    /// The program itself has added it.
+    /// Whether the program added it.
     bool isAdded = false;
   };
-  /// Told why the system has been switched off, each time.
+  /// Called with the reason each time the system is switched off.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
 
-  /// @param edits Carries out what the system asks for; must outlive it, as `access`.
+  /// @param edits Carries out the system's requests; must outlive this, like `access`.
   SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed);
   ~SystemSlot() override;
 
@@ -53,10 +53,10 @@ class SystemSlot final : public CallGuard {
   std::size_t number() const { return parts_.number; }
   const std::string& name() const { return parts_.name; }
   bool isAdded() const { return parts_.isAdded; }
-  /// @return The name by which it speaks.
+  /// @return Its name in log messages.
   std::string label() const { return parts_.name + parts_.where; }
   const SourcePosition& position() const { return parts_.position; }
-  /// @return The name of a system's random stream. The number keeps apart two of a kind in one place.
+  /// @return The name of a system's random stream. The number distinguishes several systems of a kind in one place.
   static std::string streamOf(const std::string& name, std::size_t number) {
     return name + "#" + std::to_string(number);
   }
@@ -64,25 +64,25 @@ class SystemSlot final : public CallGuard {
   const Declaration& declaration() const { return declaration_; }
 
   /// Declares and configures the system.
-  /// @param world, model, actor Where the `<plugin>` stands; neither model nor actor for the world itself.
+  /// @param world, model, actor Parent of the `<plugin>`; neither model nor actor for the world itself.
   /// @param before The systems before this one.
-  /// @return Whether it can be used; else `diagnostics` says why not.
+  /// @return Whether it can be used; otherwise `diagnostics` has the reason.
   bool start(const Element& plugin, World& world, const std::optional<Model>& model, const std::optional<Actor>& actor,
              std::span<System* const> before, Diagnostics& diagnostics);
   System& system() { return *parts_.system; }
-  /// @return What it has advertised.
+  /// @return Its advertised topics.
   const std::vector<std::string>& topics() const { return topics_; }
 
-  /// Whether its model is set aside: it is not called, and gets neither messages nor requests.
+  /// Whether its model is set aside: then it is not called, and receives neither messages nor requests.
   void setResting(bool rests) { isResting_ = rests; }
   bool isResting() const { return isResting_; }
 
-  /// Calls it again from now on, with random numbers as at the start.
+  /// Switches it on again, with random numbers as at the start.
   void switchOn(Random random);
-  /// Its random numbers begin there, where it draws the next one.
+  /// Sets its random stream.
   void setRandom(Random random) { parts_.random = random; }
 
-  /// Calls a function of the system's as its phases are called.
+  /// Calls a function of the system like its phases.
   void answer(const std::function<void()>& call);
   const Logger& log() const { return log_; }
 
@@ -91,7 +91,7 @@ class SystemSlot final : public CallGuard {
   void postUpdate(const StepInfo& info);
   void worldChanged();
   void reset();
-  /// What it remembers, with its random stream.
+  /// Saves or restores its state, with its random stream.
   void transfer(StateArchive& archive);
 
   bool enter() override { return begin("in a message or request"); }
@@ -106,7 +106,7 @@ class SystemSlot final : public CallGuard {
   bool begin(const char* phase);
 
   Parts parts_;
-  /// "the system diff-drive of rover", for a crash.
+  /// "the system diff-drive of rover", for crash reports.
   std::string crashName_;
   Logger log_;
   Node node_;

@@ -85,7 +85,7 @@ void Bus::hear(AnyType& any, const std::string& type) {
   if (any.inboxes.size() >= kMostTypes) {
     if (std::exchange(any.isFull, true)) return;
     anyTypeLog().warning("topic '" + any.topic + "': more than " + std::to_string(kMostTypes) +
-                         " types are published; the others are not heard, '" + type + "' first");
+                         " types are published; the others are not received, '" + type + "' first");
     return;
   }
   Channel& channel = channelFor(any.topic, type);
@@ -98,7 +98,7 @@ void Bus::hear(AnyType& any, const std::string& type) {
     any.inboxes.push_back(&added);
   } catch (const std::exception& error) {
     eraseIfUnused(channel);
-    anyTypeLog().warning("topic '" + any.topic + "': messages of '" + type + "' are not heard: " + error.what());
+    anyTypeLog().warning("topic '" + any.topic + "': messages of '" + type + "' are not received: " + error.what());
   }
 }
 

@@ -10,22 +10,22 @@
 
 namespace pongsim::transport {
 
-/// A subscription to messages of any type: an inbox for each type that somebody publishes on its topic.
+/// A subscription to messages of any type: it has an inbox for each type published on its topic.
 class AnyType {
  public:
   std::string topic;
   DispatchQueue* queue = nullptr;
   std::shared_ptr<const ReceivedOfAnyType> received;
   SubscriptionOptions options;
-  /// The publisher that it does not hear, or null.
+  /// A publisher whose messages it ignores, or null.
   const void* except = nullptr;
 
-  /// One a type, guarded by the bus's mutex and changed with its set-up mutex held, too.
+  /// One per type. Guarded by the bus's mutex; changed with its set-up mutex held too.
   std::vector<Inbox*> inboxes;
-  /// Whether a type more than it takes has been complained of.
+  /// Whether a warning about too many types was given.
   bool isFull = false;
 
-  /// Tells others that it is there, whatever they publish; hears nothing itself. Null without a network.
+  /// Announces the subscription to others, whatever they publish; receives nothing. Null without a network.
   std::unique_ptr<Reader> announcement;
 };
 

@@ -12,20 +12,21 @@ namespace pongsim::transport {
 
 /// A process's place in the DDS domain: the prefix of its GUIDs. All zeros for this one's own.
 using ParticipantId = std::array<std::uint8_t, 12>;
+inline constexpr ParticipantId kThisProcess{};
 
-/// A message's bytes, for all who wait for it.
+/// A message's bytes, shared by all subscriptions that wait for it.
 class Buffer {
  public:
-  /// All of its room, or the part of it that is meant.
+  /// The used part of its memory.
   std::span<std::byte> bytes;
   ParticipantId sender{};
   std::size_t users = 0;
 
-  /// Makes `bytes` so long, of no particular content.
+  /// Sets the size of `bytes`, with undefined content.
   void resize(std::size_t size);
   std::size_t capacity() const { return capacity_; }
 
-  /// Exchanges the bytes for another's, and nothing else.
+  /// Swaps only the bytes with another buffer.
   void swapBytes(Buffer& other) {
     std::swap(bytes, other.bytes);
     std::swap(room_, other.room_);
@@ -37,11 +38,11 @@ class Buffer {
   std::size_t capacity_ = 0;
 };
 
-/// Buffers that were used before, so that a steady flow of messages allocates nothing. For one thread at a time.
+/// Reuses buffers, so that a steady flow of messages does not allocate. Not thread-safe.
 class BufferPool {
  public:
-  /// @return A buffer of so many bytes, of no particular content, for one user. One that was used before has room for
-  /// twice as many at most, so that small messages do not sit in the room of large ones.
+  /// @return A buffer of that size for one user, with undefined content. Its capacity is at most twice the size, so
+  /// that small messages do not occupy large buffers.
   Buffer* take(std::size_t size);
 
   /// Ends one use.
@@ -49,7 +50,7 @@ class BufferPool {
 
  private:
   std::vector<std::unique_ptr<Buffer>> all_;
-  /// By the power of two that is their capacity.
+  /// By capacity, which is a power of two.
   std::array<std::vector<Buffer*>, 64> free_;
   std::size_t freeBytes_ = 0;
 };

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <stdexcept>
-#include <tuple>
 
-#include "msgs/bytes.hh"
+#include "msgs/encoding/bytes.hh"
 #include "pongsim/log.hh"
 #include "transport/any_type.hh"
 #include "transport/deadline.hh"
@@ -19,19 +17,12 @@ namespace pongsim::transport {
 
 namespace {
 
-constexpr ParticipantId kThisProcess{};
-
 const Logger& busLog() {
   static const Logger logger("transport");
   return logger;
 }
 
 }  // namespace
-
-Channel::Channel(std::string topicName, std::string typeName)
-    : topic(std::move(topicName)), type(std::move(typeName)) {}
-
-Channel::~Channel() = default;
 
 Bus::Bus(std::unique_ptr<Network> network)
     : network_(std::move(network)),
@@ -69,27 +60,16 @@ void Bus::eraseIfUnused(const Channel& channel) {
   if (channel.users.publishers + channel.users.subscriptions == 0) channels_.erase({channel.topic, channel.type});
 }
 
-/// Of a publisher that comes (1) or goes (-1), with the set-up mutex held.
-void Bus::count(Channel& channel, DispatchQueue& queue, const PublisherOptions& publisher, int change) {
-  for (Channel::Users* users : {&channel.users, &channel.usersOf[&queue]}) {
-    users->publishers += change;
-    if (publisher.latched) users->latchedPublishers += change;
-    if (publisher.relays) users->relayingPublishers += change;
-    if (publisher.ownOnly) users->ownOnlyPublishers += change;
-  }
-  if (!publisher.relays) ++queue.ownTopicsVersion;
-}
-
 Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type,
                            const PublisherOptions& options) {
-  if (options.relays && options.latched) throw std::invalid_argument("a publisher that relays can't be latched");
+  if (options.relays && options.latched) throw std::invalid_argument("a relaying publisher can't be latched");
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
   if (network_ && !channel.writer && !options.ownOnly) {
     channel.writer = network_->makeWriter(channel.topic, channel.type, [this] { subscribersChanged(); });
     network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
   }
-  count(channel, queue, options, 1);
+  channel.countPublisher(queue, options, 1);
   for (const auto& any : anyTypes_) {
     if (any->topic == channel.topic) hear(*any, channel.type);
   }
@@ -98,7 +78,7 @@ Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const s
 
 void Bus::endPublisher(DispatchQueue& queue, Channel& channel, const PublisherOptions& options) {
   const std::lock_guard lock(setUp_);
-  count(channel, queue, options, -1);
+  channel.countPublisher(queue, options, -1);
   const Channel::Users& users = channel.users;
   if (options.latched && users.latchedPublishers == 0) {
     forgetLatched(channel, [](const ParticipantId& sender) { return sender == kThisProcess; });
@@ -157,47 +137,8 @@ Inbox& Bus::addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<I
   Inbox& added = addInbox(queue, channel, std::move(inbox));
   const std::lock_guard hearing(channel.hearing);
   channel.atOnce.push_back(&added);
-  countAtOnceQueues(channel);
+  channel.countAtOnceQueues();
   return added;
-}
-
-void Bus::countAtOnceQueues(Channel& channel) {
-  std::set<const DispatchQueue*> queues;
-  for (const Inbox* inbox : channel.atOnce) queues.insert(inbox->queue);
-  channel.atOnceQueue = queues.empty() ? nullptr : *queues.begin();
-  channel.atOnceQueues = static_cast<int>(queues.size());
-}
-
-std::vector<OwnTopic> Bus::ownTopics(const DispatchQueue& queue) {
-  const std::lock_guard lock(setUp_);
-  std::vector<OwnTopic> topics;
-  for (const auto& [key, channel] : channels_) {
-    const auto found = channel->usersOf.find(&queue);
-    if (found == channel->usersOf.end()) continue;
-    const Channel::Users& users = found->second;
-    const int publishers = users.publishers - users.relayingPublishers;
-    const int subscriptions = users.subscriptions - users.relayingSubscriptions;
-    if (publishers + subscriptions == 0) continue;
-    topics.push_back({channel->topic, channel->type, publishers, subscriptions, users.latchedPublishers > 0,
-                      users.relayingPublishers});
-  }
-  for (const auto& any : anyTypes_) {
-    if (any->queue == &queue && !any->options.relays)
-      topics.push_back({any->topic, std::string(kAnyType), 0, 1, false, 0});
-  }
-  std::ranges::stable_sort(topics, {}, [](const OwnTopic& topic) { return std::tie(topic.name, topic.type); });
-  return topics;
-}
-
-/// Of a subscription that comes (1) or goes (-1), with both mutexes held.
-void Bus::count(Channel& channel, const Inbox& inbox, int change) {
-  (inbox.isAtOnce() ? channel.atOnceCount : channel.inboxCount) += change;
-  if (inbox.relays) channel.relayingCount += change;
-  for (Channel::Users* users : {&channel.users, &channel.usersOf[inbox.queue]}) {
-    users->subscriptions += change;
-    if (inbox.relays) users->relayingSubscriptions += change;
-    if (inbox.ownOnly) users->ownOnlySubscriptions += change;
-  }
 }
 
 Inbox& Bus::addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> owned) {
@@ -207,7 +148,7 @@ Inbox& Bus::addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inb
     const std::lock_guard inboxesLock(mutex_);
     inboxes_.emplace(&inbox, std::move(owned));
     channel.inboxes.push_back(&inbox);
-    count(channel, inbox, 1);
+    channel.countSubscription(inbox, 1);
     ++channel.inboxesSoFar;
     const bool isLatched = channel.latched != nullptr && (!inbox.ownOnly || channel.latched->sender == kThisProcess);
     if (isLatched) putInto(inbox, channel.latched);
@@ -218,7 +159,7 @@ Inbox& Bus::addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inb
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
     std::erase(queue.inboxesWithArrivals, &inbox);
-    count(channel, inbox, -1);
+    channel.countSubscription(inbox, -1);
     inboxes_.erase(&inbox);
     throw;
   }
@@ -250,12 +191,12 @@ void Bus::endSubscription(Inbox& inbox) {
   if (inbox.isAtOnce()) {
     const std::lock_guard hearing(channel.hearing);
     std::erase(channel.atOnce, &inbox);
-    countAtOnceQueues(channel);
+    channel.countAtOnceQueues();
   }
   {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
-    count(channel, inbox, -1);
+    channel.countSubscription(inbox, -1);
     std::erase(queue.inboxesWithArrivals, &inbox);
     std::vector<Arrival> unread;
     inbox.moveTo(unread);
@@ -274,151 +215,6 @@ void Bus::endSubscription(Inbox& inbox) {
     forgetLatched(channel, [](const ParticipantId& sender) { return sender != kThisProcess; });
   }
   eraseIfUnused(channel);
-}
-
-bool Bus::hasSubscribers(const PublisherState& publisher) const {
-  const Channel& channel = publisher.channel;
-  const int here = channel.inboxCount.load(std::memory_order_relaxed) +
-                   channel.atOnceCount.load(std::memory_order_relaxed) -
-                   (publisher.options.relays ? channel.relayingCount.load(std::memory_order_relaxed) : 0);
-  return here > 0 || (!publisher.options.ownOnly && channel.writer && channel.writer->hasReaders());
-}
-
-std::uint64_t Bus::newSubscribers(PublisherState& publisher) const {
-  const Channel& channel = publisher.channel;
-  const std::uint64_t soFar = channel.inboxesSoFar + (channel.writer ? channel.writer->readersSoFar() : 0);
-  return soFar - std::exchange(publisher.knownSubscribers, soFar);
-}
-
-bool Bus::isAwaited(const PublisherState& publisher) const {
-  return publisher.options.latched || hasSubscribers(publisher);
-}
-
-void Bus::publish(PublisherState& publisher, const Message& message) {
-  const Channel& channel = publisher.channel;
-  if (msgs::typeName(message) != channel.type) {
-    throw std::invalid_argument("topic '" + channel.topic + "' is of " + channel.type + ", not of " +
-                                msgs::typeName(message));
-  }
-  if (!isAwaited(publisher)) return;
-  hearAtOnce(publisher, message, nullptr);
-  if (!isWantedInBytes(publisher)) return;
-  send(publisher, msgs::byteSize(message),
-       [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); });
-}
-
-void Bus::publish(PublisherState& publisher, const Message& message, const Bulk& bulk) {
-  const Channel& channel = publisher.channel;
-  const std::optional<msgs::BulkWriter> writer = msgs::BulkWriter::of(message, bulk);
-  if (msgs::typeName(message) != channel.type || !writer) {
-    throw std::invalid_argument("topic '" + channel.topic + "' is of " + channel.type + ", not of " +
-                                msgs::typeName(message) + " with bytes in '" + bulk.field + "'");
-  }
-  if (!isAwaited(publisher)) return;
-  hearAtOnce(publisher, message, &bulk);
-  if (!isWantedInBytes(publisher)) return;
-  send(publisher, writer->size(), [&writer](std::span<std::byte> place) { writer->write(place); });
-}
-
-/// @return Whether inboxes want it: of those who hear at once, those of other transports.
-bool Bus::isForInboxes(const PublisherState& publisher) {
-  constexpr auto kRelaxed = std::memory_order_relaxed;
-  const Channel& channel = publisher.channel;
-  if (publisher.options.latched || channel.inboxCount.load(kRelaxed) > 0) return true;
-  if (publisher.options.ownOnly) return false;
-  const int queues = channel.atOnceQueues.load(kRelaxed);
-  return queues > 1 || (queues == 1 && channel.atOnceQueue.load(kRelaxed) != &publisher.queue);
-}
-
-/// @return Whether others want it than those who hear at once. What these alone hear is counted as sent here.
-bool Bus::isWantedInBytes(PublisherState& publisher) {
-  Channel& channel = publisher.channel;
-  if (isForInboxes(publisher)) return true;
-  if (!publisher.options.ownOnly && channel.writer && channel.writer->hasReaders()) return true;
-  ++publisher.sent;
-  ++channel.sent;
-  return false;
-}
-
-void Bus::hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk) {
-  Channel& channel = publisher.channel;
-  if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
-  const std::lock_guard hearing(channel.hearing);
-  // by number, for what is called may end subscriptions, or make some
-  for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
-    const Inbox& inbox = *channel.atOnce[i];
-    if (inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
-    if (inbox.heardAtOnce) {
-      inbox.heardAtOnce(message, bulk);
-    } else if (bulk != nullptr) {
-      const msgs::BulkWriter writer = *msgs::BulkWriter::of(message, *bulk);
-      inbox.heardBytesAtOnce(writer.size(), [&writer](std::span<std::byte> place) { writer.write(place); });
-    } else {
-      inbox.heardBytesAtOnce(msgs::byteSize(message),
-                             [&message](std::span<std::byte> place) { msgs::writeBytes(message, place); });
-    }
-  }
-}
-
-void Bus::hearBytesAtOnce(PublisherState& publisher, std::span<const std::byte> bytes) {
-  Channel& channel = publisher.channel;
-  if (channel.atOnceCount.load(std::memory_order_relaxed) == 0) return;
-  const std::lock_guard hearing(channel.hearing);
-  const auto copy = [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); };
-  bool isRead = false;
-  for (std::size_t i = 0; i < channel.atOnce.size(); ++i) {
-    const Inbox& inbox = *channel.atOnce[i];
-    if (inbox.queue != &publisher.queue || !inbox.hears(publisher)) continue;
-    if (inbox.heardBytesAtOnce) {
-      inbox.heardBytesAtOnce(bytes.size(), copy);
-      continue;
-    }
-    if (!channel.read) channel.read = newMessage(channel.type);
-    if (!isRead && !(channel.read && msgs::parseBytes(bytes, *channel.read))) {
-      complain(channel, kThisProcess, "is no " + channel.type);
-      return;
-    }
-    isRead = true;
-    inbox.heardAtOnce(*channel.read, nullptr);
-  }
-}
-
-void Bus::publishBytes(PublisherState& publisher, std::span<const std::byte> bytes) {
-  if (!isAwaited(publisher)) return;
-  hearBytesAtOnce(publisher, bytes);
-  if (!isWantedInBytes(publisher)) return;
-  send(publisher, bytes.size(),
-       [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); });
-}
-
-void Bus::send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill) {
-  Channel& channel = publisher.channel;
-  if (size > kMaximumMessage) {
-    busLog().error("topic '" + channel.topic + "': a message of " + std::to_string(size) +
-                   " bytes is too large to send");
-    return;
-  }
-  ++publisher.sent;
-  ++channel.sent;
-  const bool latched = publisher.options.latched;
-  const bool here = isForInboxes(publisher);
-  const bool elsewhere = !publisher.options.ownOnly && channel.writer && (latched || channel.writer->hasReaders());
-  const Keeping keeping = latched ? Keeping::kKept : Keeping::kNone;
-  if (!here) {
-    if (elsewhere) channel.writer->write(size, fill, keeping);
-    return;
-  }
-  Buffer* buffer = takeBuffer(size);
-  buffer->sender = kThisProcess;
-  fill(buffer->bytes);
-  if (elsewhere) {
-    // not the one of ranges, which GCC 12 makes a loop of single bytes of
-    const auto copy = [from = buffer->bytes](std::span<std::byte> place) {
-      std::copy(from.begin(), from.end(), place.begin());
-    };
-    channel.writer->write(size, copy, keeping);
-  }
-  deliver(channel, buffer, latched, &publisher);
 }
 
 /// Takes the sample's bytes, and leaves as many of no meaning for the next one.
@@ -508,7 +304,7 @@ void Bus::releaseArrivals(DispatchQueue& queue) {
 std::size_t Bus::dispatch(DispatchQueue& queue) {
   if (queue.isIdle()) return 0;
   const std::lock_guard lock(queue.dispatching);
-  if (queue.inDispatch) throw std::logic_error("dispatch was called from a function that dispatch had called");
+  if (queue.inDispatch) throw std::logic_error("dispatch was called within dispatch");
   queue.inDispatch = true;
   queue.dispatcher = std::this_thread::get_id();
 
@@ -580,15 +376,6 @@ void Bus::requestArrived(DispatchQueue& queue) {
   queue.arrived.notify_one();
 }
 
-bool Bus::waitForSubscribers(const PublisherState& publisher, std::chrono::nanoseconds timeout) {
-  std::unique_lock lock(mutex_);
-  return subscribersChanged_.wait_until(lock, deadlineAfter(timeout), [&] { return hasSubscribers(publisher); });
-}
-
-bool Bus::waitForDelivery(const Channel& channel, std::chrono::nanoseconds timeout) {
-  return !channel.writer || channel.writer->waitForAcknowledgement(timeout);
-}
-
 std::uint64_t Bus::received(const Inbox& inbox) const {
   const std::lock_guard lock(mutex_);
   return inbox.received();
@@ -616,7 +403,7 @@ void Bus::endService(Offer& offer) {
 CallResult Bus::call(DispatchQueue& queue, std::string_view service, const Message& request, Message& reply,
                      std::chrono::nanoseconds timeout) {
   if (queue.dispatcher == std::this_thread::get_id()) {
-    throw std::logic_error("a service was called from a function that dispatch had called, which must not wait");
+    throw std::logic_error("a service was called within dispatch, which must not wait");
   }
   return client_.call(queue, service, request, reply, deadlineAfter(timeout));
 }

@@ -19,7 +19,7 @@
 
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
-#include "transport/complaint_limit.hh"
+#include "transport/channel.hh"
 #include "transport/dispatch_queue.hh"
 #include "transport/inbox.hh"
 #include "transport/interfaces.hh"
@@ -31,82 +31,29 @@ namespace pongsim::transport {
 class AnyType;
 class Network;
 class PublisherState;
-class Reader;
 struct TrafficReport;
-class Writer;
 
-/// A topic as one type of message: all publishers and subscriptions of this transport.
-class Channel {
- public:
-  Channel(std::string topic, std::string type);
-  ~Channel();
-
-  const std::string topic;
-  const std::string type;
-
-  /// How many use it.
-  struct Users {
-    int publishers = 0;
-    int latchedPublishers = 0;
-    int relayingPublishers = 0;
-    int ownOnlyPublishers = 0;
-    int subscriptions = 0;
-    int relayingSubscriptions = 0;
-    int ownOnlySubscriptions = 0;
-  };
-  /// Guarded by the bus's set-up mutex: of all, and of the transports that share the bus, by their queues. The writer
-  /// is there while a publisher is that speaks to other processes, the reader while a subscription is that hears them.
-  Users users;
-  std::map<const DispatchQueue*, Users> usersOf;
-  std::unique_ptr<Writer> writer;
-  std::unique_ptr<Reader> reader;
-
-  /// Guarded by the bus's mutex, in the order of subscribing; with those that hear at once.
-  std::vector<Inbox*> inboxes;
-  std::atomic<int> inboxCount = 0;
-  std::atomic<std::uint64_t> inboxesSoFar = 0;
-  std::atomic<std::uint64_t> sent = 0;
-
-  /// Those that hear at once, who are not in `inboxCount`. Held while they are called, which may publish in turn.
-  std::recursive_mutex hearing;
-  std::vector<Inbox*> atOnce;
-  std::atomic<int> atOnceCount = 0;
-  /// Of how many transports they are, and of which if it is one.
-  std::atomic<int> atOnceQueues = 0;
-  std::atomic<const DispatchQueue*> atOnceQueue = nullptr;
-  /// Those of either kind that relay.
-  std::atomic<int> relayingCount = 0;
-  /// What bytes are read into for them, or null.
-  MessagePointer read;
-
-  /// For who comes later, or null; guarded by the bus's mutex.
-  Buffer* latched = nullptr;
-
-  /// Of bad messages; guarded by the bus's mutex.
-  ComplaintLimit complaints;
-};
-
-/// Takes messages from publishers and from the network to the subscriptions of one `Transport`, or of several that
-/// share it, each with a queue of its own.
+/// Delivers messages from publishers and the network to the subscriptions of one `Transport`, or of several that share
+/// it, each with its own queue.
 ///
-/// Three mutexes, taken in this order: `DispatchQueue::dispatching`, `setUp_` (making and ending endpoints), `mutex_`
-/// (what waits). DDS threads take only the last, which is therefore never held while DDS is called.
+/// Three mutexes, locked in this order: `DispatchQueue::dispatching`, `setUp_` (adding and removing endpoints),
+/// `mutex_` (waiting messages). DDS threads lock only the last, which is therefore never held while DDS is called.
 class Bus {
  public:
-  /// @param network Null for a transport of this process only.
+  /// @param network Null for a transport within this process.
   explicit Bus(std::unique_ptr<Network> network);
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /// @return Where it talks to other machines, if it does.
+  /// @return The network interface for other machines, if any.
   std::optional<NetworkInterface> interface() const;
 
-  /// @return A queue that stays until the bus ends.
+  /// @return A queue that exists as long as the bus.
   DispatchQueue& addQueue();
 
-  /// Types are full names, `queue` that of the transport by which it is asked for.
-  /// @throws std::invalid_argument for a bad topic name; std::runtime_error where DDS refuses.
+  /// Types are full names; `queue` is that of the calling transport.
+  /// @throws std::invalid_argument for an invalid topic name; std::runtime_error if DDS refuses.
   Channel& addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type,
                         const PublisherOptions& options);
   void endPublisher(DispatchQueue& queue, Channel& channel, const PublisherOptions& options);
@@ -114,18 +61,18 @@ class Bus {
                          Inbox::Received received, const SubscriptionOptions& options);
   Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
                          Inbox::ReceivedBytes received, const SubscriptionOptions& options);
-  /// Of one that hears at once what is published by its own transport.
+  /// A subscription that receives messages of its own transport within `publish`.
   Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type, HeardAtOnce heard,
                          const SubscriptionOptions& options);
   Inbox& addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type, HeardBytesAtOnce heard,
                          const SubscriptionOptions& options);
   void endSubscription(Inbox& inbox);
-  /// Of one that takes messages of any type.
+  /// A subscription to messages of any type.
   AnyType& addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedOfAnyType received,
                       const SubscriptionOptions& options);
   void endAnyType(AnyType& any);
 
-  /// Those of the queue's transport.
+  /// The topics of the queue's transport.
   std::vector<OwnTopic> ownTopics(const DispatchQueue& queue);
 
   bool hasSubscribers(const PublisherState& publisher) const;
@@ -155,15 +102,15 @@ class Bus {
                   std::chrono::nanoseconds timeout);
 
   /// Sends a request to a service of this transport.
-  /// @return Its number, or nothing where there is no such service.
+  /// @return Its number; nothing if there is no such service.
   std::optional<std::uint64_t> request(DispatchQueue& queue, std::string_view service, const Message& request,
                                        const std::string& replyType, Answered answered) {
     return client_.post(queue, service, request, replyType, std::move(answered));
   }
-  /// Does not have the request's function called any more.
+  /// Cancels the call of the request's function.
   void forgetRequest(std::uint64_t number) { client_.forget(number); }
-  /// Those of the queue's transport, sorted by name. Of transports that share the bus the first one tells of those of
-  /// the bus's own transport, too: they are there once, and this one is there in their place for who looks for them.
+  /// The services of the queue's transport, sorted by name. Of transports that share the bus, the first one also lists
+  /// those of the bus's own transport: they exist once, and this transport represents it to others.
   std::vector<OwnService> ownServices(const DispatchQueue& queue);
   std::uint64_t ownServicesVersion() const { return server_.version(); }
   std::uint64_t addGateway(CallElsewhere call) { return client_.addGateway(std::move(call)); }
@@ -175,21 +122,17 @@ class Bus {
   Channel& channelFor(std::string_view topic, const std::string& type);
   Inbox& addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
   Inbox& addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
-  static void count(Channel& channel, DispatchQueue& queue, const PublisherOptions& publisher, int change);
-  static void count(Channel& channel, const Inbox& inbox, int change);
   void openReader(Channel& channel);
   void hear(AnyType& any, const std::string& type);
   void publisherFound(const std::string& topic, const std::string& type);
   void hearFoundTypes();
   bool isAwaited(const PublisherState& publisher) const;
   static bool isFor(const Inbox& inbox, const PublisherState* from);
-  static bool isForInboxes(const PublisherState& publisher);
   bool isWantedInBytes(PublisherState& publisher);
   void send(PublisherState& publisher, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
   void hearAtOnce(PublisherState& publisher, const Message& message, const Bulk* bulk);
   void hearBytesAtOnce(PublisherState& publisher, std::span<const std::byte> bytes);
-  static void countAtOnceQueues(Channel& channel);
-  /// @param from Null for another process's.
+  /// @param from Null for another process.
   void deliver(Channel& channel, Buffer* buffer, bool latched, const PublisherState* from);
   void putInto(Inbox& inbox, Buffer* buffer);
   void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
@@ -203,7 +146,7 @@ class Bus {
   void subscribersChanged();
   void requestArrived(DispatchQueue& queue);
 
-  /// Before what has threads, which may look at them; guarded by the set-up mutex.
+  /// Declared before members with threads that may access it. Guarded by the set-up mutex.
   std::vector<std::unique_ptr<DispatchQueue>> queues_;
 
   std::unique_ptr<Network> network_;
@@ -211,9 +154,9 @@ class Bus {
   std::mutex setUp_;
   std::map<std::pair<std::string, std::string>, std::unique_ptr<Channel>> channels_;
 
-  /// With their topics; changed with both `setUp_` and `mutex_` held.
+  /// Changed with both `setUp_` and `mutex_` held.
   std::vector<std::unique_ptr<AnyType>> anyTypes_;
-  /// Publishers that other processes turned out to have on such topics, guarded by `mutex_`: topic and type.
+  /// Topic and type of publishers found in other processes on such topics. Guarded by `mutex_`.
   std::vector<std::pair<std::string, std::string>> foundTypes_;
 
   mutable std::mutex mutex_;
@@ -227,7 +170,7 @@ class Bus {
   ServiceClient client_;
 };
 
-/// A publisher's share in its topic.
+/// State of a publisher.
 class PublisherState {
  public:
   PublisherState(Bus& owner, DispatchQueue& asker, Channel& topic, const PublisherOptions& given)
@@ -241,11 +184,11 @@ class PublisherState {
   Channel& channel;
   const PublisherOptions options;
   std::atomic<std::uint64_t> sent = 0;
-  /// Subscribers that it has been told of.
+  /// Subscribers reported so far.
   std::uint64_t knownSubscribers = 0;
 };
 
-/// A service's share in its transport.
+/// State of a service.
 class ServiceState {
  public:
   ServiceState(Bus& owner, Offer& service) : bus(owner), offer(service) {}
@@ -257,7 +200,7 @@ class ServiceState {
   Offer& offer;
 };
 
-/// The right of a request to have its function called.
+/// State of a pending request.
 class RequestState {
  public:
   RequestState(Bus& owner, std::uint64_t request) : bus(owner), number(request) {}
@@ -269,7 +212,7 @@ class RequestState {
   const std::uint64_t number;
 };
 
-/// A gateway's share in its transport.
+/// State of a gateway.
 class GatewayState {
  public:
   GatewayState(Bus& owner, std::uint64_t gateway) : bus(owner), number(gateway) {}
@@ -281,7 +224,7 @@ class GatewayState {
   const std::uint64_t number;
 };
 
-/// A subscription's place to wait for messages, or its places where it takes any type.
+/// State of a subscription: its inbox, or that of any type.
 class SubscriptionState {
  public:
   SubscriptionState(Bus& bus, Inbox& inbox) : bus_(bus), place_(&inbox) {}

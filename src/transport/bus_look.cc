@@ -2,14 +2,38 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <tuple>
 
+#include "transport/any_type.hh"
 #include "transport/bus.hh"
 #include "transport/deadline.hh"
 #include "transport/network.hh"
 #include "transport/service_name.hh"
 #include "transport/topic_name.hh"
+#include "transport/type_name.hh"
 
 namespace pongsim::transport {
+
+std::vector<OwnTopic> Bus::ownTopics(const DispatchQueue& queue) {
+  const std::lock_guard lock(setUp_);
+  std::vector<OwnTopic> topics;
+  for (const auto& [key, channel] : channels_) {
+    const auto found = channel->usersOf.find(&queue);
+    if (found == channel->usersOf.end()) continue;
+    const Channel::Users& users = found->second;
+    const int publishers = users.publishers - users.relayingPublishers;
+    const int subscriptions = users.subscriptions - users.relayingSubscriptions;
+    if (publishers + subscriptions == 0) continue;
+    topics.push_back({channel->topic, channel->type, publishers, subscriptions, users.latchedPublishers > 0,
+                      users.relayingPublishers});
+  }
+  for (const auto& any : anyTypes_) {
+    if (any->queue == &queue && !any->options.relays)
+      topics.push_back({any->topic, std::string(kAnyType), 0, 1, false, 0});
+  }
+  std::ranges::stable_sort(topics, {}, [](const OwnTopic& topic) { return std::tie(topic.name, topic.type); });
+  return topics;
+}
 
 std::vector<OwnService> Bus::ownServices(const DispatchQueue& queue) {
   std::vector<OwnService> services = server_.services(queue);

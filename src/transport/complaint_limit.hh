@@ -7,10 +7,10 @@
 
 namespace pongsim::transport {
 
-/// Lets one complaint a second through, so that a flood of bad messages is no flood of words.
+/// Lets one complaint per second through, so that bad messages do not flood the log.
 class ComplaintLimit {
  public:
-  /// @return Nothing where this complaint is to be kept back; else how many were since the last one.
+  /// @return Nothing if this complaint is suppressed; otherwise the number suppressed since the last one.
   std::optional<std::uint64_t> pass(std::chrono::steady_clock::time_point now) {
     if (last_ && now - *last_ < kPeriod) {
       ++keptBack_;

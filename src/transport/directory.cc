@@ -120,10 +120,10 @@ void Directory::warnOfType(const Endpoint& own, const EndpointId& otherId, const
   const std::string process = std::to_string(pidOfLocked(participant));
   static const Logger log("transport");
   log.warning(other.role == Role::kPublisher
-                  ? "topic '" + own.topic + "': process " + process + " publishes " + other.type +
-                        ", which this process, subscribed to " + own.type + ", does not get"
-                  : "topic '" + own.topic + "': process " + process + " subscribes to " + other.type +
-                        ", and does not get what this process publishes, " + own.type);
+                  ? "topic '" + own.topic + "': the types differ: process " + process + " publishes " + other.type +
+                        ", this process subscribes to " + own.type
+                  : "topic '" + own.topic + "': the types differ: process " + process + " subscribes to " + other.type +
+                        ", this process publishes " + own.type);
 }
 
 /// @return Whether a participant has a subscription to any type on the topic.

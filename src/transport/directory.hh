@@ -21,59 +21,59 @@ namespace pongsim::transport {
 
 using EndpointId = std::array<std::uint8_t, 16>;
 
-/// A publisher or a subscriber of a topic.
+/// A publisher or subscriber of a topic.
 struct Endpoint {
   std::string topic;
   std::string type;
   Role role = Role::kPublisher;
-  /// Whether it is ours to list: of our partition, and no part of the transport's own dealings.
+  /// Whether it is listed: it is in our partition and not internal to the transport.
   bool visible = true;
 };
 
-/// What other participants have told of themselves. Any thread may use it.
+/// What other participants have announced. Thread-safe.
 class Directory {
  public:
-  /// @param pid Its process, 0 where it is no pongsim.
+  /// @param pid Process id, 0 if it is not a pongsim process.
   void addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports);
   void removeParticipant(const ParticipantId& id);
   void addEndpoint(const EndpointId& id, const Endpoint& endpoint);
   void removeEndpoint(const EndpointId& id);
 
-  /// Takes note of how many endpoints a participant says it has.
+  /// Stores the number of endpoints that a participant claims to have.
   void setCensus(const ParticipantId& id, std::uint32_t endpoints);
 
-  /// Takes note of what a participant says of its traffic; `forgetTraffic` begins anew.
+  /// Stores a participant's traffic report; `forgetTraffic` discards all.
   void setTraffic(const ParticipantId& id, TrafficReport report);
   void forgetTraffic();
 
-  /// Has `tell` called with topic and type of each visible publisher of a topic that others tell of from now on, by the
-  /// thread that tells and with this directory locked; empty: nobody, and no call is under way any more.
+  /// Lets `tell` be called with topic and type of each visible publisher announced by others from now on, on the
+  /// announcing thread with this directory locked. Empty: no calls any more, and none is running.
   void tellOfPublishers(std::function<void(const std::string& topic, const std::string& type)> tell);
 
-  /// Says of an endpoint of ours that it is there or gone, to be warned of others that speak another type.
+  /// Adds or removes an endpoint of this process, to warn about others with another type.
   void addOwn(const Endpoint& endpoint);
   void removeOwn(const Endpoint& endpoint);
 
-  /// @return The participant's process, 0 where it is not known.
+  /// @return The participant's process id, 0 if unknown.
   int pidOf(const ParticipantId& id) const;
 
   /// @return All visible topics of pongsim processes, sorted by name.
   std::vector<TopicInfo> topics() const;
-  /// @return One of them, with its traffic where that was told twice since `forgetTraffic`.
+  /// @return One topic, with its traffic if it was reported twice since `forgetTraffic`.
   TopicInfo topic(std::string_view name) const;
 
   /// @return All services of pongsim processes, sorted by name.
   std::vector<ServiceInfo> services() const;
   ServiceInfo service(std::string_view name) const;
 
-  /// Waits until a participant is known at each of `ports` and all of them have told of all their endpoints.
+  /// Waits until a participant is known at each of `ports` and all have announced all their endpoints.
   /// @return Whether they have; false at `deadline`.
   bool waitForAll(std::span<const std::uint32_t> ports, TimePoint deadline);
 
-  /// Waits until the topic has a visible endpoint of that role.
+  /// Waits until the topic has a visible endpoint with that role.
   bool waitForTopic(std::string_view name, Role role, TimePoint deadline);
 
-  /// @return A number that grows with each thing told.
+  /// @return A number that grows with each announcement.
   std::uint64_t version() const;
 
  private:
@@ -102,7 +102,7 @@ class Directory {
   std::map<EndpointId, Endpoint> endpoints_;
   std::multimap<std::string, Endpoint> own_;
   std::function<void(const std::string& topic, const std::string& type)> tell_;
-  /// Topic and foreign type of the warnings given.
+  /// Topic and foreign type of warnings given.
   std::map<std::string, std::string> warned_;
 };
 

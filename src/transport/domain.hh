@@ -7,15 +7,15 @@
 
 namespace pongsim::transport {
 
-/// @return `wanted`, else what the environment variable PONGSIM_DOMAIN says, else 0.
+/// @return `wanted`, else the environment variable PONGSIM_DOMAIN, else 0.
 /// @throws std::invalid_argument for anything but an integer from 0 to 232.
 int chosenDomain(std::optional<int> wanted);
 
-/// @return What the environment variable IGN_PARTITION says, or else GZ_PARTITION; empty: no partition.
+/// @return The environment variable IGN_PARTITION, else GZ_PARTITION; empty: no partition.
 std::string chosenPartition();
 
-/// The ports by which the processes of a domain find each other, as the RTPS specification (9.6.1.1) numbers them:
-/// one for each participant, two apart.
+/// The ports by which processes of a domain discover each other, numbered as in the RTPS specification (9.6.1.1): one
+/// for each participant, two apart.
 struct DiscoveryPorts {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
@@ -25,17 +25,17 @@ struct DiscoveryPorts {
 };
 DiscoveryPorts discoveryPorts(int domain);
 
-/// @return The port at which they listen to their multicast group, where they do.
+/// @return The port of their multicast group, if they use it.
 std::uint32_t multicastPort(int domain);
 
 struct OpenPort {
   std::uint32_t port = 0;
-  /// Whether it is open on 127.0.0.1 alone, as ours are.
+  /// Whether it is only open on 127.0.0.1, like ours.
   bool isOnLoopbackAlone = false;
 };
 
-/// @return Those of the ports at which a process of this machine hears what is sent to 127.0.0.1 now; nothing where the
-/// system does not tell.
+/// @return Discovery ports with a process on this machine that receives from 127.0.0.1; nothing if the system does not
+/// report them.
 std::optional<std::vector<OpenPort>> openDiscoveryPorts(int domain);
 
 }  // namespace pongsim::transport

@@ -49,6 +49,14 @@ TopicAttributes topicAttributes(const Contract& contract) {
   return attributes;
 }
 
+/// What access control asks an endpoint that is being made, when it has not been announced yet.
+rtps::PropertyPolicy accessProperties(const Contract& contract) {
+  rtps::PropertyPolicy policy;
+  policy.properties().emplace_back("topic_name", contract.topic);
+  if (!contract.partition.empty()) policy.properties().emplace_back("partitions", contract.partition);
+  return policy;
+}
+
 template <class Qos>
 Qos qosFor(const Contract& contract) {
   Qos qos;
@@ -83,6 +91,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
   attributes.endpoint.topicKind = rtps::NO_KEY;
   attributes.endpoint.reliabilityKind = rtps::RELIABLE;
   attributes.endpoint.durabilityKind = durability(contract);
+  attributes.endpoint.properties = accessProperties(contract);
   // sends on the outbox's thread
   attributes.mode = rtps::SYNCHRONOUS_WRITER;
   attributes.times.initialHeartbeatDelay = kAtOnce;
@@ -90,10 +99,10 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
   attributes.times.nackResponseDelay = kAtOnce;
   attributes.times.nackSupressionDuration = kAtOnce;
   writer_ = rtps::RTPSDomain::createRTPSWriter(&participant, attributes, samples_, &history_, this);
-  if (writer_ == nullptr) throw std::runtime_error("DDS makes no writer for topic '" + contract.topic + "'");
+  if (writer_ == nullptr) throw std::runtime_error("DDS can't create a writer for topic '" + contract.topic + "'");
   if (!participant.registerWriter(writer_, topicAttributes(contract), qosFor<dds::WriterQos>(contract))) {
     rtps::RTPSDomain::removeRTPSWriter(writer_);
-    throw std::runtime_error("DDS does not announce the writer for topic '" + contract.topic + "'");
+    throw std::runtime_error("DDS can't announce the writer for topic '" + contract.topic + "'");
   }
 }
 
@@ -221,13 +230,14 @@ Reader::Reader(rtps::RTPSParticipant& participant, const Contract& contract, Rec
   attributes.endpoint.topicKind = rtps::NO_KEY;
   attributes.endpoint.reliabilityKind = rtps::RELIABLE;
   attributes.endpoint.durabilityKind = durability(contract);
+  attributes.endpoint.properties = accessProperties(contract);
   attributes.times.initialAcknackDelay = kAskingPeriod;
   attributes.times.heartbeatResponseDelay = kAtOnce;
   reader_ = rtps::RTPSDomain::createRTPSReader(&participant, attributes, samples_, &history_, this);
-  if (reader_ == nullptr) throw std::runtime_error("DDS makes no reader for topic '" + contract.topic + "'");
+  if (reader_ == nullptr) throw std::runtime_error("DDS can't create a reader for topic '" + contract.topic + "'");
   if (!participant.registerReader(reader_, topicAttributes(contract), qosFor<dds::ReaderQos>(contract))) {
     rtps::RTPSDomain::removeRTPSReader(reader_);
-    throw std::runtime_error("DDS does not announce the reader for topic '" + contract.topic + "'");
+    throw std::runtime_error("DDS can't announce the reader for topic '" + contract.topic + "'");
   }
 }
 

@@ -27,47 +27,47 @@ namespace pongsim::transport {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
-/// What an endpoint tells and asks of its counterparts.
+/// Properties of an endpoint.
 struct Contract {
   std::string topic;
   std::string type;
-  /// DDS partition, none where empty.
+  /// DDS partition; empty: none.
   std::string partition;
-  /// Whether a reader that comes later gets the last message, and no other is kept.
+  /// Whether later readers get the last message, and only that is kept.
   bool keepsLast = false;
 };
 
 ParticipantId participantId(const rtps::GuidPrefix_t& prefix);
 
-/// A topic's way out to other processes. Reliable for those who keep up; a slow one loses the oldest messages, and
-/// holds up nobody.
+/// DDS writer of a topic. Reliable for readers that are fast enough; a slow one loses the oldest messages and blocks no
+/// one.
 class Writer : private rtps::WriterListener, private Outbox::Target {
  public:
-  /// @param outbox Takes the messages to DDS. Must outlive it.
-  /// @param readersChanged Called from a DDS thread when a reader elsewhere comes or goes.
-  /// @throws std::runtime_error where DDS refuses.
+  /// @param outbox Passes the messages to DDS. Must outlive this.
+  /// @param readersChanged Called on a DDS thread when a reader elsewhere is added or removed.
+  /// @throws std::runtime_error if DDS refuses.
   Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract,
          std::function<void()> readersChanged);
-  /// Waits until DDS has all that was written.
+  /// Waits until everything written was passed to DDS.
   ~Writer() override;
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// @return Whether that participant's reader would get what is written now.
+  /// @return Whether that participant has a matched reader.
   bool hasReaderOf(const ParticipantId& participant) const;
-  /// @return The participant of the reader that came last, or nothing.
+  /// @return The participant of the newest reader, or nothing.
   std::optional<ParticipantId> newestReader() const;
   bool hasReaders() const { return readers_.load(std::memory_order_relaxed) > 0; }
-  /// @return How many have come so far; what is written now reaches them.
+  /// @return The number of readers matched so far; they receive what is written now.
   std::uint64_t readersSoFar() const { return readersSoFar_; }
 
-  /// Sends a message of so many bytes, which `fill` writes to the place it is given. Never waits for DDS.
-  /// @param keeping With `kKept` it is sent again to each reader that comes, until another one is kept or `forgetKept`.
+  /// Sends a message of that size, written by `fill`. Never waits for DDS.
+  /// @param keeping With `kKept` it is sent again to each new reader, until another one is kept or `forgetKept`.
   void write(std::size_t messageSize, const std::function<void(std::span<std::byte>)>& fill,
              Keeping keeping = Keeping::kNone);
   void forgetKept() { keeping_ = false; }
 
-  /// @return Messages that some reader did not get, because it or DDS did not keep up.
+  /// @return Messages that some reader did not get, because it or DDS was too slow.
   std::uint64_t dropped() const { return dropped_ + droppedBeforeSending(); }
 
   /// Waits until all readers have acknowledged everything.
@@ -93,9 +93,9 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   std::function<void()> readersChanged_;
   std::shared_ptr<SentSamples> samples_;
   rtps::WriterHistory history_;
-  /// In the history, guarded by the writer's mutex.
+  /// In the history; guarded by the writer's mutex.
   std::size_t keptBytes_ = 0;
-  /// What is kept for readers that come, for the outbox's thread.
+  /// Kept for new readers; used by the outbox's thread.
   std::vector<std::byte> kept_;
   std::atomic<bool> keeping_ = false;
   std::atomic<std::uint64_t> dropped_ = 0;
@@ -106,22 +106,21 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   rtps::RTPSWriter* writer_ = nullptr;
 };
 
-/// A topic's way in from other processes.
+/// DDS reader of a topic.
 class Reader : private rtps::ReaderListener {
  public:
-  /// Called from a DDS thread with each sample that another participant has sent. Its bytes may be exchanged for
-  /// others.
+  /// Called on a DDS thread with each sample of another participant. Its bytes may be swapped.
   using Received = std::function<void(const ParticipantId& sender, Buffer& sample)>;
-  /// Called from a DDS thread when a participant's writer has ended.
+  /// Called on a DDS thread when a participant's writer ends.
   using WriterGone = std::function<void(const ParticipantId& sender)>;
 
-  /// @throws std::runtime_error where DDS refuses.
+  /// @throws std::runtime_error if DDS refuses.
   Reader(rtps::RTPSParticipant& participant, const Contract& contract, Received received, WriterGone writerGone = {});
   ~Reader() override;
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// @return Messages that writers gave up sending, because this reader did not keep up.
+  /// @return Messages that writers gave up sending because this reader was too slow.
   std::uint64_t lost() const { return lost_; }
 
  private:
@@ -135,15 +134,15 @@ class Reader : private rtps::ReaderListener {
   Received received_;
   WriterGone writerGone_;
   std::shared_ptr<ReceivedSamples> samples_ = std::make_shared<ReceivedSamples>();
-  /// A writer that has been heard.
+  /// A known writer.
   struct Source {
     /// Number of its last sample.
     std::uint64_t last = 0;
-    /// Whether that came since it was found, the last time it was.
+    /// Whether that was received since the writer was last found.
     bool isCurrent = true;
   };
   std::mutex sourcesMutex_;
-  /// Those that have gone too, for one of a process that was stopped comes again.
+  /// Includes ended writers, since those of a suspended process return.
   std::map<rtps::GUID_t, Source> sources_;
   std::atomic<std::uint64_t> lost_ = 0;
   rtps::ReaderHistory history_;

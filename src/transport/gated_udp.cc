@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "transport/domain.hh"
+#include "transport/udp_sockets.hh"
 
 namespace pongsim::transport {
 
@@ -24,6 +25,26 @@ constexpr const char* kLocalAddress = "127.0.0.1";
 bool isOn(GatedUdp::Side side, const rtps::Locator_t& locator) {
   constexpr rtps::octet kLoopbackNet = 127;
   return (rtps::IPLocator::getIPv4(locator)[0] == kLoopbackNet) == (side == GatedUdp::Side::kLoopback);
+}
+
+std::uint32_t addressOf(const rtps::Locator_t& locator) {
+  const rtps::octet* bytes = rtps::IPLocator::getIPv4(locator);
+  std::uint32_t address = 0;
+  for (int i = 0; i < 4; ++i) address = address << 8 | bytes[i];
+  return address;
+}
+
+/// Whether the system tells of such a socket. One that does not tell of any has each.
+bool isBound(const RtpsAddress& address) {
+  const auto port = static_cast<std::uint16_t>(address.port);
+  const auto sockets = boundUdpSockets({port, port});
+  if (!sockets) return true;
+  return std::ranges::any_of(
+      *sockets, [&](const BoundUdp& each) { return each.address == address.address || each.address == 0; });
+}
+
+bool isAmong(const std::vector<OpenPort>& open, std::uint32_t port) {
+  return std::ranges::find(open, port, &OpenPort::port) != open.end();
 }
 
 /// Which discovery ports of this machine somebody may listen at. Looks where it is asked for more than a few, as for an
@@ -49,9 +70,7 @@ class Listeners {
     if (!gate_.isTold) open_.reset();
   }
 
-  bool isOpen(std::uint32_t port) const {
-    return open_ && std::ranges::find(*open_, port, &OpenPort::port) != open_->end();
-  }
+  bool isOpen(std::uint32_t port) const { return open_ && isAmong(*open_, port); }
 
   int domain_;
   UdpGate& gate_;
@@ -110,6 +129,10 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
       if (isMulticast || !ChainingTransport::OpenInputChannel(local, receiver, size)) return false;
       const std::lock_guard lock(gate_->mutex);
       gate_->ports.insert(locator.port);
+      if (discoveryPorts(domain_).contains(locator.port)) {
+        gate_->receiver = receiver;
+        gate_->discoveryPort = local;
+      }
       return true;
     }
     {
@@ -137,6 +160,11 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 
   void receive(dds_rtps::TransportReceiverInterface* receiver, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+    const RtpsAddress from{addressOf(remote), remote.port};
+    const auto side = side_ == GatedUdp::Side::kLoopback ? Doorkeeper::Side::kLoopback : Doorkeeper::Side::kBeyond;
+    // it is the library's buffer, which it may change itself
+    const std::span message(const_cast<rtps::octet*>(bytes), size);
+    if (!gate_->doorkeeper.admits(message, from, side, std::chrono::steady_clock::now())) return;
     receiver->OnDataReceived(bytes, size, local, remote);
   }
 
@@ -156,6 +184,33 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 };
 
 }  // namespace
+
+// A system that has never known of the participant's own sockets does not tell of others either.
+UdpGate::UdpGate(int domain)
+    : doorkeeper({[this, domain](std::uint32_t port) {
+                    if (!discoveryPorts(domain).contains(port)) return false;
+                    const auto open = openDiscoveryPorts(domain);
+                    return !open || !tells() || isAmong(*open, port);
+                  },
+                  [this](const RtpsAddress& address) { return !tells() || isBound(address); }}) {}
+
+void UdpGate::open() {
+  isOpen = true;
+  watch_.emplace([this] { return endLeases(); });
+}
+
+Watch::TimePoint UdpGate::endLeases() {
+  Doorkeeper::Endings endings = doorkeeper.endings(std::chrono::steady_clock::now());
+  for (const std::vector<std::uint8_t>& each : endings.messages) {
+    receiver->OnDataReceived(each.data(), static_cast<std::uint32_t>(each.size()), discoveryPort, discoveryPort);
+  }
+  return endings.nextLook;
+}
+
+bool UdpGate::tells() {
+  const std::lock_guard lock(mutex);
+  return isTold;
+}
 
 GatedUdp::GatedUdp(std::shared_ptr<dds_rtps::UDPv4TransportDescriptor> udp, Side side, int domain,
                    std::shared_ptr<UdpGate> gate)

@@ -12,16 +12,16 @@
 
 namespace pongsim::transport {
 
-/// The ways to services that are reached by others than this transport. For any thread.
+/// Access to services elsewhere. Thread-safe.
 class Gateways {
  public:
   /// @return A number for `end`.
   std::uint64_t add(CallElsewhere call);
-  /// Waits until no call is being made.
+  /// Waits until no call is running.
   void end(std::uint64_t number);
 
-  /// Asks them in the order in which they came.
-  /// @return What came of the call; nothing where none knows of such a service.
+  /// Asks the gateways in the order in which they were added.
+  /// @return The result of the call; nothing if none has such a service.
   std::optional<CallResult> call(const std::string& service, const Message& request, Message& reply,
                                  TimePoint deadline);
 

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <utility>
 
-#include "msgs/bytes.hh"
-#include "msgs/number_check.hh"
+#include "msgs/encoding/bytes.hh"
+#include "msgs/fields/number_check.hh"
 #include "transport/bus.hh"
 
 namespace pongsim::transport {
@@ -24,7 +24,7 @@ std::optional<std::string> refusal(const Message& message, double largest) {
   const std::optional<std::string> fault = msgs::unusableNumber(message, largest);
   if (!fault) return std::nullopt;
   std::ostringstream text;
-  text << "is refused: " << *fault << "; allowed are finite numbers from " << -largest << " to " << largest;
+  text << "is refused: " << *fault << "; numbers must be finite, from " << -largest << " to " << largest;
   return text.str();
 }
 
@@ -44,7 +44,7 @@ Inbox::Inbox(Channel& channel, MessagePointer message, Received received, const 
     : Inbox(channel, options) {
   take_ = [message = std::shared_ptr<Message>(std::move(message)), received = std::move(received),
            largest = options.largestNumber](auto bytes) -> std::optional<std::string> {
-    if (!msgs::parseBytes(bytes, *message)) return "is no " + msgs::typeName(*message);
+    if (!msgs::parseBytes(bytes, *message)) return "is not of type " + msgs::typeName(*message);
     if (largest) {
       if (std::optional<std::string> fault = refusal(*message, *largest)) return fault;
     }

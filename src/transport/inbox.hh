@@ -19,69 +19,68 @@ class Channel;
 class DispatchQueue;
 class PublisherState;
 
-/// A message on its way to one subscription.
+/// A message for one subscription.
 struct Arrival {
-  /// Counts from the transport's start, over all subscriptions.
+  /// Counted since the transport's start, over all subscriptions.
   std::uint64_t number = 0;
   class Inbox* inbox = nullptr;
   Buffer* buffer = nullptr;
 };
 
-/// What waits for one subscription. For one thread at a time.
+/// Waiting messages of one subscription. Not thread-safe.
 class Inbox {
  public:
   using Received = std::function<void(const Message&)>;
   using ReceivedBytes = std::function<void(std::span<const std::byte>)>;
 
-  /// @param message What each arrival is read into.
+  /// @param message Messages are parsed into it.
   Inbox(Channel& channel, MessagePointer message, Received received, const SubscriptionOptions& options);
   Inbox(Channel& channel, ReceivedBytes received, const SubscriptionOptions& options);
   ~Inbox();
 
-  /// @return The publisher that a subscription with such options does not hear, or null.
+  /// @return The publisher that a subscription with these options ignores, or null.
   static const void* excepted(const SubscriptionOptions& options);
 
-  /// @return Whether the subscription wants a message that comes now, for it has not had as many as it may lately.
+  /// @return Whether a message that arrives now is accepted, given the subscription's maximum rate.
   bool wants();
 
-  /// Puts the buffer behind the others. Where there is no room, the oldest go to `dropped`, and are counted.
+  /// Appends a buffer. If there is no room, the oldest ones are moved to `dropped` and counted.
   void add(std::uint64_t number, Buffer* buffer, std::vector<Buffer*>& dropped);
 
-  /// Moves all that waits to the end of `arrivals`.
+  /// Moves all waiting messages to the end of `arrivals`.
   void moveTo(std::vector<Arrival>& arrivals);
 
   std::size_t size() const { return waiting_.size() - first_; }
-  /// What came, without the dropped ones.
+  /// Without dropped ones.
   std::uint64_t received() const { return came_ - dropped_; }
   std::uint64_t dropped() const { return dropped_; }
   Channel& channel() const { return channel_; }
 
-  /// Hands the message over, unless it can't be used.
-  /// @return Why not ("is no ignition.msgs.Twist"), or nothing.
+  /// Passes the message to the subscription.
+  /// @return Why it can't be used ("is not of type ignition.msgs.Twist"), or nothing.
   std::optional<std::string> handOver(const Buffer& buffer) const { return take_(buffer.bytes); }
 
   /// Where it waits for `dispatch`.
   DispatchQueue* queue = nullptr;
 
-  /// Whether its subscription has gone.
+  /// Whether its subscription has ended.
   bool ended = false;
 
-  /// Hear what their own transport publishes at once, rather than from here: one of them, or none for others. Guarded
-  /// by the channel's mutex for that.
+  /// Receive messages of their own transport within `publish`; at most one is set. Guarded by the channel's `hearing`.
   HeardAtOnce heardAtOnce;
   HeardBytesAtOnce heardBytesAtOnce;
   bool isAtOnce() const { return heardAtOnce || heardBytesAtOnce; }
 
-  /// @return Whether it is to hear that publisher of its own transport.
+  /// @return Whether it receives from that publisher of its own transport.
   bool hears(const PublisherState& publisher) const;
 
-  /// The publisher that it does not hear, or null.
+  /// The publisher that it ignores, or null.
   const void* except = nullptr;
-  /// As the subscription's options say.
+  /// As in the subscription's options.
   bool relays = false;
   bool ownOnly = false;
 
-  /// What its channel's reader had lost before there was this subscription.
+  /// Losses of the channel's reader before this subscription.
   std::uint64_t lostBefore = 0;
 
  private:

@@ -3,13 +3,13 @@
 #include <optional>
 #include <string>
 
-#include "pongsim/network_interface.hh"
+#include "pongsim/program/network_interface.hh"
 
 namespace pongsim::transport {
 
-/// @param wanted An interface's name or address; unset or empty: what the environment variable PONGSIM_NETWORK says.
-/// @return Where to talk to other machines; nothing where nobody says so, or says loopback: then to none.
-/// @throws std::invalid_argument where there is none of that name or address; the message lists those that are there.
+/// @param wanted An interface's name or address; unset or empty: the environment variable PONGSIM_NETWORK.
+/// @return The interface for other machines; nothing if none is chosen, or loopback.
+/// @throws std::invalid_argument if there is no such interface; the message lists the existing ones.
 std::optional<NetworkInterface> chosenInterface(const std::optional<std::string>& wanted);
 
 }  // namespace pongsim::transport

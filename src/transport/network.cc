@@ -85,6 +85,7 @@ std::shared_ptr<GatedUdp> udpOn(const std::string& address, GatedUdp::Side side,
 }
 
 rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::optional<NetworkInterface>& interface,
+                                                      const std::optional<SecureIdentity>& identity,
                                                       const std::shared_ptr<UdpGate>& gate) {
   rtps::RTPSParticipantAttributes attributes;
   attributes.setName((std::string(kNamePrefix) + std::to_string(getpid())).c_str());
@@ -109,7 +110,11 @@ rtps::RTPSParticipantAttributes participantAttributes(int domain, const std::opt
   attributes.builtin.use_WriterLivelinessProtocol = false;
   attributes.builtin.discovery_config.leaseDuration = kLease;
   attributes.builtin.discovery_config.leaseDuration_announcementperiod = kAnnouncementPeriod;
-  // DDS-Security, who may join and what is encrypted, is `attributes.properties` with certificates: it belongs here.
+  if (identity) {
+    for (const auto& [name, value] : securityProperties(*identity)) {
+      attributes.properties.properties().emplace_back(name, value);
+    }
+  }
   return attributes;
 }
 
@@ -119,6 +124,8 @@ EndpointId endpointId(const rtps::GUID_t& guid) {
   std::copy_n(std::begin(guid.entityId.value), 4, id.begin() + 12);
   return id;
 }
+
+void removeParticipant(rtps::RTPSParticipant* participant) { rtps::RTPSDomain::removeRTPSParticipant(participant); }
 
 /// @return The process of a participant of ours, 0 for another program's.
 int processOf(std::string_view participantName) {
@@ -132,25 +139,31 @@ Network::Network(std::optional<int> domain, const std::optional<std::string>& in
     : domain_(chosenDomain(domain)),
       partition_(chosenPartition()),
       interface_(chosenInterface(interface)),
+      identity_(chosenIdentity(domain_)),
+      gate_(std::make_shared<UdpGate>(domain_)),
+      participant_(nullptr, removeParticipant),
       reporter_([this](std::function<void()> readersChanged) {
         const Contract contract{TrafficReporter::kTrafficTopic, TrafficReporter::kTrafficType, "", false};
         return std::make_unique<Writer>(*participant_, outbox_, contract, std::move(readersChanged));
       }) {
   setUpLibrary();
+  for (const char* topic : {kCensusTopic, TrafficReporter::kTrafficTopic}) {
+    for (const TopicUse use : {TopicUse::kPublish, TopicUse::kSubscribe}) requirePermission(use, topic);
+  }
   const auto domainId = static_cast<std::uint32_t>(domain_);
-  const auto gate = std::make_shared<UdpGate>();
   // with DDS's threads
   const GivesWay givesWay;
-  participant_ =
-      rtps::RTPSDomain::createParticipant(domainId, false, participantAttributes(domain_, interface_, gate), this);
+  participant_.reset(rtps::RTPSDomain::createParticipant(
+      domainId, false, participantAttributes(domain_, interface_, identity_, gate_), this));
   if (participant_ == nullptr) {
     throw std::runtime_error("cannot open DDS domain " + std::to_string(domain_) + " on 127.0.0.1" +
-                             (interface_ ? " and " + interface_->address : ""));
+                             (interface_ ? " and " + interface_->address : "") +
+                             (identity_ ? " as identity '" + identity_->name + "' of " + identity_->folder : ""));
   }
   own_ = participantId(participant_->getGuid().guidPrefix);
   ownPort_ = participant_->getRTPSParticipantAttributes().builtin.metatrafficUnicastLocatorList.begin()->port;
   participant_->enable();
-  gate->open();
+  gate_->open();
   participant_->announceRTPSParticipantState();
   censusWriter_ =
       std::make_unique<Writer>(*participant_, outbox_, Contract{kCensusTopic, kCensusType, "", true}, nullptr);
@@ -162,11 +175,21 @@ Network::~Network() {
   reporter_.stop();
   censusReader_.reset();
   censusWriter_.reset();
-  rtps::RTPSDomain::removeRTPSParticipant(participant_);
+  gate_->close();
+  participant_.reset();
+}
+
+void Network::requirePermission(TopicUse use, const std::string& topic) const {
+  if (!identity_ || isPermitted(*identity_, domain_, use, topic)) return;
+  throw KeystoreError("identity '" + identity_->name + "' may not " +
+                          (use == TopicUse::kPublish ? "publish" : "subscribe to") + " topic '" + topic +
+                          "': its permissions in " + identity_->folder + " do not allow it",
+                      "'pongsim security list' shows what they allow");
 }
 
 std::unique_ptr<Writer> Network::makeWriter(const std::string& topic, const std::string& type,
                                             std::function<void()> readersChanged) {
+  requirePermission(TopicUse::kPublish, topic);
   auto writer = std::make_unique<Writer>(*participant_, outbox_, contract(topic, type), std::move(readersChanged));
   changeCensus(1);
   return writer;
@@ -174,6 +197,7 @@ std::unique_ptr<Writer> Network::makeWriter(const std::string& topic, const std:
 
 std::unique_ptr<Reader> Network::makeReader(const std::string& topic, const std::string& type,
                                             Reader::Received received, Reader::WriterGone writerGone) {
+  requirePermission(TopicUse::kSubscribe, topic);
   auto reader =
       std::make_unique<Reader>(*participant_, contract(topic, type), std::move(received), std::move(writerGone));
   changeCensus(1);
@@ -246,8 +270,10 @@ void Network::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDi
   const ParticipantId id = participantId(info.info.m_guid.guidPrefix);
   if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
     directory_.removeParticipant(id);
+    gate_->doorkeeper.removed(id);
     return;
   }
+  gate_->doorkeeper.discovered(id, std::chrono::steady_clock::now());
   std::vector<std::uint32_t> ports;
   for (const rtps::Locator_t& locator : info.info.metatraffic_locators.unicast) ports.push_back(locator.port);
   directory_.addParticipant(id, processOf(info.info.m_participantName.c_str()), std::move(ports));

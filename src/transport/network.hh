@@ -9,25 +9,28 @@
 #include <mutex>
 #include <string>
 
+#include "pongsim/program/keystore.hh"
 #include "transport/directory.hh"
 #include "transport/endpoint.hh"
+#include "transport/gated_udp.hh"
 #include "transport/interfaces.hh"
 #include "transport/outbox.hh"
 #include "transport/traffic_reporter.hh"
 
 namespace pongsim::transport {
 
-/// This transport among the others of a DDS domain: over UDP on 127.0.0.1 and by no other way, unless it is to talk to
-/// other machines by one of this machine's network interfaces.
+/// A participant in a DDS domain: over UDP on 127.0.0.1 only, unless it also communicates with other machines over one
+/// network interface.
 ///
-/// Each participant listens at one of the domain's known ports and announces itself at all of them, so that nothing
-/// is multicast on this machine. Beside the topics, each one publishes how many endpoints it has (its census): who
-/// looks for topics compares the ports that are open on this machine with the participants that have answered, and the
-/// endpoints that they have told of with their census, and so knows when it has them all.
+/// Each participant listens on one of the domain's known ports and announces itself to all of them, so that nothing is
+/// multicast on this machine. Beside its topics, each publishes its number of endpoints (census). Discovery compares
+/// the open ports of this machine with the participants that have answered, and their endpoints with their census, and
+/// so knows when it is complete.
 class Network : private rtps::RTPSParticipantListener {
  public:
-  /// @param interface Name or address of the interface for other machines, as `chosenInterface` has it.
-  /// @throws std::runtime_error where the network can't be had, std::invalid_argument for a bad domain or interface.
+  /// @param interface Name or address of the interface for other machines, as for `chosenInterface`.
+  /// @throws std::runtime_error if the network can't be opened, std::invalid_argument for an invalid domain or
+  /// interface, KeystoreError if the identity in PONGSIM_SECURITY can't be used.
   explicit Network(std::optional<int> domain, const std::optional<std::string>& interface = std::nullopt);
   ~Network() override;
   Network(const Network&) = delete;
@@ -35,9 +38,13 @@ class Network : private rtps::RTPSParticipantListener {
 
   Directory& directory() { return directory_; }
   const ParticipantId& id() const { return own_; }
-  /// @return Where it talks to other machines; nothing: nowhere.
+  /// @return The network interface for other machines, if any.
   const std::optional<NetworkInterface>& interface() const { return interface_; }
 
+  /// @throws KeystoreError if the identity may not use the topic in this way.
+  void requirePermission(TopicUse use, const std::string& topic) const;
+
+  /// @throws KeystoreError like `requirePermission`; std::runtime_error if DDS refuses.
   std::unique_ptr<Writer> makeWriter(const std::string& topic, const std::string& type,
                                      std::function<void()> readersChanged);
   std::unique_ptr<Reader> makeReader(const std::string& topic, const std::string& type, Reader::Received received,
@@ -45,15 +52,14 @@ class Network : private rtps::RTPSParticipantListener {
   void end(std::unique_ptr<Writer> writer);
   void end(std::unique_ptr<Reader> reader);
 
-  /// Waits until all participants of this machine have told of their endpoints, and no longer than `timeout`. One that
-  /// stays silent (it may be stopped) is not waited for when the others have been silent for a while too.
+  /// Waits until all participants on this machine have announced their endpoints, at most `timeout`. A silent one (it
+  /// may be suspended) is not waited for once the others have been silent for a while too.
   void discover(std::chrono::nanoseconds timeout);
 
-  /// @param source Says what passes through the topics here, when others ask. It is not called any more when another
-  /// one has been set.
+  /// @param source Reports this process's traffic when others ask. It is not called any more after another one was set.
   void reportTraffic(std::function<TrafficReport()> source) { reporter_.setSource(std::move(source)); }
 
-  /// Asks the others for so long, for the directory.
+  /// Asks others for their traffic for `duration`, for the directory.
   void watchTraffic(std::chrono::nanoseconds duration);
 
  private:
@@ -69,8 +75,10 @@ class Network : private rtps::RTPSParticipantListener {
   int domain_;
   std::string partition_;
   std::optional<NetworkInterface> interface_;
+  std::optional<SecureIdentity> identity_;
   Directory directory_;
-  rtps::RTPSParticipant* participant_ = nullptr;
+  std::shared_ptr<UdpGate> gate_;
+  std::unique_ptr<rtps::RTPSParticipant, void (*)(rtps::RTPSParticipant*)> participant_;
   ParticipantId own_{};
   std::uint32_t ownPort_ = 0;
   Outbox outbox_;

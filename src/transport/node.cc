@@ -45,7 +45,7 @@ std::function<void(Arguments...)> failingToItself(CallGuard& guard, std::functio
 void checkRate(const SubscriptionOptions& options) {
   const std::optional<double>& rate = options.messagesPerSecond;
   if (!rate || (std::isfinite(*rate) && *rate > 0)) return;
-  throw std::invalid_argument("a subscription to " + std::to_string(*rate) +
+  throw std::invalid_argument("a subscription at " + std::to_string(*rate) +
                               " messages a second: the rate must be above 0");
 }
 

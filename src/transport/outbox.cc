@@ -47,7 +47,7 @@ void Outbox::add(Target& target, std::size_t size, const std::function<void(std:
   added_.notify_one();
   if (!unmentioned) return;
   static const Logger log("transport");
-  log.warning("topic '" + droppedTopic + "': a message was dropped that other processes wait for: more are published " +
+  log.warning("topic '" + droppedTopic + "': a message to other processes was dropped: more is published " +
               "than can be sent" +
               (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it, of all topics)" : ""));
 }

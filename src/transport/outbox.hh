@@ -16,21 +16,21 @@
 
 namespace pongsim::transport {
 
-/// Takes what is published to DDS on a thread of its own, so that nobody who publishes waits for DDS, which holds a
-/// writer's lock while it sends to a slow or large audience. Any thread may use it.
+/// Passes published samples to DDS on its own thread, so that publishers never wait for DDS, which holds a writer's
+/// lock while it sends to slow or many readers. Thread-safe.
 class Outbox {
  public:
-  /// Somewhere that samples go.
+  /// A destination of samples.
   class Target {
    public:
     virtual ~Target() = default;
-    /// Called from the outbox's thread.
-    /// @return Whether it keeps the sample, which it then gives back.
+    /// Called on the outbox's thread.
+    /// @return Whether it keeps the sample and gives it back later.
     virtual bool send(Buffer* sample) = 0;
     virtual const std::string& topic() const = 0;
 
    protected:
-    /// @return Samples that the outbox has dropped.
+    /// @return Samples dropped by the outbox.
     std::uint64_t droppedBeforeSending() const { return dropped_; }
 
    private:
@@ -46,16 +46,16 @@ class Outbox {
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
 
-  /// Sends a sample after all that were added before it. Where more than 10,000 samples or 64 MiB wait, the oldest is
-  /// dropped, with a warning now and then.
-  /// @param fill Writes the sample to the place of that size which it is given.
+  /// Sends a sample after all earlier ones. If more than 10,000 samples or 64 MiB wait, the oldest is dropped, with an
+  /// occasional warning.
+  /// @param fill Writes the sample.
   void add(Target& target, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
 
-  /// @return Room for a sample of so many bytes, to be given back.
+  /// @return A buffer of that size, to be given back.
   Buffer* take(std::size_t size);
   void giveBack(Buffer* sample);
 
-  /// Waits until all that was added for the target has been sent.
+  /// Waits until all samples of the target were sent.
   void flush(Target& target);
 
  private:

@@ -64,12 +64,13 @@ Buffer* ReceivedSamples::bufferOf(const Change& change) {
 }
 
 bool ReceivedSamples::get_payload(std::uint32_t size, Change& change) {
-  if (size > payloadSize(kMaximumMessage)) return false;
   const std::lock_guard lock(mutex_);
+  if (size > kMostArriving - arrivingBytes_) return false;
   Buffer* buffer = buffers_.take(size + kFragmentNote);
   buffer->bytes = buffer->bytes.first(size);
   setPayload(change, buffer, this);
-  arriving_.push_back({&change, buffer});
+  arriving_.push_back({&change, buffer, size});
+  arrivingBytes_ += size;
   return true;
 }
 
@@ -87,6 +88,7 @@ bool ReceivedSamples::release_payload(Change& change) {
     const auto found = std::ranges::find(arriving_, &change, &Entry::change);
     if (found == arriving_.end()) return false;
     buffers_.giveBack(found->buffer);
+    arrivingBytes_ -= found->size;
     arriving_.erase(found);
   }
   clearPayload(change);

@@ -7,20 +7,21 @@
 #include <vector>
 
 #include "transport/buffer_pool.hh"
+#include "transport/payload.hh"
 
 namespace pongsim::transport {
 
 class Outbox;
 
-/// Where the samples of a writer are: in the outbox's buffers, so that none is copied on its way to DDS. For the
-/// writer's lock.
+/// Payload pool of a writer: samples stay in the outbox's buffers, so that none is copied on its way to DDS. Use it
+/// with the writer's lock.
 class SentSamples final : public eprosima::fastrtps::rtps::IPayloadPool {
  public:
   using Change = eprosima::fastrtps::rtps::CacheChange_t;
 
   explicit SentSamples(Outbox& outbox) : outbox_(outbox) {}
 
-  /// The change that is made next is of this buffer, which goes back to the outbox with it.
+  /// Sets the buffer of the next change; it returns to the outbox with the change.
   void setNext(Buffer* sample) { next_ = sample; }
 
   bool get_payload(std::uint32_t size, Change& change) override;
@@ -30,16 +31,21 @@ class SentSamples final : public eprosima::fastrtps::rtps::IPayloadPool {
  private:
   Outbox& outbox_;
   Buffer* next_ = nullptr;
-  /// In the order of sending, in which they mostly go, too.
+  /// In the order of sending, in which most are released.
   std::deque<Buffer*> samples_;
 };
 
-/// Where the samples of a reader arrive: in buffers whose bytes may be taken from there. Any thread may use it.
+/// Payload pool of a reader: samples arrive in buffers whose bytes may be swapped out. Thread-safe.
+///
+/// A fragmented sample gets its buffer with its first fragment, however few follow. Such buffers are limited to
+/// `kMostArriving` bytes in total; further samples wait, since their writer sends them again.
 class ReceivedSamples final : public eprosima::fastrtps::rtps::IPayloadPool {
  public:
   using Change = eprosima::fastrtps::rtps::CacheChange_t;
 
-  /// @return The buffer of a change that has arrived. What is exchanged for its bytes is used for later ones.
+  static constexpr std::size_t kMostArriving = payloadSize(kMaximumMessage);
+
+  /// @return The buffer of a received change. Bytes swapped into it are reused.
   Buffer* bufferOf(const Change& change);
 
   bool get_payload(std::uint32_t size, Change& change) override;
@@ -50,11 +56,13 @@ class ReceivedSamples final : public eprosima::fastrtps::rtps::IPayloadPool {
   struct Entry {
     const Change* change;
     Buffer* buffer;
+    std::size_t size;
   };
 
   std::mutex mutex_;
   BufferPool buffers_;
   std::vector<Entry> arriving_;
+  std::size_t arrivingBytes_ = 0;
 };
 
 }  // namespace pongsim::transport

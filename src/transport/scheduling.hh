@@ -2,9 +2,9 @@
 
 namespace pongsim::transport {
 
-/// While it lives, the calling thread, and for good the threads that it starts meanwhile, don't push away one that runs
-/// when they wake (SCHED_BATCH, sched(7)): the simulation's thread, which publishes, is not to be held up by those that
-/// carry what it publishes. Where the user has chosen another policy than the ordinary one, that stays.
+/// While it exists, the calling thread, and permanently the threads that it starts meanwhile, do not preempt running
+/// threads when they wake (SCHED_BATCH, sched(7)), so that the simulation's thread is not delayed by those that carry
+/// its messages. A scheduling policy chosen by the user is kept.
 class GivesWay {
  public:
   GivesWay();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "msgs/bytes.hh"
+#include "msgs/encoding/bytes.hh"
 #include "pongsim/log.hh"
 #include "transport/dispatch_queue.hh"
 #include "transport/network.hh"
@@ -23,7 +23,7 @@ CallResult failed(CallOutcome outcome, const std::string& service, const std::st
 }
 
 std::string takes(std::string_view requestType, std::string_view replyType) {
-  return "takes " + std::string(requestType) + " and answers " + std::string(replyType);
+  return "takes " + std::string(requestType) + " and returns " + std::string(replyType);
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ CallResult ServiceClient::callOther(const std::string& service, const Message& r
   CallScope call(*this, *server);
   const RequestHeader header{*server, call.number()};
   const std::size_t size = msgs::byteSize(request);
-  if (size > kMaximumMessage) return failed(CallOutcome::kNoAnswer, service, "cannot be sent so large a request");
+  if (size > kMaximumMessage) return failed(CallOutcome::kNoAnswer, service, "can't be sent such a large request");
   line.writer->write(headerSize(header) + size,
                      [&](std::span<std::byte> place) { msgs::writeBytes(request, writeHeader(header, place)); });
   return call.wait(service, reply, deadline, [&] { return line.writer->hasReaderOf(*server); });
@@ -123,8 +123,11 @@ CallResult ServiceClient::callOther(const std::string& service, const Message& r
 
 ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std::string& type) {
   const std::lock_guard lock(setUp_);
-  std::unique_ptr<Line>& place = lines_[service + " " + type];
-  if (place) return *place;
+  const std::string key = service + " " + type;
+  if (const auto found = lines_.find(key); found != lines_.end()) return *found->second;
+  // both ways or none
+  network_->requirePermission(TopicUse::kSubscribe, replyTopic(service));
+  network_->requirePermission(TopicUse::kPublish, requestTopic(service));
   auto line = std::make_unique<Line>();
   line->service = service;
   line->type = type;
@@ -134,8 +137,7 @@ ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std
                                         receive(*to, sender, sample.bytes);
                                       });
   line->writer = network_->makeWriter(requestTopic(service), type, [this] { changed(); });
-  place = std::move(line);
-  return *place;
+  return *lines_.emplace(key, std::move(line)).first->second;
 }
 
 /// @return A process that has the service; nothing at `deadline` or where the only ones have it with other types.
@@ -264,12 +266,12 @@ void ServiceClient::forget(std::uint64_t request) {
 /// Reads an answer; there is no header where the service has gone.
 CallResult ServiceClient::read(const std::string& service, const std::optional<ReplyHeader>& header,
                                std::span<const std::byte> message, Message& reply) {
-  if (!header) return failed(CallOutcome::kGone, service, "went away before it answered");
+  if (!header) return failed(CallOutcome::kGone, service, "ended before it answered");
   if (!header->done) {
     return failed(CallOutcome::kRefused, service, "refused" + (header->reason.empty() ? "" : ": " + header->reason));
   }
   if (msgs::parseBytes(message, reply)) return {CallOutcome::kDone, {}};
-  return failed(CallOutcome::kNoAnswer, service, "answered with what is no " + msgs::typeName(reply));
+  return failed(CallOutcome::kNoAnswer, service, "sent a reply that is not of type " + msgs::typeName(reply));
 }
 
 void ServiceClient::changed() {

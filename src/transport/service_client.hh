@@ -27,42 +27,43 @@ class Reader;
 class ServiceServer;
 class Writer;
 
-/// A transport's calls to services, its own and those of other processes. Any thread may call.
+/// Calls to services of the transport itself and of other processes. Thread-safe.
 class ServiceClient {
  public:
-  /// @param network Null for a transport of this process only.
-  /// @param own The services that this transport offers itself.
-  /// @param arrived Called from any thread when there are answers for that queue to dispatch.
+  /// @param network Null for a transport within this process.
+  /// @param own The services offered by this transport.
+  /// @param arrived Called on any thread when the queue has responses to dispatch.
   ServiceClient(Network* network, ServiceServer& own, std::function<void(DispatchQueue&)> arrived);
   ~ServiceClient();
 
-  /// @param asker Queue of who calls.
+  /// @param asker The caller's queue.
   CallResult call(const DispatchQueue& asker, std::string_view service, const Message& request, Message& reply,
                   TimePoint deadline);
 
-  /// Sends a request to one of the transport's own services. `answered` is called when that has answered or gone: by
-  /// `dispatch` of the asker's queue, where the service is another queue's.
-  /// @return The request's number, or nothing where there is no such service with such types, or no room.
+  /// Sends a request to one of the transport's own services. `answered` is called when it has responded or ended:
+  /// within `dispatch` of the asker's queue if the service belongs to another queue.
+  /// @return The request's number; nothing if there is no such service with these types, or too many requests are
+  /// waiting.
   std::optional<std::uint64_t> post(DispatchQueue& asker, std::string_view service, const Message& request,
                                     const std::string& replyType, Answered answered);
 
-  /// Calls the functions of requests of this queue that another one's services have answered.
-  /// @return How many.
+  /// Calls the functions of this queue's requests to which services of other queues have responded.
+  /// @return Their number.
   std::size_t dispatch(DispatchQueue& queue);
 
-  /// Does not call the function of that request any more.
+  /// Cancels the call of the request's function.
   void forget(std::uint64_t request);
 
-  /// Ways to services elsewhere.
+  /// Access to services elsewhere.
   std::uint64_t addGateway(CallElsewhere call) { return gateways_.add(std::move(call)); }
   void endGateway(std::uint64_t number) { gateways_.end(number); }
 
-  /// Takes the answer to a call to this transport's own service, of `queue`; nothing where the service has gone.
+  /// Handles a response to a call of this transport's own service, of `queue`; nothing if the service has ended.
   void answerOwn(const DispatchQueue& queue, std::uint64_t call, const std::optional<ReplyHeader>& header,
                  std::span<const std::byte> message);
 
  private:
-  /// The way to a service and back, kept for the next call.
+  /// The endpoints for a service, kept for the next call.
   struct Line {
     std::string service;
     std::string type;
@@ -76,13 +77,13 @@ class ServiceClient {
     std::optional<ReplyHeader> header;
     std::vector<std::byte> message;
   };
-  /// A request that nobody waits for.
+  /// A request sent without waiting.
   struct Posted {
     DispatchQueue* asker = nullptr;
     std::string service;
     MessagePointer reply;
     Answered answered;
-    /// The answer, where it waits for `dispatch`.
+    /// The response, if it waits for `dispatch`.
     std::optional<ReplyHeader> header = std::nullopt;
     std::vector<std::byte> message = {};
   };

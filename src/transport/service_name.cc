@@ -41,8 +41,8 @@ std::optional<std::pair<std::string_view, std::string_view>> typesOfService(std:
 
 std::string absoluteService(std::string_view name) {
   std::optional<std::string> error = topicNameError(name);
-  if (!error && name.size() > kLongestServiceName) error = "is longer than 230 letters";
-  if (error) throw std::invalid_argument("'" + std::string(name) + "' is no service name: it " + *error);
+  if (!error && name.size() > kLongestServiceName) error = "is longer than 230 characters";
+  if (error) throw std::invalid_argument("'" + std::string(name) + "' is not a service name: it " + *error);
   return absoluteTopic(name);
 }
 

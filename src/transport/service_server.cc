@@ -4,7 +4,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "msgs/bytes.hh"
+#include "msgs/encoding/bytes.hh"
 #include "pongsim/log.hh"
 #include "transport/dispatch_queue.hh"
 #include "transport/network.hh"
@@ -62,7 +62,7 @@ Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::s
     const std::lock_guard lock(mutex_);
     std::vector<std::unique_ptr<Offer>>& offers = offers_[offer.name];
     if (std::ranges::any_of(offers, [&queue](const auto& other) { return &other->queue == &queue; })) {
-      throw std::invalid_argument("service '" + std::string(service) + "' is offered already");
+      throw std::invalid_argument("service '" + std::string(service) + "' is already offered");
     }
     offers.push_back(std::move(owned));
     isFirst = offers.size() == 1;
@@ -70,8 +70,8 @@ Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::s
   }
   if (!isFirst) {
     serverLog().warning("service '" + offer.name +
-                        "' is offered by another world of this process, too: whoever calls it from elsewhere gets the "
-                        "answer of the first");
+                        "' is also offered by another world of this process: callers in other processes get the "
+                        "reply of the first");
     return offer;
   }
   try {
@@ -106,7 +106,7 @@ void ServiceServer::openNext(const std::string& service) {
   try {
     open(*next);
   } catch (const std::exception& error) {
-    serverLog().error("service '" + service + "' can't be reached from elsewhere: " + error.what());
+    serverLog().error("service '" + service + "' can't be called from other processes: " + error.what());
   }
 }
 
@@ -177,7 +177,7 @@ void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span
   if (header->server != network_->id() || offer.ended) return;
   if (!enqueue(offer,
                {0, sender, header->call, std::chrono::steady_clock::now(), {message->begin(), message->end()}})) {
-    complain(offer, sender, "is one too many");
+    complain(offer, sender, "came while too many were waiting");
     return;
   }
   wake(offer.queue);
@@ -246,8 +246,8 @@ std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
 
 void ServiceServer::handle(Offer& offer, const Offer::Request& request) {
   if (!msgs::parseBytes(request.message, *offer.request)) {
-    complain(offer, request.client, "is no " + offer.requestType);
-    answer(offer, request, ServiceAnswer::refused("the request is no " + offer.requestType));
+    complain(offer, request.client, "is not of type " + offer.requestType);
+    answer(offer, request, ServiceAnswer::refused("the request is not of type " + offer.requestType));
     return;
   }
   answer(offer, request, ask(offer));

@@ -28,7 +28,7 @@ class Network;
 class Reader;
 class Writer;
 
-/// A service that this transport offers.
+/// A service offered by this transport.
 class Offer {
  public:
   Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
@@ -47,7 +47,7 @@ class Offer {
   std::unique_ptr<Reader> reader;
 
   struct Request {
-    /// Counts from the start, over all services.
+    /// Counted from the start, over all services.
     std::uint64_t number = 0;
     /// All zeros for a call from this transport.
     ParticipantId client{};
@@ -55,51 +55,51 @@ class Offer {
     TimePoint came;
     std::vector<std::byte> message;
   };
-  /// What waits for `dispatch`; these are guarded by the server's mutex.
+  /// Requests waiting for `dispatch`; guarded by the server's mutex.
   std::deque<Request> waiting;
   std::size_t waitingBytes = 0;
   ComplaintLimit complaints;
   std::atomic<bool> ended = false;
 };
 
-/// The services that a transport offers, or several that share a bus. A request waits until the `dispatch` of the
-/// service's queue, and until the service's writer knows the caller's reader: a reply sent before would be lost. Set-up
-/// is for one thread at a time, and so is `dispatch` of one queue; DDS threads take the mutex only, which is never held
+/// The services offered by a transport, or by several that share a bus. A request waits for `dispatch` of the service's
+/// queue, and until the service's writer has matched the caller's reader, since an earlier reply would be lost. Set-up
+/// is for one thread at a time, and so is `dispatch` of one queue; DDS threads only lock the mutex, which is never held
 /// while DDS is called.
 ///
-/// Two queues may offer a service of the same name. The one that came first answers whoever asks; the other one answers
-/// its own queue, and all when the first has gone.
+/// Two queues may offer services of the same name. The first one handles all requests but those of the second one's own
+/// queue, which gets all when the first one has ended.
 class ServiceServer {
  public:
-  /// Takes the answer to a call from this bus, given by a service of `queue`; nothing stands for a service that has
-  /// gone.
+  /// Handles a response to a call within this bus, given by a service of `queue`; without a header the service has
+  /// ended.
   using AnswerOwn = std::function<void(const DispatchQueue& queue, std::uint64_t call,
                                        const std::optional<ReplyHeader>&, std::span<const std::byte> message)>;
   using Arrived = std::function<void(DispatchQueue& queue)>;
 
-  /// @param network Null for a transport of this process only.
-  /// @param arrived Called from any thread when there is something for that queue to dispatch.
+  /// @param network Null for a transport within this process.
+  /// @param arrived Called on any thread when the queue has something to dispatch.
   ServiceServer(Network* network, Arrived arrived, AnswerOwn answerOwn);
   ~ServiceServer();
 
-  /// @throws std::invalid_argument for a bad name, an unknown type, or a name that the queue has already.
+  /// @throws std::invalid_argument for an invalid name, an unknown type, or a name already offered by the queue.
   Offer& add(DispatchQueue& queue, std::string_view service, std::string_view requestType, std::string_view replyType,
              ServiceHandler handler);
-  /// @param inDispatch Whether a function that `dispatch` called is still running.
+  /// @param inDispatch Whether `dispatch` is running.
   void end(Offer& offer, bool inDispatch);
 
-  /// @param asker Queue of who asks.
-  /// @return Request and reply type of the service that would answer, or nothing.
+  /// @param asker The caller's queue.
+  /// @return Request and reply type of the service that would respond, or nothing.
   std::optional<std::pair<std::string, std::string>> typesOf(const DispatchQueue& asker,
                                                              const std::string& service) const;
 
-  /// @return What that queue offers, sorted by name.
+  /// @return The services of that queue, sorted by name.
   std::vector<OwnService> services(const DispatchQueue& queue) const;
-  /// @return Another number when one has come or gone.
+  /// @return A number that changes when a service is added or removed.
   std::uint64_t version() const { return version_.load(std::memory_order_relaxed); }
 
-  /// Lets a request of this bus wait for the service.
-  /// @return False where there is no such service any more or no room.
+  /// Queues a request from this bus.
+  /// @return False if there is no such service any more, or too many requests are waiting.
   bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message);
 
   std::size_t dispatch(DispatchQueue& queue);
@@ -127,7 +127,7 @@ class ServiceServer {
   AnswerOwn answerOwn_;
 
   mutable std::mutex mutex_;
-  /// Under each name in the order in which they came.
+  /// By name, in the order in which they were added.
   std::map<std::string, std::vector<std::unique_ptr<Offer>>> offers_;
   std::uint64_t nextNumber_ = 0;
   std::atomic<std::uint64_t> version_ = 0;

@@ -22,7 +22,7 @@ std::optional<std::string> topicNameError(std::string_view name) {
   for (std::string_view forbidden : {"~", "//", "@", ":="}) {
     if (name.find(forbidden) != std::string_view::npos) return "has '" + std::string(forbidden) + "'";
   }
-  if (name.size() + (name.starts_with('/') ? 0 : 1) > kLongestTopic) return "is longer than 255 letters";
+  if (name.size() + (name.starts_with('/') ? 0 : 1) > kLongestTopic) return "is longer than 255 characters";
   return std::nullopt;
 }
 
@@ -43,7 +43,7 @@ namespace transport {
 
 std::string absoluteTopic(std::string_view name) {
   if (const std::optional<std::string> error = topicNameError(name)) {
-    throw std::invalid_argument("'" + std::string(name) + "' is no topic name: it " + *error);
+    throw std::invalid_argument("'" + std::string(name) + "' is not a topic name: it " + *error);
   }
   if (name.ends_with('/')) name.remove_suffix(1);
   return name.starts_with('/') ? std::string(name) : "/" + std::string(name);

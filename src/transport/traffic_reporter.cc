@@ -62,7 +62,7 @@ void TrafficReporter::run() {
       answer();
     } catch (const std::exception& error) {
       static const Logger log("transport");
-      log.warning(std::string("cannot tell what passes through the topics: ") + error.what());
+      log.warning(std::string("can't report the traffic of topics: ") + error.what());
     }
     lock.lock();
   }

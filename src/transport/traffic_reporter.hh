@@ -12,27 +12,27 @@ namespace pongsim::transport {
 
 class Writer;
 
-/// Tells other participants, ten times a second while one of them asks, what has passed through this one's publishers
-/// and subscriptions. Whoever has a reader of `kTrafficTopic` asks. Nothing of it is there before somebody does.
+/// Reports the traffic of this participant's publishers and subscriptions to others, ten times per second while one of
+/// them has a reader of `kTrafficTopic`. It uses no resources before that.
 class TrafficReporter {
  public:
-  // no topic's name, for it has no leading slash
+  // Not a topic name, since it has no leading slash.
   static constexpr const char* kTrafficTopic = "pongsim/traffic";
   static constexpr const char* kTrafficType = "pongsim.Traffic";
 
-  /// @param makeWriter Makes the topic's writer, which calls its argument when a reader comes or goes.
+  /// @param makeWriter Makes the topic's writer, which calls its argument when a reader is added or removed.
   explicit TrafficReporter(std::function<std::unique_ptr<Writer>(std::function<void()> readersChanged)> makeWriter);
   ~TrafficReporter();
   TrafficReporter(const TrafficReporter&) = delete;
   TrafficReporter& operator=(const TrafficReporter&) = delete;
 
-  /// @param source Called from a thread of the reporter's own, and from this call's return on the one before no more.
+  /// @param source Called on the reporter's own thread; the previous one is not called any more when this returns.
   void setSource(std::function<TrafficReport()> source);
 
-  /// Somebody asks. Returns at once; any thread may call it.
+  /// Handles a request. Returns at once; thread-safe.
   void ask();
 
-  /// Ends all of it.
+  /// Ends reporting.
   void stop();
 
  private:

@@ -25,7 +25,7 @@ std::string knownType(std::string_view name) {
 std::string anyType(std::string_view name) {
   if (std::optional<std::string> known = messageTypeName(name)) return *std::move(known);
   if (name.empty()) throw std::invalid_argument("a message type's name is empty");
-  if (name.size() > kLongestType) throw std::invalid_argument("a message type's name is longer than 255 letters");
+  if (name.size() > kLongestType) throw std::invalid_argument("a message type's name is longer than 255 characters");
   return std::string(name);
 }
 

@@ -5,15 +5,15 @@
 
 namespace pongsim::transport {
 
-/// What stands for a type where a subscription takes any: no type's name.
+/// Stands for all types in a subscription to any type; not a valid type name.
 inline constexpr std::string_view kAnyType = "*";
 
 /// @return The full name of a message type.
 /// @throws std::invalid_argument for an unknown one.
 std::string knownType(std::string_view name);
 
-/// As `knownType`, and a name that nobody here knows as it is.
-/// @throws std::invalid_argument for one that can't be told to others.
+/// Like `knownType`, but unknown names are returned unchanged.
+/// @throws std::invalid_argument for one that can't be announced.
 std::string anyType(std::string_view name);
 
 }  // namespace pongsim::transport

@@ -7,9 +7,9 @@
 
 namespace pongsim::transport {
 
-/// A UDP socket over IPv4 of any process that is bound to a port.
+/// A UDP socket over IPv4 that a process has bound to a port.
 struct BoundUdp {
-  /// In the host's byte order; 0 is any.
+  /// In host byte order; 0: any address.
   std::uint32_t address = 0;
   std::uint32_t port = 0;
   auto operator<=>(const BoundUdp&) const = default;
@@ -20,16 +20,16 @@ struct PortRange {
   std::uint16_t last = 0;
 };
 
-/// @return Those at these ports of this machine (of this network namespace), in no order; nothing where the system does
-/// not tell.
+/// @return The sockets at these ports in this network namespace, in no order; nothing if the system does not report
+/// them.
 std::optional<std::vector<BoundUdp>> boundUdpSockets(const PortRange& ports);
 
-/// As `boundUdpSockets` by the kernel's sock_diag(7): quick, and complete while others come and go, for as many as it
-/// tells at once, some fifty at least. Not every container or kernel has it.
+/// Like `boundUdpSockets`, with the kernel's sock_diag(7): fast, and consistent while sockets are opened and closed,
+/// for as many as fit into one answer, at least some fifty. Not available in every container and kernel.
 std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports);
 
-/// As `boundUdpSockets` by /proc/net/udp. While others come and go some may be missing or be there twice: the kernel
-/// tells of all the machine's in pieces of a page, and counts to where the next one begins.
+/// Like `boundUdpSockets`, with /proc/net/udp. While sockets are opened and closed, some may be missing or listed
+/// twice: the kernel lists all of the machine's page by page, and remembers its position by counting.
 std::optional<std::vector<BoundUdp>> udpSocketsByProc(const PortRange& ports);
 
 }  // namespace pongsim::transport

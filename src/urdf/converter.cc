@@ -32,7 +32,7 @@ std::vector<bool> findMade(const Robot& robot, Diagnostics& diagnostics) {
       const bool hasZero = link.inertial.has_value();
       diagnostics.warning(hasZero ? link.inertial->position : link.xml->position,
                           "link '" + link.name + (hasZero ? "' has a mass that is not above zero" : "' has no mass") +
-                              ": it is left out, and so are its joint and all that hangs on it",
+                              ": it is ignored, with its joint and all links below it",
                           "give it an <inertial> with a mass");
     }
   }

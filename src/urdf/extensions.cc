@@ -129,7 +129,7 @@ void Extensions::check(Diagnostics& diagnostics) const {
     const std::string name = reference != nullptr ? reference->value : "";
     const auto kind = kinds.find(name);
     if (!name.empty() && kind == kinds.end()) {
-      diagnostics.warning(reference->position, "<gazebo> refers to '" + name + "', which is no link and no joint",
+      diagnostics.warning(reference->position, "<gazebo> refers to '" + name + "', which is not a link or joint",
                           base::didYouMean(name, names));
       continue;
     }
@@ -143,8 +143,8 @@ void Extensions::check(Diagnostics& diagnostics) const {
       const std::string owner = name.empty() ? "the robot" : std::string(place) + " '" + name + "'";
       diagnostics.warning(child.position, "<" + child.name + "> has no effect on " + owner,
                           expected == "robot"
-                              ? "it needs a <gazebo> without a reference"
-                              : "it needs <gazebo reference=\"...\"> with the name of a " + std::string(expected));
+                              ? "put it in a <gazebo> without a reference"
+                              : "put it in <gazebo reference=\"...\"> with the name of a " + std::string(expected));
     }
   }
 }

@@ -32,7 +32,7 @@ void addLimits(const Joint& joint, Element& axis, Diagnostics& diagnostics) {
     double lower = urdf.limits->lower, upper = urdf.limits->upper;
     if (lower > upper) {
       diagnostics.warning(position, "the lower limit of joint '" + urdf.name + "' is above its upper limit",
-                          "they change places, as in Fortress");
+                          "they are swapped, as in Fortress");
       std::swap(lower, upper);
     }
     addChild(limit, "lower", position, textOf(lower));
@@ -69,10 +69,10 @@ void warnOfWhatIsNotSimulated(const Joint& joint, Diagnostics& diagnostics) {
   if (joint.urdf->mimic != nullptr) {
     diagnostics.warning(positionIn(*joint.xml, "mimic"),
                         label + " mimics joint '" + joint.urdf->mimic->joint_name + "', which is not simulated yet",
-                        "it moves on its own, as in Fortress");
+                        "it moves independently, as in Fortress");
   }
   if (joint.urdf->type == ::urdf::Joint::PLANAR) {
-    diagnostics.warning(joint.xml->position, label + " is planar, which is not simulated: its link moves freely");
+    diagnostics.warning(joint.xml->position, label + " is planar, which is not simulated: its child moves freely");
   }
 }
 

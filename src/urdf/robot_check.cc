@@ -107,7 +107,7 @@ class PartCheck {
       if (std::ranges::find(rule->children, child.name) != rule->children.end()) {
         check(child);
       } else if (const std::string hint = base::didYouMean(child.name, rule->children); !hint.empty()) {
-        diagnostics_.warning(child.position, "<" + child.name + "> is unknown to URDF: it is ignored", hint);
+        diagnostics_.warning(child.position, "<" + child.name + "> is unknown in URDF: it is ignored", hint);
       }
     }
   }
@@ -117,7 +117,7 @@ class PartCheck {
     const Element& shape = geometry.children.front();
     if (std::ranges::find(shapes, shape.name) != shapes.end()) return check(shape);
     const std::string hint = base::didYouMean(shape.name, shapes);
-    fail(shape.position, "<" + shape.name + "> is no shape of URDF",
+    fail(shape.position, "<" + shape.name + "> is not a shape of URDF",
          hint.empty() ? "the shapes are box, cylinder, sphere and mesh" : hint);
   }
 
@@ -161,7 +161,7 @@ class PartCheck {
     const bool needsLimit = type->value == "revolute" || type->value == "prismatic";
     if (needsLimit && joint.child("limit") == nullptr) {
       fail(joint.position, label_ + " is " + type->value + " and has no <limit>",
-           type->value == "revolute" ? "a joint that turns without end is of type 'continuous'" : "");
+           type->value == "revolute" ? "for a joint without limits, use type 'continuous'" : "");
     }
   }
 
@@ -179,7 +179,7 @@ bool checkRobot(const Element& robot, Diagnostics& diagnostics) {
     if (std::ranges::find(kParts, part.name) != kParts.end()) {
       isSound = PartCheck(part, diagnostics).isSound() && isSound;
     } else if (const std::string hint = base::didYouMean(part.name, kParts); !hint.empty()) {
-      diagnostics.warning(part.position, "<" + part.name + "> is unknown to URDF: it is ignored", hint);
+      diagnostics.warning(part.position, "<" + part.name + "> is unknown in URDF: it is ignored", hint);
     }
   }
   return isSound;

@@ -78,9 +78,9 @@ class Structure {
       const std::string name = joint.attributeOr("name", "");
       if (link.joint != nullptr) {
         fail(joint.child("child")->position,
-             "joint '" + name + "' has the child '" + nameOf(child) + "', which hangs on joint '" +
-                 link.joint->attributeOr("name", "") + "' already",
-             "URDF knows no closed loops");
+             "joint '" + name + "' has the child '" + nameOf(child) + "', which is already the child of joint '" +
+                 link.joint->attributeOr("name", "") + "'",
+             "URDF does not support closed loops");
         continue;
       }
       link.joint = &joint;
@@ -103,7 +103,7 @@ class Structure {
     if (found != numbers_.end()) return found->second;
     std::vector<std::string_view> known;
     for (const auto& [name, number] : numbers_) known.push_back(name);
-    fail(link->position, label + " names " + element->name + " link '" + link->value + "', which is not there",
+    fail(link->position, label + " names " + element->name + " link '" + link->value + "', which does not exist",
          base::didYouMean(link->value, known));
     return kNone;
   }
@@ -118,8 +118,8 @@ class Structure {
         root = i;
       } else {
         fail(links_[i].xml->position,
-             "link '" + nameOf(i) + "' hangs on no joint, and neither does '" + nameOf(root) + "'",
-             "a robot has one root: the other links are children of joints");
+             "link '" + nameOf(i) + "' has no parent joint, and neither has '" + nameOf(root) + "'",
+             "a robot has one root: every other link must be the child of a joint");
       }
     }
   }
@@ -133,9 +133,9 @@ class Structure {
       if (link == kNone || visitedFrom[link] != start) continue;
       std::string way = "'" + nameOf(link) + "'";
       for (std::size_t next = links_[link].parent; next != link; next = links_[next].parent) {
-        way += " hangs on '" + nameOf(next) + "', which";
+        way += " is below '" + nameOf(next) + "', which";
       }
-      fail(links_[link].joint->position, "joints go in a circle: " + way + " hangs on '" + nameOf(link) + "'");
+      fail(links_[link].joint->position, "the joints form a loop: " + way + " is below '" + nameOf(link) + "'");
     }
   }
 

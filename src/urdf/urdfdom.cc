@@ -88,7 +88,7 @@ const SourcePosition& placeOf(const std::string& text, const Element& robot) {
       diagnostics.warning(place, "urdfdom: " + remark.text);
     }
   }
-  if (model == nullptr && !diagnostics.hasErrors()) diagnostics.error(robot.position, "urdfdom can't read this robot");
+  if (model == nullptr && !diagnostics.hasErrors()) diagnostics.error(robot.position, "urdfdom can't parse this robot");
   return isSound ? model : nullptr;
 }
 

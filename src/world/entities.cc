@@ -82,6 +82,7 @@ Slot Entities::addModel(const description::Model& description, Slot parent, cons
   models_[slot].canonicalLink = canonical;
   models_[slot].X_CanonicalModel =
       canonical == kNoSlot ? X_WorldModel : links_[canonical].X_WorldLinkStart.inverse() * X_WorldModel;
+  models_[slot].lastId = lastId_;
   return slot;
 }
 
@@ -119,7 +120,11 @@ void Entities::addJoint(const description::Joint& description, Slot model, std::
   if (id) lastId_ = std::max(lastId_, id->value);
   joints_.push_back({id ? *id : JointId{nextId()}, nullptr, &description, model, parent, child, reference});
   slotOfId_.add(joints_.back().id.value, slot);
-  if (model != kNoSlot) models_[model].joints.push_back(slot);
+  if (model != kNoSlot) {
+    models_[model].joints.push_back(slot);
+  } else {
+    worldJoints_.push_back(joints_.back().id);
+  }
   addSensors(description.sensors, kNoSlot, slot);
 }
 
@@ -181,45 +186,17 @@ void Entities::changeLight(Slot light, std::shared_ptr<const description::Light>
   lights_[light].owner = std::move(changed);
 }
 
-void Entities::removeLight(Slot light) {
-  lights_.erase(lights_.begin() + static_cast<std::ptrdiff_t>(light));
-  index();
-}
-
-Removal Entities::removeModel(Slot model) {
-  Removal removal;
-  std::vector<Slot> models;
-  collectModels(model, models);
-  std::ranges::sort(models);
-  for (const Slot each : models) {
-    removal.models.push_back(models_[each].id);
-    removal.links.insert(removal.links.end(), models_[each].links.begin(), models_[each].links.end());
-  }
-  std::ranges::sort(removal.links);
-  const auto goes = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::binary_search(slots, slot); };
-  for (Slot slot = 0; slot < joints_.size(); ++slot) {
-    const JointRecord& joint = joints_[slot];
-    if (goes(models, joint.model) || goes(removal.links, joint.parentLink) || goes(removal.links, joint.childLink) ||
-        goes(removal.links, joint.referenceLink)) {
-      removal.joints.push_back(slot);
-    }
-  }
-  removal.descriptions = models_[model].owner;
-  remove(models, removal);
-  return removal;
-}
-
-Removal Entities::removeJoint(Slot joint) {
-  Removal removal;
-  removal.joints = {joint};
-  removal.descriptions = joints_[joint].owner;
-  remove({}, removal);
-  return removal;
-}
-
 void Entities::collectModels(Slot model, std::vector<Slot>& models) const {
   models.push_back(model);
   for (const Slot inner : models_[model].models) collectModels(inner, models);
+}
+
+std::span<const JointRecord> Entities::jointsAround(Slot link) const {
+  Slot root = links_[link].model;
+  while (models_[root].parent != kNoSlot) root = models_[root].parent;
+  const auto id = [](const JointRecord& joint) { return joint.id.value; };
+  const auto first = std::ranges::lower_bound(joints_, models_[root].id.value, {}, id);
+  return {first, std::ranges::upper_bound(first, joints_.end(), models_[root].lastId, {}, id)};
 }
 
 std::vector<Slot> Entities::allLinks(Slot model) const {
@@ -236,97 +213,10 @@ void Entities::reset() {
   *this = std::move(start);
 }
 
-namespace {
-
-/// The slot that is `old` once these slots have gone.
-Slot movedUp(Slot old, const std::vector<Slot>& gone) {
-  if (old == kNoSlot || gone.empty() || old < gone.front()) return old;
-  const auto before = std::ranges::lower_bound(gone, old);
-  return old - static_cast<Slot>(before - gone.begin());
-}
-
-/// Likewise for a list of slots, some of which may have gone.
-void moveUp(std::vector<Slot>& slots, const std::vector<Slot>& gone) {
-  if (gone.empty()) return;
-  std::erase_if(slots, [&](Slot slot) { return std::ranges::binary_search(gone, slot); });
-  for (Slot& slot : slots) slot = movedUp(slot, gone);
-}
-
-}  // namespace
-
-template <class Record>
-void Entities::erase(std::vector<Record>& records, const std::vector<Slot>& slots) {
-  if (slots.empty()) return;
-  for (const Slot slot : slots) slotOfId_.remove(records[slot].id.value);
-  eraseSlots(records, slots);
-  for (Slot slot = slots.front(); slot < records.size(); ++slot) slotOfId_.move(records[slot].id.value, slot);
-}
-
-void Entities::remove(const std::vector<Slot>& models, const Removal& removal) {
-  std::vector<Slot> collisions;
-  std::vector<Slot> sensors;
-  std::vector<Slot> lights;
-  const auto goes = [](const std::vector<Slot>& slots, Slot slot) { return std::ranges::binary_search(slots, slot); };
-  for (const Slot link : removal.links) {
-    const std::size_t count = links_[link].description->collisions.size();
-    for (std::size_t i = 0; i < count; ++i) collisions.push_back(links_[link].firstCollision + i);
-  }
-  for (Slot slot = 0; slot < sensors_.size(); ++slot) {
-    if (goes(removal.links, sensors_[slot].link) || goes(removal.joints, sensors_[slot].joint)) sensors.push_back(slot);
-  }
-  for (Slot slot = 0; slot < lights_.size(); ++slot) {
-    if (goes(removal.links, lights_[slot].link)) lights.push_back(slot);
-  }
-  for (const Slot model : models) modelOfName_.erase(models_[model].scopedName);
-  erase(models_, models);
-  erase(links_, removal.links);
-  erase(joints_, removal.joints);
-  erase(collisions_, collisions);
-  erase(sensors_, sensors);
-  erase(lights_, lights);
-  renumber(models, removal);
-  const auto tail = [](auto& records, const std::vector<Slot>& gone) {
-    return std::span(records).subspan(gone.empty() ? records.size() : gone.front());
-  };
-  for (LinkRecord& link : tail(links_, removal.links)) link.firstCollision = movedUp(link.firstCollision, collisions);
-}
-
-// What stands before the first that goes names nothing behind it: all are in the order of their ids. Joints of the
-// world name any link.
-void Entities::renumber(const std::vector<Slot>& models, const Removal& removal) {
-  moveUp(topLevelModels_, models);
-  for (Slot slot = models.empty() ? 0 : models.front(); slot < models_.size(); ++slot) {
-    ModelRecord& model = models_[slot];
-    model.parent = movedUp(model.parent, models);
-    model.canonicalLink = movedUp(model.canonicalLink, removal.links);
-    moveUp(model.links, removal.links);
-    moveUp(model.joints, removal.joints);
-    moveUp(model.models, models);
-  }
-  // of models without links, too
-  const Slot firstChanged = models.empty() ? links_.size() : removal.links.empty() ? 0 : removal.links.front();
-  for (Slot slot = firstChanged; slot < links_.size(); ++slot) {
-    links_[slot].model = movedUp(links_[slot].model, models);
-  }
-  for (JointRecord& joint : joints_) {
-    joint.model = movedUp(joint.model, models);
-    joint.parentLink = movedUp(joint.parentLink, removal.links);
-    joint.childLink = movedUp(joint.childLink, removal.links);
-    joint.referenceLink = movedUp(joint.referenceLink, removal.links);
-  }
-  const Slot firstLink = removal.links.empty() ? kNoSlot : removal.links.front();
-  const auto collision = std::ranges::lower_bound(collisions_, firstLink, {}, &CollisionRecord::link);
-  for (auto each = collision; each != collisions_.end(); ++each) each->link = movedUp(each->link, removal.links);
-  for (SensorRecord& sensor : sensors_) {
-    sensor.link = movedUp(sensor.link, removal.links);
-    sensor.joint = movedUp(sensor.joint, removal.joints);
-  }
-  for (LightRecord& light : lights_) light.link = movedUp(light.link, removal.links);
-}
-
 void Entities::index() {
   slotOfId_.clear();
   modelOfName_.clear();
+  worldJoints_.clear();
   const auto add = [this](const auto& records) {
     for (Slot slot = 0; slot < records.size(); ++slot) slotOfId_.add(records[slot].id.value, slot);
   };
@@ -337,6 +227,9 @@ void Entities::index() {
   add(sensors_);
   add(lights_);
   for (const ModelRecord& model : models_) modelOfName_.emplace(model.scopedName, model.id);
+  for (const JointRecord& joint : joints_) {
+    if (joint.model == kNoSlot) worldJoints_.push_back(joint.id);
+  }
 }
 
 namespace {

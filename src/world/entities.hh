@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -18,34 +19,34 @@
 
 namespace pongsim::world {
 
-/// Place of a link, joint or model in the arrays of `Entities` and `State`.
+/// Index of a link, joint or model in the arrays of `Entities` and `State`.
 using Slot = std::size_t;
-/// In place of a slot: nothing, or the world itself.
+/// Stands for no slot, or for the world itself.
 inline constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
 
 struct LinkRecord {
   LinkId id;
   const description::Link* description = nullptr;
   Slot model = kNoSlot;
-  /// Its model, or one that holds it, is static.
+  /// Whether its model, or a parent of it, is static.
   bool isStatic = false;
   /// Pose of the link frame in the world frame at the start.
   Pose X_WorldLinkStart;
-  /// Slot of its first collision; the others follow.
+  /// Slot of its first collision, followed by the others.
   Slot firstCollision = 0;
 };
 
 struct JointRecord {
   JointId id;
-  /// Keeps the description of a joint that was made while running.
+  /// Owns the description of a joint made at run time.
   std::shared_ptr<const description::Joint> owner = nullptr;
   const description::Joint* description = nullptr;
-  /// `kNoSlot` for a joint of the world itself.
+  /// `kNoSlot` for a joint of the world.
   Slot model = kNoSlot;
   /// `kNoSlot` stands for the world.
   Slot parentLink = kNoSlot;
   Slot childLink = kNoSlot;
-  /// Of a gearbox: what its axes are fixed to.
+  /// For a gearbox: the link to which its axes are fixed.
   Slot referenceLink = kNoSlot;
 };
 
@@ -58,17 +59,17 @@ struct CollisionRecord {
 struct SensorRecord {
   SensorId id;
   const description::Sensor* description = nullptr;
-  /// What holds it: either is `kNoSlot`.
+  /// Its parent; the other one is `kNoSlot`.
   Slot link = kNoSlot;
   Slot joint = kNoSlot;
 };
 
 struct LightRecord {
   LightId id;
-  /// Keeps the description of a light that was inserted or changed while running.
+  /// Owns the description of a light inserted or changed at run time.
   std::shared_ptr<const description::Light> owner = nullptr;
   const description::Light* description = nullptr;
-  /// Link that holds it; `kNoSlot` for a light of the world.
+  /// Its parent; `kNoSlot` for a light of the world.
   Slot link = kNoSlot;
 };
 
@@ -77,12 +78,14 @@ struct ActorRecord {
   const description::Actor* description = nullptr;
 };
 
-/// @return The id of one of the visuals of the actor's links.
+/// @return The id of a visual of the actor's links.
 inline VisualId visualId(const ActorRecord& actor, std::size_t visual) { return VisualId{actor.id.value + 1 + visual}; }
 
 struct ModelRecord {
   ModelId id;
-  /// Keeps the description of a model that was inserted while running; the models in it have none.
+  /// The largest id of its parts, whose ids follow its own.
+  std::uint64_t lastId = 0;
+  /// Owns the description of a model inserted at run time; unset for models nested in it.
   std::shared_ptr<const description::Model> owner = nullptr;
   const description::Model* description = nullptr;
   /// `kNoSlot` for a model at the top level.
@@ -90,19 +93,19 @@ struct ModelRecord {
   /// "outer::inner"
   std::string scopedName;
   bool isStatic = false;
-  /// `kNoSlot` for a model without any link: it stands still in the world.
+  /// `kNoSlot` for a model without links, which does not move.
   Slot canonicalLink = kNoSlot;
-  /// Pose of the model frame in the frame of its canonical link (in the world's, if it has none); never changes.
+  /// Pose of the model frame in the frame of its canonical link, or in the world without one; constant.
   Pose X_CanonicalModel;
   std::vector<Slot> links;
   std::vector<Slot> joints;
   std::vector<Slot> models;
 };
 
-/// @return The id of one of the link's visuals.
+/// @return The id of a visual of the link.
 inline VisualId visualId(const LinkRecord& link, std::size_t visual) { return VisualId{link.id.value + 1 + visual}; }
 
-/// What has gone: the slots that it had, in ascending order. Its descriptions live as long as this.
+/// Removed entities: their former slots, in ascending order. Keeps their descriptions alive.
 struct Removal {
   std::vector<Slot> links;
   std::vector<Slot> joints;
@@ -110,7 +113,7 @@ struct Removal {
   std::shared_ptr<const void> descriptions;
 };
 
-/// Takes the entries of these slots, in ascending order, out of an array; those behind move up.
+/// Removes the entries at these slots, in ascending order, from an array; those behind move up.
 template <class Array>
 void eraseSlots(Array& array, const std::vector<Slot>& slots) {
   if (slots.empty()) return;
@@ -127,8 +130,8 @@ void eraseSlots(Array& array, const std::vector<Slot>& slots) {
   array.erase(array.begin() + static_cast<std::ptrdiff_t>(kept), array.end());
 }
 
-/// Takes the entries of several groups of slots, each in ascending order, out of an array; those behind move up.
-/// @return The entries, group by group.
+/// Removes the entries of several groups of slots, each in ascending order, from an array; those behind move up.
+/// @return The entries by group.
 template <class T>
 std::vector<std::vector<T>> takeSlots(std::vector<T>& array, const std::vector<std::vector<Slot>>& groups) {
   std::vector<std::vector<T>> taken(groups.size());
@@ -142,7 +145,7 @@ std::vector<std::vector<T>> takeSlots(std::vector<T>& array, const std::vector<s
   return taken;
 }
 
-/// Puts groups of entries into an array, so that they have these slots then; the others make room.
+/// Inserts groups of entries into an array at these slots; the others make room.
 template <class T>
 void giveSlots(std::vector<T>& array, const std::vector<std::vector<Slot>>& groups,
                std::vector<std::vector<T>>& entries) {
@@ -163,7 +166,7 @@ void giveSlots(std::vector<T>& array, const std::vector<std::vector<Slot>>& grou
   array = std::move(result);
 }
 
-/// The entities of a world, by kind, each kind in the order of its ids. A slot in them is a place in these arrays.
+/// The entities of a world by kind, each kind in the order of ids. A slot is an index into these arrays.
 struct Records {
   std::vector<ModelRecord> models;
   std::vector<LinkRecord> links;
@@ -174,36 +177,36 @@ struct Records {
   std::vector<ActorRecord> actors;
 };
 
-/// What stands at the world's level, by its slots.
+/// Slots of entities at the top level.
 struct Roots {
   std::vector<Slot> models;
   std::vector<Slot> lights;
   std::vector<Slot> actors;
 };
 
-/// Which slots groups of entities have had or have now, group by group, each in ascending order.
+/// Former or current slots of groups of entities, by group, each in ascending order.
 struct GroupSlots {
   std::vector<std::vector<Slot>> links;
   std::vector<std::vector<Slot>> joints;
 };
 
-/// Groups of entities that are set aside, and the slots that they had.
+/// Groups of entities that were set aside, and their former slots.
 struct Departure {
   std::vector<Records> groups;
   GroupSlots slots;
 };
 
-/// Who is there: the models, links and joints of a world with their ids, names and places in the arrays. Made from
-/// a description, which must outlive it.
+/// The entities of a world: its models, links and joints with their ids, names and slots. Made from a description,
+/// which must outlive it.
 ///
-/// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it
-/// has visuals, by its collisions, its lights and its sensors), the models in it and its joints (each followed by its
-/// sensors); last the world's own joints, its lights, and its actors, each followed by as many ids as its links have
-/// visuals. All of a kind have their slots in the order of their ids: what comes later takes the last ones, where
-/// something goes, those behind it move up, and what comes back after it was set aside has its place again.
+/// Ids follow the order of the file: the world is 1; then each model, its links (each followed by as many ids as it has
+/// visuals, by its collisions, its lights and its sensors), its nested models and its joints (each followed by its
+/// sensors); finally the world's own joints, its lights, and its actors, each followed by as many ids as its links have
+/// visuals. Slots of a kind are in the order of ids: new entities get the last ones, removing one moves up those behind
+/// it, and one that returns after being set aside gets its place again.
 class Entities {
  public:
-  /// @throws std::invalid_argument if a joint or a model names a link that isn't there.
+  /// @throws std::invalid_argument if a joint or model names a link that does not exist.
   explicit Entities(const description::World& world);
 
   const description::World& description() const { return *description_; }
@@ -216,10 +219,10 @@ class Entities {
   const std::vector<SensorRecord>& sensors() const { return sensors_; }
   const std::vector<LightRecord>& lights() const { return lights_; }
   const std::vector<ActorRecord>& actors() const { return actors_; }
-  /// Slots of the models at the top level, in the order of the file.
+  /// Slots of the top-level models, in the order of the file.
   const std::vector<Slot>& topLevelModels() const { return topLevelModels_; }
 
-  /// @return The slot, or `kNoSlot` if there is no such entity (any more).
+  /// @return The slot, or `kNoSlot` if the entity does not exist (any more).
   Slot slot(ModelId id) const;
   Slot slot(LinkId id) const;
   Slot slot(JointId id) const;
@@ -229,58 +232,63 @@ class Entities {
 
   /// @param scopedName "outer::inner"
   Slot findModel(std::string_view scopedName) const;
-  /// @param model `kNoSlot`: the world itself.
-  /// @return What stands in front of the topics of its systems and sensors; mostly empty.
+  /// @param model `kNoSlot`: the world.
+  /// @return The prefix of the topics of its systems and sensors; usually empty.
   const std::string& nameSpace(Slot model) const;
-  /// @param name Link as the model sees it: "link" or "inner::link"; where `model` is `kNoSlot`, as the world does.
+  /// @param name Name of the link in the model: "link" or "inner::link"; with `kNoSlot` in the world.
   Slot findLink(Slot model, std::string_view name) const;
-  /// @param name Joint as the model sees it, likewise.
+  /// @param name Name of the joint in the model, likewise.
   Slot findJoint(Slot model, std::string_view name) const;
-  /// @param name Link as the world sees it: "model::link".
+  /// @param name Name of the link in the world: "model::link".
   Slot findLink(std::string_view name) const;
 
-  /// @param link That holds it; `kNoSlot` for a light of the world.
+  /// @param link Its parent; `kNoSlot` for a light of the world.
   Slot findLight(Slot link, std::string_view name) const;
 
-  /// Adds a model at the top level, with the links, models and joints in it.
-  /// @param model Its name must be free.
-  /// @throws std::invalid_argument as the constructor does; nothing is added then.
+  /// Adds a top-level model with its links, nested models and joints.
+  /// @param model With a free name.
+  /// @throws std::invalid_argument like the constructor; then nothing is added.
   /// @return Its slot.
   Slot insertModel(std::shared_ptr<const description::Model> model);
 
-  /// Adds a joint of the world itself, between links as the world names them.
-  /// @param id That it had when a state was saved; nothing: a new one.
-  /// @throws std::invalid_argument as the constructor does; nothing is added then.
+  /// Adds a joint of the world, between links named as in the world.
+  /// @param id Its id in a saved state; unset: a new one.
+  /// @throws std::invalid_argument like the constructor; then nothing is added.
   Slot insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id = std::nullopt);
 
-  /// Removes a model of the top level with all that is in it, and the joints that hold on to its links.
+  /// Removes a top-level model with all its parts, and joints connected to its links.
   Removal removeModel(Slot model);
   Removal removeJoint(Slot joint);
 
-  /// Adds a light of the world.
-  /// @param light Its name must be free.
+  /// Adds a light to the world.
+  /// @param light With a free name.
   Slot insertLight(std::shared_ptr<const description::Light> light);
-  /// Lets a light be what this one is. It keeps its id and what holds it.
+  /// Replaces a light's description. It keeps its id and parent.
   void changeLight(Slot light, std::shared_ptr<const description::Light> changed);
   void removeLight(Slot light);
 
-  /// Takes groups of entities out, with their ids and with the joints that hold on to their links. A joint must not
-  /// hold a group to what is not of it.
+  /// Removes groups of entities, which keep their ids, with joints connected to their links. No joint may connect a
+  /// group to anything else.
   Departure setAside(const std::vector<Roots>& groups);
-  /// Puts groups back that were set aside.
-  /// @return The slots that they have now.
+  /// Returns groups that were set aside.
+  /// @return Their current slots.
   GroupSlots bringBack(std::vector<Records> groups);
 
-  /// Back to what the description says. Who is in it has the ids of the start again; no other id is used a second time.
+  /// Resets to the description. Its entities have the same ids as at the start; other ids are never reused.
   void reset();
 
-  /// Sets the pose of a model that has no link.
+  /// Sets the pose of a model without links.
   void setPose(Slot model, const Pose& X_WorldModel) { models_[model].X_CanonicalModel = X_WorldModel; }
 
-  /// @return The links of a model and of those nested in it.
+  /// @return The joints of the link's top-level model and of all its nested models.
+  std::span<const JointRecord> jointsAround(Slot link) const;
+  /// @return The joints of the world itself, which may connect any links.
+  const std::vector<JointId>& worldJoints() const { return worldJoints_; }
+
+  /// @return The links of a model and of its nested models.
   std::vector<Slot> allLinks(Slot model) const;
 
-  /// @return An id that nothing has had in this run.
+  /// @return A new id, unused in this run.
   std::uint64_t nextId() { return ++lastId_; }
 
  private:
@@ -291,12 +299,18 @@ class Entities {
   void addSensors(const std::vector<description::Sensor>& sensors, Slot link, Slot joint);
   void addLights(const std::vector<description::Light>& lights, Slot link);
   void collectModels(Slot model, std::vector<Slot>& models) const;
-  void remove(const std::vector<Slot>& models, const Removal& removal);
-  void renumber(const std::vector<Slot>& models, const Removal& removal);
-  void index();
-  /// Takes the records of these slots, in ascending order, out, and tells the index of those that move up.
+  /// Slots of each kind to remove, in ascending order.
+  struct Gone {
+    std::vector<Slot> models, links, joints, collisions, sensors, lights;
+  };
+  /// @param from No record with a smaller id refers to a slot that is removed or moves up, except joints of the world.
+  void remove(const Gone& gone, std::uint64_t from);
+  void renumber(const Gone& gone, std::uint64_t from);
+  void renumberJoint(JointRecord& joint, const Gone& gone);
+  /// Removes the records at these slots, in ascending order, and updates the index of those that move up.
   template <class Record>
   void erase(std::vector<Record>& records, const std::vector<Slot>& slots);
+  void index();
   Records takeRecords();
   void giveRecords(Records records);
 
@@ -311,8 +325,9 @@ class Entities {
   std::vector<LightRecord> lights_;
   std::vector<ActorRecord> actors_;
   std::vector<Slot> topLevelModels_;
+  std::vector<JointId> worldJoints_;
   IdIndex slotOfId_;
-  /// The id, which stays where slots change.
+  /// By id, which stays the same when slots change.
   std::unordered_map<std::string, ModelId> modelOfName_;
 };
 

@@ -44,8 +44,7 @@ TEST_F(FinderTest, FindsAModelInTheFirstFolderThatHasIt) {
 
 TEST_F(FinderTest, TakesAPackageForAModel) {
   EXPECT_EQ(find("package://robot/a.stl"),
-            "w.sdf:3:4: error: 'package://robot/a.stl' is not found\n  hint: it was "
-            "looked for at " +
+            "w.sdf:3:4: error: 'package://robot/a.stl' is not found\n  hint: looked for it at " +
                 (first_.path() / "robot/a.stl").string() + ", " + (second_.path() / "robot/a.stl").string() +
                 ", robot/a.stl");
   const std::string file = second_.write("robot/a.stl", "").string();
@@ -55,7 +54,7 @@ TEST_F(FinderTest, TakesAPackageForAModel) {
 TEST_F(FinderTest, LooksForAModelNotBesideTheFile) {
   own_.write("sun/model.sdf", "");
   EXPECT_EQ(find("sun"), (own_.path() / "sun").string());
-  EXPECT_EQ(find("model://sun"), "w.sdf:3:4: error: 'model://sun' is not found\n  hint: it was looked for at " +
+  EXPECT_EQ(find("model://sun"), "w.sdf:3:4: error: 'model://sun' is not found\n  hint: looked for it at " +
                                      (first_.path() / "sun").string() + ", " + (second_.path() / "sun").string() +
                                      ", sun");
 }
@@ -64,8 +63,7 @@ TEST_F(FinderTest, AdvisesWhereNoFolderIsNamed) {
   Diagnostics diagnostics;
   EXPECT_FALSE(finderIn({})("model://no such", "", {}, diagnostics));
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].hint,
-            "it was looked for at no such; PONGSIM_RESOURCE_PATH can name folders to look in");
+  EXPECT_EQ(diagnostics.all()[0].hint, "looked for it at no such; set PONGSIM_RESOURCE_PATH to search more folders");
 }
 
 TEST_F(FinderTest, TakesTheVersionOfAFuelModelThatIsAskedForOrTheNewest) {
@@ -77,10 +75,10 @@ TEST_F(FinderTest, TakesTheVersionOfAFuelModelThatIsAskedForOrTheNewest) {
   EXPECT_EQ(find(address + "/2"), model / "2");
   EXPECT_EQ(find(address + "/tip/files/meshes/c.dae"), model / "3/meshes/c.dae");
   EXPECT_EQ(find(address + "/4"),
-            "w.sdf:3:4: error: '" + address + "/4' is not in the local Fuel cache\n  hint: it was looked for at " +
+            "w.sdf:3:4: error: '" + address + "/4' is not in the local Fuel cache\n  hint: looked for it at " +
                 (model / "4").string() + ", " +
                 (cache_.path() / "fuel.ignitionrobotics.org/openrobotics/models/coke can/4").string() +
-                "; 'pongsim fuel download -u ADDRESS' puts it there");
+                "; download it with 'pongsim fuel download -u ADDRESS'");
   EXPECT_EQ(find(address + "/2/files/meshes/c.dae"),
             "w.sdf:3:4: error: '" + address +
                 "/2/files/meshes/c.dae' is not found\n  hint: there is no 'meshes/c.dae' in " + (model / "2").string());
@@ -89,13 +87,13 @@ TEST_F(FinderTest, TakesTheVersionOfAFuelModelThatIsAskedForOrTheNewest) {
 }
 
 TEST_F(FinderTest, SaysWhatIsWrongWithAnAddress) {
-  EXPECT_TRUE(find("").starts_with("w.sdf:3:4: error: '' names nothing"));
-  EXPECT_TRUE(find("model://").starts_with("w.sdf:3:4: error: 'model://' names nothing"));
-  EXPECT_TRUE(find("ftp://x").starts_with("w.sdf:3:4: error: 'ftp://x' is an address of an unknown kind"));
+  EXPECT_TRUE(find("").starts_with("w.sdf:3:4: error: '' contains no name"));
+  EXPECT_TRUE(find("model://").starts_with("w.sdf:3:4: error: 'model://' contains no name"));
+  EXPECT_TRUE(find("ftp://x").starts_with("w.sdf:3:4: error: 'ftp://x' is not a supported kind of address"));
   EXPECT_TRUE(find("https://fuel.gazebosim.org/x")
                   .starts_with("w.sdf:3:4: error: 'https://fuel.gazebosim.org/x' is "
                                "not the address of a Fuel model or world"));
-  EXPECT_TRUE(find(std::string_view("a\0b", 3)).starts_with("w.sdf:3:4: error: there is a zero byte"));
+  EXPECT_TRUE(find(std::string_view("a\0b", 3)).starts_with("w.sdf:3:4: error: an address contains a zero byte"));
 }
 
 TEST_F(FinderTest, TellsOfManyPlacesTheFirst) {
@@ -103,7 +101,7 @@ TEST_F(FinderTest, TellsOfManyPlacesTheFirst) {
   for (int i = 0; i < 9; ++i) places.folders.push_back("/no/" + std::to_string(i));
   Diagnostics diagnostics;
   EXPECT_FALSE(finderIn(places)("model://m", "", {}, diagnostics));
-  EXPECT_EQ(diagnostics.all()[0].hint, "it was looked for at /no/0/m, /no/1/m, /no/2/m, /no/3/m and 6 more");
+  EXPECT_EQ(diagnostics.all()[0].hint, "looked for it at /no/0/m, /no/1/m, /no/2/m, /no/3/m and 6 more");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "pongsim/fuel_address.hh"
+#include "pongsim/files/fuel_address.hh"
 
 #include <gtest/gtest.h>
 

@@ -64,10 +64,10 @@ TEST_F(FuelFetchTest, TellsWhatTheProgramSays) {
 TEST_F(FuelFetchTest, TellsWhereTheProgramEndsEarly) {
   FuelFetch silent = fetchBy("exit 1");
   silent.bring({model_});
-  EXPECT_EQ(silent.whyNot(model_).text, "'" + model_ + "' can't be downloaded: the download ended without a word");
+  EXPECT_EQ(silent.whyNot(model_).text, "'" + model_ + "' can't be downloaded: the download ended without a result");
   FuelFetch killed = fetchBy("kill -9 $$");
   killed.bring({model_});
-  EXPECT_EQ(killed.whyNot(model_).text, "'" + model_ + "' can't be downloaded: the download was broken off");
+  EXPECT_EQ(killed.whyNot(model_).text, "'" + model_ + "' can't be downloaded: the download was interrupted");
   FuelFetch none({{}, folder_.path()}, "/no/such/program");
   none.bring({model_});
   EXPECT_EQ(none.whyNot(model_).text,
@@ -79,7 +79,7 @@ TEST_F(FuelFetchTest, AsksNothingOffline) {
   setenv("PONGSIM_OFFLINE", "1", 1);
   fetch.bring({model_});
   EXPECT_EQ(asked(), "");
-  EXPECT_EQ(fetch.whyNot(model_).hint, "nothing is downloaded, for PONGSIM_OFFLINE or --offline says so");
+  EXPECT_EQ(fetch.whyNot(model_).hint, "downloads are off: PONGSIM_OFFLINE or --offline is set");
 }
 
 }  // namespace

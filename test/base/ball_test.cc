@@ -1,4 +1,4 @@
-#include "pongsim/ball.hh"
+#include "pongsim/geometry/ball.hh"
 
 #include <gtest/gtest.h>
 

@@ -100,10 +100,10 @@ TEST(Declaration, ReadsEachKind) {
 TEST(Declaration, NamesThePlaceOfEachWrongValue) {
   const std::pair<const char*, const char*> cases[] = {
       {"number wide", "<number> is 'wide', which is not a number"},
-      {"number 0", "<number> must be a length above zero"},
-      {"number inf", "<number> must be a length above zero"},
-      {"count 0", "<count> must be a number of at least 1"},
-      {"count 10", "<count> must be a number of at most 9"},
+      {"number 0", "<number> must be above zero"},
+      {"number inf", "<number> must be above zero"},
+      {"count 0", "<count> must be at least 1"},
+      {"count 10", "<count> must be at most 9"},
       {"count 1.5", "<count> is '1.5', which is not an integer"},
       {"flag maybe", "<flag> is 'maybe', which is not 'true' or 'false'"},
       {"word c", "<word> is 'c'\n  hint: it can be 'a', 'b'"},
@@ -141,7 +141,7 @@ TEST(Declaration, SaysAllThatIsWrongAtOnce) {
   Settings settings;
   EXPECT_EQ(
       settings.read(pluginWith({{"number", "-1"}, {"numbr", "1"}, {"other:thing", "1"}})),
-      (std::vector<std::string>{"world.sdf:2:3: warning: test is left out: <number> must be a length above zero",
+      (std::vector<std::string>{"world.sdf:2:3: warning: test is left out: <number> must be above zero",
                                 "world.sdf:1:1: warning: test is left out: no <words> is given\n  hint: names",
                                 "world.sdf:3:3: warning: test does not know <numbr>\n  hint: did you mean 'number'?"}));
 }

@@ -1,4 +1,4 @@
-#include "pongsim/differential_odometry.hh"
+#include "pongsim/control/differential_odometry.hh"
 
 #include <gtest/gtest.h>
 

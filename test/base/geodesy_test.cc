@@ -1,4 +1,4 @@
-#include "pongsim/geodesy.hh"
+#include "pongsim/geometry/geodesy.hh"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pongsim/nearest_word.hh"
+#include "pongsim/program/nearest_word.hh"
 
 #include <gtest/gtest.h>
 

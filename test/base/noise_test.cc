@@ -1,4 +1,4 @@
-#include "pongsim/noise.hh"
+#include "pongsim/sensing/noise.hh"
 
 #include <gtest/gtest.h>
 

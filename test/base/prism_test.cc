@@ -1,4 +1,4 @@
-#include "pongsim/prism.hh"
+#include "pongsim/geometry/prism.hh"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pongsim/rolling_mean.hh"
+#include "pongsim/control/rolling_mean.hh"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pongsim/solid.hh"
+#include "pongsim/geometry/solid.hh"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "pongsim/ball.hh"
-#include "pongsim/prism.hh"
+#include "pongsim/geometry/ball.hh"
+#include "pongsim/geometry/prism.hh"
 
 namespace pongsim::base {
 namespace {

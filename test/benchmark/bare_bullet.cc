@@ -8,8 +8,8 @@
 
 #include "benchmark/bare_shape.hh"
 #include "physics/convert.hh"
-#include "physics/group_solver.hh"
 #include "physics/settings.hh"
+#include "physics/solving/group_solver.hh"
 
 namespace pongsim::benchmark {
 

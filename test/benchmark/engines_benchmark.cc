@@ -1,6 +1,5 @@
-// Our side of test/benchmark/engines.py: worlds that make steps when they are asked to, and say what it took.
+// Worlds that make steps when they are asked to, and say what it took; test/benchmark/profile.py counts what they do.
 
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
@@ -12,7 +11,7 @@
 #include <string>
 
 #include "benchmark/robots.hh"
-#include "benchmark/shapes.hh"
+#include "benchmark/shapes_world.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
 
@@ -48,21 +47,8 @@ void serve(Simulation& simulation) {
   }
 }
 
-/// Prints how far off the way of its wheels a robot is that goes straight ahead for 5 s [m].
-void printError() {
-  constexpr double kSeconds = 5;
-  const auto simulation = load(tutorialWorld());
-  driveOff(*simulation, 0);
-  const Link chassis = chassisOf(*simulation);
-  const Vector3 start = chassis.pose().position;
-  simulation->step(static_cast<std::uint64_t>(1000 * kSeconds));
-  std::printf("%.6f\n", std::abs((chassis.pose().position - start).norm() - kLinear * kSeconds));
-}
-
 int run(const std::string& what, int count) {
-  if (what == "error") {
-    printError();
-  } else if (what == "robots") {
+  if (what == "robots") {
     const auto simulation = load(withRobots(tutorialWorld(), count));
     driveOff(*simulation);
     serve(*simulation);
@@ -78,7 +64,7 @@ int run(const std::string& what, int count) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 3) throw std::invalid_argument("wants what (robots, shapes, falling, error) and how many");
+    if (argc != 3) throw std::invalid_argument("wants what (robots, shapes, falling) and how many");
     return pongsim::benchmark::run(argv[1], std::stoi(argv[2]));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "engines benchmark: error: %s\n", error.what());

@@ -18,7 +18,7 @@ COUNTS = [int(each) for each in sys.argv[2:]] or [1, 10, 50, 200, 1000]
 # the first that fits
 PARTS = [
     ("LCP", r"physics::(Lcp|ReducedLcp|eliminate|substitute|.*take(One|Four))"),
-    ("rows", r"physics::(GroupRows|DirectSolver|GroupSolver|ContactSolver|Joint::(getInfo|add|Row)|pointSurface|"
+    ("rows", r"physics::(GroupRows|DirectSolver|GroupSolver|ContactSolver|Joint::(getInfo|add|Row)|pointSurface|settlePoint|"
              r".*[fF]riction|.*bend|.*restitution|bounce)|SequentialImpulse"),
     ("grouping", r"GroupedWorld::(collect|unite|count|sort|root|group|limit)|physics::Rest"),
     ("broad phase", r"btDbvt|OverlappingPair|[aA]abb|roughlyMoved|ContactFilter"),

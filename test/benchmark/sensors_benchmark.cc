@@ -1,5 +1,5 @@
-// What sensors of light cost: the scan of Fortress's tutorial beside bare Embree, many beams among many moving bodies,
-// the pictures of a camera, and sensors that nobody reads.
+// What lidars and cameras cost: the scan of Fortress's tutorial beside bare Embree, many beams among many moving
+// bodies, the pictures of a camera, and sensors that nobody reads.
 
 #include <benchmark/benchmark.h>
 

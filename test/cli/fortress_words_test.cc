@@ -14,7 +14,7 @@ TEST(FortressWords, SayWhichPackageBringsACommand) {
     const auto advice = adviceOnCommand(name);
     ASSERT_TRUE(advice.has_value()) << name;
     EXPECT_EQ(advice->message,
-              "'" + std::string(name) + "' comes with the package pongsim-" + name + ", which is not installed");
+              "'" + std::string(name) + "' is in the package pongsim-" + name + ", which is not installed");
     EXPECT_EQ(advice->hint, "apt-get install pongsim-" + std::string(name));
   }
 }

@@ -56,7 +56,7 @@ TEST(Manual, HasPagesThatManReadsWithoutComplaint) {
     if (code == 127) GTEST_SKIP() << "there is no man";
     EXPECT_EQ(code, 0) << entry.path();
     EXPECT_EQ(man.error(), "") << entry.path();
-    EXPECT_NE(man.output().find("Print this and end"), std::string::npos) << man.output();
+    EXPECT_NE(man.output().find("Print this help and exit"), std::string::npos) << man.output();
   }
   EXPECT_GT(pages, 10);
 }

@@ -5,23 +5,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
-#include "msgs/bytes.hh"
+#include "msgs/encoding/bytes.hh"
 #include "pongsim/message.hh"
+#include "require.hh"
 #include "transport/payload.hh"
 #include "transport/service_payload.hh"
 #include "transport/traffic_report.hh"
 
 namespace {
 
+using pongsim::fuzz::require;
 using Bytes = std::span<const std::byte>;
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 template <class Header>
 void requireSame(const Header& header, Bytes whole, Bytes message) {

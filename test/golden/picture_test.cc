@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "assets/picture_file.hh"
-#include "pongsim/camera_scene.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
 #include "support/temp_folder.hh"

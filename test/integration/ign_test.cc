@@ -37,7 +37,7 @@ TEST_F(Ign, TakesTheOptionsOfAHeadlessServer) {
                            "--headless-rendering", "--render-engine", "ogre2", "--render-engine-server", "ogre2",
                            "--render-engine-gui", "ogre", "--gui-config", "none.config", "--force-version", "6"});
   EXPECT_EQ(run.exitCode, 0) << run.error;
-  EXPECT_EQ(run.error.find("changes nothing"), std::string::npos) << run.error;
+  EXPECT_EQ(run.error.find("has no effect"), std::string::npos) << run.error;
 }
 
 TEST_F(Ign, SaysWhatChangesNothing) {
@@ -46,11 +46,11 @@ TEST_F(Ign, SaysWhatChangesNothing) {
                           {{"IGN_IP", "192.168.7.7"}});
   EXPECT_EQ(run.exitCode, 0) << run.error;
   for (const char* word : {"'--physics-engine'", "'--gui-config'", "IGN_IP"}) {
-    EXPECT_NE(run.error.find("pongsim: warning: " + std::string(word) + " changes nothing "), std::string::npos)
+    EXPECT_NE(run.error.find("pongsim: warning: " + std::string(word) + " has no effect"), std::string::npos)
         << run.error;
   }
   EXPECT_EQ(ign({"gazebo", "-r", ownWorld("pong_world.sdf"), "--iterations", "1", "--gui-config", "x", "-v", "1"})
-                .error.find("changes nothing"),
+                .error.find("has no effect"),
             std::string::npos);
 }
 

@@ -44,8 +44,7 @@ TEST_F(LevelsCommand, LoadsWhatIsNearThePerformersOnly) {
   EXPECT_EQ(list(), "Available models:\n    - robot\n    - near\n");
   const Outcome refused = call("remove", "name: 'far', type: MODEL");
   EXPECT_EQ(refused.exitCode, 1);
-  EXPECT_NE(refused.error.find("model 'far' is set aside: its level is not loaded"), std::string::npos)
-      << refused.error;
+  EXPECT_NE(refused.error.find("model 'far' is in a level that is not loaded"), std::string::npos) << refused.error;
   EXPECT_EQ(call("set_pose", "name: 'robot', position {x: 50}").exitCode, 0);
   ASSERT_TRUE(run->waitForError("level 'two' is loaded")) << run->error();
   EXPECT_EQ(list(), "Available models:\n    - robot\n    - far\n");
@@ -64,10 +63,9 @@ TEST_F(LevelsCommand, SaysWhereAMistakeIs) {
   const Outcome outcome = runToEnd(
       {"run", folder_.write("wrong.sdf", text).string(), "-z", "0", "--iterations", "1", "--strict", "--levels"});
   EXPECT_EQ(outcome.exitCode, 1);
-  EXPECT_NE(
-      outcome.error.find("wrong.sdf:6:101: error: level 'two' names 'fra', which is no model, light or actor of the "
-                         "world"),
-      std::string::npos)
+  EXPECT_NE(outcome.error.find(
+                "wrong.sdf:6:101: error: level 'two' names 'fra', which is not a model, light or actor of the world"),
+            std::string::npos)
       << outcome.error;
   EXPECT_NE(outcome.error.find("did you mean 'far'?"), std::string::npos) << outcome.error;
 }

@@ -1,5 +1,5 @@
-// All systems repeat to the bit: after a reset, from a saved state, and whoever listens. Each runs in the world of its
-// folder, and is told what the comment of that world says.
+// All systems are bit-for-bit reproducible: after a reset, from a saved state, and with any subscribers. Each runs in
+// the world of its folder, and is told what the comment of that world says.
 
 #include <gtest/gtest.h>
 

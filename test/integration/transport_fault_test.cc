@@ -9,7 +9,10 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <regex>
 #include <set>
 #include <string>
@@ -132,6 +135,58 @@ TEST_F(TransportFault, OfAFloodHoldsUpNothing) {
   EXPECT_LT(memoryOf(world_->pid()), memory + kSomeMemory);
 }
 
+/// @return Whether the topics that `transport` sees become what `isDone` wants.
+bool seesSoon(Transport& transport, const std::function<bool(const std::set<std::string>&)>& isDone) {
+  const auto deadline = std::chrono::steady_clock::now() + kDeadline;
+  std::set<std::string> names;
+  while (!isDone(names) && std::chrono::steady_clock::now() < deadline) {
+    names.clear();
+    for (const TopicInfo& each : transport.discover(kDeadline)) names.insert(each.name);
+    transport.dispatchFor(std::chrono::milliseconds(20));
+  }
+  return isDone(names);
+}
+
+/// Whoever is killed is forgotten when its lease ends, and whoever lives is not.
+void forgetsTheKilled() {
+  Transport transport;
+  std::vector<std::unique_ptr<Process>> others;
+  std::vector<std::string> topics;
+  for (int i = 0; i < 3; ++i) {
+    others.push_back(std::make_unique<Process>(std::vector<std::string>{TRANSPORT_PEER, "offer", "1", "0"}));
+    topics.push_back("/" + std::to_string(others[i]->pid()) + "/0");
+  }
+  const auto sees = [&](const std::set<std::string>& wanted) {
+    return seesSoon(transport, [&](const std::set<std::string>& names) { return names == wanted; });
+  };
+  ASSERT_TRUE(sees({topics.begin(), topics.end()}));
+  for (int i = 0; i < 2; ++i) {
+    others[i]->kill(SIGKILL);
+    others[i]->wait();
+  }
+  EXPECT_TRUE(sees({topics[2]}));
+  others[2]->kill(SIGSTOP);
+  EXPECT_TRUE(sees({}));
+  others[2]->kill(SIGCONT);
+  EXPECT_TRUE(sees({topics[2]})) << "it is back";
+  others[2]->kill(SIGTERM);
+}
+
+TEST(Transport, ForgetsWhoWasKilled) {
+  testDomain();
+  forgetsTheKilled();
+}
+
+TEST(Transport, ForgetsWhoWasKilledOfASecuredDomain) {
+  testDomain();
+  const TempFolder folder;
+  const std::string keys = folder.path() / "keys";
+  ASSERT_EQ(runToEnd({"security", "init", keys}).exitCode, 0);
+  setenv("PONGSIM_SECURITY", keys.c_str(), 1);
+  forgetsTheKilled();
+  unsetenv("PONGSIM_SECURITY");
+}
+
 // How long a write takes is up to the machine as well; whether its thread waits for another one is up to us.
 TEST(Transport, HoldsUpNobodyWhoPublishes) {
   testDomain();
@@ -169,7 +224,7 @@ TEST(Transport, HoldsUpNobodyWhoPublishes) {
 TEST(Transport, LeavesNothingBehindHoweverItEnds) {
   testDomain();
   const TempFolder folder;
-  const std::set<std::string> before = sharedMemory();
+  std::set<std::string> shared;
   const Process::Options options{.environment = {{"TMPDIR", folder.path()}, {"HOME", folder.path()}}, .folder = {}};
   const std::vector<std::string> run = {PONGSIM_PROGRAM, "run", ownWorld("pong_world.sdf")};
   for (int signal : {SIGKILL, SIGINT}) {
@@ -177,16 +232,14 @@ TEST(Transport, LeavesNothingBehindHoweverItEnds) {
     ASSERT_TRUE(world.waitForError("pongsim: world '")) << world.error();
     Process other({PONGSIM_PROGRAM, "topic", "-e", "-t", "/clock"}, options);
     ASSERT_TRUE(other.waitForOutput("sim")) << other.error();
+    shared.merge(sharedMemoryOf(world.pid()));
+    shared.merge(sharedMemoryOf(other.pid()));
     other.kill(SIGKILL);
     world.kill(signal);
     EXPECT_EQ(world.wait(), signal == SIGKILL ? 128 + SIGKILL : 0);
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-  for (const std::string& name : sharedMemory()) {
-    // of other programs, there may be anything
-    EXPECT_TRUE(before.contains(name) || (name.find("fast") == std::string::npos && !name.starts_with("pongsim")))
-        << name;
-  }
+  for (const std::string& name : shared) EXPECT_FALSE(std::filesystem::exists("/dev/shm/" + name)) << name;
 }
 
 TEST(Transport, OfARunIsOnLoopbackOnly) {

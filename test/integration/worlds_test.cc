@@ -170,8 +170,8 @@ TEST_F(SeveralWorlds, MustHaveNamesOfTheirOwn) {
       << same.error;
   const Outcome topics = runToEnd({"run", write("<world name='a b'/>\n<world name='a_b'/>\n")});
   EXPECT_EQ(topics.exitCode, 1);
-  EXPECT_NE(topics.error.find("worlds.sdf:3:1: error: the topics of world 'a_b' have the same names as those of world "
-                              "'a b': /world/a_b/..."),
+  EXPECT_NE(topics.error.find(
+                "worlds.sdf:3:1: error: the topics of world 'a_b' collide with those of world 'a b': /world/a_b/..."),
             std::string::npos)
       << topics.error;
   const Outcome none = runToEnd({"run", ownWorld(kThree), "-w", "maze"});
@@ -216,7 +216,7 @@ TEST_F(SeveralWorlds, AreWarnedOfTopicsThatTheyShare) {
                                "'/misbehave'"),
             std::string::npos)
       << outcome.error;
-  EXPECT_NE(outcome.error.find("warning: world 'two' hears what world 'one' publishes: topic '/misbehave'"),
+  EXPECT_NE(outcome.error.find("warning: world 'two' subscribes to what world 'one' publishes: topic '/misbehave'"),
             std::string::npos)
       << outcome.error;
 }

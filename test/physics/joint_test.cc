@@ -265,6 +265,23 @@ TEST(Joint, TurnsAboutBothAxesOfACross) {
   }
 }
 
+TEST(Joint, TurnsAboutTheAxesOfItsOwnFrameWhereThatIsTurnedInTheLinks) {
+  const Quaternion turned(Eigen::AngleAxisd(0.7, Vector3(1, -2, 2) / 3));
+  description::World world = crossOf(JointType::kUniversal, Vector3::UnitY());
+  world.models[0].joints[0].X_ParentJoint.rotation = turned;
+  world.models[0].joints[0].X_ChildJoint.rotation = turned;
+  Rig rig(std::move(world));
+  rig.engine.setJointVelocityTarget(0, 0.5, 0);
+  rig.engine.setJointVelocityTarget(0, -0.25, 1);
+  rig.step(4000);
+  EXPECT_NEAR(rig.joint(0).position, 2, 1e-3);
+  EXPECT_NEAR(rig.joint(0).position2, -1, 1e-3);
+  const Quaternion expected = turned * Eigen::AngleAxisd(rig.joint(0).position, Vector3::UnitX()) *
+                              Eigen::AngleAxisd(rig.joint(0).position2, Vector3::UnitY()) * turned.inverse();
+  EXPECT_LT(rig.link("model::arm").X_WorldLink.rotation.angularDistance(expected), 1e-4);
+  EXPECT_LT((rig.link("model::arm").X_WorldLink.position - Vector3(1, 0, 0)).norm(), 1e-5);
+}
+
 TEST(Joint, CountsBothAnglesOfACrossOverManyTurns) {
   Rig rig(crossOf(JointType::kRevolute2, Vector3::UnitY()));
   rig.engine.setJointVelocityTarget(0, 20, 0);

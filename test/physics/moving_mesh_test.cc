@@ -8,7 +8,7 @@
 #include <set>
 
 #include "physics/rig.hh"
-#include "sdf/extrusion.hh"
+#include "sdf/readers/extrusion.hh"
 #include "support/solids.hh"
 
 namespace pongsim::physics {

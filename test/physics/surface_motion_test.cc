@@ -1,6 +1,6 @@
 // Surfaces that run along, as belts and tracks do, against what mechanics say.
 
-#include "pongsim/surface_motion.hh"
+#include "pongsim/geometry/surface_motion.hh"
 
 #include <gtest/gtest.h>
 

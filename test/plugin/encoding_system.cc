@@ -1,4 +1,4 @@
-#include "pongsim/message_encoder.hh"
+#include "pongsim/messages/message_encoder.hh"
 #include "pongsim/system.hh"
 
 namespace {

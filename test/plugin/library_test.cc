@@ -31,15 +31,15 @@ TEST(Library, OffersItsSystems) {
 // Both want functions that are not there: the version is said all the same.
 TEST(Library, RefusesAnotherVersionOfTheInterfaceAndSaysWhichIsTooOld) {
   const std::string here = " of pongsim's plugin interface, this is version " + std::to_string(kAbiVersion);
-  EXPECT_EQ(reason(testLibrary("ancient")), "it was built for version 0" + here + ": it is too old, build it anew");
+  EXPECT_EQ(reason(testLibrary("ancient")), "it is built for version 0" + here + ": rebuild it");
   EXPECT_EQ(reason(testLibrary("future")),
-            "it was built for version " + std::to_string(kAbiVersion + 1) + here + ": this pongsim is too old for it");
+            "it is built for version " + std::to_string(kAbiVersion + 1) + here + ": it needs a newer pongsim");
 }
 
 TEST(Library, SaysWhatToDoWhereAFunctionOfPongsimIsMissing) {
   const std::string text = reason(testLibrary("lacking"));
   EXPECT_NE(text.find("functionOfAnotherVersion"), std::string::npos) << text;
-  EXPECT_TRUE(text.ends_with(": it was built for another version of pongsim, build it anew")) << text;
+  EXPECT_TRUE(text.ends_with(": it was built for another version of pongsim; rebuild it")) << text;
 }
 
 TEST(Library, RefusesALibraryWithoutSystems) {

@@ -62,11 +62,13 @@ TEST_F(LoaderTest, WarnsOnceOfASystemOfFortressThatIsNotThere) {
   EXPECT_EQ(loader_.load(plugin("ignition-gazebo-buoyancy-system"), diagnostics_), nullptr);
   EXPECT_EQ(loader_.load(plugin("gz-sim-buoyancy-system"), diagnostics_), nullptr);
   EXPECT_FALSE(diagnostics_.hasErrors());
-  EXPECT_EQ(onlyLine(), "world.sdf:12:5: warning: the system 'buoyancy' of Gazebo is not there yet: it is left out");
+  EXPECT_EQ(onlyLine(),
+            "world.sdf:12:5: warning: the system 'buoyancy' of Gazebo is not supported yet: it is left out");
 }
 
 TEST_F(LoaderTest, WarnsOnceOfEachPluginOfGazeboClassicOrRos) {
-  const std::string ending = "' is one of Gazebo Classic or ROS: it is left out\n  hint: Fortress can't load it either";
+  const std::string ending =
+      "' is a plugin of Gazebo Classic or ROS: it is left out\n  hint: Fortress can't load it either";
   for (const char* filename : {"libgazebo_ros_control.so", "libgazebo_ros_control.so", "libgazebo_imu_plugin.so",
                                "ign_ros_control-system", "libign_ros_control-system.so"}) {
     EXPECT_EQ(loader_.load(plugin(filename), diagnostics_), nullptr);

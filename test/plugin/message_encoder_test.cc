@@ -1,4 +1,4 @@
-#include "pongsim/message_encoder.hh"
+#include "pongsim/messages/message_encoder.hh"
 
 #include <gtest/gtest.h>
 
@@ -42,14 +42,14 @@ TEST_F(MessageEncoderTest, SaysItselfWhatIsWrongWithItsSettings) { EXPECT_EQ(rea
 
 TEST_F(MessageEncoderTest, IsNamedWithItsPackageWhereItIsNotInstalled) {
   EXPECT_EQ(reason("ros2"),
-            "what encodes messages for 'ros2' is not installed\n"
+            "the message encoder of 'ros2' is not installed\n"
             "the package pongsim-ros2 has it: apt-get install pongsim-ros2");
-  EXPECT_EQ(reason("ros9"), "what encodes messages for 'ros9' is not installed\n");
+  EXPECT_EQ(reason("ros9"), "the message encoder of 'ros9' is not installed\n");
 }
 
 TEST_F(MessageEncoderTest, IsMissedInALibraryOfSystemsOrOfAnotherVersion) {
-  EXPECT_NE(reason("counting").find("libpongsim-counting-system.so does not encode messages"), std::string::npos);
-  EXPECT_NE(reason("future").find("this pongsim is too old for it"), std::string::npos);
+  EXPECT_NE(reason("counting").find("libpongsim-counting-system.so is not a message encoder"), std::string::npos);
+  EXPECT_NE(reason("future").find("it needs a newer pongsim"), std::string::npos);
 }
 
 }  // namespace

@@ -15,6 +15,13 @@ TEST(SystemName, IsTheSameForAllFormsThatWorldsUse) {
   }
 }
 
+TEST(SystemName, IsThatOfAPluginOfLaunchFiles) {
+  for (const char* filename : {"ignition-launch-websocket-server", "libignition-launch5-websocket-server.so",
+                               "gz-launch-websocket-server", "gz-sim-websocket-server-system"}) {
+    EXPECT_EQ(systemName(filename), "websocket-server") << filename;
+  }
+}
+
 TEST(SystemName, LeavesOtherNamesAlone) {
   EXPECT_EQ(systemName("libMySystem.so"), "MySystem");
   EXPECT_EQ(systemName("my-own-system"), "my-own-system");

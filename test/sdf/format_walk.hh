@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sdf/schema.hh"
+#include "sdf/schema/schema.hh"
 
 namespace pongsim::sdf::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "load_support.hh"
+#include "sdf/load_support.hh"
 #include "support/fortress_worlds.hh"
 
 namespace pongsim::sdf::test {

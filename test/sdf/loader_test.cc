@@ -1,4 +1,4 @@
-#include "load_support.hh"
+#include "sdf/load_support.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::sdf::test {
@@ -64,7 +64,7 @@ TEST(Loader, ChecksTheVersion) {
   EXPECT_EQ(messages("version='x'"),
             Messages{"t.sdf:1:6: error: 'x' is not a version of SDF | the versions are 1.4 to 1.9"});
   EXPECT_EQ(messages("version='1.11'"),
-            Messages{"t.sdf:1:6: warning: SDF 1.11 is not supported: the file is read as SDF 1.9"});
+            Messages{"t.sdf:1:6: warning: SDF 1.11 is not supported: reading the file as SDF 1.9"});
 }
 
 TEST(Loader, TellsAllMistakesInOneGoInTheOrderOfTheFile) {
@@ -81,7 +81,7 @@ TEST(Loader, TellsAllMistakesInOneGoInTheOrderOfTheFile) {
                 "t.sdf:4:1: error: <pose> is 'a b c', which is not a pose: six finite numbers, x y z roll pitch yaw",
                 "t.sdf:5:1: error: <link> in model 'm' has no name | write <link name=\"...\">",
                 "t.sdf:6:26: error: <mass> is '-1', which is not a finite number above zero",
-                "t.sdf:6:52: warning: <colision> is not known in <link> | did you mean 'collision'?"}));
+                "t.sdf:6:52: warning: <colision> is unknown in <link> | did you mean 'collision'?"}));
 }
 
 }  // namespace

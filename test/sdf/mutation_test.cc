@@ -4,7 +4,7 @@
 #include <iterator>
 #include <random>
 
-#include "load_support.hh"
+#include "sdf/load_support.hh"
 #include "support/fortress_worlds.hh"
 #include "support/temp_folder.hh"
 
@@ -94,10 +94,8 @@ TEST(Mutation, OfASampleIsLoadedOrRefused) {
 
 TEST(Mutation, OfARobotIsLoadedOrRefused) {
   std::mt19937 random(4);
-  EXPECT_EQ(
-      load(kMutatedRobot).messages,
-      Messages{"t.sdf:9:26: warning: joint 'j' mimics joint 'k', which is not simulated yet | it moves on its own, "
-               "as in Fortress"});
+  EXPECT_EQ(load(kMutatedRobot).messages, Messages{"t.sdf:9:26: warning: joint 'j' mimics joint 'k', which is not "
+                                                   "simulated yet | it moves independently, as in Fortress"});
   loadMutations(std::string(kMutatedRobot), 3000, random);
 }
 

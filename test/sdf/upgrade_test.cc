@@ -1,8 +1,8 @@
 #include "sdf/upgrade.hh"
 
-#include "load_support.hh"
-#include "sdf/document.hh"
-#include "sdf/includes.hh"
+#include "sdf/includes/includes.hh"
+#include "sdf/load_support.hh"
+#include "sdf/text/document.hh"
 
 namespace pongsim::sdf::test {
 namespace {
@@ -43,9 +43,8 @@ TEST(Upgrade, ReadsTheFlagOfAxes) {
 
 TEST(Upgrade, DropsTheInitialPositionOfJoints) {
   const std::string joint = turnedJoint("<initial_position>1</initial_position>");
-  EXPECT_EQ(
-      loadModel(joint, "1.7").messages,
-      Messages{"t.sdf:4:7: warning: <initial_position> has no effect in <axis> | SDF 1.8 took it out of the format"});
+  EXPECT_EQ(loadModel(joint, "1.7").messages,
+            Messages{"t.sdf:4:7: warning: <initial_position> has no effect in <axis> | SDF 1.8 removed it"});
 }
 
 TEST(Upgrade, RenamesTheFrameOfPoses) {
@@ -75,7 +74,7 @@ TEST(Upgrade, MovesGravityAndTheMagneticFieldToTheWorld) {
       loadWorld("<physics/><physics><gravity>1 2 3</gravity></physics><gravity>7 8 9</gravity>", "1.5");
   EXPECT_EQ(second.world().gravity, Vector3(7, 8, 9));
   EXPECT_EQ(second.messages,
-            Messages{"t.sdf:2:20: warning: <gravity> has no effect in <physics> | SDF 1.6 took it out of the format"});
+            Messages{"t.sdf:2:20: warning: <gravity> has no effect in <physics> | SDF 1.6 removed it"});
 }
 
 TEST(Upgrade, GivesNewNamesToPartsOfTheSameName) {
@@ -83,7 +82,7 @@ TEST(Upgrade, GivesNewNamesToPartsOfTheSameName) {
       "<link name='a'/>\n<joint name='b' type='fixed'><parent>a</parent><child>b</child></joint>\n<link name='b'/>\n"
       "<frame name='b'/><frame name='b_joint'/>",
       "1.6");
-  const std::string hint = " | as Fortress calls it; from SDF 1.7 on this is an error";
+  const std::string hint = " | as in Fortress; from SDF 1.7 this is an error";
   const std::string is = "' has the name of something else in its model: it is called '";
   EXPECT_EQ(loaded.messages, (Messages{"t.sdf:4:8: warning: joint 'b" + is + "b_joint'" + hint,
                                        "t.sdf:6:8: warning: frame 'b" + is + "b_frame'" + hint,
@@ -98,14 +97,10 @@ TEST(Upgrade, GivesNewNamesToPartsOfTheSameName) {
 TEST(Upgrade, KeepsInertialsInTheirLinks) {
   const std::string link =
       "<link name='l'>\n<inertial><pose relative_to='__model__'>1 0 0 0 0 0</pose></inertial></link>";
-  EXPECT_EQ(
-      loadModel(link, "1.7").messages,
-      Messages{"t.sdf:4:17: warning: attribute 'relative_to' has no effect in <pose> | SDF 1.8 took it out of the "
-               "format"});
-  EXPECT_EQ(
-      loadModel(link, "1.8").messages,
-      Messages{"t.sdf:4:17: warning: attribute 'relative_to' is not used any more in <pose> | SDF 1.8 took it out "
-               "of the format"});
+  EXPECT_EQ(loadModel(link, "1.7").messages,
+            Messages{"t.sdf:4:17: warning: attribute 'relative_to' has no effect in <pose> | SDF 1.8 removed it"});
+  EXPECT_EQ(loadModel(link, "1.8").messages,
+            Messages{"t.sdf:4:17: warning: attribute 'relative_to' is obsolete in <pose> | SDF 1.8 removed it"});
   EXPECT_EQ(loadModel("<link name='l'><inertial><pose relative_to=''/></inertial></link>", "1.7").messages, Messages());
 }
 

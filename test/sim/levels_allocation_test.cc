@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sdf/loader.hh"
-#include "sim/access.hh"
-#include "sim/editor.hh"
+#include "sim/api/access.hh"
+#include "sim/edits/editor.hh"
 #include "sim/level_world.hh"
 
 namespace {

@@ -341,8 +341,7 @@ TEST_F(LevelSave, IsRefusedWhereItDoesNotFitAndLeavesAllAsItWas) {
   const auto without = play({});
   without->step(3);
   const std::uint64_t before = without->stateHash();
-  EXPECT_EQ(without->restoreState(state),
-            "the saved state is one of another world, or other models, joints or systems were there");
+  EXPECT_EQ(without->restoreState(state), "the saved state is of another world, or of other models, joints or systems");
   EXPECT_EQ(without->stateHash(), before);
   // a joint that can't be made again: a model is not the file's any more
   const auto other = play();
@@ -355,7 +354,7 @@ TEST_F(LevelSave, IsRefusedWhereItDoesNotFitAndLeavesAllAsItWas) {
   place(*other, "scout", kFar);
   other->step(100);
   const std::uint64_t hash = other->stateHash();
-  EXPECT_EQ(other->restoreState(state), "the saved state has joints that can't be made again here");
+  EXPECT_EQ(other->restoreState(state), "the saved state has joints that can't be recreated here");
   EXPECT_EQ(other->stateHash(), hash);
   EXPECT_EQ(other->countSetAside(), 5U);
 }

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "pongsim/beam_scene.hh"
 #include "pongsim/scene.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/beam_scene.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "pongsim/simulation.hh"
 #include "sim/level_world.hh"
 
@@ -134,7 +134,8 @@ TEST_F(LevelsTest, LetWhatIsSetAsideBeGoneForAllAndComeBackWithItsIds) {
     static_cast<void>(tile.pose());
     FAIL();
   } catch (const Gone& gone) {
-    EXPECT_EQ(gone.what(), "the model with the id " + std::to_string(tile.id().value) + " is set aside with its level");
+    EXPECT_EQ(gone.what(),
+              "the model with the id " + std::to_string(tile.id().value) + " is in a level that is not loaded");
   }
   put("sphere", {40, 0, 0});
   EXPECT_TRUE(tile.exists());
@@ -260,8 +261,8 @@ TEST_F(RuntimePerformers, MakeLevelsComeAndGo) {
   simulation_->step();
   EXPECT_EQ(tiles(), Names{"tile_0"}) << "it does not perform yet";
   EXPECT_EQ(simulation_->addPerformer("sphere"), std::nullopt);
-  EXPECT_EQ(simulation_->addPerformer("sphere"), "model 'sphere' is a performer already");
-  EXPECT_EQ(simulation_->addPerformer(""), "no model is named");
+  EXPECT_EQ(simulation_->addPerformer("sphere"), "model 'sphere' is already a performer");
+  EXPECT_EQ(simulation_->addPerformer(""), "no model is given");
   simulation_->step();
   EXPECT_EQ(tiles(), (Names{"tile_0", "tile_1"}));
   std::vector<Performer> performers;
@@ -292,7 +293,7 @@ TEST_F(RuntimePerformers, HaveASizeAndAreModelsOfTheTopLevel) {
   EXPECT_EQ(world.addPerformer(sphere, {1, 0, 1}), refusal);
   EXPECT_EQ(world.addPerformer(sphere, {1, std::numeric_limits<double>::quiet_NaN(), 1}), refusal);
   EXPECT_EQ(world.addPerformer(sphere, {1, 1, 1}, "p"), std::nullopt);
-  EXPECT_EQ(world.addPerformer(sphere, {1, 1, 1}, "q"), "model 'sphere' is a performer already");
+  EXPECT_EQ(world.addPerformer(sphere, {1, 1, 1}, "q"), "model 'sphere' is already a performer");
   ASSERT_EQ(simulation_->remove(*world.model("box")), std::nullopt);
   EXPECT_EQ(simulation_->addPerformer("box"), std::nullopt) << "when it is there";
 }
@@ -314,7 +315,7 @@ TEST(Levels, AreWarnedOfWhereThereAreNone) {
             nullptr);
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(format(diagnostics.all()[0]),
-            "t.sdf:1:20: warning: world 'w' has no levels: all of it is loaded\n  hint: they stand in a <plugin "
+            "t.sdf:1:20: warning: world 'w' has no levels: all of it is loaded\n  hint: add them in a <plugin "
             "filename=\"dummy\" name=\"gz::sim\"> of the world");
 }
 

@@ -75,13 +75,13 @@ TEST_F(ResourceServicesTest, AddFoldersInWhichModelsAreFoundThen) {
 }
 
 TEST_F(ResourceServicesTest, RefuseWhatIsNoFolder) {
-  EXPECT_EQ(ask("add", ""), "the request names no folder");
-  EXPECT_EQ(ask("add", "data: '" + models_.path().string() + "' data: '/no/such'"), "'/no/such' is no folder");
+  EXPECT_EQ(ask("add", ""), "the request contains no folder");
+  EXPECT_EQ(ask("add", "data: '" + models_.path().string() + "' data: '/no/such'"), "'/no/such' is not a folder");
   EXPECT_FALSE(canInsert()) << "all or none";
 }
 
 TEST_F(ResourceServicesTest, ResolveAddresses) {
-  EXPECT_EQ(ask("resolve", "data: 'model://crate'"), "there is no 'model://crate' where models are looked for");
+  EXPECT_EQ(ask("resolve", "data: 'model://crate'"), "there is no 'model://crate' in the folders with models");
   ask("add", "data: '" + models_.path().string() + "'");
   EXPECT_EQ(ask("resolve", "data: 'model://crate'"), "data: \"" + (models_.path() / "crate").string() + "\"\n");
 }

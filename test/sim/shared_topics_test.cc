@@ -56,7 +56,7 @@ TEST_F(SharedTopics, AreThoseOnWhichBothPublish) {
 TEST_F(SharedTopics, AreThoseOnWhichOneHearsTheOther) {
   const Publisher publisher = node(1).advertise<Empty>("/x");
   const Subscription subscription = node(0).subscribe<Empty>("/x", [](const Empty&) {});
-  EXPECT_EQ(warnings(), Texts{"world 'a' hears what world 'b' publishes: topic '/x'"});
+  EXPECT_EQ(warnings(), Texts{"world 'a' subscribes to what world 'b' publishes: topic '/x'"});
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(SystemSet, LeavesOutASystemThatCannotUseItsParameters) {
                                  {}, diagnostics),
               4.9, 0.01);
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].message, "diff-drive is left out: it must stand in a <model>");
+  EXPECT_EQ(diagnostics.all()[0].message, "diff-drive is left out: it belongs in a <model>");
 }
 
 TEST(SystemSet, WarnsOfTwoThatPublishOnOneTopic) {
@@ -78,8 +78,8 @@ TEST(SystemSet, WarnsOfTwoThatPublishOnOneTopic) {
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(
       format(diagnostics.all()[0]),
-      "world.sdf:6:7: warning: odometry-publisher of b publishes on '/here', and so does odometry-publisher of a of "
-      "line 4\n  hint: who listens gets the messages of both");
+      "world.sdf:6:7: warning: odometry-publisher of b publishes on '/here', and so does odometry-publisher of a in "
+      "line 4\n  hint: subscribers get the messages of both");
 }
 
 TEST(SystemSet, WarnsOfParametersThatASystemDoesNotKnow) {

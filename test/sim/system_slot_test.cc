@@ -118,7 +118,7 @@ TEST_F(SystemSlotTest, LetsRestOneThatUsesWhatIsGone) {
   slot_->preUpdate({});
   slot_->preUpdate({});
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "warning: obedient: rests until the next reset: the model is gone\n");
+            "warning: obedient: stops until the next reset: the model is gone\n");
   EXPECT_EQ(system_->calls, 1);
   EXPECT_TRUE(said_.empty());
 }

@@ -40,9 +40,14 @@ std::uint64_t memoryOf(pid_t pid) {
   return 0;
 }
 
-std::set<std::string> sharedMemory() {
+std::set<std::string> sharedMemoryOf(pid_t pid) {
+  const std::string folder = "/dev/shm/";
   std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator("/dev/shm")) names.insert(entry.path().filename());
+  std::ifstream lines(folderOf(pid) / "maps");
+  for (std::string line; std::getline(lines, line);) {
+    if (const std::size_t at = line.find(folder); at != std::string::npos)
+      names.insert(line.substr(at + folder.size()));
+  }
   return names;
 }
 

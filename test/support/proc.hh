@@ -16,7 +16,7 @@ std::set<std::string> socketsOf(pid_t pid, const std::string& table);
 /// @return Bytes of a process's memory that are in use now; 0 where it has ended.
 std::uint64_t memoryOf(pid_t pid);
 
-/// @return The names of what is in shared memory, of all processes.
-std::set<std::string> sharedMemory();
+/// @return The names in /dev/shm of what a process has mapped.
+std::set<std::string> sharedMemoryOf(pid_t pid);
 
 }  // namespace pongsim::test

@@ -138,7 +138,7 @@ TEST_F(BusTest, CarriesBytes) {
   node_.advertiseBytes("/a", "Int32").publishBytes(std::as_bytes(std::span(broken)));
   EXPECT_EQ(transport_.dispatch(), 1);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("a message from this process is no ignition.msgs.Int32"), std::string::npos) << said;
+  EXPECT_NE(said.find("a message from this process is not of type ignition.msgs.Int32"), std::string::npos) << said;
   EXPECT_THROW(node_.advertiseBytes("/a", ""), std::invalid_argument);
 }
 

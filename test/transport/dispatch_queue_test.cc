@@ -126,8 +126,8 @@ TEST_F(DispatchQueue, LetsEachCallItsOwnServiceOfAName) {
   Service inFirst = answer(first_, "first");
   const Service inSecond = answer(second_, "second");
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "warning: transport: service '/who' is offered by another world of this process, too: whoever calls "
-            "it from elsewhere gets the answer of the first\n");
+            "warning: transport: service '/who' is also offered by another world of this process: callers in other "
+            "processes get the reply of the first\n");
   EXPECT_THROW(answer(second_, "again"), std::invalid_argument);
 
   Transport third(first_, Transport::Sharing());
@@ -181,7 +181,7 @@ TEST_F(DispatchQueue, AnswersWhereTheRequestCameFrom) {
   service = Service();
   EXPECT_EQ(answers.size(), 1U);
   second_.dispatch();
-  EXPECT_EQ(answers.back(), "service '/who' went away before it answered");
+  EXPECT_EQ(answers.back(), "service '/who' ended before it answered");
 }
 
 TEST_F(DispatchQueue, IsWokenAlone) {

@@ -84,7 +84,7 @@ TEST_F(InboxTest, SaysWhenBytesAreNoMessage) {
   Inbox places = inbox({});
   Buffer* buffer = pool_.take(5);
   std::ranges::fill(buffer->bytes, std::byte{0xff});
-  EXPECT_EQ(places.handOver(*buffer), "is no ignition.msgs.StringMsg");
+  EXPECT_EQ(places.handOver(*buffer), "is not of type ignition.msgs.StringMsg");
   std::size_t size = 0;
   Inbox raw(channel_, [&size](std::span<const std::byte> bytes) { size = bytes.size(); }, {});
   EXPECT_EQ(raw.handOver(*buffer), std::nullopt);
@@ -107,8 +107,8 @@ TEST_F(InboxTest, RefusesNumbersBeyondTheLargest) {
   };
   EXPECT_EQ(handTo(commands, "data: 1e6"), std::nullopt);
   EXPECT_EQ(handTo(commands, "data: -1e308"),
-            "is refused: data is -1e+308; allowed are finite numbers from -1e+06 to 1e+06");
-  EXPECT_EQ(handTo(commands, "data: nan"), "is refused: data is nan; allowed are finite numbers from -1e+06 to 1e+06");
+            "is refused: data is -1e+308; numbers must be finite, from -1e+06 to 1e+06");
+  EXPECT_EQ(handTo(commands, "data: nan"), "is refused: data is nan; numbers must be finite, from -1e+06 to 1e+06");
   EXPECT_EQ(handTo(all, "data: -1e308"), std::nullopt);
   EXPECT_EQ(heard, (std::vector<std::string>{"data: 1000000", "data: -1e+308"}));
 }

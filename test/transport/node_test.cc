@@ -385,13 +385,13 @@ TEST_F(NodeTest, OpensSocketsOnLoopbackOnly) {
   for (const char* table : {"udp6", "tcp", "tcp6"}) EXPECT_TRUE(test::socketsOf(getpid(), table).empty()) << table;
 }
 
-TEST_F(NodeTest, LeavesNothingInSharedMemory) {
-  const std::set<std::string> before = test::sharedMemory();
+TEST_F(NodeTest, UsesNoSharedMemoryOfFastDds) {
   const auto other = listener();
   Publisher publisher = node_.advertise<StringMsg>("/chatter");
   ASSERT_TRUE(publisher.waitForSubscribers(kDeadline));
-  for (const std::string& name : test::sharedMemory()) {
-    EXPECT_TRUE(before.contains(name) || name.find("fast") == std::string::npos) << name;
+  for (const pid_t process : {getpid(), other->pid()}) {
+    for (const std::string& name : test::sharedMemoryOf(process))
+      EXPECT_EQ(name.find("fast"), std::string::npos) << name;
   }
 }
 

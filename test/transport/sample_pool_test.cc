@@ -84,4 +84,14 @@ TEST(ReceivedSamples, AreNotLargerThanAMessageMayBe) {
   EXPECT_EQ(change.serializedPayload.data, nullptr);
 }
 
+TEST(ReceivedSamples, WaitWhereThoseThatArriveHaveNoRoom) {
+  ReceivedSamples pool;
+  CacheChange_t first, second;
+  ASSERT_TRUE(pool.get_payload(ReceivedSamples::kMostArriving, first));
+  EXPECT_FALSE(pool.get_payload(1, second));
+  EXPECT_TRUE(pool.release_payload(first));
+  ASSERT_TRUE(pool.get_payload(1, second));
+  EXPECT_TRUE(pool.release_payload(second));
+}
+
 }  // namespace pongsim::transport

@@ -83,8 +83,8 @@ TEST_F(ServiceServerTest, TellsWhyARequestIsRefused) {
   server_.post(queue_, "/s", 2, bytes("throw"));
   server_.post(queue_, "/s", 3, {std::byte{0xff}});
   server_.dispatch(queue_);
-  EXPECT_EQ(answers_,
-            (Answers{"1 refused full", "2 refused broken", "3 refused the request is no ignition.msgs.StringMsg"}));
+  EXPECT_EQ(answers_, (Answers{"1 refused full", "2 refused broken",
+                               "3 refused the request is not of type ignition.msgs.StringMsg"}));
 }
 
 TEST_F(ServiceServerTest, HasRoomForAThousandRequests) {

@@ -134,7 +134,7 @@ TEST_F(ServiceHere, SaysWhatWentWrong) {
   Boolean other;
   const CallResult wrong = node_.call("/s", saying(""), other, kDeadline);
   EXPECT_EQ(wrong.outcome, CallOutcome::kOtherTypes);
-  EXPECT_EQ(wrong.error, "service '/s' takes ignition.msgs.StringMsg and answers ignition.msgs.StringMsg");
+  EXPECT_EQ(wrong.error, "service '/s' takes ignition.msgs.StringMsg and returns ignition.msgs.StringMsg");
   EXPECT_THROW(node_.call("/a b", saying(""), reply_, kDeadline), std::invalid_argument);
 }
 
@@ -175,7 +175,7 @@ TEST_F(ServiceHere, AnswersRequestsThatNobodyWaitsFor) {
   EXPECT_EQ(order, expected) << "b's answer was not waited for";
   const PendingRequest d = ask("/s", "d");
   service = {};
-  EXPECT_EQ(order.back(), "service '/s' went away before it answered");
+  EXPECT_EQ(order.back(), "service '/s' ended before it answered");
   EXPECT_THROW(ask("/a b", ""), std::invalid_argument);
 }
 
@@ -282,7 +282,7 @@ TEST_F(ServiceElsewhere, SaysThatItDiedBeforeItAnswered) {
   other->kill(SIGKILL);
   const CallResult outcome = result.get();
   EXPECT_EQ(outcome.outcome, CallOutcome::kGone);
-  EXPECT_EQ(outcome.error, "service '/s' went away before it answered");
+  EXPECT_EQ(outcome.error, "service '/s' ended before it answered");
 }
 
 TEST_F(ServiceElsewhere, AnswersBeforeItEnds) {
@@ -299,7 +299,7 @@ TEST_F(ServiceElsewhere, SaysThatItHasOtherTypes) {
   Boolean wrong;
   const CallResult result = node_.call("/s", saying(""), wrong, kDeadline);
   EXPECT_EQ(result.outcome, CallOutcome::kOtherTypes);
-  EXPECT_EQ(result.error, "service '/s' takes ignition.msgs.StringMsg and answers ignition.msgs.StringMsg");
+  EXPECT_EQ(result.error, "service '/s' takes ignition.msgs.StringMsg and returns ignition.msgs.StringMsg");
 }
 
 TEST_F(ServiceElsewhere, IsListedWithItsTypesAndAmongNoTopics) {

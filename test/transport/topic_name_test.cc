@@ -24,7 +24,7 @@ TEST(TopicName, SaysWhatIsWrong) {
   EXPECT_EQ(topicNameError("@/a"), "has '@'");
   EXPECT_EQ(topicNameError("/a:=b"), "has ':='");
   EXPECT_EQ(topicNameError("/" + std::string(254, 'a')), std::nullopt);
-  EXPECT_EQ(topicNameError(std::string(255, 'a')), "is longer than 255 letters");
+  EXPECT_EQ(topicNameError(std::string(255, 'a')), "is longer than 255 characters");
 }
 
 TEST(TopicName, GetsALeadingSlashAndLosesATrailingOne) {

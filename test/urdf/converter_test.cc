@@ -23,7 +23,7 @@ TEST(Converter, TellsAllMistakesInOneGo) {
                 "r.urdf:2:16: error: the <inertial> of link 'a' has no <inertia>",
                 "r.urdf:2:32: error: attribute 'value' of <mass> is 'x', which is not a finite number",
                 "r.urdf:3:17: error: joint 'j' has the unknown type 'fixd' | did you mean 'fixed'?",
-                "r.urdf:3:54: error: joint 'j' names child link 'b', which is not there",
+                "r.urdf:3:54: error: joint 'j' names child link 'b', which does not exist",
             }));
 }
 
@@ -34,14 +34,12 @@ TEST(Converter, LeavesOutLinksWithoutMassAndWhatHangsOnThem) {
               "</inertial></link>\n" +
               jointNamed("j", "continuous", "a", "b") + jointNamed("k", "continuous", "b", "c") +
               jointNamed("l", "continuous", "a", "z"));
-  EXPECT_EQ(
-      converted.messages,
-      (Messages{
-          "r.urdf:3:1: warning: link 'b' has no mass: it is left out, and so are its joint and all that hangs on "
-          "it | give it an <inertial> with a mass",
-          "r.urdf:5:16: warning: link 'z' has a mass that is not above zero: it is left out, and so are its joint "
-          "and all that hangs on it | give it an <inertial> with a mass",
-      }));
+  EXPECT_EQ(converted.messages, (Messages{
+                                    "r.urdf:3:1: warning: link 'b' has no mass: it is ignored, with its joint and all "
+                                    "links below it | give it an <inertial> with a mass",
+                                    "r.urdf:5:16: warning: link 'z' has a mass that is not above zero: it is ignored, "
+                                    "with its joint and all links below it | give it an <inertial> with a mass",
+                                }));
   EXPECT_TRUE(converted.has("link", "a"));
   EXPECT_FALSE(converted.has("link", "c"));
   EXPECT_FALSE(converted.has("joint", "k"));

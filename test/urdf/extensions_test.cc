@@ -128,18 +128,17 @@ TEST(Extensions, PreferAKeptJointToALockedOne) {
 }
 
 TEST(Extensions, SayWhatHasNoEffect) {
-  EXPECT_EQ(
-      convert(linkNamed("arm") + "<gazebo reference='amr'/>\n<gazebo><mu1>1</mu1></gazebo>\n" +
-              gazebo("arm", "<stopErp>1</stopErp><static>1</static><canonicalBody/>"))
-          .messages,
-      (Messages{
-          "r.urdf:3:9: warning: <gazebo> refers to 'amr', which is no link and no joint | did you mean 'arm'?",
-          "r.urdf:4:9: warning: <mu1> has no effect on the robot | it needs <gazebo reference=\"...\"> with the "
-          "name of a link",
-          "r.urdf:5:25: warning: <stopErp> has no effect on link 'arm' | it needs <gazebo reference=\"...\"> with "
-          "the name of a joint",
-          "r.urdf:5:45: warning: <static> has no effect on link 'arm' | it needs a <gazebo> without a reference",
-      }));
+  EXPECT_EQ(convert(linkNamed("arm") + "<gazebo reference='amr'/>\n<gazebo><mu1>1</mu1></gazebo>\n" +
+                    gazebo("arm", "<stopErp>1</stopErp><static>1</static><canonicalBody/>"))
+                .messages,
+            (Messages{
+                "r.urdf:3:9: warning: <gazebo> refers to 'amr', which is not a link or joint | did you mean 'arm'?",
+                "r.urdf:4:9: warning: <mu1> has no effect on the robot | put it in <gazebo reference=\"...\"> with the "
+                "name of a link",
+                "r.urdf:5:25: warning: <stopErp> has no effect on link 'arm' | put it in <gazebo reference=\"...\"> "
+                "with the name of a joint",
+                "r.urdf:5:45: warning: <static> has no effect on link 'arm' | put it in a <gazebo> without a reference",
+            }));
 }
 
 }  // namespace

@@ -44,10 +44,8 @@ TEST(JointElements, TurnWithoutEndWhereTheyAreContinuous) {
 
 TEST(JointElements, SwapLimitsThatAreTheWrongWayRound) {
   const Converted converted = joint("prismatic", "<limit lower='2' upper='1' effort='3' velocity='4'/>");
-  EXPECT_EQ(
-      converted.messages,
-      Messages{"r.urdf:4:69: warning: the lower limit of joint 'j' is above its upper limit | they change places, "
-               "as in Fortress"});
+  EXPECT_EQ(converted.messages, Messages{"r.urdf:4:69: warning: the lower limit of joint 'j' is above its upper limit "
+                                         "| they are swapped, as in Fortress"});
   EXPECT_EQ(textAt(converted.part("joint", "j"), "axis/limit/lower"), "1");
   EXPECT_EQ(textAt(converted.part("joint", "j"), "axis/limit/upper"), "2");
 }
@@ -59,14 +57,13 @@ TEST(JointElements, LeaveALinkFreeThatFloats) {
   EXPECT_EQ(textAt(converted.part("link", "b"), "pose"), "1 2 3 0 0 0");
   EXPECT_EQ(converted.part("link", "b").child("pose")->attributeOr("relative_to", ""), "a");
   EXPECT_EQ(joint("planar", "").messages,
-            Messages{"r.urdf:4:1: warning: joint 'j' is planar, which is not simulated: its link moves freely"});
+            Messages{"r.urdf:4:1: warning: joint 'j' is planar, which is not simulated: its child moves freely"});
 }
 
 TEST(JointElements, SayThatTheyDoNotMimic) {
-  EXPECT_EQ(
-      joint("continuous", "<mimic joint='other' multiplier='2'/>").messages,
-      Messages{"r.urdf:4:70: warning: joint 'j' mimics joint 'other', which is not simulated yet | it moves on its "
-               "own, as in Fortress"});
+  EXPECT_EQ(joint("continuous", "<mimic joint='other' multiplier='2'/>").messages,
+            Messages{"r.urdf:4:70: warning: joint 'j' mimics joint 'other', which is not simulated yet | it moves "
+                     "independently, as in Fortress"});
 }
 
 TEST(JointElements, KeepFixedJointsInTwoWays) {

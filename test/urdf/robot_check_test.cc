@@ -52,8 +52,8 @@ TEST(RobotCheck, KnowsWhatAJointNeeds) {
                 "prismatic, fixed, floating and planar",
                 "r.urdf:3:1: error: joint 'b' has no <child>",
                 "r.urdf:3:17: error: joint 'b' has the unknown type 'revolut' | did you mean 'revolute'?",
-                "r.urdf:4:1: error: joint 'c' is revolute and has no <limit> | a joint that turns without end is of "
-                "type 'continuous'",
+                "r.urdf:4:1: error: joint 'c' is revolute and has no <limit> | for a joint without limits, use type "
+                "'continuous'",
                 "r.urdf:5:69: error: <limit> of joint 'd' has no attribute 'effort'",
                 "r.urdf:5:69: error: <limit> of joint 'd' has no attribute 'velocity'",
                 "r.urdf:6:1: error: joint 'e' has no attribute 'type'",
@@ -66,9 +66,9 @@ TEST(RobotCheck, HelpsWithSpelling) {
   EXPECT_EQ(check("<link name='l'><colision/>\n<visual><geometry><spher radius='1'/></geometry></visual></link>\n"
                   "<jont/>\n<link name='m'><visual><geometry><mesh filname='a'/></geometry></visual></link>"),
             (Messages{
-                "r.urdf:2:16: warning: <colision> is unknown to URDF: it is ignored | did you mean 'collision'?",
-                "r.urdf:3:19: error: <spher> is no shape of URDF | did you mean 'sphere'?",
-                "r.urdf:4:1: warning: <jont> is unknown to URDF: it is ignored | did you mean 'joint'?",
+                "r.urdf:2:16: warning: <colision> is unknown in URDF: it is ignored | did you mean 'collision'?",
+                "r.urdf:3:19: error: <spher> is not a shape of URDF | did you mean 'sphere'?",
+                "r.urdf:4:1: warning: <jont> is unknown in URDF: it is ignored | did you mean 'joint'?",
                 "r.urdf:5:34: error: <mesh> of link 'm' has no attribute 'filename' | it has 'filname'",
             }));
 }

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sdf/document.hh"
+#include "sdf/text/document.hh"
 #include "urdf/converter.hh"
 
 namespace pongsim::urdf::test {

@@ -32,7 +32,7 @@ TEST(StructureCheck, NamesLinksThatAreNotThere) {
   EXPECT_EQ(structureOf("<link name='base_link'/><link name='b'/>\n"
                         "<joint name='j'><parent link='base_lnk'/><child/></joint>"),
             (Messages{
-                "r.urdf:3:25: error: joint 'j' names parent link 'base_lnk', which is not there | did you mean "
+                "r.urdf:3:25: error: joint 'j' names parent link 'base_lnk', which does not exist | did you mean "
                 "'base_link'?",
                 "r.urdf:3:42: error: <child> of joint 'j' has no attribute 'link' | write <child link=\"...\"/>",
             }));
@@ -40,20 +40,19 @@ TEST(StructureCheck, NamesLinksThatAreNotThere) {
 
 TEST(StructureCheck, WantsOneTree) {
   EXPECT_EQ(structureOf("<link name='a'/>\n<link name='b'/>"),
-            Messages{"r.urdf:3:1: error: link 'b' hangs on no joint, and neither does 'a' | a robot has one root: the "
-                     "other links are children of joints"});
-  EXPECT_EQ(
-      structureOf("<link name='a'/><link name='b'/><link name='c'/>" + jointNamed("j", "fixed", "a", "b") +
-                  jointNamed("k", "fixed", "a", "c") + jointNamed("l", "fixed", "b", "c")),
-      Messages{"r.urdf:4:48: error: joint 'l' has the child 'c', which hangs on joint 'k' already | URDF knows no "
-               "closed loops"});
+            Messages{"r.urdf:3:1: error: link 'b' has no parent joint, and neither has 'a' | a robot has one root: "
+                     "every other link must be the child of a joint"});
+  EXPECT_EQ(structureOf("<link name='a'/><link name='b'/><link name='c'/>" + jointNamed("j", "fixed", "a", "b") +
+                        jointNamed("k", "fixed", "a", "c") + jointNamed("l", "fixed", "b", "c")),
+            Messages{"r.urdf:4:48: error: joint 'l' has the child 'c', which is already the child of joint 'k' "
+                     "| URDF does not support closed loops"});
 }
 
 TEST(StructureCheck, ShowsTheCircle) {
   EXPECT_EQ(structureOf("<link name='a'/><link name='b'/><link name='c'/><link name='d'/>\n" +
                         jointNamed("j", "fixed", "b", "c") + jointNamed("k", "fixed", "c", "b") +
                         jointNamed("l", "fixed", "c", "d")),
-            Messages{"r.urdf:4:1: error: joints go in a circle: 'b' hangs on 'c', which hangs on 'b'"});
+            Messages{"r.urdf:4:1: error: the joints form a loop: 'b' is below 'c', which is below 'b'"});
 }
 
 TEST(StructureCheck, BoundsTheNumberOfLinks) {

@@ -5,50 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "world/nested_world.hh"
+
 namespace pongsim::world {
 namespace {
-
-description::Link link(std::string name, double x = 0) {
-  description::Link result;
-  result.name = std::move(name);
-  result.X_ModelLink.position.x() = x;
-  return result;
-}
-
-// outer { base, arm; joint; inner { tip } }, then lone { base }, then a joint between the two
-description::World nestedWorld() {
-  description::Model inner;
-  inner.name = "inner";
-  inner.canonicalLink = "tip";
-  inner.X_ParentModel.position.z() = 5;
-  inner.links = {link("tip", 1)};
-
-  description::Model outer;
-  outer.name = "outer";
-  outer.canonicalLink = "inner::tip";
-  outer.X_ParentModel = {{10, 0, 0}, fromRollPitchYaw(0, 0, 1)};
-  outer.links = {link("base"), link("arm", 2)};
-  outer.links[0].visuals.resize(2);
-  outer.links[0].collisions.resize(1);
-  outer.joints.resize(1);
-  outer.joints[0].name = "joint";
-  outer.joints[0].parent = "world";
-  outer.joints[0].child = "inner::tip";
-  outer.models = {inner};
-
-  description::Model lone;
-  lone.name = "lone";
-  lone.canonicalLink = "base";
-  lone.links = {link("base")};
-
-  description::World world;
-  world.models = {outer, lone};
-  world.joints.resize(1);
-  world.joints[0].name = "bridge";
-  world.joints[0].parent = "outer::arm";
-  world.joints[0].child = "lone::base";
-  return world;
-}
 
 TEST(Entities, FindsNestedThingsByTheirScopedNames) {
   const description::World world = nestedWorld();
@@ -193,58 +153,6 @@ TEST(Entities, RefusesAJointToALinkThatIsNotThere) {
   EXPECT_THROW(Entities{world}, std::invalid_argument);
 }
 
-// every record leads to what it led to, whatever slots have gone
-void expectWhole(const Entities& entities) {
-  for (Slot slot = 0; slot < entities.models().size(); ++slot) {
-    const ModelRecord& model = entities.models()[slot];
-    EXPECT_EQ(entities.findModel(model.scopedName), slot);
-    for (const Slot link : model.links) EXPECT_EQ(entities.links()[link].model, slot);
-    for (const Slot joint : model.joints) EXPECT_EQ(entities.joints()[joint].model, slot);
-    for (const Slot inner : model.models) EXPECT_EQ(entities.models()[inner].parent, slot);
-  }
-  for (Slot slot = 0; slot < entities.collisions().size(); ++slot) {
-    const LinkRecord& link = entities.links()[entities.collisions()[slot].link];
-    EXPECT_EQ(&link.description->collisions[slot - link.firstCollision], entities.collisions()[slot].description);
-    EXPECT_EQ(entities.slot(entities.collisions()[slot].id), slot);
-  }
-}
-
-TEST(Entities, LetAModelGoWithItsPartsAndTheJointsThatHoldIt) {
-  description::World world = nestedWorld();
-  world.models[0].links[0].sensors.resize(1);
-  world.models[1].links[0].collisions.resize(2);
-  world.models[1].links[0].sensors.resize(1);
-  Entities entities(world);
-  const JointId bridge = entities.joints()[1].id;
-  const LinkId base = entities.links()[entities.findLink("lone::base")].id;
-  const SensorId sensor = entities.sensors()[1].id;
-
-  const Removal removal = entities.removeModel(entities.findModel("outer"));
-  EXPECT_EQ(removal.links, (std::vector<Slot>{0, 1, 2}));
-  EXPECT_EQ(removal.joints, (std::vector<Slot>{0, 1}));
-  EXPECT_EQ(removal.models.size(), 2U);
-  EXPECT_EQ(entities.slot(bridge), kNoSlot);
-  EXPECT_EQ(entities.findModel("outer::inner"), kNoSlot);
-  EXPECT_EQ(entities.slot(base), 0U);
-  EXPECT_EQ(entities.slot(sensor), 0U);
-  EXPECT_EQ(entities.sensors()[0].link, 0U);
-  EXPECT_EQ(entities.topLevelModels(), (std::vector<Slot>{0}));
-  expectWhole(entities);
-}
-
-TEST(Entities, LetAModelWithoutLinksGo) {
-  description::World world = nestedWorld();
-  description::Model marker;
-  marker.name = "marker";
-  marker.isStatic = true;
-  world.models.insert(world.models.begin(), marker);
-  Entities entities(world);
-  const Removal removal = entities.removeModel(entities.findModel("marker"));
-  EXPECT_TRUE(removal.links.empty());
-  EXPECT_EQ(entities.models().size(), 3U);
-  expectWhole(entities);
-}
-
 TEST(Entities, TakeAModelInAtTheEnd) {
   const description::World world = nestedWorld();
   Entities entities(world);
@@ -297,21 +205,17 @@ TEST(Entities, GoBackToTheStartWithTheIdsOfTheStart) {
   expectWhole(entities);
 }
 
-TEST(Entities, MakeAndLoseJointsOfTheWorld) {
+TEST(Entities, TellWhichJointsAreAroundALink) {
   const description::World world = nestedWorld();
-  Entities entities(world);
-  auto joint = std::make_shared<description::Joint>();
-  joint->name = "rope";
-  joint->parent = "outer::base";
-  joint->child = "lone::base";
-  const Slot slot = entities.insertJoint(joint);
-  EXPECT_EQ(entities.findJoint(kNoSlot, "rope"), slot);
-  EXPECT_EQ(entities.joints()[slot].childLink, entities.findLink("lone::base"));
-  const JointId id = entities.joints()[slot].id;
-  entities.removeJoint(0);
-  EXPECT_EQ(entities.slot(id), slot - 1);
-  EXPECT_TRUE(entities.models()[entities.findModel("outer")].joints.empty());
-  expectWhole(entities);
+  const Entities entities(world);
+  ASSERT_EQ(entities.worldJoints().size(), 1U);
+  EXPECT_EQ(entities.joints()[entities.slot(entities.worldJoints()[0])].description->name, "bridge");
+  for (const char* link : {"outer::base", "outer::inner::tip"}) {
+    const auto around = entities.jointsAround(entities.findLink(link));
+    ASSERT_EQ(around.size(), 1U) << link;
+    EXPECT_EQ(around[0].description->name, "joint");
+  }
+  EXPECT_TRUE(entities.jointsAround(entities.findLink("lone::base")).empty());
 }
 
 }  // namespace

@@ -13,35 +13,36 @@ namespace pongsim {
 
 namespace {
 
-/// Pushes a link as the flow around a wing, a fin or a propeller's blade would.
+/// Applies lift and drag to a link, such as a wing, a fin or a propeller blade.
 class LiftDrag : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Pushes a link as the flow around a wing, a fin or a propeller's blade would.",
+    declaration.is("Applies lift and drag to a link, such as a wing, a fin or a propeller blade.",
                    Declaration::Place::kModel);
-    declaration.parameter("link_name", &linkName_, "", "link that is pushed; of a nested model as `inner::link`")
-        .required();
+    declaration.parameter("link_name", &linkName_, "", "link; in a nested model `inner::link`").required();
     declaration.parameter("area", &airfoil_.area, "m^2", "area of the surface").atLeast(0);
     declaration.parameter("air_density", &airfoil_.density, "kg/m^3", "density of the fluid").above(0);
-    declaration.parameter("a0", &airfoil_.zeroAngle, "rad", "angle of attack where the flow comes from ahead");
-    declaration.parameter("cla", &airfoil_.liftSlope, "1/rad", "slope of the lift over the angle of attack");
-    declaration.parameter("cda", &airfoil_.dragSlope, "1/rad", "slope of the drag");
-    declaration.parameter("alpha_stall", &airfoil_.stallAngle, "rad", "angle of attack where the stall begins")
+    declaration.parameter("a0", &airfoil_.zeroAngle, "rad", "angle of attack at zero incidence");
+    declaration.parameter("cla", &airfoil_.liftSlope, "1/rad", "slope of the lift coefficient");
+    declaration.parameter("cda", &airfoil_.dragSlope, "1/rad", "slope of the drag coefficient");
+    declaration.parameter("alpha_stall", &airfoil_.stallAngle, "rad", "angle of attack at which the wing stalls")
         .atLeast(0);
-    declaration.parameter("cla_stall", &airfoil_.liftSlopeStalled, "1/rad", "slope of the lift after the stall");
-    declaration.parameter("cda_stall", &airfoil_.dragSlopeStalled, "1/rad", "slope of the drag after the stall");
-    declaration.element("cma", "slope of the moment, of which there is none, as in Fortress");
+    declaration.parameter("cla_stall", &airfoil_.liftSlopeStalled, "1/rad",
+                          "slope of the lift coefficient after the stall");
+    declaration.parameter("cda_stall", &airfoil_.dragSlopeStalled, "1/rad",
+                          "slope of the drag coefficient after the stall");
+    declaration.element("cma", "slope of the moment coefficient; no effect, as in Fortress");
     declaration.element("cma_stall", "likewise after the stall");
-    declaration.parameter("cp", &center_, "m", "where the force is applied, in the link frame");
-    declaration.parameter("forward", &airfoil_.forward, "", "where the flow comes from, in the link frame");
-    declaration.parameter("upward", &airfoil_.upward, "", "where the lift goes, in the link frame");
+    declaration.parameter("cp", &center_, "m", "point of application, in the link frame");
+    declaration.parameter("forward", &airfoil_.forward, "", "forward direction, in the link frame");
+    declaration.parameter("upward", &airfoil_.upward, "", "upward direction, in the link frame");
     declaration.parameter("radial_symmetry", &airfoil_.isRound, "",
                           "a body, not a wing: the lift goes where the flow "
                           "turns it");
     declaration.parameter("control_joint_name", &jointName_, "",
-                          "joint of a flap; of a nested model as `inner::joint`");
+                          "joint of a control surface; in a nested model `inner::joint`");
     declaration.parameter("control_joint_rad_to_cl", &liftOfJoint_, "1/rad or 1/m",
-                          "what the flap adds to the coefficient of lift");
+                          "change of the lift coefficient with the joint's angle");
   }
 
   void configure(const SystemContext& context) override;
@@ -53,7 +54,7 @@ class LiftDrag : public System {
     const Vector3 velocity = carried_->linearVelocity() + link_->angularVelocity().cross(arm);
     const double offset = joint_ ? liftOfJoint_ * joint_->position() : 0;
     const Vector3 force = R_WorldLink * airfoilForce(airfoil_, R_WorldLink.conjugate() * velocity, offset);
-    // at speeds whose square is no number any more
+    // at speeds whose square is not a number any more
     if (force.allFinite()) link_->addWrench(force, arm.cross(force));
   }
 
@@ -96,12 +97,12 @@ T partOf(const SystemContext& context, std::string_view parameter, const char* k
   if (found.empty() && name.starts_with(own)) findAll(model, name.substr(own.size()), found);
   const std::string subject = "<" + element.name + "> '" + element.text + "'";
   if (found.empty()) {
-    refuse(element, subject + " is no " + kind + " of model '" + std::string(model.name()) + "'",
+    refuse(element, subject + " is not a " + kind + " of model '" + std::string(model.name()) + "'",
            "of a nested model it is 'inner::" + std::string(name.substr(name.rfind(':') + 1)) + "'");
   }
   if (found.size() > 1) {
-    context.diagnostics.warning(element.position, subject + " names " + std::to_string(found.size()) + " " + kind +
-                                                      "s: the first one is taken");
+    context.diagnostics.warning(
+        element.position, subject + " names " + std::to_string(found.size()) + " " + kind + "s: the first one is used");
   }
   return found.front();
 }
@@ -113,7 +114,7 @@ void LiftDrag::configure(const SystemContext& context) {
   if (!jointName_.empty()) {
     joint_ = partOf<Joint>(context, "control_joint_name", "joint");
     if (joint_->axisCount() == 0) {
-      refuse(*sdf.child("control_joint_name"), "<control_joint_name> '" + jointName_ + "' has no axis that could turn");
+      refuse(*sdf.child("control_joint_name"), "<control_joint_name> '" + jointName_ + "' has no axis to turn about");
     }
   }
   const auto refuseVector = [&sdf](const char* name, const char* rule) {
@@ -125,7 +126,7 @@ void LiftDrag::configure(const SystemContext& context) {
   airfoil_.forward.normalize();
   airfoil_.upward.normalize();
   if (!airfoil_.isRound && airfoil_.forward.cross(airfoil_.upward).norm() < 1e-6) {
-    refuseVector("upward", "points along <forward>, across which the lift must go");
+    refuseVector("upward", "is parallel to <forward>; it must have a component across it");
   }
 }
 

@@ -96,14 +96,14 @@ TEST(LiftDragParameters, AreRefusedWhereTheyMakeNoSense) {
   const std::string left = "lift-drag of m is left out: ";
   for (const auto& [parameters, message] : std::vector<std::pair<std::string, std::string>>{
            {"", "no <link_name> is given"},
-           {"<link_name>wings</link_name>", "<link_name> 'wings' is no link of model 'm'"},
+           {"<link_name>wings</link_name>", "<link_name> 'wings' is not a link of model 'm'"},
            {"<link_name>wing</link_name><control_joint_name>h</control_joint_name>",
-            "<control_joint_name> 'h' is no joint of model 'm'"},
-           {"<link_name>wing</link_name><air_density>-1</air_density>", "<air_density> must be a number above zero"},
-           {"<link_name>wing</link_name><area>-1</area>", "<area> must be a number of at least zero"},
+            "<control_joint_name> 'h' is not a joint of model 'm'"},
+           {"<link_name>wing</link_name><air_density>-1</air_density>", "<air_density> must be above zero"},
+           {"<link_name>wing</link_name><area>-1</area>", "<area> must be zero or more"},
            {"<link_name>wing</link_name><forward>0 0 0</forward>", "<forward> must have a direction"},
            {"<link_name>wing</link_name><upward>2 0 0</upward>",
-            "<upward> points along <forward>, across which the lift must go"}}) {
+            "<upward> is parallel to <forward>; it must have a component across it"}}) {
     EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(parameters)), std::vector{left + message});
   }
 }

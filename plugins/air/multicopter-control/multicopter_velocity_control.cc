@@ -45,31 +45,28 @@ VehicleMass massOf(const Model& model) {
   return vehicle;
 }
 
-/// Tells the rotors of a multicopter how fast to turn, so that it flies as a Twist commands.
+/// Flies a multicopter by Twist commands: computes its rotor speeds.
 class MulticopterVelocityControl : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Tells the rotors of a multicopter how fast to turn, so that it flies as a Twist commands.",
-                   Declaration::Place::kModel);
-    declaration.parameter("robotNamespace", &nameSpace_, "", "stands in front of the topics").required();
-    declaration.parameter("commandSubTopic", &commandTopic_, "", "where commands come from, behind the namespace");
-    declaration.parameter("enableSubTopic", &enableTopic_, "", "switches it off and on, behind the namespace");
-    declaration.parameter("comLinkName", &bodyName_, "", "link whose velocities count, and in whose axes they are")
+    declaration.is("Flies a multicopter by Twist commands: computes its rotor speeds.", Declaration::Place::kModel);
+    declaration.parameter("robotNamespace", &nameSpace_, "", "prefix of the topics").required();
+    declaration.parameter("commandSubTopic", &commandTopic_, "", "command topic, in the namespace");
+    declaration.parameter("enableSubTopic", &enableTopic_, "", "topic that switches it on and off, in the namespace");
+    declaration.parameter("comLinkName", &bodyName_, "", "link whose velocity is controlled, in its own axes")
         .required();
-    declaration.parameter("velocityGain", &gains_.velocity, "N s/m", "force by an error of the velocity").required();
-    declaration.parameter("attitudeGain", &gains_.attitude, "N m/rad", "torque by an error of the attitude").required();
-    declaration
-        .parameter("angularRateGain", &gains_.angularRate, "N m s/rad", "torque by an error of the angular velocity")
+    declaration.parameter("velocityGain", &gains_.velocity, "N s/m", "gain of the velocity error").required();
+    declaration.parameter("attitudeGain", &gains_.attitude, "N m/rad", "gain of the attitude error").required();
+    declaration.parameter("angularRateGain", &gains_.angularRate, "N m s/rad", "gain of the angular velocity error")
         .required();
-    declaration.parameter("maximumLinearAcceleration", &gains_.maximumAcceleration, "m/s^2",
-                          "largest acceleration that an error of the velocity asks for");
-    declaration.parameter("maximumLinearVelocity", &maximumLinear_, "m/s", "largest command that is followed");
-    declaration.parameter("maximumAngularVelocity", &maximumAngular_, "rad/s", "largest command that is followed");
+    declaration.parameter("maximumLinearAcceleration", &gains_.maximumAcceleration, "m/s^2", "acceleration limit");
+    declaration.parameter("maximumLinearVelocity", &maximumLinear_, "m/s", "limit of the command");
+    declaration.parameter("maximumAngularVelocity", &maximumAngular_, "rad/s", "limit of the command");
     declaration.parameter("linearVelocityNoiseMean", &linearNoise_.mean, "m/s",
-                          "mean of what is added to the measured velocity, where there is a deviation");
+                          "mean of the noise on the velocity, if its deviation is given");
     declaration.parameter("linearVelocityNoiseStdDev", &linearNoise_.deviation, "m/s", "its standard deviation");
     declaration.parameter("angularVelocityNoiseMean", &angularNoise_.mean, "rad/s",
-                          "mean of what is added to the measured angular velocity, where there is a deviation");
+                          "mean of the noise on the angular velocity, if its deviation is given");
     declaration.parameter("angularVelocityNoiseStdDev", &angularNoise_.deviation, "rad/s", "its standard deviation");
     declaration
         .element("rotorConfiguration",
@@ -80,7 +77,7 @@ class MulticopterVelocityControl : public System {
                            "`linear` [m/s] and `angular.z` [rad/s] in the axes of the body, which hold until the next "
                            "command");
     declaration.subscribes("/<robotNamespace>/<enableSubTopic>", "ignition.msgs.Boolean",
-                           "`false` stops the rotors and forgets the command");
+                           "`false` stops the rotors and discards the command");
   }
 
   void configure(const SystemContext& context) override {
@@ -94,9 +91,9 @@ class MulticopterVelocityControl : public System {
     const Allocation allocation = allocationOf(rotors);
     if (const int rank = rankOf(allocation); rank < 4) {
       refuse(configuration,
-             std::to_string(rotors.size()) + " rotors that are so can't control a body: they make " +
+             std::to_string(rotors.size()) + " such rotors can't control a body: they do not make " +
                  std::to_string(rank) + " of thrust and three torques independently",
-             "four rotors in different places can, some of them turning each way");
+             "use at least four rotors in different places, turning in both directions");
     }
     controller_.emplace(gains_, massOf(*model_), allocation);
     speeds_.assign(rotors.size(), 0);
@@ -160,7 +157,7 @@ class MulticopterVelocityControl : public System {
                                       {"linearVelocityNoiseStdDev", &linearNoise_.deviation},
                                       {"angularVelocityNoiseStdDev", &angularNoise_.deviation}}) {
       if (!(value->array() >= 0).all()) {
-        refuse(*sdf.child(name), "<" + std::string(name) + "> must be three numbers of at least zero");
+        refuse(*sdf.child(name), "<" + std::string(name) + "> must be three numbers, zero or more");
       }
     }
   }

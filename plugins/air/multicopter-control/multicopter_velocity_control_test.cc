@@ -256,13 +256,13 @@ TEST(MulticopterVelocityControl, SaysWhatIsWrongWithIt) {
   const std::string left = "multicopter-control of d is left out: ";
   const std::array<std::array<std::string, 3>, 7> cases{{
       {"<robotNamespace>d</robotNamespace>", "", left + "no <robotNamespace> is given"},
-      {"<comLinkName>body", "<comLinkName>trunk", left + "<comLinkName> 'trunk' is no link of model 'd'"},
+      {"<comLinkName>body", "<comLinkName>trunk", left + "<comLinkName> 'trunk' is not a link of model 'd'"},
       {"<velocityGain>2.7 2.7 2.7", "<velocityGain>2.7 2.7",
        left + "<velocityGain> is '2.7 2.7', which is not three numbers"},
       {"<attitudeGain>2 3 0.15</attitudeGain>", "", left + "no <attitudeGain> is given"},
       {"<maximumLinearAcceleration>2 2 2", "<maximumLinearAcceleration>2 2 -2",
-       left + "<maximumLinearAcceleration> must be three numbers of at least zero"},
-      {"<jointName>joint3", "<jointName>joint7", left + "<jointName> 'joint7' is no joint of model 'd'"},
+       left + "<maximumLinearAcceleration> must be three numbers, zero or more"},
+      {"<jointName>joint3", "<jointName>joint7", left + "<jointName> 'joint7' is not a joint of model 'd'"},
       {"<direction>-1", "<direction>0", left + "<direction> is 0"},
   }};
   for (const auto& [from, to, expected] : cases) EXPECT_EQ(complaint(from, to), expected);
@@ -274,7 +274,7 @@ TEST(MulticopterVelocityControl, SaysWhatIsWrongWithIt) {
   const auto complaints = RunningWorld::complaintsAbout(drone({.rest = text}));
   ASSERT_EQ(complaints.size(), 1U);
   EXPECT_EQ(complaints[0], left +
-                               "3 rotors that are so can't control a body: they make 3 of thrust and three torques "
+                               "3 such rotors can't control a body: they do not make 3 of thrust and three torques "
                                "independently");
 }
 

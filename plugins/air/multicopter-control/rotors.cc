@@ -39,7 +39,7 @@ Rotor readRotor(const Element& element, const Model& model, const Link& body) {
   rotor.direction = element.child("direction")->as<int>();
   if (rotor.direction != 1 && rotor.direction != -1) {
     refuse(*element.child("direction"), "<direction> is " + std::to_string(rotor.direction),
-           "it can be 1 for anticlockwise and -1 for clockwise, seen from above");
+           "it can be 1 (anticlockwise) or -1 (clockwise), seen from above");
   }
   return rotor;
 }

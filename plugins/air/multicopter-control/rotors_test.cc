@@ -61,7 +61,7 @@ TEST(Rotors, MustBeWhole) {
     }
     return {};
   };
-  EXPECT_EQ(refusal(configuration("knee", "1", "1", "1")), "<jointName> 'knee' is no joint of model 'm'");
+  EXPECT_EQ(refusal(configuration("knee", "1", "1", "1")), "<jointName> 'knee' is not a joint of model 'm'");
   EXPECT_EQ(refusal(configuration("hinge", "0", "1", "1")), "<forceConstant> must be a number above zero");
   EXPECT_EQ(refusal(configuration("hinge", "1", "-1", "1")), "<momentConstant> must be a number of at least zero");
   EXPECT_EQ(refusal(configuration("hinge", "1", "0", "")), "no <direction> is given");

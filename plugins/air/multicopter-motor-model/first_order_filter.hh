@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pongsim/math.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 
 namespace pongsim {
 

@@ -26,31 +26,28 @@ constexpr double kFastestRotor = 1e6;
 class MulticopterMotorModel : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Turns a rotor at the commanded speed, and applies its thrust, drag and torques.",
+    declaration.is("Spins a rotor at the commanded speed, and applies its thrust, drag and torques.",
                    Declaration::Place::kModel);
-    declaration.parameter("robotNamespace", &nameSpace_, "", "stands in front of the topics").otherwise("M");
-    declaration.parameter("jointName", &jointName_, "", "joint that turns the rotor; its parent takes the torques")
-        .required();
-    declaration.parameter("linkName", &linkName_, "", "link of the rotor; the thrust is along its z axis").required();
-    declaration.parameter("motorNumber", &number_, "", "place in the command").atLeast(0);
+    declaration.parameter("robotNamespace", &nameSpace_, "", "prefix of the topics").otherwise("M");
+    declaration.parameter("jointName", &jointName_, "", "joint of the rotor; torques act on its parent").required();
+    declaration.parameter("linkName", &linkName_, "", "link of the rotor; thrust acts along its z axis").required();
+    declaration.parameter("motorNumber", &number_, "", "index in the command").atLeast(0);
     declaration.parameter("turningDirection", &directionName_, "", "'cw' or 'ccw', seen from above");
-    declaration.parameter("motorType", &type_, "",
-                          "'velocity'; 'position' and 'force' are motors that do nothing, as in Fortress");
-    declaration.parameter("commandSubTopic", &commandTopic_, "", "where commands come from, behind the namespace");
-    declaration.parameter("motorSpeedPubTopic", &speedTopic_, "",
-                          "where the speed goes, behind the namespace; not given: nowhere");
-    declaration.parameter("maxRotVelocity", &maximum_, "rad/s", "commands above it are cut").atLeast(0);
-    declaration.parameter("motorConstant", &motorConstant_, "N s^2/rad^2", "thrust by the square of the speed");
-    declaration.parameter("momentConstant", &momentConstant_, "m", "torque against the turning by the thrust");
+    declaration.parameter("motorType", &type_, "", "'velocity'; 'position' and 'force' have no effect, as in Fortress");
+    declaration.parameter("commandSubTopic", &commandTopic_, "", "command topic, in the namespace");
+    declaration.parameter("motorSpeedPubTopic", &speedTopic_, "", "speed topic, in the namespace; default: none");
+    declaration.parameter("maxRotVelocity", &maximum_, "rad/s", "limit of the command").atLeast(0);
+    declaration.parameter("motorConstant", &motorConstant_, "N s^2/rad^2", "thrust per squared speed");
+    declaration.parameter("momentConstant", &momentConstant_, "m", "reaction torque per thrust");
     declaration.parameter("rotorDragCoefficient", &dragCoefficient_, "N s^2/(m rad)",
-                          "drag by the speed of the rotor and that of the air across it");
+                          "drag per rotor speed and lateral airspeed");
     declaration.parameter("rollingMomentCoefficient", &rollingCoefficient_, "N s^2/rad",
-                          "torque on the parent by the speed of the rotor and that of the air across it");
-    declaration.parameter("timeConstantUp", &timeUp_, "s", "of the speed, while it rises").atLeast(0);
-    declaration.parameter("timeConstantDown", &timeDown_, "s", "of the speed, while it falls").atLeast(0);
+                          "torque on the parent per rotor speed and lateral airspeed");
+    declaration.parameter("timeConstantUp", &timeUp_, "s", "time constant while the speed rises").atLeast(0);
+    declaration.parameter("timeConstantDown", &timeDown_, "s", "time constant while the speed falls").atLeast(0);
     declaration
         .parameter("rotorVelocitySlowdownSim", &slowdown_, "",
-                   "the joint turns so many times slower than the rotor is taken to")
+                   "factor by which the joint turns slower than the simulated rotor")
         .above(0);
     declaration.subscribes("/<robotNamespace>/<commandSubTopic>", "ignition.msgs.Actuators",
                            "`velocity[motorNumber]` [rad/s], which holds until the next command; not heard where a "
@@ -66,7 +63,8 @@ class MulticopterMotorModel : public System {
     joint_ = requiredJoint(context.sdf, "jointName", *model_);
     parent_ = joint_->parent();
     if (!parent_) {
-      refuse(*context.sdf.child("jointName"), "<jointName> '" + jointName_ + "' hangs on the world, which can't fly");
+      refuse(*context.sdf.child("jointName"),
+             "<jointName> '" + jointName_ + "' is connected to the world, which can't fly");
     }
     link_ = requiredLink(context.sdf, "linkName", *model_);
     center_ = link_->mass().center;
@@ -117,11 +115,11 @@ class MulticopterMotorModel : public System {
     if (type_ == "velocity") return;
     const Element& element = *sdf.child("motorType");
     if (type_ == "position" || type_ == "force") {
-      refuse(element, "a motor of the type '" + type_ + "' does nothing, as in Fortress",
-             type_ == "force" ? "ApplyJointForce drives a joint by a torque"
-                              : "JointPositionController drives a joint to an angle");
+      refuse(element, "a motor of the type '" + type_ + "' has no effect, as in Fortress",
+             type_ == "force" ? "use ApplyJointForce to command a torque"
+                              : "use JointPositionController to command an angle");
     }
-    diagnostics.warning(element.position, "<motorType> is '" + type_ + "': 'velocity' is taken",
+    diagnostics.warning(element.position, "<motorType> is '" + type_ + "': 'velocity' is used",
                         "it can be 'velocity', 'position' or 'force'");
   }
 
@@ -130,7 +128,7 @@ class MulticopterMotorModel : public System {
     if (directionName_ == "ccw" || (directionName_ == "cw" && sdf.child("turningDirection") != nullptr)) return;
     const Element* element = sdf.child("turningDirection");
     diagnostics.warning(element != nullptr ? element->position : sdf.position,
-                        element != nullptr ? "<turningDirection> is '" + directionName_ + "': 'cw' is taken"
+                        element != nullptr ? "<turningDirection> is '" + directionName_ + "': 'cw' is used"
                                            : "a rotor without a <turningDirection> turns clockwise",
                         "it can be 'cw' or 'ccw'");
   }
@@ -145,7 +143,7 @@ class MulticopterMotorModel : public System {
                                       {"rollingMomentCoefficient", rollingCoefficient_}}) {
       if (value >= 0) continue;
       diagnostics.warning(sdf.child(name)->position,
-                          "<" + std::string(name) + "> is negative: what it makes acts the wrong way round");
+                          "<" + std::string(name) + "> is negative: its force or torque acts in the wrong direction");
     }
   }
 
@@ -171,7 +169,7 @@ class MulticopterMotorModel : public System {
 
   void complainOfLength(int size) {
     if (std::exchange(hasWarnedOfCommand_, true)) return;
-    log_->warning("a command of " + std::to_string(size) + " rotor speeds has none for motor " +
+    log_->warning("a command of " + std::to_string(size) + " rotor speeds has no value for motor " +
                   std::to_string(number_) + " and was ignored");
   }
 

@@ -217,25 +217,25 @@ TEST(MulticopterMotorModel, SaysWhatIsWrongWithAMotor) {
   };
   const std::string left = "multicopter-motor-model of d is left out: ";
   const std::array<std::array<std::string, 3>, 14> cases{{
-      {"<jointName>joint0", "<jointName>joint9", left + "<jointName> 'joint9' is no joint of model 'd'"},
-      {"<linkName>rotor0", "<linkName>rotor9", left + "<linkName> 'rotor9' is no link of model 'd'"},
+      {"<jointName>joint0", "<jointName>joint9", left + "<jointName> 'joint9' is not a joint of model 'd'"},
+      {"<linkName>rotor0", "<linkName>rotor9", left + "<linkName> 'rotor9' is not a link of model 'd'"},
       {"<linkName>rotor0</linkName>", "", left + "no <linkName> is given"},
       {"<parent>body</parent><child>rotor0", "<parent>world</parent><child>rotor0",
-       left + "<jointName> 'joint0' hangs on the world, which can't fly"},
-      {"<motorType>velocity", "<motorType>force", left + "a motor of the type 'force' does nothing, as in Fortress"},
+       left + "<jointName> 'joint0' is connected to the world, which can't fly"},
+      {"<motorType>velocity", "<motorType>force", left + "a motor of the type 'force' has no effect, as in Fortress"},
       {"<motorType>velocity", "<motorType>position",
-       left + "a motor of the type 'position' does nothing, as in Fortress"},
-      {"<motorType>velocity", "<motorType>speed", "<motorType> is 'speed': 'velocity' is taken"},
-      {"<turningDirection>ccw", "<turningDirection>left", "<turningDirection> is 'left': 'cw' is taken"},
+       left + "a motor of the type 'position' has no effect, as in Fortress"},
+      {"<motorType>velocity", "<motorType>speed", "<motorType> is 'speed': 'velocity' is used"},
+      {"<turningDirection>ccw", "<turningDirection>left", "<turningDirection> is 'left': 'cw' is used"},
       {"<turningDirection>ccw</turningDirection>", "", "a rotor without a <turningDirection> turns clockwise"},
       {"<motorNumber>0</motorNumber>", "", "a rotor without a <motorNumber> has the number 0"},
-      {"<motorNumber>0", "<motorNumber>-1", left + "<motorNumber> must be a number of at least zero"},
+      {"<motorNumber>0", "<motorNumber>-1", left + "<motorNumber> must be zero or more"},
       {"<motorNumber>0", "<timeConstantUp>-1</timeConstantUp><motorNumber>0",
-       left + "<timeConstantUp> must be a number of at least zero"},
+       left + "<timeConstantUp> must be zero or more"},
       {"<motorNumber>0", "<rotorVelocitySlowdownSim>0</rotorVelocitySlowdownSim><motorNumber>0",
-       left + "<rotorVelocitySlowdownSim> must be a number above zero"},
+       left + "<rotorVelocitySlowdownSim> must be above zero"},
       {"<motorNumber>0", "<momentConstant>-1</momentConstant><motorNumber>0",
-       "<momentConstant> is negative: what it makes acts the wrong way round"},
+       "<momentConstant> is negative: its force or torque acts in the wrong direction"},
   }};
   for (const auto& [from, to, expected] : cases) EXPECT_EQ(complaint(from, to), expected) << to;
 }

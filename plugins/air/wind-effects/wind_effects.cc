@@ -16,14 +16,13 @@ namespace pongsim {
 
 namespace {
 
-/// Lets the wind blow, and pushes the links that are in it.
+/// Simulates wind and the force that it exerts on links.
 class WindEffects : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Lets the wind blow, and pushes the links that are in it.", Declaration::Place::kWorld);
+    declaration.is("Simulates wind and the force that it exerts on links.", Declaration::Place::kWorld);
     declaration
-        .parameter("force_approximation_scaling_factor", &scale_, "1/s",
-                   "force by the mass of a link and by the velocity of the air against it")
+        .parameter("force_approximation_scaling_factor", &scale_, "1/s", "force per mass and relative wind velocity")
         .atLeast(1e-6);
     declaration.element("horizontal",
                         "`<magnitude>` and `<direction>`, each with `<time_for_rise>` (1 s), `<noise>` and `<sin>`: a "
@@ -34,7 +33,7 @@ class WindEffects : public System {
                            "`linear_velocity` [m/s], to which the wind rises or falls, and `enable_wind`: without it "
                            "nothing blows");
     declaration.serves("/world/W/wind_info", "ignition.msgs.Empty", "ignition.msgs.Wind",
-                       "what was commanded last, at first the world's `<wind>`");
+                       "the last command; initially the world's `<wind>`");
   }
 
   void configure(const SystemContext& context) override {
@@ -116,7 +115,7 @@ class WindEffects : public System {
     const ignition::msgs::Vector3d& velocity = message.linear_velocity();
     const Vector3 mean(velocity.x(), velocity.y(), velocity.z());
     if (mean.norm() > kFastestWind) {
-      return log_->warning("a wind was ignored: none is faster than " + std::to_string(static_cast<int>(kFastestWind)) +
+      return log_->warning("a wind was ignored: the limit is " + std::to_string(static_cast<int>(kFastestWind)) +
                            " m/s");
     }
     mean_ = mean;

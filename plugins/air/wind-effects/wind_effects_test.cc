@@ -189,11 +189,11 @@ TEST(WindEffects, SaysWhatIsWrongWithIt) {
   const std::string left = "wind-effects is left out: ";
   const std::array<std::array<std::string, 2>, 5> cases{{
       {"<force_approximation_scaling_factor>0</force_approximation_scaling_factor>",
-       left + "<force_approximation_scaling_factor> must be a number of at least 1e-06"},
+       left + "<force_approximation_scaling_factor> must be at least 1e-06"},
       {"<force_approximation_scaling_factor>-1</force_approximation_scaling_factor>",
-       left + "<force_approximation_scaling_factor> must be a number of at least 1e-06"},
+       left + "<force_approximation_scaling_factor> must be at least 1e-06"},
       {"<horizontal><magnitude><time_for_rise>0</time_for_rise></magnitude></horizontal>",
-       left + "<time_for_rise> must be a number of at least 1e-06"},
+       left + "<time_for_rise> must be at least 1e-06"},
       {"<vertical><noise type='uniform'/></vertical>", left + "<noise> has the unknown type 'uniform'"},
       {"<vertikal/>", "wind-effects does not know <vertikal>"},
   }};

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "pongsim/noise_set.hh"
 #include "pongsim/random.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/sensing/noise_set.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 #include "wind_settings.hh"
 

@@ -20,8 +20,8 @@ void warnOfUnknown(const Element& element, std::initializer_list<std::string_vie
     if (std::ranges::find(known, child.name) != known.end()) continue;
     std::string names;
     for (const std::string_view name : known) names += (names.empty() ? "<" : ", <") + std::string(name) + ">";
-    diagnostics.warning(child.position, "<" + child.name + "> is not known in <" + element.name + ">",
-                        "it can hold " + names);
+    diagnostics.warning(child.position, "<" + child.name + "> is unknown in <" + element.name + ">",
+                        "it can contain " + names);
   }
 }
 
@@ -34,7 +34,7 @@ double numberIn(const Element& element, std::string_view name, double fallback) 
 void readRise(const Element& element, WindPartSettings& part) {
   part.riseTime = numberIn(element, "time_for_rise", part.riseTime);
   if (part.riseTime >= kShortestRise) return;
-  refuse(*element.child("time_for_rise"), "<time_for_rise> must be a number of at least 1e-06");
+  refuse(*element.child("time_for_rise"), "<time_for_rise> must be at least 1e-06");
 }
 
 /// @param amplitude Name of the element that says how high the wave is.
@@ -49,7 +49,7 @@ WindPartSettings readPart(const Element* element, std::string_view amplitude, Di
   warnOfUnknown(*wave, {amplitude, "period"}, diagnostics);
   part.waveAmplitude = numberIn(*wave, amplitude, part.waveAmplitude);
   part.wavePeriod = numberIn(*wave, "period", part.wavePeriod);
-  if (part.wavePeriod <= 0) refuse(*wave->child("period"), "<period> must be a number above zero");
+  if (part.wavePeriod <= 0) refuse(*wave->child("period"), "<period> must be above zero");
   return part;
 }
 

@@ -2,7 +2,7 @@
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
-#include "pongsim/noise_settings.hh"
+#include "pongsim/sensing/noise_settings.hh"
 
 namespace pongsim {
 

@@ -65,12 +65,11 @@ TEST(WindSettings, AreRead) {
 }
 
 TEST(WindSettings, MustMakeSense) {
-  const std::string tooShort = "<time_for_rise> must be a number of at least 1e-06";
+  const std::string tooShort = "<time_for_rise> must be at least 1e-06";
   EXPECT_EQ(refusalOf(plugin({rise("0")}, {}, {})), tooShort);
   EXPECT_EQ(refusalOf(plugin({}, {rise("-1")}, {})), tooShort);
   EXPECT_EQ(refusalOf(plugin({}, {}, {rise("1e-9")})), tooShort);
-  EXPECT_EQ(refusalOf(plugin({element("sin", "", {element("period", "0")})}, {}, {})),
-            "<period> must be a number above zero");
+  EXPECT_EQ(refusalOf(plugin({element("sin", "", {element("period", "0")})}, {}, {})), "<period> must be above zero");
   EXPECT_EQ(refusalOf(plugin({}, {element("sin", "", {element("amplitude", "inf")})}, {})),
             "<amplitude> must be a finite number");
   EXPECT_EQ(refusalOf(plugin({}, {}, {rise("soon")})), "<time_for_rise> is 'soon', which is not a number");
@@ -82,10 +81,10 @@ TEST(WindSettings, WarnOfWhatIsNotKnown) {
       plugin({element("sin", "", {element("amplitude", "7")})}, {element("time_to_rise", "2")}, {element("sin", "")}),
       diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 3U);
-  EXPECT_EQ(diagnostics.all()[0].message, "<amplitude> is not known in <sin>");
-  EXPECT_EQ(diagnostics.all()[0].hint, "it can hold <amplitude_percent>, <period>");
-  EXPECT_EQ(diagnostics.all()[1].message, "<time_to_rise> is not known in <direction>");
-  EXPECT_EQ(diagnostics.all()[2].message, "<sin> is not known in <vertical>");
+  EXPECT_EQ(diagnostics.all()[0].message, "<amplitude> is unknown in <sin>");
+  EXPECT_EQ(diagnostics.all()[0].hint, "it can contain <amplitude_percent>, <period>");
+  EXPECT_EQ(diagnostics.all()[1].message, "<time_to_rise> is unknown in <direction>");
+  EXPECT_EQ(diagnostics.all()[2].message, "<sin> is unknown in <vertical>");
 }
 
 }  // namespace

@@ -27,11 +27,12 @@ class CommsEndpoint : public System {
   }
 
   void declare(Declaration& declaration) override {
-    declaration.is("Binds an address to a topic, so that messages for it come there.", Declaration::Place::kModel);
-    declaration.parameter("address", &address_, "", "what others send to").required();
-    declaration.parameter("topic", &topic_, "", "where messages for the address come").required();
+    declaration.is("Binds an address to a topic: messages for the address arrive on that topic.",
+                   Declaration::Place::kModel);
+    declaration.parameter("address", &address_, "", "address for messages").required();
+    declaration.parameter("topic", &topic_, "", "topic for messages to the address").required();
     declaration.element("broker",
-                        "names in place of the defaults: `<bind_service>` /broker/bind, `<unbind_service>` "
+                        "other names: `<bind_service>` /broker/bind, `<unbind_service>` "
                         "/broker/unbind");
   }
 
@@ -50,11 +51,12 @@ class CommsEndpoint : public System {
     request_.add_data(topic_);
     bind();
     if (!pending_) {
-      context.diagnostics.warning(
-          context.sdf.position,
-          "the address '" + address_ + "' is bound to nothing: no system before it has the service '" + bindService_ +
-              "'",
-          "add a broker to the world, ignition-gazebo-perfect-comms-system or ignition-gazebo-rf-comms-system");
+      context.diagnostics.warning(context.sdf.position,
+                                  "the address '" + address_ +
+                                      "' is not bound: no system before this one offers the service '" + bindService_ +
+                                      "'",
+                                  "add a broker to the world before it: ignition-gazebo-perfect-comms-system or "
+                                  "ignition-gazebo-rf-comms-system");
     }
   }
 
@@ -97,7 +99,7 @@ class CommsEndpoint : public System {
     nextTry_ = now_ + kPatience;
     // gone: the world ends
     if (result.outcome == CallOutcome::kGone) return;
-    if (!std::exchange(hasWarned_, true)) log_->warning(result.error + "; it is asked again every second");
+    if (!std::exchange(hasWarned_, true)) log_->warning(result.error + "; retrying every second");
   }
 
   std::string address_;

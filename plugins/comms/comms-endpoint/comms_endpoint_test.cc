@@ -94,8 +94,7 @@ TEST_F(OwnBrokerTest, IsAskedAgainEverySecondWhileItRefuses) {
   simulation_->step(2500);
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_EQ(broker_.asked.size(), 3U);
-  const std::string warning =
-      "comms-endpoint of a: service '/broker/bind' refused: not now; it is asked again every second";
+  const std::string warning = "comms-endpoint of a: service '/broker/bind' refused: not now; retrying every second";
   EXPECT_NE(said.find(warning), std::string::npos) << said;
   EXPECT_EQ(said.find(warning), said.rfind(warning)) << said;
   broker_.refuses = false;
@@ -148,8 +147,8 @@ TEST(CommsEndpoint, IsLeftOutWithTheReason) {
   EXPECT_EQ(RunningWorld::complaintsAbout(kBroker + robot("a", "<address>x</address><topic>a b</topic>")),
             std::vector<std::string>{left + "<topic> 'a b' has a space"});
   EXPECT_EQ(RunningWorld::complaintsAbout(robot("a", endpoint("addr1"))),
-            std::vector<std::string>{"the address 'addr1' is bound to nothing: no system before it has the service "
-                                     "'/broker/bind'"});
+            std::vector<std::string>{
+                "the address 'addr1' is not bound: no system before this one offers the service '/broker/bind'"});
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 class PerfectComms : public CommsSystem {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Carries messages from robot to robot; every one of them arrives.", Declaration::Place::kWorld);
+    declaration.is("Carries messages between robots without loss.", Declaration::Place::kWorld);
     CommsSystem::declare(declaration);
   }
 

@@ -100,7 +100,7 @@ TEST(PerfectComms, CarriesFromTheSecondStepOn) {
   testing::internal::CaptureStderr();
   world.tell("/broker/msgs", frame("addr2", "addr1", "none is bound yet"));
   world.step(1);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("is dropped: nobody has bound 'addr2'"), std::string::npos);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("was dropped: no model has bound 'addr2'"), std::string::npos);
   world.tell("/broker/msgs", frame("addr2", "addr1", "all are"));
   world.step(1);
   EXPECT_EQ(dataOf(heard), std::vector<std::string>{"all are"});
@@ -115,7 +115,7 @@ TEST(PerfectComms, CarriesNothingInTheStepInWhichAnAddressIsBound) {
   testing::internal::CaptureStderr();
   world.tell("/broker/msgs", frame("x", "y", "early"));
   world.step(1);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("'x' is bound since this step only"), std::string::npos);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("'x' was bound in this step"), std::string::npos);
   world.tell("/broker/msgs", frame("x", "y", "hello"));
   world.step(1);
   EXPECT_EQ(dataOf(heard), std::vector<std::string>{"hello"});
@@ -145,10 +145,10 @@ TEST(PerfectComms, RefusesBindingsThatMakeNoSense) {
   RunningWorld world(worldWith());
   world.step(1);
   EXPECT_EQ(bind(world, {"addr1", "b", "x"}), "the address 'addr1' is bound to the model 'a' already");
-  EXPECT_EQ(bind(world, {"addr1", "b"}), "binding takes an address, a model and a topic, not 2 texts");
+  EXPECT_EQ(bind(world, {"addr1", "b"}), "binding needs an address, a model and a topic, not 2 texts");
   EXPECT_EQ(bind(world, {"", "b", "x"}), "the address is empty");
   EXPECT_EQ(bind(world, {"addr3", "b", "not a topic"}), "the topic 'not a topic' has a space");
-  EXPECT_EQ(unbind(world, {"addr1"}), "unbinding takes an address and a topic, not 1 texts");
+  EXPECT_EQ(unbind(world, {"addr1"}), "unbinding needs an address and a topic, not 1 texts");
   // free again
   EXPECT_EQ(unbind(world, {"addr1", "addr1/rx"}), "");
   EXPECT_EQ(bind(world, {"addr1", "b", "x"}), "");
@@ -166,9 +166,9 @@ TEST(PerfectComms, WarnsSeldomOfWhatItDrops) {
   world.tell("/broker/msgs", frame("addr2", "ghost", ""));
   world.step(1);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("a message from 'addr9' to 'addr1' is dropped: nobody has bound 'addr9'\n"), std::string::npos)
+  EXPECT_NE(said.find("a message from 'addr9' to 'addr1' was dropped: no model has bound 'addr9'\n"), std::string::npos)
       << said;
-  EXPECT_NE(said.find("'ghost' is bound to the model 'nobody', which is not there (2 more since the last warning)"),
+  EXPECT_NE(said.find("'ghost' is bound to the model 'nobody', which does not exist (2 more since the last warning)"),
             std::string::npos)
       << said;
 }
@@ -187,7 +187,7 @@ TEST(PerfectComms, KeepsNoMoreThanItsQueueWhilePaused) {
   EXPECT_TRUE(heard.empty());
   world.step(1);
   EXPECT_EQ(heard.size(), 1000U);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("too many wait for the next step"), std::string::npos);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("too many are waiting for the next step"), std::string::npos);
 }
 
 TEST(PerfectComms, SpeaksByTheNamesItIsGiven) {
@@ -237,16 +237,16 @@ TEST(PerfectComms, BindsAgainAfterAReset) {
   world.tell("/broker/msgs", frame("addr2", "addr1", "1"));
   world.tell("/broker/msgs", frame("addr2", "addr3", "2"));
   world.step(1);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("nobody has bound 'addr3'"), std::string::npos);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("no model has bound 'addr3'"), std::string::npos);
   EXPECT_EQ(heard.size(), 1U);
 }
 
 TEST(PerfectComms, IsLeftOutWithTheReason) {
   const std::string left = "perfect-comms is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(broker("<step_size>0</step_size>")),
-            std::vector<std::string>{left + "<step_size> must be a number above zero"});
+            std::vector<std::string>{left + "<step_size> must be above zero"});
   EXPECT_EQ(RunningWorld::complaintsAbout(broker() + broker()),
-            std::vector<std::string>{left + "service '/broker/bind' is offered already"});
+            std::vector<std::string>{left + "service '/broker/bind' is already offered"});
   EXPECT_EQ(RunningWorld::complaintsAbout(broker("<broker><topic>x</topic></broker>")),
             std::vector<std::string>{"<broker> does not know <topic>"});
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {

@@ -15,8 +15,7 @@ namespace {
 class RFComms : public CommsSystem {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Carries messages from robot to robot by radios, which lose some of them.",
-                   Declaration::Place::kWorld);
+    declaration.is("Carries messages between robots over simulated radios, with losses.", Declaration::Place::kWorld);
     declaration.element("range_config",
                         "how the power falls: `<max_range>` 50 m, beyond which nothing is heard (0: no limit), "
                         "`<fading_exponent>` 2.5, `<l0>` 40, the loss at one metre [dB], `<sigma>` 10, the standard "
@@ -44,7 +43,7 @@ class RFComms : public CommsSystem {
     readGroup(context, "radio_config", radio);
     if (modulation != "QPSK") {
       context.diagnostics.warning(context.sdf.child("radio_config")->child("modulation")->position,
-                                  "<modulation> '" + modulation + "' is not known: QPSK is used, as in Fortress");
+                                  "<modulation> '" + modulation + "' is unknown: QPSK is used, as in Fortress");
     }
     CommsSystem::configure(context);
   }
@@ -98,7 +97,7 @@ class RFComms : public CommsSystem {
   };
 
   void tooMuch(const std::string& address, const char* what, double bits) {
-    warnSeldom("the radio of '" + address + "' is at its limit: " + std::to_string(bits) + " bits " + what +
+    warnSeldom("the radio of '" + address + "' is at its capacity: " + std::to_string(bits) + " bits " + what +
                " in a second, " + std::to_string(settings_.capacity) + " are allowed; the message is lost");
   }
 

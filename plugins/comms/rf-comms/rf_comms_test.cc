@@ -126,7 +126,7 @@ TEST(RFComms, CarriesNoMoreThanItsCapacity) {
   // a kilobyte a second
   EXPECT_EQ(send(world, 500, 100).size(), 10U);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("the radio of 'addr2' is at its limit: 8800.000000 bits sent in a second, 8000.000000 are "
+  EXPECT_NE(said.find("the radio of 'addr2' is at its capacity: 8800.000000 bits sent in a second, 8000.000000 are "
                       "allowed; the message is lost"),
             std::string::npos)
       << said;
@@ -181,12 +181,12 @@ TEST(RFComms, RepeatsByItsSeedAfterAResetAndFromASavedState) {
 TEST(RFComms, SaysWhatIsWrongWithItsParameters) {
   const std::string left = "rf-comms is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(radios("<max_range>-1</max_range>", "")),
-            std::vector<std::string>{left + "<max_range> must be a length of at least zero"});
+            std::vector<std::string>{left + "<max_range> must be zero or more"});
   EXPECT_EQ(RunningWorld::complaintsAbout(radios("<sigma>wide</sigma>", "")),
             std::vector<std::string>{left + "<sigma> is 'wide', which is not a number"});
   EXPECT_EQ(RunningWorld::complaintsAbout(radios("<maxrange>1</maxrange>", "<modulation>FM</modulation>")),
             (std::vector<std::string>{"<range_config> does not know <maxrange>",
-                                      "<modulation> 'FM' is not known: QPSK is used, as in Fortress"}));
+                                      "<modulation> 'FM' is unknown: QPSK is used, as in Fortress"}));
 }
 
 }  // namespace

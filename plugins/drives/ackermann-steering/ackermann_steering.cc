@@ -5,37 +5,37 @@
 
 #include "geometry.hh"
 #include "pongsim/commands.hh"
-#include "pongsim/odometry_topics.hh"
+#include "pongsim/control/odometry_topics.hh"
+#include "pongsim/control/speed_limiter.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/speed_limiter.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
 namespace {
 
-/// Drives and steers the wheels of a car as a Twist commands, and publishes where it believes to be.
+/// Drives a car with steered wheels by Twist commands, and publishes its odometry.
 class AckermannSteering : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Drives and steers the wheels of a car as a Twist commands, and publishes where it believes to be.",
+    declaration.is("Drives a car with steered wheels by Twist commands, and publishes its odometry.",
                    Declaration::Place::kModel);
     const auto joints = [&](const char* name, std::vector<std::string>& names, const char* text) {
       declaration.parameter(name, &names, "", text).required();
     };
-    joints("left_joint", leftNames_, "joints that drive the left wheels; odometry uses the first");
+    joints("left_joint", leftNames_, "joints that drive the left wheels; odometry uses the first one");
     joints("right_joint", rightNames_, "joints that drive the right wheels; odometry uses the first");
     joints("left_steering_joint", leftSteeringNames_, "joints that steer the left wheels");
     joints("right_steering_joint", rightSteeringNames_, "joints that steer the right wheels");
     const auto length = [&](const char* name, double& value, const char* text) {
       declaration.parameter(name, &value, "m", text).above(0);
     };
-    length("wheel_separation", geometry_.wheelSeparation, "distance of the left wheels from the right ones");
-    length("kingpin_width", geometry_.kingpinWidth, "distance of the axes that the wheels are steered about");
-    length("wheel_base", geometry_.wheelBase, "distance of the front wheels from the rear ones");
+    length("wheel_separation", geometry_.wheelSeparation, "distance between left and right wheels");
+    length("kingpin_width", geometry_.kingpinWidth, "distance between the steering axes");
+    length("wheel_base", geometry_.wheelBase, "distance between front and rear axles");
     length("wheel_radius", geometry_.wheelRadius, "radius of the wheels");
-    declaration.parameter("steering_limit", &geometry_.steeringLimit, "rad", "largest angle of steering").above(0);
-    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/cmd_vel");
+    declaration.parameter("steering_limit", &geometry_.steeringLimit, "rad", "largest steering angle").above(0);
+    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/cmd_vel");
     odometryTopics_.declare(declaration);
     declareSpeedLimits(declaration, limits_, "", "m/s or rad/s");
     declaration.subscribes("<topic>", "ignition.msgs.Twist",

@@ -106,14 +106,13 @@ TEST(AckermannSteering, RecoversFromTheLargestAndTheSmallestCommands) {
 }
 
 TEST(AckermannSteering, NamesEachParameterThatIsMissing) {
-  EXPECT_EQ(
-      RunningWorld::complaintsAbout(R"(<model name="m"><link name="l"/><plugin
+  EXPECT_EQ(RunningWorld::complaintsAbout(R"(<model name="m"><link name="l"/><plugin
       filename="ignition-gazebo-ackermann-steering-system" name="ignition::gazebo::systems::AckermannSteering">
       <left_joint>a</left_joint><wheel_base>-1</wheel_base></plugin></model>)"),
-      (std::vector<std::string>{"ackermann-steering of m is left out: no <right_joint> is given",
-                                "ackermann-steering of m is left out: no <left_steering_joint> is given",
-                                "ackermann-steering of m is left out: no <right_steering_joint> is given",
-                                "ackermann-steering of m is left out: <wheel_base> must be a length above zero"}));
+            (std::vector<std::string>{"ackermann-steering of m is left out: no <right_joint> is given",
+                                      "ackermann-steering of m is left out: no <left_steering_joint> is given",
+                                      "ackermann-steering of m is left out: no <right_steering_joint> is given",
+                                      "ackermann-steering of m is left out: <wheel_base> must be above zero"}));
 }
 
 TEST(AckermannSteering, OfFortressExampleDrivesACurve) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "pongsim/planar_odometry.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/control/planar_odometry.hh"
+#include "pongsim/state/state_archive.hh"
 
 namespace pongsim {
 
-/// A car: lengths [m], and the largest angle of steering [rad].
+/// A car: lengths [m], and the largest steering angle [rad].
 struct AckermannGeometry {
   double wheelSeparation = 1.0;
   double kingpinWidth = 0.8;

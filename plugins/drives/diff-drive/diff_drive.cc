@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "pongsim/commands.hh"
-#include "pongsim/differential_odometry.hh"
-#include "pongsim/odometry_topics.hh"
+#include "pongsim/control/differential_odometry.hh"
+#include "pongsim/control/odometry_topics.hh"
+#include "pongsim/control/speed_limiter.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/speed_limiter.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -20,24 +20,22 @@ namespace {
 class DiffDrive : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is(
-        "Drives the wheels of a differential drive as a Twist commands, and publishes where the robot "
-        "believes to be.",
-        Declaration::Place::kModel);
+    declaration.is("Drives a differential drive by Twist commands, and publishes its odometry.",
+                   Declaration::Place::kModel);
     declaration.parameter("left_joint", &leftNames_, "", "joints of the left wheels; odometry uses the first")
         .required();
     declaration.parameter("right_joint", &rightNames_, "", "joints of the right wheels; odometry uses the first")
         .required();
-    declaration.parameter("wheel_separation", &separation_, "m", "distance of the wheels").above(0);
+    declaration.parameter("wheel_separation", &separation_, "m", "distance between the wheels").above(0);
     declaration.parameter("wheel_radius", &radius_, "m", "radius of the wheels").above(0);
-    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/cmd_vel");
+    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/cmd_vel");
     odometryTopics_.declare(declaration);
     declareSpeedLimits(declaration, limits_, "", "m/s or rad/s");
     declareSpeedLimits(declaration, linearLimits_, "linear", "m/s");
     declareSpeedLimits(declaration, angularLimits_, "angular", "rad/s");
     declaration.subscribes("<topic>", "ignition.msgs.Twist",
                            "`linear.x` [m/s] and `angular.z` [rad/s], which hold until the next command");
-    declaration.subscribes("/model/M/enable", "ignition.msgs.Boolean", "`false` stops, and commands are ignored");
+    declaration.subscribes("/model/M/enable", "ignition.msgs.Boolean", "`false` stops and ignores commands");
   }
 
   void configure(const SystemContext& context) override {

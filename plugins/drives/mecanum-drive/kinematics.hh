@@ -1,8 +1,8 @@
 #pragma once
 
-#include "pongsim/planar_odometry.hh"
-#include "pongsim/rolling_mean.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/control/planar_odometry.hh"
+#include "pongsim/control/rolling_mean.hh"
+#include "pongsim/state/state_archive.hh"
 
 namespace pongsim {
 

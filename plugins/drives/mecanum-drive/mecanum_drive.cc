@@ -7,22 +7,21 @@
 
 #include "kinematics.hh"
 #include "pongsim/commands.hh"
-#include "pongsim/odometry_topics.hh"
+#include "pongsim/control/odometry_topics.hh"
+#include "pongsim/control/speed_limiter.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/speed_limiter.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
 namespace {
 
-/// Drives four mecanum wheels as a Twist commands, sideways too, and publishes where it believes to be.
+/// Drives four mecanum wheels by Twist commands, also sideways, and publishes odometry.
 class MecanumDrive : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is(
-        "Drives four mecanum wheels as a Twist commands, sideways too, and publishes where it believes to be.",
-        Declaration::Place::kModel);
+    declaration.is("Drives four mecanum wheels by Twist commands, also sideways, and publishes odometry.",
+                   Declaration::Place::kModel);
     for (Wheel& wheel : wheels_) {
       declaration
           .parameter(wheel.parameter, &wheel.names, "",
@@ -32,10 +31,10 @@ class MecanumDrive : public System {
     const auto length = [&](const char* name, double& value, const char* text) {
       declaration.parameter(name, &value, "m", text).above(0);
     };
-    length("wheel_separation", geometry_.wheelSeparation, "distance of the left wheels from the right ones");
-    length("wheelbase", geometry_.wheelbase, "distance of the front wheels from the back ones");
+    length("wheel_separation", geometry_.wheelSeparation, "distance between left and right wheels");
+    length("wheelbase", geometry_.wheelbase, "distance between front and rear axles");
     length("wheel_radius", geometry_.wheelRadius, "radius of the wheels");
-    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/cmd_vel");
+    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/cmd_vel");
     odometryTopics_.declare(declaration);
     declareSpeedLimits(declaration, limits_, "", "m/s or rad/s");
     declaration.subscribes("<topic>", "ignition.msgs.Twist",

@@ -181,10 +181,10 @@ TEST(MecanumDrive, GoesOnWithTheSameBitsFromASavedState) {
 TEST(MecanumDriveParameters, SayWhatIsWrong) {
   for (const auto& [from, to, message] : std::vector<std::array<std::string, 3>>{
            {"<front_left_joint>front_left_joint", "<front_left_joint>front_lift_joint",
-            "<front_left_joint> 'front_lift_joint' is no joint of model 'crab'"},
+            "<front_left_joint> 'front_lift_joint' is not a joint of model 'crab'"},
            {"<back_right_joint>back_right_joint</back_right_joint>", "", "<back_right_joint>"},
-           {"<wheel_separation>0.4", "<wheel_separation>0", "<wheel_separation> must be a length above zero"},
-           {"<wheelbase>0.5", "<wheelbase>-1", "<wheelbase> must be a length above zero"},
+           {"<wheel_separation>0.4", "<wheel_separation>0", "<wheel_separation> must be above zero"},
+           {"<wheelbase>0.5", "<wheelbase>-1", "<wheelbase> must be above zero"},
            {"<max_acceleration>2", "<max_acceleration>-4", "the smallest linear acceleration is above the largest"}}) {
     const std::vector<std::string> complaints = RunningWorld::complaintsAbout(replaced(crab(), from, to));
     ASSERT_EQ(complaints.size(), 1U) << to;

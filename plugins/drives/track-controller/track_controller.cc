@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "pongsim/commands.hh"
+#include "pongsim/control/speed_limiter.hh"
+#include "pongsim/geometry/surface_motion.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/speed_limiter.hh"
-#include "pongsim/surface_motion.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -19,30 +19,29 @@ namespace {
 /// A track that runs round a point beyond that runs straight on [m].
 constexpr double kFarthestCenter = 1e9;
 
-/// Lets the surface of a link run along, as a vehicle's track or a conveyor belt, at a commanded speed.
+/// Moves the surface of a link at a commanded speed, like a vehicle's track or a conveyor belt.
 class TrackController : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is(
-        "Lets the surface of a link run along, as a vehicle's track or a conveyor belt, at a commanded speed.",
-        Declaration::Place::kModel);
+    declaration.is("Moves the surface of a link at a commanded speed, like a vehicle's track or a conveyor belt.",
+                   Declaration::Place::kModel);
     declaration.parameter("link", &linkName_, "", "the track, or the belt").required();
     declaration.parameter("track_orientation", &orientation_, "rad",
-                          "roll, pitch and yaw of the track in the link: with a speed above zero its top runs "
+                          "roll, pitch and yaw of the track in the link: at positive speed its top moves "
                           "along its x axis");
-    declaration.parameter("velocity_topic", &velocityTopic_, "", "where speeds come from")
+    declaration.parameter("velocity_topic", &velocityTopic_, "", "topic of speeds")
         .otherwise("/model/M/link/L/track_cmd_vel");
-    declaration.parameter("center_of_rotation_topic", &centerTopic_, "", "where centres of rotation come from")
+    declaration.parameter("center_of_rotation_topic", &centerTopic_, "", "topic of centres of rotation")
         .otherwise("/model/M/link/L/track_cmd_center_of_rotation");
-    declaration.parameter("max_command_age", &maxAge_, "s", "the track stops where no command has come for so long")
+    declaration.parameter("max_command_age", &maxAge_, "s", "time without commands after which the track stops")
         .atLeast(0)
         .mayBeInfinite()
         .otherwise("none");
     declareTrackLimits(declaration);
-    declaration.parameter("debug", &debug_, "", "says in the log (`-v 4`) what the track is told and does");
+    declaration.parameter("debug", &debug_, "", "logs commands and motion (`-v 4`)");
     declaration.subscribes("<velocity_topic>", "ignition.msgs.Double", "speed [m/s], which holds until the next one");
     declaration.subscribes("<center_of_rotation_topic>", "ignition.msgs.Vector3d",
-                           "point of the world [m] that the vehicle turns about; not finite: it goes straight on");
+                           "centre of rotation in the world [m]; not finite: straight motion");
   }
 
   void configure(const SystemContext& context) override {
@@ -51,9 +50,8 @@ class TrackController : public System {
     const Link link = requiredLink(context.sdf, "link", model);
     collisions_ = link.collisions();
     if (collisions_.empty()) {
-      context.diagnostics.warning(
-          context.sdf.child("link")->position,
-          "<link> '" + linkName_ + "' has no <collision>: it touches nothing, and moves nothing");
+      context.diagnostics.warning(context.sdf.child("link")->position,
+                                  "<link> '" + linkName_ + "' has no <collision>: it moves nothing");
     }
     axis_ = fromRollPitchYaw(orientation_.x(), orientation_.y(), orientation_.z()) * Vector3::UnitY();
     limiter_ = SpeedLimiter(speedLimits(limits_, {}, "track", context.sdf));

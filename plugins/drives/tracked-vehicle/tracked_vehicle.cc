@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "pongsim/commands.hh"
-#include "pongsim/differential_odometry.hh"
-#include "pongsim/odometry_topics.hh"
+#include "pongsim/control/differential_odometry.hh"
+#include "pongsim/control/odometry_topics.hh"
+#include "pongsim/control/speed_limiter.hh"
+#include "pongsim/geometry/surface_motion.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/speed_limiter.hh"
-#include "pongsim/surface_motion.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -33,42 +33,36 @@ class TrackedVehicle : public System {
  public:
   void declare(Declaration& declaration) override {
     declaration.is(
-        "Tells the tracks of a vehicle how fast to run as a Twist commands, and publishes where it believes to be. "
-        "Each "
-        "track has a TrackController.",
+        "Drives a tracked vehicle by Twist commands, and publishes its odometry. Each track needs a TrackController.",
         Declaration::Place::kModel);
     const char* const track =
         "a track: its `link` and, where they are others than those of TrackController, `velocity_topic` and "
         "`center_of_rotation_topic`; may be repeated";
     declaration.element("left_track", track).required();
     declaration.element("right_track", track).required();
-    declaration
-        .parameter("body_link", &bodyName_, "", "link whose origin the vehicle turns about, its y axis to the left")
+    declaration.parameter("body_link", &bodyName_, "", "link about whose origin the vehicle turns, with y to the left")
         .otherwise("the canonical link");
-    declaration.parameter("tracks_separation", &separation_, "m", "distance of the left tracks from the right ones")
-        .above(0);
-    declaration.parameter("track_height", &height_, "m", "height of the tracks; odometry does not depend on it")
-        .above(0);
-    declaration.parameter("tracks_height", &height_, "m", "the same, as Fortress's own worlds spell it").above(0);
+    declaration.parameter("tracks_separation", &separation_, "m", "distance between left and right tracks").above(0);
+    declaration.parameter("track_height", &height_, "m", "height of the tracks; no effect on odometry").above(0);
+    declaration.parameter("tracks_height", &height_, "m", "the same, spelled as in Fortress's own worlds").above(0);
     declaration
-        .parameter("steering_efficiency", &initialEfficiency_, "",
-                   "how much of what the tracks differ in turns the vehicle")
+        .parameter("steering_efficiency", &initialEfficiency_, "", "ratio of the vehicle's rotation to the ideal one")
         .above(0);
     const char* const limits =
         "holds `min_velocity`, `max_velocity`, and likewise `_acceleration` and `_jerk`, of the vehicle";
     declaration.element("linear_velocity", limits);
     declaration.element("angular_velocity", limits);
-    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/cmd_vel");
-    declaration.parameter("steering_efficiency_topic", &efficiencyTopic_, "", "where steering efficiencies come from")
+    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/cmd_vel");
+    declaration.parameter("steering_efficiency_topic", &efficiencyTopic_, "", "topic for steering efficiencies")
         .otherwise("/model/M/steering_efficiency");
     odometryTopics_.declare(declaration);
-    declaration.parameter("debug", &debug_, "", "says in the log (`-v 4`) what the tracks are told");
+    declaration.parameter("debug", &debug_, "", "logs the tracks' commands (`-v 4`)");
     declaration.subscribes("<topic>", "ignition.msgs.Twist",
                            "`linear.x` [m/s] and `angular.z` [rad/s], which hold until the next command");
     declaration.subscribes("<steering_efficiency_topic>", "ignition.msgs.Double", "a new steering efficiency, above 0");
     declaration.publishes("<velocity_topic>", "ignition.msgs.Double", "speed of a track [m/s], when it changes");
     declaration.publishes("<center_of_rotation_topic>", "ignition.msgs.Vector3d",
-                          "what the vehicle turns about, in the world [m]; infinite where it goes straight on");
+                          "centre of rotation in the world [m]; infinite for straight motion");
   }
 
   void configure(const SystemContext& context) override {
@@ -181,7 +175,7 @@ class TrackedVehicle : public System {
     const double angular = twist.angular().z();
     const double fastest = std::abs(linear) + std::abs(angular) * separation_ / (2 * efficiency_);
     if (!(fastest <= SurfaceMotion::kLargestSpeed)) {
-      log_->warning("a command that lets a track run faster than 1e6 m/s was ignored");
+      log_->warning("a command was ignored: a track would run faster than 1e6 m/s");
       return;
     }
     targetLinear_ = linear;
@@ -193,7 +187,7 @@ class TrackedVehicle : public System {
     const double fastest = std::abs(targetLinear_) + std::abs(targetAngular_) * separation_ / (2 * efficiency);
     if (!(efficiency > 0) || !(fastest <= SurfaceMotion::kLargestSpeed)) {
       log_->warning(
-          "a steering efficiency that is not above zero, or lets a track run faster than 1e6 m/s, was ignored");
+          "a steering efficiency was ignored: it must be above zero, and no track may run faster than 1e6 m/s");
       return;
     }
     efficiency_ = efficiency;

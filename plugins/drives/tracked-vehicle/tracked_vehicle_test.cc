@@ -237,14 +237,14 @@ TEST(TrackedVehicle, GoesOnWithTheSameBitsFromASavedState) {
 
 TEST(TrackedVehicleParameters, SayWhatIsWrong) {
   for (const auto& [from, to, message] : std::vector<std::array<std::string, 3>>{
-           {"<left_track><link>left", "<left_track><link>lift", "<link> 'lift' is no link of model 'crawler'"},
+           {"<left_track><link>left", "<left_track><link>lift", "<link> 'lift' is not a link of model 'crawler'"},
            {"<left_track><link>left</link></left_track>", "", "<left_track>"},
            {"<tracks_separation>0.5", "<tracks_separation>0", "<tracks_separation> must be"},
            {"<steering_efficiency>0.53", "<steering_efficiency>0", "<steering_efficiency> must be"},
            {"<max_acceleration>2", "<max_acceleration>-3", "the smallest linear acceleration is above the largest"},
-           {"<track_height>", "<body_link>trunk</body_link><track_height>", "<body_link> 'trunk' is no link"},
+           {"<track_height>", "<body_link>trunk</body_link><track_height>", "<body_link> 'trunk' is not a link"},
            {"<left_track><link>left", "<left_track><link>lift</link></left_track><left_track><link>left",
-            "a <left_track> is left out: <link> 'lift' is no link"}}) {
+            "a <left_track> is left out: <link> 'lift' is not a link"}}) {
     const std::vector<std::string> complaints = RunningWorld::complaintsAbout(replaced(crawler(), from, to));
     ASSERT_EQ(complaints.size(), 1U) << to;
     EXPECT_NE(complaints[0].find(message), std::string::npos) << complaints[0];

@@ -31,7 +31,8 @@ Vector3 readWaypoint(const Element& element, Diagnostics& diagnostics) {
     refuse(element, "<waypoint> is '" + element.text + "', which is not two finite numbers");
   }
   if (values.size() > 2) {
-    diagnostics.warning(element.position, "of <waypoint> '" + element.text + "' the first two numbers count, x and y");
+    diagnostics.warning(element.position,
+                        "of <waypoint> '" + element.text + "' the first two numbers are used, x and y");
   }
   return {values[0], values[1], 0};
 }
@@ -45,13 +46,13 @@ Path Path::read(const Element& plugin, Diagnostics& diagnostics) {
     if (element == nullptr) continue;
     if (used != nullptr) {
       diagnostics.warning(element->position,
-                          "<" + element->name + "> is left out: the path is that of <" + used->name + ">");
+                          "<" + element->name + "> has no effect: the path is that of <" + used->name + ">");
     } else {
       used = element;
     }
   }
   if (used == nullptr) {
-    refuse(plugin, "no path is given", "<waypoints>, <circle> or <line> gives one");
+    refuse(plugin, "no path is given", "add <waypoints>, <circle> or <line>");
   }
 
   Path path;
@@ -59,7 +60,7 @@ Path Path::read(const Element& plugin, Diagnostics& diagnostics) {
     for (const Element* element : used->childrenNamed("waypoint")) {
       path.waypoints_.push_back(readWaypoint(*element, diagnostics));
     }
-    if (path.waypoints_.empty()) refuse(*used, "<waypoints> holds no <waypoint>", "<waypoint>x y</waypoint> is one");
+    if (path.waypoints_.empty()) refuse(*used, "<waypoints> has no <waypoint>", "write <waypoint>x y</waypoint>");
   } else if (used->name == "circle") {
     path.kind_ = Kind::kCircle;
     path.length_ = finiteIn(*used, "radius");

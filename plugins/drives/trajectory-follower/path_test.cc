@@ -66,19 +66,19 @@ TEST(Path, IsTheFirstOfSeveral) {
                                diagnostics);
   EXPECT_EQ(path.points({}).size(), 8U);
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].message, "<line> is left out: the path is that of <circle>");
+  EXPECT_EQ(diagnostics.all()[0].message, "<line> has no effect: the path is that of <circle>");
 }
 
 TEST(Path, TakesTwoNumbersOfAWaypoint) {
   Diagnostics diagnostics;
   Path::read(element("plugin", "", {element("waypoints", "", {element("waypoint", "1 2 3")})}), diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].message, "of <waypoint> '1 2 3' the first two numbers count, x and y");
+  EXPECT_EQ(diagnostics.all()[0].message, "of <waypoint> '1 2 3' the first two numbers are used, x and y");
 }
 
 TEST(Path, MustLeadSomewhere) {
   EXPECT_EQ(refusalOf({}), "no path is given");
-  EXPECT_EQ(refusalOf({element("waypoints", "")}), "<waypoints> holds no <waypoint>");
+  EXPECT_EQ(refusalOf({element("waypoints", "")}), "<waypoints> has no <waypoint>");
   EXPECT_EQ(refusalOf({element("waypoints", "", {element("waypoint", "1")})}),
             "<waypoint> is '1', which is not two finite numbers");
   EXPECT_EQ(refusalOf({element("waypoints", "", {element("waypoint", "1 inf")})}),

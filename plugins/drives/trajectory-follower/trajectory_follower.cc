@@ -18,29 +18,29 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Pushes a model from point to point: it turns until it faces the next one, then goes ahead.
+/// Pushes a model along waypoints: turns it towards the next one, then ahead.
 class TrajectoryFollower : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Pushes a model from point to point: it turns until it faces the next one, then goes ahead.",
+    declaration.is("Pushes a model along waypoints: turns it towards the next one, then ahead.",
                    Declaration::Place::kModel);
     declaration.parameter("link_name", &linkName_, "", "link that is pushed along x and turned about z").required();
     declaration.element("waypoints", "the points to visit: `<waypoint>` x y [m], world frame");
-    declaration.element("circle", "in place of waypoints: eight points around the start, at a `<radius>` [m]");
+    declaration.element("circle", "instead of waypoints: eight points around the start, at a `<radius>` [m]");
     declaration.element("line",
-                        "in place of both: the start and a point in a `<direction>` [rad] from the link's x axis, at a "
+                        "instead of both: the start and a point in a `<direction>` [rad] from the link's x axis, at a "
                         "`<length>` [m]");
-    declaration.parameter("loop", &loops_, "", "behind the last point comes the first");
-    declaration.parameter("force", &force_, "N", "with which it goes ahead").atLeast(0);
-    declaration.parameter("torque", &torque_, "N m", "with which it turns").atLeast(0);
+    declaration.parameter("loop", &loops_, "", "continues with the first point after the last");
+    declaration.parameter("force", &force_, "N", "forward force").atLeast(0);
+    declaration.parameter("torque", &torque_, "N m", "turning torque").atLeast(0);
     declaration.parameter("range_tolerance", &rangeTolerance_, "m", "a point is reached within this distance")
         .atLeast(0);
     declaration.parameter("bearing_tolerance", &bearingTolerance_, "degrees", "it faces a point within this angle")
         .atLeast(0);
     declaration.parameter("zero_vel_on_bearing_reached", &stopsTurning_, "",
-                          "it stops turning at half of that angle, until it no longer faces the point");
+                          "it stops turning at half of that angle, and turns again beyond that angle");
     declaration.parameter("topic", &topic_, "", "pauses it").otherwise("/model/M/trajectory_follower/pause");
-    declaration.subscribes("<topic>", "ignition.msgs.Boolean", "`true` pauses, `false` goes on");
+    declaration.subscribes("<topic>", "ignition.msgs.Boolean", "`true` pauses, `false` resumes");
   }
 
   void configure(const SystemContext& context) override {

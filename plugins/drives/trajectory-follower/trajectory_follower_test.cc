@@ -194,11 +194,10 @@ TEST(TrajectoryFollower, SaysWhatIsWrongWithIt) {
   const std::string left = "trajectory-follower of m is left out: ";
   const std::array<std::array<std::string, 2>, 6> cases{{
       {"", left + "no path is given"},
-      {"<waypoints></waypoints>", left + "<waypoints> holds no <waypoint>"},
+      {"<waypoints></waypoints>", left + "<waypoints> has no <waypoint>"},
       {"<circle/>", left + "no <radius> is given"},
-      {"<force>-1</force>" + waypoints({"1 2"}), left + "<force> must be a number of at least zero"},
-      {"<range_tolerance>-1</range_tolerance>" + waypoints({"1 2"}),
-       left + "<range_tolerance> must be a length of at least zero"},
+      {"<force>-1</force>" + waypoints({"1 2"}), left + "<force> must be zero or more"},
+      {"<range_tolerance>-1</range_tolerance>" + waypoints({"1 2"}), left + "<range_tolerance> must be zero or more"},
       {"<speed>1</speed>" + waypoints({"1 2"}), "trajectory-follower of m does not know <speed>"},
   }};
   for (const auto& [parameters, expected] : cases) {
@@ -207,7 +206,7 @@ TEST(TrajectoryFollower, SaysWhatIsWrongWithIt) {
   std::string text = floating(waypoints({"1 2"}));
   const std::string name = "<link_name>body";
   EXPECT_EQ(RunningWorld::complaintsAbout(text.replace(text.find(name), name.size(), "<link_name>trunk")),
-            std::vector<std::string>{left + "<link_name> 'trunk' is no link of model 'm'"});
+            std::vector<std::string>{left + "<link_name> 'trunk' is not a link of model 'm'"});
 }
 
 }  // namespace

@@ -13,16 +13,17 @@ namespace pongsim {
 
 namespace {
 
-/// Gives a model, and links of it, the velocity that it is told, in every step.
+/// Sets the velocity of a model and its links to the commanded one in every step.
 class VelocityControl : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Gives a model, and links of it, the velocity that it is told, in every step.",
+    declaration.is("Sets the velocity of a model and its links to the commanded one in every step.",
                    Declaration::Place::kModel);
-    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/cmd_vel");
+    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/cmd_vel");
     declaration.parameter("initial_linear", &initial_.linear, "m/s", "velocity until the first command, model frame");
-    declaration.parameter("initial_angular", &initial_.angular, "rad/s", "the same of turning");
-    declaration.parameter("link_name", &linkNames_, "", "links that are commanded each by its own topic, too");
+    declaration.parameter("initial_angular", &initial_.angular, "rad/s",
+                          "angular velocity until the first command, model frame");
+    declaration.parameter("link_name", &linkNames_, "", "links with their own command topics");
     declaration.subscribes("<topic>", "ignition.msgs.Twist", "velocity of the model in its own frame [m/s, rad/s]");
     declaration.subscribes("/model/M/link/L/cmd_vel", "ignition.msgs.Twist", "velocity of a link in its own frame");
   }
@@ -30,7 +31,7 @@ class VelocityControl : public System {
   void configure(const SystemContext& context) override {
     const Element& sdf = context.sdf;
     model_ = *context.model;
-    if (model_->parent()) refuse(sdf, "VelocityControl moves models at the top level only");
+    if (model_->parent()) refuse(sdf, "VelocityControl only moves top-level models");
     command_ = initial_;
     const std::string prefix = "/model/" + std::string(model_->name());
     subscription_ = context.node.subscribe<ignition::msgs::Twist>(
@@ -39,7 +40,7 @@ class VelocityControl : public System {
       const std::optional<Link> link = model_->link(element->text);
       if (!link) {
         refuse(*element,
-               "<link_name> '" + element->text + "' is no link of model '" + std::string(model_->name()) + "'");
+               "<link_name> '" + element->text + "' is not a link of model '" + std::string(model_->name()) + "'");
       }
       LinkCommand& command = links_.emplace_back(LinkCommand{*link, std::nullopt, {}});
       command.subscription = context.node.subscribe<ignition::msgs::Twist>(

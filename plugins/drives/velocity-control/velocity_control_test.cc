@@ -77,11 +77,10 @@ TEST(VelocityControl, RefusesAbsurdVelocitiesAndGoesOn) {
 TEST(VelocityControl, IsLeftOutWithTheReason) {
   const std::string left = "velocity-control of m is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<link_name>leg</link_name>")),
-            std::vector<std::string>{left + "<link_name> 'leg' is no link of model 'm'"});
-  EXPECT_EQ(
-      RunningWorld::complaintsAbout("<model name='outer'>" + worldWith("").substr(24) + "</model>"),
-      std::vector<std::string>{"velocity-control of outer::m is left out: VelocityControl moves models at the top "
-                               "level only"});
+            std::vector<std::string>{left + "<link_name> 'leg' is not a link of model 'm'"});
+  EXPECT_EQ(RunningWorld::complaintsAbout("<model name='outer'>" + worldWith("").substr(24) + "</model>"),
+            std::vector<std::string>{
+                "velocity-control of outer::m is left out: VelocityControl only moves top-level models"});
 }
 
 TEST(VelocityControl, OfFortressTestWorldDrives) {

@@ -18,11 +18,11 @@ namespace {
 /// A slip beyond that is as good as no friction [m/s/N].
 constexpr double kLargestSlip = 1e6;
 
-/// Lets wheels slip by the force on them and the speed of their rims.
+/// Makes wheels slip depending on their load and rim speed.
 class WheelSlip : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Lets wheels slip by the force on them and the speed of their rims.", Declaration::Place::kModel);
+    declaration.is("Makes wheels slip depending on their load and rim speed.", Declaration::Place::kModel);
     declaration
         .element(
             "wheel",
@@ -97,13 +97,13 @@ class WheelSlip : public System {
 
   Wheel wheelOf(const Element& element) const {
     const Element::Attribute* attribute = element.attribute("link_name");
-    if (attribute == nullptr) refuse(element, "<wheel> has no link_name", "<wheel link_name=\"LINK\"> names its link");
+    if (attribute == nullptr) refuse(element, "<wheel> has no link_name", "write <wheel link_name=\"LINK\">");
     const std::optional<Link> found = model_->link(attribute->value);
     if (!found) {
       std::string names;
       for (const Link& other : model_->links()) names += (names.empty() ? "" : ", ") + std::string(other.name());
       throw Error({Severity::kError, attribute->position,
-                   "link_name '" + attribute->value + "' is no link of model '" + std::string(model_->name()) + "'",
+                   "link_name '" + attribute->value + "' is not a link of model '" + std::string(model_->name()) + "'",
                    "its links are " + names});
     }
     const Link link = *found;
@@ -111,12 +111,13 @@ class WheelSlip : public System {
 
     const std::vector<Collision> collisions = link.collisions();
     if (collisions.size() != 1) {
-      refuse(element, label + " has " + std::to_string(collisions.size()) + " collisions: a wheel that slips has one");
+      refuse(element,
+             label + " has " + std::to_string(collisions.size()) + " collisions: a slipping wheel must have one");
     }
     std::vector<Joint> joints = model_->joints();
     std::erase_if(joints, [&](const Joint& joint) { return joint.child().id() != link.id(); });
     if (joints.size() != 1 || joints[0].axisCount() == 0) {
-      refuse(element, label + " is not the child of one joint with an axis: a wheel that slips is");
+      refuse(element, label + " is not the child of exactly one joint with an axis");
     }
     const Compliance compliance{atLeastZero(element, "slip_compliance_lateral"),
                                 atLeastZero(element, "slip_compliance_longitudinal")};
@@ -133,7 +134,7 @@ class WheelSlip : public System {
     const std::optional<double> value = wheel.find<double>(name);
     if (!value) refuse(wheel, "<wheel> has no <" + std::string(name) + ">");
     if (!(*value > 0) || !std::isfinite(*value)) {
-      refuse(*wheel.child(name), "<" + std::string(name) + "> must be a number above zero");
+      refuse(*wheel.child(name), "<" + std::string(name) + "> must be above zero");
     }
     return *value;
   }
@@ -141,7 +142,7 @@ class WheelSlip : public System {
   static double atLeastZero(const Element& wheel, const char* name) {
     const double value = wheel.get<double>(name, 0);
     if (!(value >= 0) || !std::isfinite(value)) {
-      refuse(*wheel.child(name), "<" + std::string(name) + "> must be a number from zero up");
+      refuse(*wheel.child(name), "<" + std::string(name) + "> must be zero or more");
     }
     return value;
   }

@@ -156,17 +156,17 @@ TEST(WheelSlipParameters, WarnOfAWheelAndGoOnWithTheOthers) {
   const std::string second =
       "<collision name='other'><geometry><sphere><radius>0.01</radius></sphere></geometry></collision>";
   for (const auto& [from, to, message] : std::vector<std::array<std::string, 3>>{
-           {"link_name=\"front_left\"", "link_name=\"front_lift\"", "'front_lift' is no link of model 'cart'"},
+           {"link_name=\"front_left\"", "link_name=\"front_lift\"", "'front_lift' is not a link of model 'cart'"},
            {"<wheel link_name=\"front_left\"", "<wheel", "<wheel> has no link_name"},
-           {"link_name=\"front_left\"", "link_name=\"body\"", "'body' is not the child of one joint with an axis"},
+           {"link_name=\"front_left\"", "link_name=\"body\"",
+            "'body' is not the child of exactly one joint with an axis"},
            {"<collision name=\"collision\">\n          <geometry><sphere>",
             second + "<collision name=\"collision\">"
                      "<geometry><sphere>",
             "'front_left' has 2 collisions"},
            {"<wheel_radius>0.1</wheel_radius>\n          <wheel_n", "<wheel_n", "<wheel> has no <wheel_radius>"},
            {"<wheel_radius>0.1</wheel_radius>\n          <wheel_normal_force>19.6",
-            "<wheel_radius>0.1</wheel_radius><wheel_normal_force>0",
-            "<wheel_normal_force> must be a number above zero"},
+            "<wheel_radius>0.1</wheel_radius><wheel_normal_force>0", "<wheel_normal_force> must be above zero"},
            {"<slip_compliance_lateral>0.5", "<slip_compliance_lateral>-1", "<slip_compliance_lateral> must be"},
            {"<slip_compliance_lateral>0.5", "<slip_compliance_lateral>much", "not a number"}}) {
     const std::vector<std::string> complaints = RunningWorld::complaintsAbout(replaced(models(), from, to));

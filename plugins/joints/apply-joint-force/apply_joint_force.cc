@@ -1,20 +1,19 @@
 #include <optional>
 #include <string>
 
+#include "pongsim/control/setpoint.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/setpoint.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
 namespace {
 
-/// Applies the force that it is told to a joint, until it is told another.
+/// Applies a commanded force to a joint, until the next command.
 class ApplyJointForce : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Applies the force that it is told to a joint, until it is told another.",
-                   Declaration::Place::kModel);
+    declaration.is("Applies a commanded force to a joint, until the next command.", Declaration::Place::kModel);
     declaration.parameter("joint_name", &jointName_, "", "joint of the model, with one axis").required();
     declaration.subscribes("/model/M/joint/J/cmd_force", "ignition.msgs.Double", "force [N] or torque [N m]");
   }

@@ -11,25 +11,25 @@ namespace pongsim {
 
 namespace {
 
-/// Holds a link of another model until it is told to let go.
+/// Attaches a link of another model until it is commanded to detach it.
 class DetachableJoint : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Holds a link of another model until it is told to let go.", Declaration::Place::kModel);
-    declaration.parameter("parent_link", &parentName_, "", "link of the model that holds").required();
-    declaration.parameter("child_model", &childModel_, "", "model that is held, `__model__` for this one").required();
-    declaration.parameter("child_link", &childLink_, "", "link of it that is held").required();
-    declaration.parameter("detach_topic", &detachTopic_, "", "where it is told to let go")
+    declaration.is("Attaches a link of another model until it is commanded to detach it.", Declaration::Place::kModel);
+    declaration.parameter("parent_link", &parentName_, "", "link of this model").required();
+    declaration.parameter("child_model", &childModel_, "", "other model, `__model__` for this one").required();
+    declaration.parameter("child_link", &childLink_, "", "link of the other model").required();
+    declaration.parameter("detach_topic", &detachTopic_, "", "topic for detaching")
         .otherwise("/model/M/detachable_joint/detach");
-    declaration.parameter("topic", &oldTopic_, "", "another name of `<detach_topic>`").otherwise("<detach_topic>");
-    declaration.parameter("attach_topic", &attachTopic_, "", "where it is told to take hold again")
+    declaration.parameter("topic", &oldTopic_, "", "the same as `<detach_topic>`").otherwise("<detach_topic>");
+    declaration.parameter("attach_topic", &attachTopic_, "", "topic for attaching")
         .otherwise("/model/M/detachable_joint/attach");
-    declaration.parameter("output_topic", &stateTopic_, "", "where it says what it does")
+    declaration.parameter("output_topic", &stateTopic_, "", "topic of the state")
         .otherwise("/model/CHILD/detachable_joint/state");
-    declaration.parameter("suppress_child_warning", &isQuiet_, "", "does not warn while there is no such model");
-    declaration.subscribes("<detach_topic>", "ignition.msgs.Empty", "lets go");
-    declaration.subscribes("<attach_topic>", "ignition.msgs.Empty", "takes hold of the child where it is");
-    declaration.publishes("<output_topic>", "ignition.msgs.StringMsg", "`attached` or `detached`, where that changes");
+    declaration.parameter("suppress_child_warning", &isQuiet_, "", "no warning while the other model does not exist");
+    declaration.subscribes("<detach_topic>", "ignition.msgs.Empty", "detaches the child");
+    declaration.subscribes("<attach_topic>", "ignition.msgs.Empty", "attaches the child at its current pose");
+    declaration.publishes("<output_topic>", "ignition.msgs.StringMsg", "`attached` or `detached`, on changes");
     declaration.sharesTopics();
   }
 
@@ -40,7 +40,7 @@ class DetachableJoint : public System {
     parent_ = model_->link(parentName_);
     if (!parent_) {
       refuse(*context.sdf.child("parent_link"),
-             "<parent_link> '" + parentName_ + "' is no link of model '" + std::string(model_->name()) + "'");
+             "<parent_link> '" + parentName_ + "' is not a link of model '" + std::string(model_->name()) + "'");
     }
     const std::string prefix = "/model/" + std::string(model_->name()) + "/detachable_joint";
     const std::string child = childModel_ == "__model__" ? std::string(model_->name()) : childModel_;

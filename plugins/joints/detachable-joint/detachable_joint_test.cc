@@ -101,7 +101,7 @@ TEST(DetachableJoint, IsLeftOutWithTheReason) {
   const std::string left = "detachable-joint of crane is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<parent_link>rope</parent_link><child_model>load</child_model>"
                                                     "<child_link>body</child_link>")),
-            std::vector<std::string>{left + "<parent_link> 'rope' is no link of model 'crane'"});
+            std::vector<std::string>{left + "<parent_link> 'rope' is not a link of model 'crane'"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<parent_link>hook</parent_link>")),
             (std::vector<std::string>{left + "no <child_model> is given", left + "no <child_link> is given"}));
 }

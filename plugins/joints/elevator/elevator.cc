@@ -58,25 +58,24 @@ class PositionedJoint {
 class Elevator : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Runs an elevator, by the JointPositionControllers of its cabin and its doors.",
+    declaration.is("Runs an elevator, using JointPositionControllers for its cabin and doors.",
                    Declaration::Place::kModel);
-    declaration.parameter("update_rate", &updateRate_, "1/s", "how often it decides; 0: each step").mayBeInfinite();
+    declaration.parameter("update_rate", &updateRate_, "1/s", "update rate; 0: each step").mayBeInfinite();
     declaration.parameter("floor_link_prefix", &floorPrefix_, "",
-                          "what stands before the number of the floors' links, which count from 0");
-    declaration.parameter("door_joint_prefix", &doorPrefix_, "", "likewise of the doors' joints, one for each floor");
-    declaration.parameter("cabin_joint", &cabinName_, "", "joint that lifts the cabin");
+                          "name of the floors' links before their number, which counts from 0");
+    declaration.parameter("door_joint_prefix", &doorPrefix_, "", "the same for the doors' joints, one for each floor");
+    declaration.parameter("cabin_joint", &cabinName_, "", "joint of the cabin");
     declaration.parameter("open_door_wait_duration", &wait_, "s", "how long a door stays open").atMost(1e9);
-    declaration.parameter("cmd_topic", &commandTopic_, "", "where floors are called").otherwise("/model/M/cmd");
-    declaration.parameter("state_topic", &stateTopic_, "", "where it says at which floor it is")
-        .otherwise("/model/M/state");
-    declaration.parameter("state_publish_rate", &stateRate_, "1/s", "how often; 0: as often as it decides")
+    declaration.parameter("cmd_topic", &commandTopic_, "", "topic of floor calls").otherwise("/model/M/cmd");
+    declaration.parameter("state_topic", &stateTopic_, "", "topic of the current floor").otherwise("/model/M/state");
+    declaration.parameter("state_publish_rate", &stateRate_, "1/s", "rate of the state; 0: the update rate")
         .mayBeInfinite();
-    declaration.subscribes("<cmd_topic>", "ignition.msgs.Int32", "number of a floor to go to");
+    declaration.subscribes("<cmd_topic>", "ignition.msgs.Int32", "floor to go to");
     declaration.subscribes("/model/M/J/lidar", "ignition.msgs.LaserScan",
-                           "of each door's joint: a first range below the largest one keeps the door open");
-    declaration.publishes("<state_topic>", "ignition.msgs.Int32", "number of the floor that the cabin is nearest to");
+                           "one per door: if its first range is below the maximum, the door stays open");
+    declaration.publishes("<state_topic>", "ignition.msgs.Int32", "floor nearest to the cabin");
     declaration.publishes("/model/M/joint/J/0/cmd_pos", "ignition.msgs.Double",
-                          "where the cabin [m] and the doors are to go: heights of the floors, upper limits, 0");
+                          "targets of the cabin [m] and the doors: heights of the floors, upper limits, 0");
     declaration.sharesTopics();
   }
 
@@ -154,7 +153,7 @@ class Elevator : public System {
         std::ranges::count_if(links, [&](const Link& link) { return isNumbered(link.name(), floorPrefix_); });
     if (count == 0) {
       refuse(sdf, "model '" + std::string(model.name()) + "' has no floors",
-             "they are links called '" + floorPrefix_ + "0', '" + floorPrefix_ + "1' and so on");
+             "name its floor links '" + floorPrefix_ + "0', '" + floorPrefix_ + "1' and so on");
     }
     for (int floor = 0; floor < count; ++floor) {
       const std::string name = floorPrefix_ + std::to_string(floor);
@@ -172,7 +171,7 @@ class Elevator : public System {
     const Joint joint = requireAxis(model.joint(name), name, "door of floor " + std::to_string(floor), context.sdf);
     const double open = joint.axisInfo().upper;
     if (!std::isfinite(open)) {
-      refuse(context.sdf, "joint '" + name + "' has no upper limit, which says where the door is open");
+      refuse(context.sdf, "joint '" + name + "' has no upper limit: that is where the door is open");
     }
     doors_.push_back({PositionedJoint(joint, prefix, context.node), open});
     doors_.back().scan = context.node.subscribe<ignition::msgs::LaserScan>(

@@ -160,7 +160,7 @@ TEST(Elevator, SaysWhatIsMissing) {
                    i == 0 ? "<link name=\"floor_7\"" : "<child>floor_7<");
   EXPECT_EQ(complaintsAbout(gap), std::vector<std::string>{left + "there is no link 'floor_1' for floor 1 of 3"});
   EXPECT_EQ(complaintsAbout(replaced(exampleWorld(), "<upper>1</upper>", "")),
-            std::vector<std::string>{left + "joint 'door_0' has no upper limit, which says where the door is open"});
+            std::vector<std::string>{left + "joint 'door_0' has no upper limit: that is where the door is open"});
 }
 
 // As Fortress's own test has it.

@@ -1,9 +1,9 @@
 #include <optional>
 #include <string>
 
+#include "pongsim/control/pid.hh"
+#include "pongsim/control/setpoint.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/pid.hh"
-#include "pongsim/setpoint.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -12,15 +12,15 @@ namespace {
 
 constexpr PidSettings kDefaults{.p = 1, .iMin = -1, .iMax = 1, .commandMin = -1000, .commandMax = 1000};
 
-/// Turns a joint at the velocity that it is told.
+/// Drives a joint at a commanded velocity.
 class JointController : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Turns a joint at the velocity that it is told.", Declaration::Place::kModel);
+    declaration.is("Drives a joint at a commanded velocity.", Declaration::Place::kModel);
     declaration.parameter("joint_name", &jointName_, "", "joint of the model, with one axis").required();
-    declaration.parameter("topic", &topic_, "", "where commands come from").otherwise("/model/M/joint/J/cmd_vel");
+    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/joint/J/cmd_vel");
     declaration.parameter("initial_velocity", &initialTarget_, "rad/s or m/s", "velocity until the first command");
-    declaration.parameter("use_force_commands", &usesForce_, "", "a PID pushes the joint towards the velocity");
+    declaration.parameter("use_force_commands", &usesForce_, "", "drives the joint by forces from a PID controller");
     declarePid(declaration, settings_, "N m or N");
     declaration.subscribes("<topic>", "ignition.msgs.Double", "velocity [rad/s or m/s]");
   }

@@ -54,7 +54,7 @@ TEST(JointController, IsLeftOutWithTheReason) {
   const std::string left = "joint-controller of m is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("")), std::vector<std::string>{left + "no <joint_name> is given"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<joint_name>knee</joint_name>")),
-            std::vector<std::string>{left + "<joint_name> 'knee' is no joint of model 'm'"});
+            std::vector<std::string>{left + "<joint_name> 'knee' is not a joint of model 'm'"});
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "pongsim/commands.hh"
+#include "pongsim/control/pid.hh"
+#include "pongsim/control/setpoint.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/pid.hh"
-#include "pongsim/setpoint.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -16,18 +16,18 @@ namespace {
 constexpr PidSettings kDefaults{
     .p = 1, .i = 0.1, .d = 0.01, .iMin = -1, .iMax = 1, .commandMin = -1000, .commandMax = 1000};
 
-/// Moves a joint to the position that it is told.
+/// Moves a joint to a commanded position.
 class JointPositionController : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Moves a joint to the position that it is told.", Declaration::Place::kModel);
+    declaration.is("Moves a joint to a commanded position.", Declaration::Place::kModel);
     declaration.parameter("joint_name", &jointName_, "", "joint of the model, with one axis").required();
     declaration.parameter("joint_index", &axis_, "", "axis of the joint").atLeast(0);
-    declaration.parameter("topic", &topic_, "", "where commands come from")
+    declaration.parameter("topic", &topic_, "", "command topic")
         .otherwise("/model/M/joint/J/0/cmd_pos, with the index");
     declaration.parameter("initial_position", &initialTarget_, "rad or m", "position until the first command");
     declaration.parameter("use_velocity_commands", &usesVelocity_, "",
-                          "the joint moves at once, at `cmd_max` [rad/s or m/s] at most where that is given");
+                          "sets the velocity directly, at most `cmd_max` [rad/s or m/s]");
     declarePid(declaration, settings_, "N m or N");
     declaration.subscribes("<topic>", "ignition.msgs.Double", "position [rad or m]");
   }

@@ -91,7 +91,7 @@ TEST(JointPositionController, IsLeftOutWithTheReason) {
   std::string other = worldWith("");
   other.replace(other.find("<joint_name>hinge"), 17, "<joint_name>hold");
   EXPECT_EQ(RunningWorld::complaintsAbout(other),
-            std::vector<std::string>{left + "<joint_name> 'hold' is a joint without an axis that could be driven"});
+            std::vector<std::string>{left + "<joint_name> 'hold' is a joint without an axis to drive"});
 }
 
 TEST(JointPositionController, OfFortressTestWorldSettles) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "pongsim/commands.hh"
+#include "pongsim/control/pid.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/pid.hh"
 #include "pongsim/system.hh"
 #include "trajectory.hh"
 
@@ -100,18 +100,17 @@ class ControlledJoint {
 class JointTrajectoryController : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Takes the joints of a model along the points of a trajectory, one after another.",
-                   Declaration::Place::kModel);
+    declaration.is("Moves the joints of a model along the points of a trajectory.", Declaration::Place::kModel);
     declaration.parameter("joint_name", &jointNames_, "", "joints of the model, with one axis each")
         .otherwise("all with one axis");
-    declaration.parameter("topic", &topic_, "", "where trajectories come from").otherwise("/model/M/joint_trajectory");
-    declaration.parameter("initial_position", &initialPositions_, "rad or m", "of each joint, until the first point")
+    declaration.parameter("topic", &topic_, "", "topic of trajectories").otherwise("/model/M/joint_trajectory");
+    declaration.parameter("initial_position", &initialPositions_, "rad or m", "initial position of each joint")
         .otherwise("0");
     positionPid_.declare(declaration, "position", "position");
     velocityPid_.declare(declaration, "velocity", "velocity");
     declaration.subscribes("<topic>", "ignition.msgs.JointTrajectory",
-                           "takes the place of the one before; positions, velocities and efforts count");
-    declaration.publishes("<topic>_progress", "ignition.msgs.Float", "points begun, of all, at each one");
+                           "replaces the previous one; positions, velocities and efforts are used");
+    declaration.publishes("<topic>_progress", "ignition.msgs.Float", "fraction of points begun, at each point");
   }
 
   void configure(const SystemContext& context) override {
@@ -174,7 +173,7 @@ class JointTrajectoryController : public System {
   void receive(const ignition::msgs::JointTrajectory& message) {
     std::optional<std::string> fault = Trajectory::fault(message);
     for (const std::string& name : message.joint_names()) {
-      if (!fault && find(name) == nullptr) fault = "joint '" + name + "' is none that is controlled";
+      if (!fault && find(name) == nullptr) fault = "joint '" + name + "' is not controlled";
     }
     if (fault) return log_->warning("a trajectory was ignored: " + *fault);
     if (std::ranges::any_of(message.points(), [](const auto& point) { return point.accelerations_size() > 0; })) {

@@ -94,7 +94,7 @@ TEST(JointTrajectoryController, IgnoresWhatIsNoTrajectory) {
   world.tell(kTopic, trajectory("joint_names: 'hinge'"));
   world.step(500);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("a trajectory was ignored: joint 'knee' is none that is controlled"), std::string::npos) << said;
+  EXPECT_NE(said.find("a trajectory was ignored: joint 'knee' is not controlled"), std::string::npos) << said;
   EXPECT_NE(said.find("a trajectory was ignored: it has no points"), std::string::npos) << said;
   EXPECT_NEAR(position(world, "hinge"), 0, 1e-6);
 }
@@ -115,8 +115,8 @@ TEST(JointTrajectoryController, RefusesAbsurdTrajectoriesAndGoesOn) {
 
 TEST(JointTrajectoryController, IsLeftOutWithTheReason) {
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<joint_name>knee</joint_name>")),
-            std::vector<std::string>{"joint-trajectory-controller of m is left out: <joint_name> 'knee' is no joint of "
-                                     "model 'm'"});
+            std::vector<std::string>{
+                "joint-trajectory-controller of m is left out: <joint_name> 'knee' is not a joint of model 'm'"});
 }
 
 }  // namespace

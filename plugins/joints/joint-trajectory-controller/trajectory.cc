@@ -24,14 +24,14 @@ std::optional<std::string> faultOf(const PointMessage& point, int joints) {
 }  // namespace
 
 std::optional<std::string> Trajectory::fault(const ignition::msgs::JointTrajectory& message) {
-  if (message.joint_names_size() == 0) return "it names no joint";
+  if (message.joint_names_size() == 0) return "it has no joint names";
   if (message.points_size() == 0) return "it has no points";
   Time last{-1};
   for (int i = 0; i < message.points_size(); ++i) {
     const std::string name = "point " + std::to_string(i);
     if (const auto found = faultOf(message.points(i), message.joint_names_size())) return name + " " + *found;
     const Time time = timeOf(message.points(i));
-    if (time <= last) return name + " is not later than the one before it";
+    if (time <= last) return name + " is not later than the previous one";
     last = time;
   }
   return std::nullopt;

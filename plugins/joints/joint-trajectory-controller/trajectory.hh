@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {

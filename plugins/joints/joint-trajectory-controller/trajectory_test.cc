@@ -47,14 +47,14 @@ TEST(Trajectory, OfOnePointCounts) {
 
 TEST(Trajectory, SaysWhatIsWrong) {
   EXPECT_EQ(Trajectory::fault(messageOf(3)), std::nullopt);
-  EXPECT_EQ(Trajectory::fault({}), "it names no joint");
+  EXPECT_EQ(Trajectory::fault({}), "it has no joint names");
   EXPECT_EQ(Trajectory::fault(messageOf(0)), "it has no points");
   auto message = messageOf(2);
   message.mutable_points(1)->add_positions(1);
   EXPECT_EQ(Trajectory::fault(message), "point 1 does not have a value for each of the 2 joints");
   message = messageOf(2);
   message.mutable_points(1)->mutable_time_from_start()->set_nsec(0);
-  EXPECT_EQ(Trajectory::fault(message), "point 1 is not later than the one before it");
+  EXPECT_EQ(Trajectory::fault(message), "point 1 is not later than the previous one");
 }
 
 }  // namespace

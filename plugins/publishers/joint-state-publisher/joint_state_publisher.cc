@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -12,14 +12,14 @@ namespace pongsim {
 
 namespace {
 
-/// Publishes where the joints of a model stand and how fast they move.
+/// Publishes positions and velocities of a model's joints.
 class JointStatePublisher : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes where the joints of a model stand and how fast they move.", Declaration::Place::kModel);
+    declaration.is("Publishes positions and velocities of a model's joints.", Declaration::Place::kModel);
     declaration.parameter("joint_name", &jointNames_, "", "joints of the model").otherwise("all of its own");
     declaration.parameter("topic", &topic_, "", "where they go").otherwise("/world/W/model/M/joint_state");
-    declaration.parameter("update_rate", &rate_, "Hz", "messages a simulated second; 0: one every step");
+    declaration.parameter("update_rate", &rate_, "Hz", "messages per simulated second; 0: one per step");
     declaration.publishes("<topic>", "ignition.msgs.Model", "the joints with their axes");
   }
 
@@ -32,8 +32,9 @@ class JointStatePublisher : public System {
       if (joint) {
         joints_.push_back(*joint);
       } else {
-        context.diagnostics.warning(element->position, "<joint_name> '" + element->text + "' is no joint of model '" +
-                                                           std::string(model_->name()) + "'");
+        context.diagnostics.warning(
+            element->position,
+            "<joint_name> '" + element->text + "' is not a joint of model '" + std::string(model_->name()) + "'");
       }
     }
     if (jointNames_.empty()) joints_ = model_->joints();

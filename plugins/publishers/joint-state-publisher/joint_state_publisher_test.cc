@@ -76,7 +76,7 @@ TEST(JointStatePublisher, SpeaksWhilePaused) {
 
 TEST(JointStatePublisher, WarnsOfAJointThatIsNotThere) {
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<joint_name>knee</joint_name>")),
-            std::vector<std::string>{"<joint_name> 'knee' is no joint of model 'm'"});
+            std::vector<std::string>{"<joint_name> 'knee' is not a joint of model 'm'"});
 }
 
 }  // namespace

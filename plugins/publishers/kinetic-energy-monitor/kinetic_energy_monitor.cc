@@ -23,10 +23,10 @@ double kineticEnergy(const Link& link, const MassInfo& mass) {
 class KineticEnergyMonitor : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes how much kinetic energy a link has lost where it loses much at once.",
-                   Declaration::Place::kModel);
+    declaration.is("Publishes sudden losses of a link's kinetic energy.", Declaration::Place::kModel);
     declaration.parameter("link_name", &linkName_, "", "link of the model").required();
-    declaration.parameter("kinetic_energy_threshold", &threshold_, "J", "loss in two steps from which it is published");
+    declaration.parameter("kinetic_energy_threshold", &threshold_, "J",
+                          "smallest loss within two steps that is published");
     declaration.parameter("topic", &topic_, "", "where it goes").otherwise("/model/M/kinetic_energy");
     declaration.publishes("<topic>", "ignition.msgs.Double", "the loss [J]");
   }
@@ -36,7 +36,7 @@ class KineticEnergyMonitor : public System {
     link_ = model.link(linkName_);
     if (!link_) {
       refuse(*context.sdf.child("link_name"),
-             "<link_name> '" + linkName_ + "' is no link of model '" + std::string(model.name()) + "'");
+             "<link_name> '" + linkName_ + "' is not a link of model '" + std::string(model.name()) + "'");
     }
     mass_ = link_->mass();
     reset();

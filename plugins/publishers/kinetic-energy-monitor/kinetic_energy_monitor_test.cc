@@ -48,7 +48,7 @@ TEST(KineticEnergyMonitor, IsLeftOutWithTheReason) {
   const std::string left = "kinetic-energy-monitor of m is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("")), std::vector<std::string>{left + "no <link_name> is given"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<link_name>k</link_name>")),
-            std::vector<std::string>{left + "<link_name> 'k' is no link of model 'm'"});
+            std::vector<std::string>{left + "<link_name> 'k' is not a link of model 'm'"});
 }
 
 TEST(KineticEnergyMonitor, OfFortressExampleTellsOfTheFall) {

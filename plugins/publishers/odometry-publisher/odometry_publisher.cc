@@ -9,35 +9,35 @@
 #include <optional>
 #include <string>
 
-#include "pongsim/fields.hh"
+#include "pongsim/control/rolling_mean.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/rolling_mean.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
 
 namespace {
 
-/// Publishes where a model is and how fast, as the simulation knows it.
+/// Publishes a model's true pose and velocity as odometry.
 class OdometryPublisher : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes where a model is and how fast, as the simulation knows it.", Declaration::Place::kModel);
+    declaration.is("Publishes a model's true pose and velocity as odometry.", Declaration::Place::kModel);
     declaration.parameter("odom_frame", &frame_, "", "frame of the odometry, in the headers").otherwise("M/odom");
     declaration.parameter("robot_base_frame", &childFrame_, "", "frame of the model, in the headers")
         .otherwise("M/base_footprint");
     declaration.parameter("odom_publish_frequency", &frequency_, "Hz",
-                          "messages a simulated second; 0: one every step");
-    declaration.parameter("odom_topic", &odometryTopic_, "", "where odometry goes").otherwise("/model/M/odometry");
-    declaration.parameter("odom_covariance_topic", &covarianceTopic_, "", "where odometry with covariance goes")
+                          "messages per simulated second; 0: one per step");
+    declaration.parameter("odom_topic", &odometryTopic_, "", "topic of odometry").otherwise("/model/M/odometry");
+    declaration.parameter("odom_covariance_topic", &covarianceTopic_, "", "topic of odometry with covariance")
         .otherwise("/model/M/odometry_with_covariance");
-    declaration.parameter("tf_topic", &tfTopic_, "", "where the pose goes").otherwise("/model/M/pose");
+    declaration.parameter("tf_topic", &tfTopic_, "", "topic of the pose").otherwise("/model/M/pose");
     declaration.parameter("dimensions", &dimensions_, "", "2 leaves out height, roll and pitch; or 3")
         .atLeast(2)
         .atMost(3);
-    declaration.parameter("xyz_offset", &offset_, "m", "place of the base in the model");
+    declaration.parameter("xyz_offset", &offset_, "m", "position of the base in the model");
     declaration.parameter("rpy_offset", &angles_, "rad", "roll, pitch and yaw of the base in the model");
-    declaration.parameter("gaussian_noise", &noise_, "m/s and rad/s", "standard deviation of what falsifies velocities")
+    declaration.parameter("gaussian_noise", &noise_, "m/s and rad/s", "standard deviation of the noise on velocities")
         .atLeast(0);
     declaration.publishes("<odom_topic>", "ignition.msgs.Odometry", "pose in the world and velocity in the base");
     declaration.publishes("<odom_covariance_topic>", "ignition.msgs.OdometryWithCovariance",

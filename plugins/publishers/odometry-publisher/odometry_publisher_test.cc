@@ -119,9 +119,9 @@ TEST(OdometryPublisherCovariance, IsTheSquareOfTheNoise) {
 TEST(OdometryPublisherParameters, AreRefusedWithTheReason) {
   const std::string left = "odometry-publisher of m is left out: ";
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<dimensions>4</dimensions>")),
-            std::vector<std::string>{left + "<dimensions> must be a number of at most 3"});
+            std::vector<std::string>{left + "<dimensions> must be at most 3"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<gaussian_noise>-1</gaussian_noise>")),
-            std::vector<std::string>{left + "<gaussian_noise> must be a number of at least zero"});
+            std::vector<std::string>{left + "<gaussian_noise> must be zero or more"});
 }
 
 }  // namespace

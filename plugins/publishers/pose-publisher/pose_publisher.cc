@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -102,12 +102,11 @@ bool movesInModel(const Link& link, const Model& top) {
   return false;
 }
 
-/// Publishes the poses of a model's parts, each in the frame of what holds it.
+/// Publishes the poses of a model's parts, relative to their parents.
 class PosePublisher : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes the poses of a model's parts, each in the frame of what holds it.",
-                   Declaration::Place::kModel);
+    declaration.is("Publishes the poses of a model's parts, relative to their parents.", Declaration::Place::kModel);
     const auto add = [&](const char* name, bool& value, const char* text) -> Parameter& {
       return declaration.parameter(name, &value, "", text);
     };
@@ -116,12 +115,12 @@ class PosePublisher : public System {
     add("publish_collision_pose", choice_.collisions, "poses of collisions");
     add("publish_sensor_pose", choice_.sensors, "poses of sensors");
     add("publish_nested_model_pose", choice_.nestedModels, "poses of the models in the model");
-    add("publish_model_pose", choice_.model, "pose of the model itself, if those of nested ones too")
+    add("publish_model_pose", choice_.model, "pose of the model itself, if those of nested models are published")
         .otherwise("as publish_nested_model_pose");
-    add("use_pose_vector_msg", asVector_, "one Pose_V in place of a Pose for each part");
-    add("static_publisher", isSplit_, "what never moves in the model goes to a topic of its own");
-    declaration.parameter("update_frequency", &frequency_, "Hz", "messages a simulated second; -1: one every step");
-    declaration.parameter("static_update_frequency", &staticFrequency_, "Hz", "of what never moves")
+    add("use_pose_vector_msg", asVector_, "one Pose_V instead of a Pose for each part");
+    add("static_publisher", isSplit_, "poses that are fixed in the model get their own topic");
+    declaration.parameter("update_frequency", &frequency_, "Hz", "messages per simulated second; -1: one per step");
+    declaration.parameter("static_update_frequency", &staticFrequency_, "Hz", "rate of fixed poses")
         .otherwise("update_frequency");
     declaration.publishes("/model/M/pose", "ignition.msgs.Pose", "or ignition.msgs.Pose_V");
     declaration.publishes("/model/M/pose_static", "ignition.msgs.Pose", "or ignition.msgs.Pose_V; if it is asked for");

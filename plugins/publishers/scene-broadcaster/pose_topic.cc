@@ -1,6 +1,6 @@
 #include "pose_topic.hh"
 
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 
 namespace pongsim {
 

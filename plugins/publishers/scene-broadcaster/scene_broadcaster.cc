@@ -30,29 +30,28 @@ namespace im = ignition::msgs;
 /// How many states may wait for their services to be called: each may be large.
 constexpr std::size_t kMostCallbacks = 8;
 
-/// Publishes what is in the world and where it is.
+/// Publishes the world's scene, poses and state.
 class SceneBroadcaster : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes what is in the world and where it is.", Declaration::Place::kWorld);
-    declaration.parameter("dynamic_pose_hertz", &poseRate_, "Hz", "messages with poses a simulated second").above(0);
-    declaration.parameter("state_hertz", &stateRate_, "Hz", "messages with the state a simulated second").above(0);
+    declaration.is("Publishes the world's scene, poses and state.", Declaration::Place::kWorld);
+    declaration.parameter("dynamic_pose_hertz", &poseRate_, "Hz", "pose messages per simulated second").above(0);
+    declaration.parameter("state_hertz", &stateRate_, "Hz", "state messages per simulated second").above(0);
     declaration.publishes("/world/W/pose/info", "ignition.msgs.Pose_V",
-                          "models, links, visuals and lights, each in the frame of what holds it");
+                          "models, links, visuals and lights, relative to their parents");
     declaration.publishes("/world/W/dynamic_pose/info", "ignition.msgs.Pose_V", "models and links that are not static");
     declaration.publishes("/world/W/scene/info", "ignition.msgs.Scene",
-                          "models and lights when they come, and all of them to who comes later");
-    declaration.publishes("/world/W/scene/deletion", "ignition.msgs.UInt32_V",
-                          "the ids of models and lights that went");
+                          "new models and lights; late subscribers get all of them");
+    declaration.publishes("/world/W/scene/deletion", "ignition.msgs.UInt32_V", "ids of removed models and lights");
     declaration.publishes("/world/W/state", "ignition.msgs.SerializedStepMap",
-                          "what moves; where something came or went, all");
+                          "moving entities; everything after changes");
     declaration.serves("/world/W/scene/info", "ignition.msgs.Empty", "ignition.msgs.Scene", "all models and lights");
     declaration.serves("/world/W/scene/graph", "ignition.msgs.Empty", "ignition.msgs.StringMsg",
-                       "who holds whom, as text for Graphviz");
+                       "the tree of entities, as text for Graphviz");
     declaration.serves("/world/W/state", "ignition.msgs.Empty", "ignition.msgs.SerializedStepMap",
                        "all entities with their components");
     declaration.serves("/world/W/state_async", "ignition.msgs.StringMsg", "ignition.msgs.Empty",
-                       "calls the service that the request names with the state; of it is expected an Empty");
+                       "sends the state to the service named in the request, which responds with Empty");
   }
 
   void configure(const SystemContext& context) override {
@@ -126,14 +125,14 @@ class SceneBroadcaster : public System {
   }
 
   ServiceAnswer sendState(const std::string& service) {
-    if (service.empty()) return ServiceAnswer::refused("the request names no service");
+    if (service.empty()) return ServiceAnswer::refused("the request has no service");
     auto state = std::make_shared<im::SerializedStepMap>();
     scene_->fillInState(*state, StateContent::kAll, isPaused_);
     const bool isPosted = calls_->post({.service = service,
                                         .request = std::move(state),
                                         .replyType = im::Empty::descriptor()->full_name(),
                                         .timeout = std::chrono::seconds(5)});
-    return isPosted ? true : ServiceAnswer::refused("too many wait for the state already");
+    return isPosted ? true : ServiceAnswer::refused("too many requests for the state are waiting");
   }
 
   void publishState(const StepInfo& info) {

@@ -234,8 +234,7 @@ TEST(SceneBroadcasterParameters, RefusesARateOfZero) {
   Diagnostics diagnostics;
   Simulation::fromText(world(broadcaster("<dynamic_pose_hertz>0</dynamic_pose_hertz>")), "world.sdf", {}, diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_EQ(diagnostics.all()[0].message,
-            "scene-broadcaster is left out: <dynamic_pose_hertz> must be a number above zero");
+  EXPECT_EQ(diagnostics.all()[0].message, "scene-broadcaster is left out: <dynamic_pose_hertz> must be above zero");
 }
 
 }  // namespace

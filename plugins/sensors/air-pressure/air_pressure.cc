@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "pongsim/math.hh"
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -31,7 +31,7 @@ struct AirPressureSensor {
   using Message = ignition::msgs::FluidPressure;
   static constexpr const char* kType = "air_pressure";
   static constexpr const char* kSuffix = "/air_pressure";
-  static constexpr const char* kText = "Publishes the pressure of the air at the world's air pressure sensors.";
+  static constexpr const char* kText = "Publishes the readings of air pressure sensors.";
 
   AirPressureSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message)
       : sensor_(sensor), noise_(noises.add(sensor.settings<AirPressureSettings>()->pressure, "pressure")) {

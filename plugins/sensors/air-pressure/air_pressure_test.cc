@@ -49,10 +49,10 @@ TEST(AirPressure, AddsTheNoiseThatTheFileAsksFor) {
 }
 
 TEST(AirPressure, WarnsOfAReferenceThatIsNotUsed) {
-  EXPECT_EQ(
-      RunningWorld::complaintsAbout(
-          worldWith("0", "<air_pressure><reference_altitude>50</reference_altitude></air_pressure>")),
-      std::vector<std::string>{"<reference_altitude> is not used, as in Fortress: heights are those in the world"});
+  EXPECT_EQ(RunningWorld::complaintsAbout(
+                worldWith("0", "<air_pressure><reference_altitude>50</reference_altitude></air_pressure>")),
+            std::vector<std::string>{
+                "<reference_altitude> has no effect, as in Fortress: altitudes are those in the world frame"});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <ignition/msgs/altimeter.pb.h>
 
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -11,7 +11,7 @@ struct AltimeterSensor {
   static constexpr const char* kType = "altimeter";
   static constexpr const char* kSuffix = "/altimeter";
   static constexpr const char* kText =
-      "Publishes how high the world's altimeters are above their start, and how fast they climb.";
+      "Publishes the readings of altimeters: height above their start and vertical velocity.";
 
   AltimeterSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message)
       : sensor_(sensor),

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pongsim/contact.hh"
-#include "pongsim/fields.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/messages/fields.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -69,7 +69,8 @@ class ContactSensor {
         watched_.push_back(found->id());
       } else {
         diagnostics.warning(sensor.sdf().position, "sensor '" + sensor.scopedName() + "' names collision '" + name +
-                                                       "', which link '" + sensor.link().scopedName() + "' has not");
+                                                       "', which is not in link '" + sensor.link().scopedName() +
+                                                       "' has not");
       }
     }
     publisher_ = node.advertise<ignition::msgs::Contacts>(cleanTopic(sensor.topic(kSuffix)));
@@ -109,13 +110,13 @@ class ContactSensor {
   Publisher publisher_;
 };
 
-/// Publishes what the world's contact sensors touch.
+/// Publishes the contacts of contact sensors.
 class ContactSystem : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes what the world's contact sensors touch.", Declaration::Place::kWorld);
+    declaration.is("Publishes the contacts of contact sensors.", Declaration::Place::kWorld);
     declaration.publishes("/world/W/model/M/link/L/sensor/S/contact", "ignition.msgs.Contacts",
-                          "in each step with a touch; `<contact><topic>` in the `<sensor>` names another");
+                          "in each step with contacts; renamed by `<contact><topic>` in the `<sensor>`");
   }
 
   void configure(const SystemContext& context) override {
@@ -152,7 +153,8 @@ class ContactSystem : public System {
       try {
         sensors_.emplace_back(sensor, *node_, diagnostics);
       } catch (const std::invalid_argument& error) {
-        diagnostics.warning(sensor.sdf().position, "sensor '" + sensor.scopedName() + "' can't speak: " + error.what());
+        diagnostics.warning(sensor.sdf().position,
+                            "sensor '" + sensor.scopedName() + "' can't publish: " + error.what());
       }
     }
   }

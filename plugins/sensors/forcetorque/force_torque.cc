@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "pongsim/parameters.hh"
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -12,7 +12,7 @@ namespace {
 /// @return The joint that a sensor stands in.
 Joint jointOf(const Sensor& sensor) {
   if (!sensor.joint()) {
-    refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' stands in a link", "it belongs in a <joint>");
+    refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' is in a link", "it belongs in a <joint>");
   }
   return *sensor.joint();
 }
@@ -22,7 +22,7 @@ struct ForceTorqueSensor {
   static constexpr const char* kType = "force_torque";
   static constexpr const char* kSuffix = "/forcetorque";
   static constexpr const char* kHolder = "joint/J";
-  static constexpr const char* kText = "Publishes what the joints with force-torque sensors carry.";
+  static constexpr const char* kText = "Publishes the readings of force-torque sensors in joints.";
 
   ForceTorqueSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message&)
       : sensor_(sensor),

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "support/fortress_worlds.hh"
 #include "support/running_world.hh"
 
@@ -65,7 +65,7 @@ TEST(ForceTorque, WarnsOfASensorInALink) {
           "<plugin filename='ignition-gazebo-forcetorque-system' name='ignition::gazebo::systems::ForceTorque'/><model "
           "name='m'><link name='l'><inertial><mass>1</mass></inertial><sensor name='s' type='force_torque'/></link>"
           "</model>"),
-      std::vector<std::string>{"sensor 'm::l::s' stands in a link: it is left out"});
+      std::vector<std::string>{"sensor 'm::l::s' is in a link: it is left out"});
 }
 
 TEST(ForceTorque, OfFortressTestWorldCarriesTheWeightOnItsPlate) {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -26,7 +26,7 @@ struct ImuSensor {
   using Message = ignition::msgs::IMU;
   static constexpr const char* kType = "imu";
   static constexpr const char* kSuffix = "/imu";
-  static constexpr const char* kText = "Publishes what the world's inertial measurement units measure.";
+  static constexpr const char* kText = "Publishes the readings of inertial measurement units (IMUs).";
 
   ImuSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message)
       : sensor_(sensor),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pongsim/math.hh"
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -27,8 +27,7 @@ struct LogicalCameraSensor {
   using Message = ignition::msgs::LogicalCameraImage;
   static constexpr const char* kType = "logical_camera";
   static constexpr const char* kSuffix = "/logical_camera";
-  static constexpr const char* kText =
-      "Publishes which models stand in front of the world's logical cameras, and where.";
+  static constexpr const char* kText = "Publishes the models in view of logical cameras, with their poses.";
 
   LogicalCameraSensor(const Sensor& sensor, const World& world, const NoiseSet&, Message&)
       : sensor_(sensor), world_(world), settings_(*sensor.settings<LogicalCameraSettings>()) {}

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 #include "sound.hh"
@@ -61,7 +61,7 @@ class LogicalAudioSensorPlugin : public System {
   }
 
   void declare(Declaration& declaration) override {
-    declaration.is("Lets sources sound, and publishes what microphones hear of all sources in the world.",
+    declaration.is("Simulates sound sources, and publishes what microphones detect of all sources in the world.",
                    Declaration::Place::kAnywhere);
     declaration.element("source",
                         "a sound: `<id>`, `<pose>`, `<attenuation_function>` linear, `<attenuation_shape>` sphere, "
@@ -75,7 +75,7 @@ class LogicalAudioSensorPlugin : public System {
                           "each step and audible source: its volume; the first key of the header names the source; "
                           "/world/W in place of /model/M where the plugin stands in the world");
     declaration.serves("/model/M/sensor/source_ID/play", "ignition.msgs.Empty", "ignition.msgs.Boolean",
-                       "lets the source sound");
+                       "plays the source");
     declaration.serves("/model/M/sensor/source_ID/stop", "ignition.msgs.Empty", "ignition.msgs.Boolean", "ends that");
   }
 
@@ -168,7 +168,7 @@ class LogicalAudioSensorPlugin : public System {
   void addMicrophone(const Element& element, const SystemContext& context) {
     const Microphone microphone = readMicrophone(element, context.diagnostics);
     if (std::ranges::any_of(ears_, [&](const Ear& ear) { return ear.microphone.id == microphone.id; })) {
-      refuse(*element.child("id"), "there is a microphone " + std::to_string(microphone.id) + " already");
+      refuse(*element.child("id"), "there is already a microphone " + std::to_string(microphone.id) + " already");
     }
     ears_.push_back({microphone, context.node.advertise<ignition::msgs::Double>(
                                      cleanTopic(prefix_ + "mic_" + std::to_string(microphone.id) + "/detection"))});

@@ -164,10 +164,10 @@ TEST(LogicalAudioSensorPlugin, LeavesOutWhatItCantHaveAndKeepsTheRest) {
             (std::vector<std::string>{"this <source> has no <pose>: it is where its parent is",
                                       left + "no <attenuation_function> is given",
                                       left + "<playing> is 'maybe', which is not 'true' or 'false'",
-                                      left + "service '/world/w/sensor/source_3/play' is offered already",
-                                      "this <microphone> is left out: there is a microphone 1 already",
+                                      left + "service '/world/w/sensor/source_3/play' is already offered",
+                                      "this <microphone> is left out: there is already a microphone 1 already",
                                       "this <microphone> has no <pose>: it is where its parent is",
-                                      "this <microphone> has no <volume_threshold>: it hears everything"}));
+                                      "this <microphone> has no <volume_threshold>: it detects everything"}));
   RunningWorld world(plugin(source("3", "true") + microphone("1")));
   EXPECT_EQ(hear(world, "/world/w/sensor/mic_1/detection", 1).size(), 1U);
 }

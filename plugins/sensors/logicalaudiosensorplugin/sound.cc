@@ -91,7 +91,7 @@ SoundSource readSource(const Element& element, Diagnostics& diagnostics) {
   source.plays = required(element, "playing").as<bool>();
   const Element& duration = required(element, "play_duration");
   const double seconds = duration.as<double>();
-  if (!(seconds >= 0) || seconds > 1e9) refuse(duration, "<play_duration> must be from zero to 1e9 seconds");
+  if (!(seconds >= 0) || seconds > 1e9) refuse(duration, "<play_duration> must be 0 to 1e9 s");
   source.duration = fromSeconds(seconds);
   return source;
 }
@@ -103,7 +103,7 @@ Microphone readMicrophone(const Element& element, Diagnostics& diagnostics) {
   if (const Element* threshold = element.child("volume_threshold")) {
     microphone.threshold = finite(*threshold);
   } else {
-    diagnostics.warning(element.position, "this <microphone> has no <volume_threshold>: it hears everything");
+    diagnostics.warning(element.position, "this <microphone> has no <volume_threshold>: it detects everything");
   }
   return microphone;
 }

@@ -2,7 +2,7 @@
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {

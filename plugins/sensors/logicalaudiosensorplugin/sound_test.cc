@@ -80,8 +80,7 @@ TEST(Sound, IsRefusedWhereItIsNone) {
   EXPECT_EQ(saidOf(sourceWith("pose", "1 2 3"), source), Words{"refused: <pose> is '1 2 3', which is not six numbers"});
   EXPECT_EQ(saidOf(sourceWith("inner_radius", "inf"), source),
             Words{"refused: <inner_radius> must be a finite number"});
-  EXPECT_EQ(saidOf(sourceWith("play_duration", "-1"), source),
-            Words{"refused: <play_duration> must be from zero to 1e9 seconds"});
+  EXPECT_EQ(saidOf(sourceWith("play_duration", "-1"), source), Words{"refused: <play_duration> must be 0 to 1e9 s"});
 }
 
 TEST(Sound, FallsLinearlyFromTheInnerRadiusOn) {

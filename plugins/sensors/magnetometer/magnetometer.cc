@@ -1,6 +1,6 @@
 #include <ignition/msgs/magnetometer.pb.h>
 
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -10,7 +10,7 @@ struct MagnetometerSensor {
   using Message = ignition::msgs::Magnetometer;
   static constexpr const char* kType = "magnetometer";
   static constexpr const char* kSuffix = "/magnetometer";
-  static constexpr const char* kText = "Publishes the world's magnetic field as its magnetometers measure it.";
+  static constexpr const char* kText = "Publishes the readings of magnetometers.";
 
   MagnetometerSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message&)
       : sensor_(sensor),

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <optional>
 
-#include "pongsim/geodesy.hh"
+#include "pongsim/geometry/geodesy.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -17,7 +17,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// @return The world of a sensor, which says where on the earth it is.
 World worldOf(const Sensor& sensor, const World& world) {
   if (!world.tangentPlane()) {
-    refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' can't know where it is on the earth",
+    refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' can't measure its position",
            "the world needs <spherical_coordinates>");
   }
   return world;
@@ -30,7 +30,7 @@ struct NavSatSensor {
   using Message = ignition::msgs::NavSat;
   static constexpr const char* kType = "navsat";
   static constexpr const char* kSuffix = "/navsat";
-  static constexpr const char* kText = "Publishes where on the earth the world's satellite receivers are.";
+  static constexpr const char* kText = "Publishes the readings of satellite navigation (GNSS) sensors.";
 
   NavSatSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message)
       : sensor_(sensor),

@@ -66,7 +66,7 @@ TEST(NavSat, AddsTheNoiseThatTheFileAsksFor) {
 
 TEST(NavSat, IsLeftOutWhereTheWorldIsNowhere) {
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("", "0 0 0 0 0 0")),
-            std::vector<std::string>{"sensor 'm::l::s' can't know where it is on the earth: it is left out"});
+            std::vector<std::string>{"sensor 'm::l::s' can't measure its position: it is left out"});
 }
 
 TEST(NavSat, OfFortressTestWorldKnowsItsPlace) {

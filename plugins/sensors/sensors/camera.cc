@@ -13,8 +13,8 @@
 #include <string>
 
 #include "point_cloud.hh"
-#include "pongsim/fields.hh"
 #include "pongsim/log.hh"
+#include "pongsim/messages/fields.hh"
 
 namespace pongsim {
 
@@ -122,13 +122,13 @@ CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises,
     throw errorOf(sensor, "has more than " + std::to_string(kMostPixels) + " pixels", {});
   }
   if (kind_ != Kind::kDepths && imageFormat(settings_.format) == nullptr) {
-    throw errorOf(sensor, "has a <format> that is not drawn", "R8G8B8, B8G8R8, L8 and L16 are");
+    throw errorOf(sensor, "has an unsupported <format>", "R8G8B8, B8G8R8, L8 and L16 are");
   }
   if (!settings_.lens.has_value() && settings_.horizontalFov >= 3.1) {
-    throw errorOf(sensor, "has a field of view that no pinhole has", "it must be less than pi");
+    throw errorOf(sensor, "has a field of view too wide for a pinhole camera", "it must be less than pi");
   }
   if (settings_.savesPictures && settings_.savePath.empty()) {
-    throw errorOf(sensor, "saves pictures and does not say where", "<path> in its <save> names a folder");
+    throw errorOf(sensor, "saves images, but has no <path>", "write <save><path>FOLDER</path></save>");
   }
   settings_.clip.near = std::max(settings_.clip.near, kNearestClip);
   view_ = depthView_ = viewOf(settings_);
@@ -164,7 +164,7 @@ void CameraSensor::beginMessages(Message& message) {
 
 void CameraSensor::listenToTrigger(Node& node) {
   if (settings_.triggerTopic.empty()) {
-    throw errorOf(sensor_, "waits for a message and does not say on which topic", "<trigger_topic> names it");
+    throw errorOf(sensor_, "is triggered, but has no <trigger_topic>", "write <trigger_topic>TOPIC</trigger_topic>");
   }
   trigger_ = node.subscribe(cleanTopic(settings_.triggerTopic), "ignition.msgs.Boolean",
                             [this](const pongsim::Message&) { isTriggered_ = true; });
@@ -344,7 +344,7 @@ void CameraSensor::save() {
     const std::string name = std::string(sensor_.name()) + "_" + std::to_string(savedCount_++) + ".png";
     CameraScene::writePicture(folder / name, settings_.width, settings_.height, colors_);
   } catch (const std::exception& error) {
-    Logger("sensors").warning("camera '" + sensor_.scopedName() + "' saves no more pictures: " + error.what());
+    Logger("sensors").warning("camera '" + sensor_.scopedName() + "' stopped saving images: " + error.what());
     settings_.savesPictures = false;
   }
 }

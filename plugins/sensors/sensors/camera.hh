@@ -12,10 +12,10 @@
 
 #include "camera_lens.hh"
 #include "pongsim/bulk.hh"
-#include "pongsim/camera_scene.hh"
 #include "pongsim/node.hh"
-#include "pongsim/noise_set.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/camera_scene.hh"
+#include "pongsim/sensing/noise_set.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "surroundings.hh"
 
 namespace pongsim {

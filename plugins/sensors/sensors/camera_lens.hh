@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "pongsim/camera_scene.hh"
-#include "pongsim/camera_settings.hh"
+#include "pongsim/sensing/camera_scene.hh"
+#include "pongsim/sensing/camera_settings.hh"
 
 namespace pongsim {
 

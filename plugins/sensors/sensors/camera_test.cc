@@ -391,8 +391,8 @@ TEST_F(Cameras, ThatCantBeAreLeftOutWithAWarning) {
   for (const auto& [content, said] :
        {Case{"<image><width>60000</width><height>60000</height></image>", "more than 16000000 pixels"},
         Case{"<image><width>8</width><height>8</height><format>BAYER_RGGB8</format></image>", "<format>"},
-        Case{"<triggered>true</triggered>", "on which topic"}, Case{"<save enabled='true'/>", "where"},
-        Case{"<horizontal_fov>3.2</horizontal_fov>", "no pinhole"}}) {
+        Case{"<triggered>true</triggered>", "has no <trigger_topic>"}, Case{"<save enabled='true'/>", "no <path>"},
+        Case{"<horizontal_fov>3.2</horizontal_fov>", "too wide for a pinhole camera"}}) {
     const std::vector<std::string> complaints = RunningWorld::complaintsAbout(kSystem + camera("camera", content));
     ASSERT_EQ(complaints.size(), 1U) << content;
     EXPECT_NE(complaints[0].find("camera 'm::l::s'"), std::string::npos) << complaints[0];

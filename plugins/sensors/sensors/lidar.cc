@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "point_cloud.hh"
-#include "pongsim/fields.hh"
 #include "pongsim/math.hh"
+#include "pongsim/messages/fields.hh"
 
 namespace pongsim {
 
@@ -46,7 +46,7 @@ std::pair<std::uint32_t, std::uint32_t> checkedCounts(const Sensor& sensor, cons
   if (std::uint64_t{columns} * rows > kMostBeams) {
     throw Error({Severity::kError, sensor.sdf().position,
                  "lidar '" + sensor.scopedName() + "' has more than " + std::to_string(kMostBeams) + " beams",
-                 "samples times resolution, horizontally and vertically, give their number"});
+                 "the number of beams is samples times resolution, horizontally times vertically"});
   }
   return {columns, rows};
 }

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "pongsim/beam_scene.hh"
 #include "pongsim/node.hh"
-#include "pongsim/noise_set.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/beam_scene.hh"
+#include "pongsim/sensing/noise_set.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "surroundings.hh"
 
 namespace pongsim {

@@ -1,4 +1,4 @@
-// Readings repeat to the bit, whoever listens and however many threads move the bodies.
+// Readings are bit-for-bit reproducible, with any subscribers and any number of physics threads.
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/laserscan.pb.h>

@@ -1,6 +1,6 @@
 #include "camera.hh"
 #include "lidar.hh"
-#include "pongsim/sensor_system.hh"
+#include "pongsim/sensing/sensor_system.hh"
 
 namespace pongsim {
 
@@ -10,25 +10,24 @@ class Sensors final : public System {
  public:
   void declare(Declaration& declaration) override {
     const std::string sensor = "/world/W/model/M/link/L/sensor/S";
-    declaration.is("Publishes what the world's lidars and cameras see.", Declaration::Place::kWorld);
-    declaration.element("render_engine", "chooses a renderer in Fortress; here there is none to choose");
-    declaration.element("background_color",
-                        "red, green, blue and opacity, in place of the `<background>` of the scene");
-    declaration.element("ambient_light", "likewise, in place of its `<ambient>`");
+    declaration.is("Publishes lidar scans, point clouds and camera images.", Declaration::Place::kWorld);
+    declaration.element("render_engine", "selects a renderer in Fortress; no effect in pongsim");
+    declaration.element("background_color", "red, green, blue and opacity, replaces the scene's `<background>`");
+    declaration.element("ambient_light", "the same for its `<ambient>`");
     declaration.parameter("disable_on_drained_battery", &restsWithoutPower_, "",
-                          "sensors of models whose batteries are all empty rest");
+                          "switches off sensors of models with empty batteries");
     declaration.publishes(sensor + "/scan", "ignition.msgs.LaserScan",
-                          "of each lidar; `<topic>` in the `<sensor>` names another, `<update_rate>` says how often");
+                          "one per lidar; `<topic>` in the `<sensor>` renames it, `<update_rate>` sets its rate");
     declaration.publishes(sensor + "/scan/points", "ignition.msgs.PointCloudPacked",
-                          "of each lidar, the same as points: `/points` behind the scan's topic");
+                          "point cloud of each lidar: the scan's topic with `/points`");
     declaration.publishes(sensor + "/image", "ignition.msgs.Image",
-                          "of each `camera`, and with `/image` behind the topic of each `rgbd_camera`: colours");
+                          "colour image of each `camera`, and of each `rgbd_camera` with `/image`");
     declaration.publishes(sensor + "/depth_image", "ignition.msgs.Image",
-                          "of each `depth_camera`, and with `/depth_image` behind that of each `rgbd_camera`: metres");
+                          "depth image [m] of each `depth_camera`, and of each `rgbd_camera` with `/depth_image`");
     declaration.publishes(sensor + "/depth_image/points", "ignition.msgs.PointCloudPacked",
-                          "`/points` behind the topic of each `depth_camera` and `rgbd_camera`");
+                          "point cloud of each `depth_camera` and `rgbd_camera`: its topic with `/points`");
     declaration.publishes(sensor + "/camera_info", "ignition.msgs.CameraInfo",
-                          "of each camera, beside its images; `<camera_info_topic>` names another");
+                          "of each camera, beside its images; renamed by `<camera_info_topic>`");
     SensorTopic::declare(declaration);
   }
 

@@ -7,7 +7,7 @@
 #include "pongsim/element.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/node.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {

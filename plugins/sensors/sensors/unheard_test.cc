@@ -1,4 +1,4 @@
-// What sensors of light cost while nobody listens. It is counted at the library's edge: this program's functions stand
+// What lidars and cameras cost without subscribers. It is counted at the library's edge: this program's functions stand
 // before those of libpongsim, count, and call them.
 
 #include <dlfcn.h>
@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "pongsim/beam_scene.hh"
-#include "pongsim/camera_scene.hh"
+#include "pongsim/sensing/beam_scene.hh"
+#include "pongsim/sensing/camera_scene.hh"
 #include "support/running_world.hh"
 
 namespace pongsim::unheard_test {

@@ -7,7 +7,7 @@
 
 #include "pongsim/contact.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/sensor.hh"
+#include "pongsim/sensing/sensor.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -34,20 +34,19 @@ void forEachCollision(const std::vector<Model>& models, Take take) {
   }
 }
 
-/// Says once that the model has touched a target for some time.
+/// Reports once that the model has touched a target for some time.
 class TouchPlugin : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Says once that the model has touched a target for some time.", Declaration::Place::kModel);
+    declaration.is("Reports once that the model has touched a target for some time.", Declaration::Place::kModel);
     declaration
-        .parameter("target", &target_, "", "part of the names of collisions, as world/W/model/M/link/L/collision/C")
+        .parameter("target", &target_, "",
+                   "part of the names of collisions, such as world/W/model/M/link/L/collision/C")
         .required();
-    declaration.parameter("time", &seconds_, "s", "how long the touch must last, and a little more")
-        .required()
-        .atLeast(0);
-    declaration.parameter("namespace", &space_, "", "first part of the names of topic and service").required();
-    declaration.parameter("enabled", &startsEnabled_, "", "whether it begins enabled");
-    declaration.publishes("/NAMESPACE/touched", "ignition.msgs.Boolean", "`true`; then the plugin is disabled");
+    declaration.parameter("time", &seconds_, "s", "how long the contact must last").required().atLeast(0);
+    declaration.parameter("namespace", &space_, "", "prefix of topic and service").required();
+    declaration.parameter("enabled", &startsEnabled_, "", "whether it is initially enabled");
+    declaration.publishes("/NAMESPACE/touched", "ignition.msgs.Boolean", "`true`; the plugin is then disabled");
     declaration.serves("/NAMESPACE/enable", "ignition.msgs.Boolean", "ignition.msgs.Empty", "enables or disables it");
   }
 
@@ -64,12 +63,12 @@ class TouchPlugin : public System {
     });
     if (targets_.empty()) {
       context.diagnostics.warning(sdf.child("target")->position,
-                                  "no collision of the world has '" + target_ + "' in its name");
+                                  "no collision in the world has '" + target_ + "' in its name");
     }
     watchContactSensors(*context.model);
     if (watched_.empty()) {
-      refuse(sdf, "model '" + context.model->scopedName() + "' has no contact sensor that names a collision",
-             "a <sensor type=\"contact\"> in a link tells which collisions can touch");
+      refuse(sdf, "model '" + context.model->scopedName() + "' has no contact sensor with a <collision>",
+             "add a <sensor type=\"contact\"> to a link and name the collision in it");
     }
 
     service_ = node_->serve<ignition::msgs::Boolean, ignition::msgs::Empty>(

@@ -120,18 +120,17 @@ TEST_F(TouchPluginTest, CaresForItsTargetOnly) {
   simulation_->step(10);
   EXPECT_EQ(received_.size(), 1U);
   EXPECT_EQ(complaintsAbout(worldWith("<target>cube</target><time>0</time><namespace>plate</namespace>")),
-            std::vector<std::string>{"no collision of the world has 'cube' in its name"});
+            std::vector<std::string>{"no collision in the world has 'cube' in its name"});
 }
 
 TEST(TouchPluginParameters, AreRefusedWithTheReason) {
   EXPECT_EQ(complaintsAbout(worldWith("<time>1</time><namespace>n</namespace>")),
             std::vector<std::string>{"touchplugin of plate is left out: no <target> is given"});
   EXPECT_EQ(complaintsAbout(worldWith("<target>ball</target><time>-1</time><namespace>n</namespace>")),
-            std::vector<std::string>{"touchplugin of plate is left out: <time> must be a number of at least zero"});
-  EXPECT_EQ(
-      complaintsAbout(worldWith(kParameters, "")),
-      std::vector<std::string>{"touchplugin of plate is left out: model 'plate' has no contact sensor that names a "
-                               "collision"});
+            std::vector<std::string>{"touchplugin of plate is left out: <time> must be zero or more"});
+  EXPECT_EQ(complaintsAbout(worldWith(kParameters, "")),
+            std::vector<std::string>{
+                "touchplugin of plate is left out: model 'plate' has no contact sensor with a <collision>"});
 }
 
 }  // namespace

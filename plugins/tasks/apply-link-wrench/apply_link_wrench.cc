@@ -31,13 +31,14 @@ class ApplyLinkWrench : public System {
                         "a wrench in each step: `<entity_name>` (as model::link), `<entity_type>` (link, or model for "
                         "its canonical link), `<force>` [N] and `<torque>` [N m] in the world frame");
     declaration.parameter("topic", &topic_, "", "wrenches for one step").otherwise("/world/W/wrench");
-    declaration.parameter("topic_persistent", &persistentTopic_, "", "wrenches that stay")
+    declaration.parameter("topic_persistent", &persistentTopic_, "", "persistent wrenches")
         .otherwise("/world/W/wrench/persistent");
-    declaration.parameter("topic_clear", &clearTopic_, "", "ends those that stay").otherwise("/world/W/wrench/clear");
-    declaration.parameter("verbose", &verbose_, "", "says at level 3 what is applied and cleared");
+    declaration.parameter("topic_clear", &clearTopic_, "", "removes persistent wrenches")
+        .otherwise("/world/W/wrench/clear");
+    declaration.parameter("verbose", &verbose_, "", "logs what is applied and cleared (`-v 3`)");
     declaration.subscribes("<topic>", "ignition.msgs.EntityWrench", "a wrench for one step");
-    declaration.subscribes("<topic_persistent>", "ignition.msgs.EntityWrench", "a wrench from now on");
-    declaration.subscribes("<topic_clear>", "ignition.msgs.Entity", "ends the wrenches on a link or a model");
+    declaration.subscribes("<topic_persistent>", "ignition.msgs.EntityWrench", "a persistent wrench");
+    declaration.subscribes("<topic_clear>", "ignition.msgs.Entity", "clears the wrenches on a link or model");
   }
 
   void configure(const SystemContext& context) override {
@@ -139,7 +140,7 @@ class ApplyLinkWrench : public System {
     const auto vector = [](const ignition::msgs::Vector3d& v) { return Vector3(v.x(), v.y(), v.z()); };
     const Wrench wrench{vector(message.wrench().force()), vector(message.wrench().torque())};
     if (message.wrench().has_force_offset() && !vector(message.wrench().force_offset()).isZero()) {
-      log_->warning("a force acts at the link's origin: its offset is ignored, as in Fortress");
+      log_->warning("a force offset is ignored, as in Fortress: the force acts at the link's origin");
     }
     if (verbose_) log_->info("a wrench acts on " + link->scopedName());
     wrenches.push_back({link->id(), wrench});

@@ -19,20 +19,20 @@ namespace {
 class Breadcrumbs : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Leaves a copy of a model beside its own whenever it is told to.", Declaration::Place::kModel);
+    declaration.is("Deploys copies of a model at its own model's pose, on command.", Declaration::Place::kModel);
     declaration.element("breadcrumb",
-                        "`<sdf>` with the model B to leave; its pose is in the frame of its own; required");
-    declaration.parameter("topic", &topic_, "", "where it is told to").otherwise("/model/M/breadcrumbs/B/deploy");
-    declaration.parameter("max_deployments", &most_, "", "how many it has; below zero: as many as one likes, 0: none");
+                        "`<sdf>` with the model B to deploy; its pose is relative to the own model; required");
+    declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/breadcrumbs/B/deploy");
+    declaration.parameter("max_deployments", &most_, "", "number of copies; below zero: unlimited");
     declaration.parameter("disable_physics_time", &timeToRest_, "s",
-                          "simulated time after which one is held where it is; up to 0: never");
-    declaration.element("performer_volume", "`<geometry><box><size>`: they are performers, with that box [m]");
+                          "simulated time after which a copy becomes static; 0 or less: never");
+    declaration.element("performer_volume", "`<geometry><box><size>`: makes copies performers with that box [m]");
     declaration.parameter("allow_renaming", &mayRename_, "",
-                          "where a name is taken, another number is added to it; else none is left");
-    declaration.parameter("topic_statistics", &tellsOfDrops_, "", "warns where messages on the topic were lost");
-    declaration.subscribes("<topic>", "ignition.msgs.Empty", "leaves one, called `B_0`, `B_1` and so on");
+                          "adds a number to a name that is taken; otherwise nothing is deployed");
+    declaration.parameter("topic_statistics", &tellsOfDrops_, "", "warns about lost messages");
+    declaration.subscribes("<topic>", "ignition.msgs.Empty", "deploys a copy, named `B_0`, `B_1` and so on");
     declaration.publishes("<topic>/remaining", "ignition.msgs.Int32",
-                          "how many it has left, after each message; below zero where that has no bounds");
+                          "remaining copies, after each message; below zero if unlimited");
     declaration.sharesTopics();
   }
 
@@ -41,7 +41,7 @@ class Breadcrumbs : public System {
     world_ = &context.world;
     edits_ = &context.edits;
     model_ = context.model;
-    if (most_ == 0) return log_->info("has none to leave: <max_deployments> is 0");
+    if (most_ == 0) return log_->info("has nothing to deploy: <max_deployments> is 0");
     const Element* breadcrumb = context.sdf.child("breadcrumb");
     if (breadcrumb == nullptr) refuse(context.sdf, "no <breadcrumb> is given");
     const Element* sdf = breadcrumb->child("sdf");
@@ -98,7 +98,7 @@ class Breadcrumbs : public System {
     const Element* box = geometry != nullptr ? geometry->child("box") : nullptr;
     const Element* size = box != nullptr ? box->child("size") : nullptr;
     if (size == nullptr) {
-      refuse(volume, "<performer_volume> is no box", "write <geometry><box><size>X Y Z</size></box></geometry>");
+      refuse(volume, "<performer_volume> is not a box", "write <geometry><box><size>X Y Z</size></box></geometry>");
     }
     const Vector3 lengths = size->as<Vector3>();
     if (!lengths.allFinite() || lengths.minCoeff() < 0) refuse(*size, "<size> must be three lengths");
@@ -108,10 +108,10 @@ class Breadcrumbs : public System {
   void receive() {
     if (tellsOfDrops_ && deploy_.dropped() > dropped_) {
       dropped_ = deploy_.dropped();
-      log_->warning(std::to_string(dropped_) + " messages to leave a '" + template_->name() + "' were lost");
+      log_->warning(std::to_string(dropped_) + " messages to deploy a '" + template_->name() + "' were lost");
     }
     if (most_ >= 0 && count_ >= most_) {
-      log_->info("has no '" + template_->name() + "' left to leave");
+      log_->info("has no '" + template_->name() + "' left to deploy");
     } else if (!leave()) {
       return;
     }
@@ -134,7 +134,7 @@ class Breadcrumbs : public System {
     const std::string wanted = template_->name() + "_" + std::to_string(count_);
     if (!world_->model(wanted)) return wanted;
     if (!mayRename_) {
-      log_->warning("there is a '" + wanted + "' already, and <allow_renaming> is not set: none is left behind");
+      log_->warning("there is a '" + wanted + "' already, and <allow_renaming> is not set: nothing is deployed");
       return std::nullopt;
     }
     for (int number = 1;; ++number) {
@@ -147,11 +147,11 @@ class Breadcrumbs : public System {
   void settle(const Outcome<Model>& model) {
     if (!model) {
       --count_;
-      return log_->warning("none can be left behind: " + model.error);
+      return log_->warning("it can't be deployed: " + model.error);
     }
     if (performerSize_) {
       const std::optional<std::string> refusal = world_->addPerformer(*model.value, *performerSize_);
-      if (refusal) log_->warning("'" + std::string(model.value->name()) + "' can't perform: " + *refusal);
+      if (refusal) log_->warning("'" + std::string(model.value->name()) + "' can't become a performer: " + *refusal);
     }
     if (!template_->isStatic() && timeToRest_ > 0) falling_.push_back({model.value->id(), std::nullopt});
   }

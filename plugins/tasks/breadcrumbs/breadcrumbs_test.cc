@@ -179,7 +179,7 @@ TEST(Breadcrumbs, SayWhatIsWrong) {
       {"<breadcrumb><sdf version='1.9'/></breadcrumb>", "there is no <world> and no <model> in this file"},
       {"<breadcrumb><sdf version='1.9'><model name='m'/></sdf></breadcrumb>", "model 'm' has no link"},
       {std::string(kCrumb) + "<performer_volume><geometry><sphere/></geometry></performer_volume>",
-       "<performer_volume> is no box"}};
+       "<performer_volume> is not a box"}};
   for (const auto& [parameters, message] : cases) {
     EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(parameters)), std::vector<std::string>{left + message});
   }

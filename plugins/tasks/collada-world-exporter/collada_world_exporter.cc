@@ -48,7 +48,7 @@ class ColladaWorldExporter : public System {
     log_ = &context.log;
     const std::string name(world_->name());
     if (name.find('/') != std::string::npos || name == "." || name == "..") {
-      refuse(context.sdf, "the world's name '" + name + "' can't be that of a folder");
+      refuse(context.sdf, "the world's name '" + name + "' can't be used for a folder");
     }
   }
 
@@ -58,7 +58,7 @@ class ColladaWorldExporter : public System {
       writeAll();
       log_->info("the world is exported into the folder ./" + std::string(world_->name()));
     } catch (const std::exception& error) {
-      log_->error(std::string("the world could not be exported: ") + error.what());
+      log_->error(std::string("the world can't be exported: ") + error.what());
     }
   }
 

@@ -136,7 +136,7 @@ TEST(ColladaWorldExporter, SaysWhereItCantWriteAndTheRestRuns) {
   testing::internal::CaptureStderr();
   world.step(100);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("collada-world-exporter: the world could not be exported: "), std::string::npos) << said;
+  EXPECT_NE(said.find("collada-world-exporter: the world can't be exported: "), std::string::npos) << said;
   EXPECT_LT(world.model("m").pose().position.z(), -0.01);
 }
 
@@ -147,7 +147,7 @@ TEST(ColladaWorldExporter, RefusesANameThatLeadsElsewhere) {
   std::vector<std::string> said;
   for (const Diagnostic& each : diagnostics.all()) said.push_back(each.message);
   EXPECT_EQ(std::ranges::count(
-                said, "collada-world-exporter is left out: the world's name '../up' can't be that of a folder"),
+                said, "collada-world-exporter is left out: the world's name '../up' can't be used for a folder"),
             1)
       << testing::PrintToString(said);
 }

@@ -17,14 +17,14 @@ namespace {
 class FollowActor : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Lets an actor walk towards a model or another actor, on a level.", Declaration::Place::kActor);
+    declaration.is("Makes an actor follow a model or another actor, in a horizontal plane.",
+                   Declaration::Place::kActor);
     declaration.parameter("target", &targetName_, "", "name of what it follows").required();
-    declaration.parameter("min_distance", &nearest_, "m", "it stops where it is as near as that");
-    declaration.parameter("max_distance", &farthest_, "m", "it does not follow what is farther away");
-    declaration.parameter("velocity", &speed_, "m/s", "how fast it walks");
-    declaration.parameter("animation", &animation_, "", "name of its movement").otherwise("the actor's first one");
-    declaration.parameter("animation_x_vel", &animationSpeed_, "s/m",
-                          "time by which the movement goes on while it walks a metre");
+    declaration.parameter("min_distance", &nearest_, "m", "it stops at this distance");
+    declaration.parameter("max_distance", &farthest_, "m", "largest distance of a target");
+    declaration.parameter("velocity", &speed_, "m/s", "walking speed");
+    declaration.parameter("animation", &animation_, "", "name of its animation").otherwise("the actor's first one");
+    declaration.parameter("animation_x_vel", &animationSpeed_, "s/m", "animation time per metre walked");
   }
 
   void configure(const SystemContext& context) override {
@@ -84,7 +84,7 @@ class FollowActor : public System {
     targetActor_ = Actor::find(*world_, targetName_);
     if (targetActor_ && targetActor_->id() != actor_->id()) return;
     refuse(*sdf.child("target"), targetActor_ ? "<target> '" + targetName_ + "' is the actor itself"
-                                              : "<target> '" + targetName_ + "' is no model or actor of the world");
+                                              : "<target> '" + targetName_ + "' is not a model or actor of the world");
   }
 
   /// @return Nothing where it has gone.
@@ -97,7 +97,7 @@ class FollowActor : public System {
   void noteWhetherItFollows(bool follows) {
     if (follows == follows_) return;
     follows_ = follows;
-    log_->info("'" + targetName_ + (follows ? "' is near enough to be followed" : "' is too far away to be followed"));
+    log_->info("'" + targetName_ + (follows ? "' is in range and followed" : "' is out of range and not followed"));
   }
 
   std::string targetName_, animation_;

@@ -126,14 +126,15 @@ std::string complaintAbout(const std::string& world) {
 TEST(FollowActor, SaysWhatIsWrong) {
   const std::string left = "follow-actor of walker is left out: ";
   EXPECT_EQ(complaintAbout(worldWith("")), left + "no <target> is given");
-  EXPECT_EQ(complaintAbout(worldWith("<target>bx</target>")), left + "<target> 'bx' is no model or actor of the world");
+  EXPECT_EQ(complaintAbout(worldWith("<target>bx</target>")),
+            left + "<target> 'bx' is not a model or actor of the world");
   EXPECT_EQ(complaintAbout(worldWith("<target>walker</target>")), left + "<target> 'walker' is the actor itself");
   EXPECT_EQ(complaintAbout(worldWith(kTarget, "")), "");
   EXPECT_EQ(complaintAbout(worldWith(std::string(kTarget) + "<animation>run</animation>")),
             "actor 'walker' has no <animation> 'run' to show");
   EXPECT_EQ(complaintAbout(R"(<plugin filename="ignition-gazebo-follow-actor-system"
                                       name="ignition::gazebo::systems::FollowActor"/>)"),
-            "follow-actor is left out: it must stand in an <actor>");
+            "follow-actor is left out: it belongs in an <actor>");
 }
 
 }  // namespace

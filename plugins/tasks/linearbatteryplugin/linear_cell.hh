@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 
 namespace pongsim {
 

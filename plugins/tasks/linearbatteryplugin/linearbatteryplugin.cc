@@ -10,7 +10,7 @@
 
 #include "linear_cell.hh"
 #include "pongsim/battery.hh"
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -23,22 +23,21 @@ class LinearBatteryPlugin : public System {
  public:
   void declare(Declaration& declaration) override {
     declaration.is(
-        "Simulates a battery, and lets the model's joints go freely when it is empty. It begins to drain when a joint "
-        "is driven.",
+        "Simulates a battery; the model's joints move freely when it is empty. It starts to drain when a joint is "
+        "driven.",
         Declaration::Place::kModel);
     declareCell(declaration);
-    declaration.parameter("power_load", &powerLoad_, "W", "what the model takes from it");
+    declaration.parameter("power_load", &powerLoad_, "W", "power drawn by the model");
     declaration.parameter("start_draining", &startsDraining_, "", "drains from the start");
     declaration.parameter("power_draining_topic", &drainTopics_, "",
-                          "any message there lets it drain; may be repeated");
+                          "topic on which any message starts the drain; may be repeated");
     declaration.parameter("stop_power_draining_topic", &stopTopics_, "",
-                          "any message there ends that; may be repeated");
-    declaration.parameter("enable_recharge", &isRechargeable_, "", "it can be charged, up to nine tenths");
-    declaration
-        .parameter("charging_time", &chargingTime_, "h", "time from empty to full; required where it can be charged")
+                          "topic on which any message stops the drain; may be repeated");
+    declaration.parameter("enable_recharge", &isRechargeable_, "", "can be charged, up to 90 %");
+    declaration.parameter("charging_time", &chargingTime_, "h", "time from empty to full; required for charging")
         .above(0);
-    declaration.element("recharge_by_topic", "if it is there, whatever it says, topics start and end charging, too");
-    declaration.parameter("invert_current_sign", &invertsCurrent_, "", "publishes a current that drains below zero");
+    declaration.element("recharge_by_topic", "if present with any value, charging can also be controlled by topics");
+    declaration.parameter("invert_current_sign", &invertsCurrent_, "", "publishes discharge currents as negative");
     declaration.publishes("/model/M/battery/<battery_name>/state", "ignition.msgs.BatteryState",
                           "50 times a simulated second; `percentage` goes to 1, with `<fix_issue_225>` to 100");
     for (const char* what : {"start", "stop"}) {
@@ -54,11 +53,11 @@ class LinearBatteryPlugin : public System {
     model_ = context.model;
     checkCell(context);
     if (isRechargeable_ && !chargingTime_) {
-      refuse(context.sdf, "no <charging_time> is given for a battery that can be charged",
+      refuse(context.sdf, "no <charging_time> is given for a rechargeable battery",
              "write <charging_time>HOURS</charging_time>");
     }
     if (!powerLoad_) {
-      context.diagnostics.warning(context.sdf.position, "no <power_load> is given: the model takes nothing from it");
+      context.diagnostics.warning(context.sdf.position, "no <power_load> is given: the model draws no power from it");
     }
     parameters_.chargingTime = chargingTime_.value_or(1);
     cell_.emplace(parameters_);
@@ -78,7 +77,7 @@ class LinearBatteryPlugin : public System {
     cell_->update(toSeconds(info.dt), isDraining_ ? battery_->load() : 0, isCharging_);
     battery_->setCharge(cell_->stateOfCharge());
     if (hadCharge && cell_->stateOfCharge() < 0) {
-      log_->warning("the battery '" + name_ + "' is empty: the model's joints go freely");
+      log_->warning("the battery '" + name_ + "' is empty: the model's joints move freely");
     }
   }
 
@@ -124,14 +123,14 @@ class LinearBatteryPlugin : public System {
     declaration.parameter("open_circuit_voltage_constant_coef", &parameters_.constantVoltage, "V",
                           "voltage of the full battery without load");
     declaration.parameter("open_circuit_voltage_linear_coef", &parameters_.linearVoltage, "V",
-                          "by how much that differs where it is empty, so mostly below zero");
+                          "change of that voltage when empty, usually negative");
     declaration.parameter("capacity", &parameters_.capacity, "Ah", "charge of the full battery").required().above(0);
     declaration.parameter("initial_charge", &initialCharge_, "Ah", "charge at the start").otherwise("`<capacity>`");
     declaration.parameter("resistance", &parameters_.resistance, "Ohm", "inner resistance");
     declaration.parameter("smooth_current_tau", &parameters_.smoothing, "s",
-                          "how slowly the current follows: time constant of a low pass");
+                          "time constant of the current's low-pass filter");
     declaration.parameter("fix_issue_225", &parameters_.countsOnce, "",
-                          "drains as physics has it; without it about a hundred times too fast");
+                          "correct drain; otherwise about a hundred times too fast");
   }
 
   /// Puts right what can be put right.
@@ -147,7 +146,7 @@ class LinearBatteryPlugin : public System {
     if (parameters_.smoothing > 0) return;
     parameters_.smoothing = 1;
     context.diagnostics.warning(context.sdf.child("smooth_current_tau")->position,
-                                "<smooth_current_tau> must be above 0: 1 is taken");
+                                "<smooth_current_tau> must be above 0: 1 is used");
   }
 
   void openTopics(const SystemContext& context) {

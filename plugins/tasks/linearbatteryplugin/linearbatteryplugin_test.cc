@@ -181,14 +181,14 @@ TEST(LinearBatteryPlugin, SaysWhatIsWrong) {
   const std::string left = "linearbatteryplugin of m is left out: ";
   EXPECT_EQ(complaintsAbout(kLoad), (Said{left + "no <battery_name> is given", left + "no <voltage> is given",
                                           left + "no <capacity> is given"}));
-  EXPECT_EQ(complaintsAbout(kCell), Said{"no <power_load> is given: the model takes nothing from it"});
+  EXPECT_EQ(complaintsAbout(kCell), Said{"no <power_load> is given: the model draws no power from it"});
   EXPECT_EQ(complaintsAbout(std::string(kCell) + kLoad + "<enable_recharge>true</enable_recharge>"),
-            Said{left + "no <charging_time> is given for a battery that can be charged"});
+            Said{left + "no <charging_time> is given for a rechargeable battery"});
   EXPECT_EQ(complaintsAbout(std::string(kCell) + kLoad + "<initial_charge>2</initial_charge>"),
             Said{"<initial_charge> is not between 0 and the <capacity>: that is taken"});
   const std::string cell = std::string(kCell);
   const std::string slow = cell.substr(0, cell.find("<smooth")) + "<smooth_current_tau>0</smooth_current_tau>" + kLoad;
-  EXPECT_EQ(complaintsAbout(slow), Said{"<smooth_current_tau> must be above 0: 1 is taken"});
+  EXPECT_EQ(complaintsAbout(slow), Said{"<smooth_current_tau> must be above 0: 1 is used"});
   EXPECT_EQ(complaintsAbout("<battery_name>b</battery_name><voltage>12</voltage><capacity>0</capacity>").size(), 1U);
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pongsim/fields.hh"
+#include "pongsim/messages/fields.hh"
 #include "pongsim/parameters.hh"
 #include "pongsim/system.hh"
 
@@ -32,9 +32,10 @@ class PerformerDetector : public System {
  public:
   void declare(Declaration& declaration) override {
     declaration.is("Publishes which performers enter and leave a box around a model.", Declaration::Place::kModel);
-    declaration.element("geometry", "`<box><size>`: the box [m], which lies along the axes of the world; required");
-    declaration.element("pose", "middle of the box in the model's frame [m]; turns nothing");
-    declaration.parameter("topic", &topic_, "", "where that goes").otherwise("/model/M/performer_detector/status");
+    declaration.element("geometry", "`<box><size>`: the box [m], aligned with the world's axes; required");
+    declaration.element("pose", "centre of the box in the model's frame [m]; rotations have no effect");
+    declaration.parameter("topic", &topic_, "", "topic of the messages")
+        .otherwise("/model/M/performer_detector/status");
     declaration.element("header_data", "`<key>` and `<value>`: more for the header of the messages; may be repeated");
     declaration.publishes(
         "<topic>", "ignition.msgs.Pose",
@@ -94,7 +95,7 @@ class PerformerDetector : public System {
     const Element* box = geometry != nullptr ? geometry->child("box") : nullptr;
     const Element* size = box != nullptr ? box->child("size") : nullptr;
     if (size == nullptr) {
-      refuse(geometry != nullptr ? *geometry : sdf, "no box is given to look into",
+      refuse(geometry != nullptr ? *geometry : sdf, "no <geometry> is given",
              "write <geometry><box><size>X Y Z</size></box></geometry>");
     }
     const Vector3 lengths = size->as<Vector3>();

@@ -123,10 +123,9 @@ TEST_F(PerformerDetectorTest, KnowsFromASavedStateWhoIsThere) {
 
 TEST(PerformerDetector, SaysWhatIsWrong) {
   const std::string left = "performer-detector of gate is left out: ";
-  EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("")),
-            std::vector<std::string>{left + "no box is given to look into"});
+  EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("")), std::vector<std::string>{left + "no <geometry> is given"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<geometry><sphere><radius>1</radius></sphere></geometry>")),
-            std::vector<std::string>{left + "no box is given to look into"});
+            std::vector<std::string>{left + "no <geometry> is given"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith("<geometry><box><size>1 nan 1</size></box></geometry>")),
             std::vector<std::string>{left + "<size> must be three lengths"});
   EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(std::string(kBox) + "<pose>1 2</pose>")),

@@ -62,8 +62,7 @@ Match::Match(const Element& element, const std::string& type) : wanted_(newMessa
   } catch (const Error&) {
     tolerance_ = -1;
   }
-  if (!(tolerance_ >= 0))
-    refuse(element, "the 'tol' of a <match> must be a number of at least zero, not '" + tolerance + "'");
+  if (!(tolerance_ >= 0)) refuse(element, "the 'tol' of a <match> must be zero or more, not '" + tolerance + "'");
 
   const std::string logic = element.attributeOr("logic_type", "positive");
   if (logic != "positive" && logic != "negative") {
@@ -78,8 +77,9 @@ Match::Match(const Element& element, const std::string& type) : wanted_(newMessa
   }
   if (const std::optional<MessageError> error = parseMessage(text, *wanted_)) {
     refuse(element,
-           "the text of this <match> is no " + (path_.empty() ? type : "value of '" + path_.back()->full_name() + "'") +
-               ": " + error->message,
+           "the text of this <match> is not " +
+               (path_.empty() ? "of type " + type : "a value of '" + path_.back()->full_name() + "'") + ": " +
+               error->message,
            error->hint);
   }
 }
@@ -94,7 +94,7 @@ void Match::findField(const Element& element, std::string_view path) {
     const std::size_t end = std::min(path.find('.'), path.size());
     const std::string name(path.substr(0, end));
     if (type == nullptr)
-      refuse(element, "'" + path_.back()->full_name() + "' has no field '" + name + "': it is no message");
+      refuse(element, "'" + path_.back()->full_name() + "' has no field '" + name + "': it is not a message");
     const FieldDescriptor* field = type->FindFieldByName(name);
     if (field == nullptr) {
       refuse(element, "field '" + name + "' is not in " + type->full_name(), "its fields are " + fieldNames(*type));
@@ -102,7 +102,7 @@ void Match::findField(const Element& element, std::string_view path) {
     path_.push_back(field);
     if (end == path.size()) return;
     if (field->is_repeated()) {
-      refuse(element, "field '" + name + "' of a <match> is repeated: only the last of a path may be");
+      refuse(element, "field '" + name + "' of a <match> is repeated: only the last field of a path may be");
     }
     type = field->message_type();
     path.remove_prefix(end + 1);

@@ -94,17 +94,18 @@ TEST(Match, NamesWhatIsWrongAndWhere) {
   EXPECT_EQ(errorOf(matchElement("1", {{"field", "dat", {}}}), "ignition.msgs.Int32"),
             "world.sdf:5:9: error: field 'dat' is not in ignition.msgs.Int32\n  hint: its fields are header, data");
   EXPECT_EQ(errorOf(matchElement("1", {{"field", "data.x", {}}}), "ignition.msgs.Int32"),
-            "world.sdf:5:9: error: 'ignition.msgs.Int32.data' has no field 'x': it is no message");
+            "world.sdf:5:9: error: 'ignition.msgs.Int32.data' has no field 'x': it is not a message");
   EXPECT_EQ(errorOf(matchElement("1", {{"field", "pose.name", {}}}), "ignition.msgs.Pose_V"),
-            "world.sdf:5:9: error: field 'pose' of a <match> is repeated: only the last of a path may be");
+            "world.sdf:5:9: error: field 'pose' of a <match> is repeated: only the last field of a path may be");
   EXPECT_EQ(errorOf(matchElement("1", {{"tol", "-1", {}}}), "ignition.msgs.Int32"),
-            "world.sdf:5:9: error: the 'tol' of a <match> must be a number of at least zero, not '-1'");
+            "world.sdf:5:9: error: the 'tol' of a <match> must be zero or more, not '-1'");
   EXPECT_EQ(errorOf(matchElement("1", {{"logic_type", "maybe", {}}}), "ignition.msgs.Int32"),
             "world.sdf:5:9: error: the 'logic_type' of a <match> is 'maybe'\n"
             "  hint: it can be 'positive' or 'negative'");
   const std::string notANumber = errorOf(matchElement("seven", {{"field", "data", {}}}), "ignition.msgs.Int32");
-  EXPECT_EQ(notANumber.find("world.sdf:5:9: error: the text of this <match> is no value of 'ignition.msgs.Int32.data'"),
-            0U)
+  EXPECT_EQ(
+      notANumber.find("world.sdf:5:9: error: the text of this <match> is not a value of 'ignition.msgs.Int32.data'"),
+      0U)
       << notANumber;
 }
 

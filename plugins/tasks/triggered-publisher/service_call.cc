@@ -20,9 +20,10 @@ BackgroundCalls::Call serviceCall(const Element& element) {
   if (milliseconds <= 0) refuse(element, "the 'timeout' of a <service> must be above zero");
   call.timeout = std::chrono::milliseconds(milliseconds);
   if (const std::optional<MessageError> error = parseMessage(element.attributeOr("reqMsg", ""), *request)) {
-    refuse(element,
-           "the 'reqMsg' of this <service> is no " + element.attributeOr("reqType", "") + ": " + error->message,
-           error->hint);
+    refuse(
+        element,
+        "the 'reqMsg' of this <service> is not of type " + element.attributeOr("reqType", "") + ": " + error->message,
+        error->hint);
   }
   call.request = std::move(request);
   return call;

@@ -24,18 +24,18 @@ namespace {
 class TriggeredPublisher : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Publishes messages given in the world's file whenever a message comes in that matches.",
+    declaration.is("Publishes messages from the world's file whenever a matching message arrives.",
                    Declaration::Place::kAnywhere);
     declaration.element(
         "input",
-        "`type` and `topic` to listen to; one only. A `<match>` in it is a condition, and all must hold: "
+        "`type` and `topic` of the input; one only. Each `<match>` in it is a condition, and all must hold: "
         "its text is a message, or with `field` (a path such as pose.position.x) the value of that "
         "field; `tol` (1e-8) for numbers, `logic_type` (positive, negative)");
     declaration.element("output", "`type` and `topic` to publish on, and a message's text; may be repeated");
     declaration.element("service",
                         "a service to call after that: `name`, `reqType`, `repType`, `reqMsg`, `timeout` [ms]; may be "
                         "repeated");
-    declaration.parameter("delay_ms", &delayMs_, "ms", "simulated time to wait first").atLeast(0);
+    declaration.parameter("delay_ms", &delayMs_, "ms", "delay in simulated time").atLeast(0);
     declaration.sharesTopics();
   }
 
@@ -92,7 +92,7 @@ class TriggeredPublisher : public System {
     for (const Element* match : all) {
       if (match->text.empty()) {
         // as Fortress does, which does not say so
-        diagnostics.warning(match->position, "a <match> without text is no condition: it is left out");
+        diagnostics.warning(match->position, "a <match> without text is ignored");
       } else {
         matches_.emplace_back(*match, source_.type);
       }
@@ -106,8 +106,8 @@ class TriggeredPublisher : public System {
     if (const std::optional<MessageError> error = parseMessage(element.text, *output.message)) {
       // as Fortress, which sends what it has read
       context.diagnostics.warning(element.position,
-                                  "the text of this <output> is no " + target.type + ": " + error->message +
-                                      "; what stands before that is published",
+                                  "the text of this <output> is not of type " + target.type + ": " + error->message +
+                                      "; the fields before the error are published",
                                   error->hint);
     }
     outputs_.push_back(std::move(output));
@@ -145,8 +145,8 @@ class TriggeredPublisher : public System {
 
   static void reportLoop(const std::string& topics, Time delay, const SystemContext& context) {
     if (delay == Time::zero()) {
-      refuse(context.sdf, "what it publishes would trigger it again without end: " + topics,
-             "a <match> that its own messages do not meet, or a <delay_ms>, makes an end of that");
+      refuse(context.sdf, "its own output would trigger it forever: " + topics,
+             "add a <match> that its output does not meet, or a <delay_ms>");
     }
     const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(delay).count();
     context.log.info("triggers itself again after " + std::to_string(milliseconds) + " ms: " + topics);

@@ -146,7 +146,7 @@ std::string relay(const std::string& from, const std::string& match, const std::
 }
 
 TEST(TriggeredPublisherLoop, IsNamedAndNotClosed) {
-  const std::string left = "triggered-publisher is left out: what it publishes would trigger it again without end: ";
+  const std::string left = "triggered-publisher is left out: its own output would trigger it forever: ";
   EXPECT_EQ(complaintsAbout({relay("/a", "", "a", "1")}), std::vector<std::string>{left + "/a -> /a"});
   EXPECT_EQ(complaintsAbout({relay("/a", "1", "/b", "2"), relay("/b", "2", "/c", "3"), relay("/c", "", "/a", "1")}),
             std::vector<std::string>{left + "/c -> /a -> /b -> /c"});
@@ -179,7 +179,7 @@ TEST_F(TriggeredPublisherTest, CallsServicesOneAfterAnother) {
 
 TEST(TriggeredPublisherParameters, LeaveOutMatchesWithoutText) {
   const std::string empty = "<input type='ignition.msgs.Int32' topic='/in'><match/><match>data: 7</match></input>";
-  const std::string said = "a <match> without text is no condition: it is left out";
+  const std::string said = "a <match> without text is ignored";
   EXPECT_EQ(complaintsAbout({empty + kOutput}), std::vector<std::string>{said});
   EXPECT_EQ(complaintsAbout({std::string("<input type='ignition.msgs.Int32' topic='/in'><match/></input>") + kOutput}),
             (std::vector<std::string>{said, "triggered-publisher is left out: no <match> is left"}));
@@ -191,7 +191,7 @@ TEST_F(TriggeredPublisherTest, PublishesWhatItCanReadOfAnOutput) {
       world(std::string(kInput) + "<output type='ignition.msgs.StringMsg' topic='/out'>data: 'x' wrong: 1</output>"),
       "world.sdf", {}, diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  EXPECT_NE(diagnostics.all()[0].message.find("the text of this <output> is no ignition.msgs.StringMsg: "),
+  EXPECT_NE(diagnostics.all()[0].message.find("the text of this <output> is not of type ignition.msgs.StringMsg: "),
             std::string::npos);
   connect();
   send(7);
@@ -205,12 +205,12 @@ TEST(TriggeredPublisherParameters, SaysWhatIsWrong) {
       {kInput, "a TriggeredPublisher needs an <output> or a <service>"},
       {std::string(R"(<input topic="/in"/>)") + kOutput, "<input> has no 'type' attribute"},
       {std::string(R"(<input type="ignition.msgs.Int23" topic="/in"/>)") + kOutput,
-       "'ignition.msgs.Int23' is no message type\n  hint: did you mean 'ignition.msgs.Int"},
+       "'ignition.msgs.Int23' is not a message type\n  hint: did you mean 'ignition.msgs.Int"},
       {std::string(kInput) + "<service name='/s' reqType='Empty' repType='Empty'/>",
        "<service> has no 'timeout' attribute"},
       {std::string(kInput) + "<service name='/s' reqType='StringMsg' repType='Empty' timeout='9' reqMsg='dat: 1'/>",
-       "the 'reqMsg' of this <service> is no StringMsg: "},
-      {std::string(kInput) + kOutput + "<delay_ms>-1</delay_ms>", "<delay_ms> must be a number of at least zero"}};
+       "the 'reqMsg' of this <service> is not of type StringMsg: "},
+      {std::string(kInput) + kOutput + "<delay_ms>-1</delay_ms>", "<delay_ms> must be zero or more"}};
   for (const auto& [parameters, message] : cases) {
     Diagnostics diagnostics;
     EXPECT_NE(Simulation::fromText(world(parameters), "world.sdf", {}, diagnostics), nullptr) << parameters;

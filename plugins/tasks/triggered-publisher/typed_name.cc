@@ -21,7 +21,7 @@ std::string typeAttribute(const Element& element, std::string_view attribute) {
   const std::optional<std::string> found = messageTypeName(asked);
   if (!found) {
     const std::string nearest = nearestMessageType(asked);
-    refuse(element, "'" + asked + "' is no message type", nearest.empty() ? "" : "did you mean '" + nearest + "'?");
+    refuse(element, "'" + asked + "' is not a message type", nearest.empty() ? "" : "did you mean '" + nearest + "'?");
   }
   return *found;
 }
@@ -30,7 +30,7 @@ TypedName typedName(const Element& element, std::string_view nameAttribute, std:
   std::string type = typeAttribute(element, typeOfIt);
   std::string topic = cleanTopic(requiredAttribute(element, nameAttribute));
   if (const std::optional<std::string> error = topicNameError(topic)) {
-    refuse(element, "'" + topic + "' is no topic: " + *error);
+    refuse(element, "'" + topic + "' is not a topic: " + *error);
   }
   if (!topic.starts_with('/')) topic.insert(0, "/");
   return {topic, type};

@@ -12,7 +12,7 @@ namespace pongsim {
 
 namespace {
 
-/// Lifts or sinks a link by pumping oil into a bladder outside of its hull, or back.
+/// Controls the buoyancy of a link by pumping oil into and out of an external bladder.
 class BuoyancyEngine : public System {
  public:
   void declare(Declaration& declaration) override;
@@ -52,22 +52,21 @@ class BuoyancyEngine : public System {
 };
 
 void BuoyancyEngine::declare(Declaration& declaration) {
-  declaration.is("Lifts or sinks a link by pumping oil into a bladder outside of its hull, or back.",
+  declaration.is("Controls the buoyancy of a link by pumping oil into and out of an external bladder.",
                  Declaration::Place::kModel);
-  declaration.parameter("link_name", &linkName_, "", "link that holds the bladder").required();
+  declaration.parameter("link_name", &linkName_, "", "link with the bladder").required();
   declaration.parameter("namespace", &namespace_, "", "topics begin with `/model/NAMESPACE`").otherwise("none");
-  declaration.parameter("min_volume", &leastVolume_, "m^3", "least volume of the bladder").atLeast(0);
-  declaration.parameter("neutral_volume", &neutralVolume_, "m^3", "with that in it, it neither lifts nor sinks")
-      .atLeast(0);
+  declaration.parameter("min_volume", &leastVolume_, "m^3", "smallest volume of the bladder").atLeast(0);
+  declaration.parameter("neutral_volume", &neutralVolume_, "m^3", "neutral volume").atLeast(0);
   declaration.parameter("default_volume", &defaultVolume_, "m^3", "volume at the start")
       .atLeast(0)
       .otherwise("min_volume");
   declaration.parameter("max_volume", &mostVolume_, "m^3", "largest volume").atLeast(0);
-  declaration.parameter("max_inflation_rate", &mostRate_, "m^3/s", "how fast the pump is, both ways").atLeast(0);
+  declaration.parameter("max_inflation_rate", &mostRate_, "m^3/s", "pump rate").atLeast(0);
   declaration.parameter("fluid_density", &density_, "kg/m^3", "density of the fluid").above(0);
   declaration.parameter("surface", &surface_, "m", "height above which there is no fluid").otherwise("none");
   declaration.subscribes("/buoyancy_engine", "ignition.msgs.Double",
-                         "volume that the bladder is to have [m^3]; with `<namespace>`, "
+                         "desired volume [m^3]; with `<namespace>`, "
                          "`/model/NAMESPACE/buoyancy_engine`");
   declaration.publishes("/buoyancy_engine/current_volume", "ignition.msgs.Double",
                         "volume of the bladder [m^3], every step; with `<namespace>`, likewise");

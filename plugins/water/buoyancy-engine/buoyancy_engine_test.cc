@@ -108,9 +108,9 @@ TEST(BuoyancyEngineParameters, AreWarnedOfWhereTheyMakeNoSense) {
   const std::string left = "buoyancy-engine of m is left out: ", link = "<link_name>hull</link_name>";
   for (const auto& [parameters, message] : std::vector<std::pair<std::string, std::string>>{
            {"", left + "no <link_name> is given"},
-           {"<link_name>hul</link_name>", left + "<link_name> 'hul' is no link of model 'm'"},
-           {link + "<min_volume>-1</min_volume>", left + "<min_volume> must be a number of at least zero"},
-           {link + "<fluid_density>0</fluid_density>", left + "<fluid_density> must be a number above zero"},
+           {"<link_name>hul</link_name>", left + "<link_name> 'hul' is not a link of model 'm'"},
+           {link + "<min_volume>-1</min_volume>", left + "<min_volume> must be zero or more"},
+           {link + "<fluid_density>0</fluid_density>", left + "<fluid_density> must be above zero"},
            {link + "<max_volume>1e-5</max_volume>", left + "<max_volume> is below <min_volume>"},
            {link + "<default_volume>1</default_volume>",
             "<default_volume> is not between <min_volume> and <max_volume>"}}) {

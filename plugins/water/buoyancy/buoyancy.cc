@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "fluid.hh"
+#include "pongsim/geometry/solid.hh"
 #include "pongsim/link_group.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/solid.hh"
 #include "pongsim/system.hh"
 
 namespace pongsim {
@@ -37,11 +37,11 @@ struct FloatingLink {
   double radius = 0;
 };
 
-/// Lifts links by the weight of the fluid that their collisions displace.
+/// Applies buoyancy to links: the weight of the fluid that their collisions displace.
 class Buoyancy : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Lifts links by the weight of the fluid that their collisions displace.",
+    declaration.is("Applies buoyancy to links: the weight of the fluid that their collisions displace.",
                    Declaration::Place::kWorld);
     declaration.parameter("uniform_fluid_density", &density_, "kg/m^3", "density of the fluid, the same everywhere")
         .above(0)
@@ -49,7 +49,7 @@ class Buoyancy : public System {
     declaration.element("graded_buoyancy",
                         "fluid in layers: `default_density` [kg/m^3] below all (1000), and `density_change`, "
                         "repeated, with `density` [kg/m^3] from the height `above_depth` [m] up");
-    declaration.parameter("enable", &enabled_, "", "model or link (`M`, `M::L`) that floats; without any, all do");
+    declaration.parameter("enable", &enabled_, "", "model or link (`M`, `M::L`) with buoyancy; default: all");
   }
 
   void configure(const SystemContext& context) override {
@@ -112,7 +112,7 @@ void Buoyancy::readFluid(const Element& sdf, Diagnostics& diagnostics) {
   if (density_) {
     fluid_ = Fluid(*density_);
     if (graded != nullptr) {
-      diagnostics.warning(graded->position, "<graded_buoyancy> is not used: <uniform_fluid_density> is given, too");
+      diagnostics.warning(graded->position, "<graded_buoyancy> has no effect: <uniform_fluid_density> is given too");
     }
   } else if (graded != nullptr) {
     readLayers(*graded, diagnostics);
@@ -125,15 +125,16 @@ void Buoyancy::readLayers(const Element& graded, Diagnostics& diagnostics) {
     if (element.name == "default_density") {
       bottom = densityIn(element, false);
     } else if (element.name != "density_change") {
-      diagnostics.warning(element.position, "<graded_buoyancy> does not know <" + element.name + ">",
-                          "it knows <default_density> and <density_change>");
+      diagnostics.warning(element.position, "<graded_buoyancy> has no parameter <" + element.name + ">",
+                          "it has <default_density> and <density_change>");
     }
   }
   fluid_ = Fluid(bottom);
   const std::vector<const Element*> changes = graded.childrenNamed("density_change");
   for (const Element* change : changes) readLayer(*change, diagnostics);
   if (changes.empty()) {
-    diagnostics.warning(graded.position, "<graded_buoyancy> has no <density_change>: the fluid is the same everywhere");
+    diagnostics.warning(graded.position,
+                        "<graded_buoyancy> has no <density_change>: the density is the same everywhere");
   }
 }
 
@@ -144,9 +145,9 @@ void Buoyancy::readLayer(const Element& change, Diagnostics& diagnostics) {
   if (!from) diagnostics.warning(change.position, "<density_change> has no <above_depth>: it begins at 0 m");
   if (!std::isfinite(from.value_or(0))) refuse(*change.child("above_depth"), "<above_depth> must be a finite number");
   const double value = densityIn(*density, true);
-  if (value == 0) diagnostics.warning(density->position, "a <density> of zero is no fluid: nothing floats in it");
+  if (value == 0) diagnostics.warning(density->position, "the <density> is zero: nothing floats");
   if (!fluid_.addLayer(from.value_or(0), value)) {
-    diagnostics.warning(change.position, "<density_change> begins where another one does, which it replaces");
+    diagnostics.warning(change.position, "<density_change> replaces another one at the same height");
   }
 }
 
@@ -198,9 +199,9 @@ void Buoyancy::addLink(const Link& link, Diagnostics* diagnostics) {
 void Buoyancy::warnOfSurface(const Collision& collision, const Solid& solid, Diagnostics* diagnostics) const {
   if (!std::holds_alternative<TriangleShape>(solid.shape()) || solid.isClosed()) return;
   const std::string text = "collision '" + collision.scopedName() +
-                           "' is no closed surface whose triangles all turn the same way: what floats of it is a guess";
+                           "' is not a closed surface with consistent triangles: its volume is a guess";
   if (diagnostics == nullptr) return log_->warning(text);
-  diagnostics->warning(collision.sourcePosition(), text, "let a box, a cylinder or a closed mesh stand for it");
+  diagnostics->warning(collision.sourcePosition(), text, "use a box, a cylinder or a closed mesh");
 }
 
 void Buoyancy::warnOfUnknown(const Element& sdf, Diagnostics& diagnostics) const {
@@ -208,8 +209,8 @@ void Buoyancy::warnOfUnknown(const Element& sdf, Diagnostics& diagnostics) const
     if (element->text.empty() || world_->model(element->text)) continue;
     const auto isLink = [element](const FloatingLink& each) { return each.link.scopedName() == element->text; };
     if (std::ranges::any_of(links_, isLink)) continue;
-    diagnostics.warning(element->position, "<enable> '" + element->text + "' is no model or link that could float yet",
-                        "names go from the top: 'model', 'model::link'");
+    diagnostics.warning(element->position, "<enable> '" + element->text + "' is not a model or link yet",
+                        "write 'model' or 'model::link'");
   }
 }
 

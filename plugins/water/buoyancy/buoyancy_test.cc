@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "pongsim/solid.hh"
+#include "pongsim/geometry/solid.hh"
 #include "support/running_world.hh"
 #include "support/temp_folder.hh"
 
@@ -121,7 +121,7 @@ TEST(Buoyancy, WarnsOfAMeshThatIsNotClosed) {
   const std::string mesh = "<mesh><uri>" + (folder.path() / "hull.obj").string() + "</uri></mesh>";
   const auto complaints = RunningWorld::complaintsAbout(buoyancy("") + body("m", 1, mesh));
   ASSERT_EQ(complaints.size(), 1U);
-  EXPECT_TRUE(complaints[0].starts_with("collision 'm::link::hull' is no closed surface")) << complaints[0];
+  EXPECT_TRUE(complaints[0].starts_with("collision 'm::link::hull' is not a closed surface")) << complaints[0];
 }
 
 // A box that floats rights itself with rho V g GM sin(angle), GM = I/V - BG, for small angles
@@ -179,10 +179,8 @@ TEST(Buoyancy, FollowsGravityAndLiftsWhatIsInserted) {
 TEST(BuoyancyParameters, AreRefusedWhereNoFluidHasThem) {
   const std::string left = "buoyancy is left out: ";
   for (const auto& [parameters, message] : std::vector<std::pair<std::string, std::string>>{
-           {"<uniform_fluid_density>0</uniform_fluid_density>",
-            left + "<uniform_fluid_density> must be a number above zero"},
-           {"<uniform_fluid_density>nan</uniform_fluid_density>",
-            left + "<uniform_fluid_density> must be a number above zero"},
+           {"<uniform_fluid_density>0</uniform_fluid_density>", left + "<uniform_fluid_density> must be above zero"},
+           {"<uniform_fluid_density>nan</uniform_fluid_density>", left + "<uniform_fluid_density> must be above zero"},
            {"<graded_buoyancy><default_density>-1</default_density></graded_buoyancy>",
             left + "<default_density> must be a finite number above zero"},
            {"<graded_buoyancy><density_change><above_depth>0</above_depth><density>nan</density></density_change>"
@@ -192,13 +190,13 @@ TEST(BuoyancyParameters, AreRefusedWhereNoFluidHasThem) {
             left + "<density_change> has no <density>"},
            {"<graded_buoyancy><density_change><above_depth>0</above_depth><density>0</density></density_change>"
             "</graded_buoyancy>",
-            "a <density> of zero is no fluid: nothing floats in it"},
+            "the <density> is zero: nothing floats"},
            {"<graded_buoyancy><density_change><density>1</density></density_change></graded_buoyancy>",
             "<density_change> has no <above_depth>: it begins at 0 m"},
-           {"<graded_buoyancy/>", "<graded_buoyancy> has no <density_change>: the fluid is the same everywhere"},
+           {"<graded_buoyancy/>", "<graded_buoyancy> has no <density_change>: the density is the same everywhere"},
            {"<uniform_fluid_density>1</uniform_fluid_density><graded_buoyancy/>",
-            "<graded_buoyancy> is not used: <uniform_fluid_density> is given, too"},
-           {"<enable>nobody</enable>", "<enable> 'nobody' is no model or link that could float yet"}}) {
+            "<graded_buoyancy> has no effect: <uniform_fluid_density> is given too"},
+           {"<enable>nobody</enable>", "<enable> 'nobody' is not a model or link yet"}}) {
     EXPECT_EQ(RunningWorld::complaintsAbout(buoyancy(parameters) + body("m", 1, kBox)), std::vector{message});
   }
 }

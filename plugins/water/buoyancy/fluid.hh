@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "pongsim/solid.hh"
+#include "pongsim/geometry/solid.hh"
 #include "pongsim/types.hh"
 
 namespace pongsim {

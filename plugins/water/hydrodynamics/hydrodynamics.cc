@@ -20,7 +20,7 @@ constexpr std::string_view kVelocityLetters = "UVWPQR";
 /// No current is faster [m/s].
 constexpr double kFastestCurrent = 100;
 
-/// Brakes a link as water does that it moves through, and lets it drag water along.
+/// Applies the drag and added mass of water to a link.
 class Hydrodynamics : public System {
  public:
   void declare(Declaration& declaration) override;
@@ -63,15 +63,13 @@ class Hydrodynamics : public System {
 };
 
 void Hydrodynamics::declare(Declaration& declaration) {
-  declaration.is("Brakes a link as water does that it moves through, and lets it drag water along.",
-                 Declaration::Place::kModel);
-  declaration.parameter("link_name", &linkName_, "", "link that is in the water").required();
+  declaration.is("Applies the drag and added mass of water to a link.", Declaration::Place::kModel);
+  declaration.parameter("link_name", &linkName_, "", "link in the water").required();
   declareDerivatives(declaration);
-  declaration.parameter("disable_coriolis", &hasNoCoriolis_, "", "without the forces of added mass that turns");
-  declaration.parameter("disable_added_mass", &hasNoAddedMass_, "", "without those of added mass that is sped up");
-  declaration.parameter("default_current", &defaultCurrent_, "m/s",
-                        "velocity of the water until the topic tells another");
-  declaration.parameter("namespace", &namespace_, "", "where currents come from is `/model/NAMESPACE/ocean_current`");
+  declaration.parameter("disable_coriolis", &hasNoCoriolis_, "", "disables Coriolis forces of the added mass");
+  declaration.parameter("disable_added_mass", &hasNoAddedMass_, "", "disables inertial forces of the added mass");
+  declaration.parameter("default_current", &defaultCurrent_, "m/s", "initial velocity of the water");
+  declaration.parameter("namespace", &namespace_, "", "the topic of currents is `/model/NAMESPACE/ocean_current`");
   declaration.subscribes("/ocean_current", "ignition.msgs.Vector3d",
                          "velocity of the water in the world frame [m/s], which holds until the next one");
 }
@@ -96,12 +94,10 @@ void Hydrodynamics::declareDerivatives(Declaration& declaration) {
       }
     }
   };
-  addPairs("", craft_.linear, "{xyzkmn}{UVWPQR}",
-           "force or torque by a velocity: `xU`, `nR` [kg/s, kg m^2/s]; what brakes is negative");
+  addPairs("", craft_.linear, "{xyzkmn}{UVWPQR}", "linear drag: `xU`, `nR` [kg/s, kg m^2/s]; negative values brake");
   addTriples("abs", craft_.quadraticAbs, "{xyzkmn}{UVWPQR}abs{UVWPQR}",
-             "by a velocity times the size of another: `xUabsU` [kg/m, kg m^2]; what brakes is negative");
-  addTriples("", craft_.quadratic, "{xyzkmn}{UVWPQR}{UVWPQR}",
-             "by the product of two velocities: `xVR` [kg/m, kg m^2]");
+             "quadratic drag: `xUabsU` [kg/m, kg m^2]; negative values brake");
+  addTriples("", craft_.quadratic, "{xyzkmn}{UVWPQR}{UVWPQR}", "products of velocities: `xVR` [kg/m, kg m^2]");
   addPairs("Dot", craft_.addedMass, "{xyzkmn}Dot{UVWPQR}",
            "added mass: `xDotU`, `nDotR` [kg, kg m^2]; negative, and less than that of the model");
 }
@@ -109,7 +105,7 @@ void Hydrodynamics::declareDerivatives(Declaration& declaration) {
 void Hydrodynamics::configure(const SystemContext& context) {
   link_ = requiredLink(context.sdf, "link_name", *context.model);
   if (defaultCurrent_.cwiseAbs().maxCoeff() > kFastestCurrent) {
-    refuse(*context.sdf.child("default_current"), "<default_current> is faster than any water");
+    refuse(*context.sdf.child("default_current"), "<default_current> is too fast");
   }
   warnOfDerivatives(context);
   current_ = defaultCurrent_;
@@ -129,8 +125,7 @@ void Hydrodynamics::warnOfDerivatives(const SystemContext& context) const {
   for (const Element& element : context.sdf.children) {
     const std::string& name = element.name;
     if (name.size() == 3 && name[1] == name[2] && kVelocityLetters.find(name[1]) == kForceLetters.find(name[0])) {
-      context.diagnostics.warning(element.position, "<" + name +
-                                                        "> pushes one way whatever the direction: what brakes is <" +
+      context.diagnostics.warning(element.position, "<" + name + "> does not depend on the direction; for drag, use <" +
                                                         name.substr(0, 2) + "abs" + name[2] + ">");
     }
   }
@@ -140,7 +135,7 @@ void Hydrodynamics::warnOfDerivatives(const SystemContext& context) const {
     const auto index = static_cast<Eigen::Index>(i);
     if (element == nullptr || std::abs(craft_.addedMass(index, index)) < mass) continue;
     context.diagnostics.warning(element->position,
-                                "<" + name + "> is more than the mass of the model: its motion will swing up");
+                                "<" + name + "> is more than the mass of the model: its motion will be unstable");
   }
 }
 
@@ -161,7 +156,7 @@ void Hydrodynamics::preUpdate(const StepInfo& info) {
   Vector6 force = craft_.dampingForce(velocity);
   if (!hasNoAddedMass_) force += craft_.addedMassForce(acceleration);
   if (!hasNoCoriolis_) force += craft_.coriolisForce(velocity);
-  // at speeds whose square is no number any more
+  // at speeds whose square is not a number any more
   if (!force.allFinite()) return;
   link_->addWrench(R_WorldLink * Vector3(force.head<3>()), R_WorldLink * Vector3(force.tail<3>()));
 }

@@ -132,13 +132,13 @@ TEST(HydrodynamicsParameters, AreWarnedOfWhereTheyMakeNoSense) {
   const std::string left = "hydrodynamics of m is left out: ";
   for (const auto& [parameters, message] : std::vector<std::pair<std::string, std::string>>{
            {"", left + "no <link_name> is given"},
-           {"<link_name>hul</link_name>", left + "<link_name> 'hul' is no link of model 'm'"},
+           {"<link_name>hul</link_name>", left + "<link_name> 'hul' is not a link of model 'm'"},
            {hull("<xU>slow</xU>"), left + "<xU> is 'slow', which is not a number"},
            {hull("<xU>nan</xU>"), left + "<xU> must be a finite number"},
-           {hull("<default_current>1e3 0 0</default_current>"), left + "<default_current> is faster than any water"},
+           {hull("<default_current>1e3 0 0</default_current>"), left + "<default_current> is too fast"},
            {hull("<xY>1</xY>"), "hydrodynamics of m does not know <xY>"},
-           {hull("<yVV>-1</yVV>"), "<yVV> pushes one way whatever the direction: what brakes is <yVabsV>"},
-           {hull("<zDotW>-12</zDotW>"), "<zDotW> is more than the mass of the model: its motion will swing up"}}) {
+           {hull("<yVV>-1</yVV>"), "<yVV> does not depend on the direction; for drag, use <yVabsV>"},
+           {hull("<zDotW>-12</zDotW>"), "<zDotW> is more than the mass of the model: its motion will be unstable"}}) {
     EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(parameters)), std::vector{message});
   }
 }

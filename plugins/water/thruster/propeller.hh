@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "pongsim/state_archive.hh"
+#include "pongsim/state/state_archive.hh"
 
 namespace pongsim {
 

@@ -8,8 +8,8 @@
 
 #include "pongsim/battery.hh"
 #include "pongsim/commands.hh"
+#include "pongsim/control/pid.hh"
 #include "pongsim/parameters.hh"
-#include "pongsim/pid.hh"
 #include "pongsim/system.hh"
 #include "propeller.hh"
 
@@ -21,7 +21,7 @@ constexpr double kMostThrust = 1000;
 /// A controller rests where the speed is that near [rad/s].
 constexpr double kNearEnough = 0.1;
 
-/// Pushes a propeller with the thrust that it is told, and turns it as fast as that takes.
+/// Applies a commanded thrust at a propeller, and spins it accordingly.
 class Thruster : public System {
  public:
   void declare(Declaration& declaration) override;
@@ -75,11 +75,10 @@ class Thruster : public System {
 };
 
 void Thruster::declare(Declaration& declaration) {
-  declaration.is("Pushes a propeller with the thrust that it is told, and turns it as fast as that takes.",
-                 Declaration::Place::kModel);
-  declaration.parameter("joint_name", &jointName_, "", "joint that the propeller turns about").required();
-  declaration.parameter("namespace", &namespace_, "", "stands for the model's name in the topics").otherwise("M");
-  declaration.parameter("topic", &topic_, "", "where thrusts come from is `NAMESPACE/TOPIC`")
+  declaration.is("Applies a commanded thrust at a propeller, and spins it accordingly.", Declaration::Place::kModel);
+  declaration.parameter("joint_name", &jointName_, "", "joint of the propeller").required();
+  declaration.parameter("namespace", &namespace_, "", "replaces the model's name in the topics").otherwise("M");
+  declaration.parameter("topic", &topic_, "", "the topic of thrusts is `NAMESPACE/TOPIC`")
       .otherwise("/model/NAMESPACE/joint/J/cmd_thrust");
   declaration.parameter("fluid_density", &settings_.density, "kg/m^3", "density of the fluid").above(0);
   declaration.parameter("propeller_diameter", &settings_.diameter, "m", "diameter of the propeller").above(0);
@@ -89,20 +88,20 @@ void Thruster::declare(Declaration& declaration) {
       .otherwise("from alpha_1 and alpha_2");
   declaration.parameter("alpha_1", &settings_.alpha1, "", "thrust coefficient of a craft at rest");
   declaration.parameter("alpha_2", &settings_.alpha2, "",
-                        "what it gains by (1 - wake_fraction) * craft's speed / (speed * propeller_diameter)");
-  declaration.parameter("wake_fraction", &settings_.wakeFraction, "", "how much slower the water is at the propeller");
-  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "largest thrust; commands above it are cut");
+                        "change with (1 - wake_fraction) * craft's speed / (speed * propeller_diameter)");
+  declaration.parameter("wake_fraction", &settings_.wakeFraction, "",
+                        "relative reduction of the water speed at the propeller");
+  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "largest thrust; limit of the command");
   declaration.parameter("min_thrust_cmd", &leastThrust_, "N", "least thrust");
   declaration.parameter("velocity_control", &isDrivenDirectly_, "",
-                        "the joint is driven at the speed; else a controller turns the propeller by torques");
-  declaration.parameter("p_gain", &gains_.p, "N m s/rad", "gain of that controller for the speed");
-  declaration.parameter("i_gain", &gains_.i, "N m/rad", "for its integral");
-  declaration.parameter("d_gain", &gains_.d, "N m s^2/rad", "for its derivative");
-  declaration.parameter("power_load", &powerLoad_, "W", "what it takes from a battery, whatever its thrust");
-  declaration.parameter("battery_name", &batteryName_, "", "that battery; of any model").otherwise("none");
+                        "drives the joint at the speed; otherwise a PID controller applies torques");
+  declaration.parameter("p_gain", &gains_.p, "N m s/rad", "proportional gain of that controller");
+  declaration.parameter("i_gain", &gains_.i, "N m/rad", "integral gain");
+  declaration.parameter("d_gain", &gains_.d, "N m s^2/rad", "derivative gain");
+  declaration.parameter("power_load", &powerLoad_, "W", "power drawn from a battery, independent of thrust");
+  declaration.parameter("battery_name", &batteryName_, "", "name of the battery, in any model").otherwise("none");
   declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next one");
-  declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double",
-                         "the same; its name in older worlds");
+  declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double", "the same, in older worlds");
 }
 
 void Thruster::configure(const SystemContext& context) {
@@ -127,19 +126,19 @@ void Thruster::checkSettings(const SystemContext& context) {
     const Element* element = sdf.child("max_thrust_cmd");
     if (element == nullptr) element = sdf.child("min_thrust_cmd");
     context.diagnostics.warning(element->position,
-                                "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are taken");
+                                "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are used");
     mostThrust_ = kMostThrust;
     leastThrust_ = -kMostThrust;
   }
   if (powerLoad_ && batteryName_.empty()) {
     context.diagnostics.warning(sdf.child("power_load")->position,
-                                "<power_load> is not used: no <battery_name> is given");
+                                "<power_load> has no effect: no <battery_name> is given");
   }
   for (const char* name : {"alpha_1", "alpha_2", "wake_fraction"}) {
     const Element* element = sdf.child(name);
     if (element == nullptr || !settings_.coefficient) continue;
     context.diagnostics.warning(element->position,
-                                std::string("<") + name + "> is not used: <thrust_coefficient> is given, too");
+                                std::string("<") + name + "> has no effect: <thrust_coefficient> is given too");
   }
 }
 
@@ -167,7 +166,7 @@ void Thruster::connectBattery() {
   if (named.size() == 1) {
     named.front().setLoad("thruster of " + model_->scopedName() + "::" + std::string(joint_->name()), *powerLoad_);
   } else {
-    log_->warning("takes nothing from the battery '" + batteryName_ + "': there " +
+    log_->warning("draws no power from battery '" + batteryName_ + "': there " +
                   (named.empty() ? "is none of that name" : "are several of that name"));
   }
 }

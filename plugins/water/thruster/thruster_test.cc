@@ -130,7 +130,7 @@ TEST(Thruster, SaysThatItsBatteryIsNotThere) {
   testing::internal::CaptureStderr();
   world.step(10);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(said.find("takes nothing from the battery 'cell': there is none of that name"), std::string::npos) << said;
+  EXPECT_NE(said.find("draws no power from battery 'cell': there is none of that name"), std::string::npos) << said;
 }
 
 TEST(Thruster, GoesOnWithTheSameBitsFromASavedStateAndAfterAReset) {
@@ -151,18 +151,16 @@ TEST(ThrusterParameters, AreWarnedOfWhereTheyMakeNoSense) {
   const std::string left = "thruster of sub is left out: ", joint = "<joint_name>shaft</joint_name>";
   for (const auto& [parameters, message] : std::vector<std::pair<std::string, std::string>>{
            {"", left + "no <joint_name> is given"},
-           {"<joint_name>shft</joint_name>", left + "<joint_name> 'shft' is no joint of model 'sub'"},
-           {joint + "<propeller_diameter>0</propeller_diameter>",
-            left + "<propeller_diameter> must be a length above zero"},
-           {joint + "<propeller_diameter>-1</propeller_diameter>",
-            left + "<propeller_diameter> must be a length above zero"},
-           {joint + "<fluid_density>0</fluid_density>", left + "<fluid_density> must be a number above zero"},
+           {"<joint_name>shft</joint_name>", left + "<joint_name> 'shft' is not a joint of model 'sub'"},
+           {joint + "<propeller_diameter>0</propeller_diameter>", left + "<propeller_diameter> must be above zero"},
+           {joint + "<propeller_diameter>-1</propeller_diameter>", left + "<propeller_diameter> must be above zero"},
+           {joint + "<fluid_density>0</fluid_density>", left + "<fluid_density> must be above zero"},
            {joint + "<thrust_coefficient>0</thrust_coefficient>", left + "<thrust_coefficient> must not be zero"},
-           {joint + "<power_load>5</power_load>", "<power_load> is not used: no <battery_name> is given"},
+           {joint + "<power_load>5</power_load>", "<power_load> has no effect: no <battery_name> is given"},
            {joint + "<max_thrust_cmd>-2000</max_thrust_cmd>",
-            "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are taken"},
+            "<max_thrust_cmd> is below <min_thrust_cmd>: 1000 and -1000 N are used"},
            {joint + "<thrust_coefficient>1</thrust_coefficient><alpha_1>1</alpha_1>",
-            "<alpha_1> is not used: <thrust_coefficient> is given, too"}}) {
+            "<alpha_1> has no effect: <thrust_coefficient> is given too"}}) {
     EXPECT_EQ(RunningWorld::complaintsAbout(worldWith(parameters)), std::vector{message});
   }
 }

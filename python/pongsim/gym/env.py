@@ -1,4 +1,4 @@
-"""One world as an environment of Gymnasium."""
+"""A world as a Gymnasium environment."""
 
 from __future__ import annotations
 
@@ -45,12 +45,12 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
 
     @property
     def simulation(self) -> Simulation:
-        """The world, to look at or to change between two steps."""
+        """The world, for inspection or changes between two steps."""
         return self._worlds.simulations[0]
 
     @property
     def moment(self) -> Moment:
-        """What the functions of the task saw last."""
+        """What the task's functions received last."""
         return self._worlds.moment
 
     def reset(
@@ -80,7 +80,7 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
         if not self._has_begun:
             if self._worlds.is_closed:
                 raise Gone("the environment is closed")
-            raise error.ResetNeeded("call reset before the first step, and after one that has raised something")
+            raise error.ResetNeeded("call reset before the first step, and after one that raised")
         action = np.asarray(action)
         if action.shape != self._action_shape:
             raise ValueError(f"an action has the shape {self._action_shape}, not {action.shape}")
@@ -90,9 +90,9 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
         return self._worlds.observations[0].copy(), rewards.item(), terminated.item(), truncated.item(), {}
 
     def render(self) -> NDArray[np.uint8] | None:
-        """A picture of the world as it is: rows x columns x red, green, blue. None without a `render_mode`."""
+        """An image of the current world: rows x columns x red, green, blue. None without a `render_mode`."""
         if self.render_mode is None:
-            logger.warn("render gives pictures where the environment is made with render_mode=\"rgb_array\"")
+            logger.warn("render needs an environment made with render_mode=\"rgb_array\"")
             return None
         return self._worlds.draw()[0]
 

@@ -1,4 +1,4 @@
-"""What of a world is read, and what an action does to it, without Python in a step."""
+"""Readings and actions of a world, without Python in a step."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _ANY: Limits = (-math.inf, math.inf)
 
 
 class Reading:
-    """Numbers that are read of a world after each step of an environment."""
+    """Numbers read from a world after each step of an environment."""
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
         """Has them read in one of the worlds. Returns what each number lies between where it is observed."""
@@ -52,7 +52,7 @@ class Ranges(Reading):
 
 @dataclass(frozen=True)
 class Pose(Reading):
-    """Where a model is in the world frame: x, y, z [m] and a quaternion of length 1, x, y, z, w."""
+    """Pose of a model in the world frame: x, y, z [m] and a unit quaternion x, y, z, w."""
 
     #: Its scoped name.
     model: str
@@ -65,7 +65,7 @@ class Pose(Reading):
 
 @dataclass(frozen=True)
 class Velocity(Reading):
-    """How a model's canonical link moves, along that link's own axes: linear x, y, z [m/s], angular x, y, z [rad/s]."""
+    """Velocity of a model's canonical link in its own axes: linear x, y, z [m/s], angular x, y, z [rad/s]."""
 
     #: The model's scoped name.
     model: str
@@ -159,7 +159,7 @@ class JointForce(Steering):
 def _joint(simulation: Simulation, name: str) -> CoreJoint:
     model, colons, joint = name.rpartition("::")
     if not colons:
-        raise ValueError(f"a joint is named with its model, as 'robot::{name}', not '{name}'")
+        raise ValueError(f"name a joint with its model, such as 'robot::{name}', not '{name}'")
     return simulation.model(model).joint(joint)
 
 

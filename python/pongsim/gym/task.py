@@ -1,4 +1,4 @@
-"""What is to be learnt: a world, actions, observations, rewards, and when it ends."""
+"""A learning task: a world, actions, observations, rewards, and termination."""
 
 from __future__ import annotations
 
@@ -58,18 +58,18 @@ class Moment:
             return self._now[name]
         except KeyError:
             known = ", ".join(self._now) or "nothing"
-            raise KeyError(f"the task reads no '{name}'; it reads {known}") from None
+            raise KeyError(f"the task has no reading '{name}'; it has {known}") from None
 
     @property
     def time(self) -> NDArray[np.float64]:
-        """How long each episode lasts by now [s of simulated time], a number for each world."""
+        """Duration of each episode so far [s of simulated time], one number per world."""
         time: NDArray[np.float64] = self.elapsed * self._step_time
         return time
 
 
 @dataclass(frozen=True)
 class Camera:
-    """A place from which a world is drawn. It is no sensor and changes nothing in the world."""
+    """A viewpoint for images. It is not a sensor and does not affect the world."""
 
     #: Of the eye in the world frame, which looks along its x axis with z up; None: from above and beside all there is.
     pose: values.Pose | Sequence[float] | None = None
@@ -129,7 +129,7 @@ class Task:
                 raise ValueError(f"{name} must be above 0 s and finite, not {seconds}")
         for name, space in (("action", self.action_space), ("observation", self.observation_space)):
             if callable(getattr(self, name)) == (space is None):
-                raise ValueError(f"{name}_space is for a function as {name}, and such a function needs it")
+                raise ValueError(f"{name}_space and a function as {name} need each other")
         functions = {"reward": self.reward, "terminated": self.terminated, "truncated": self.truncated, "start": self.start}
         for name, function in functions.items():
             if function is not None and not callable(function):
@@ -137,7 +137,7 @@ class Task:
 
 
 def name_of(function: Any) -> str:
-    """What a function is called, for messages."""
+    """The name of a function, for messages."""
     return str(getattr(function, "__qualname__", None) or type(function).__qualname__)
 
 
@@ -162,17 +162,17 @@ def judge(
         try:
             array = np.asarray(given, kind)
         except (TypeError, ValueError) as wrong:
-            raise TaskError(f"{what} '{name_of(function)}' gave {given!r}, which are no numbers") from wrong
+            raise TaskError(f"{what} '{name_of(function)}' returned {given!r}, which are not numbers") from wrong
         if array.ndim == 0:
             array = np.full(moment.worlds, array)
     if array.shape != moment.shape:
         raise TaskError(
-            f"{what} '{name_of(function)}' gave an array of shape {array.shape}; it is to be ({moment.worlds},), one for "
+            f"{what} '{name_of(function)}' returned an array of shape {array.shape}; it must be ({moment.worlds},), one for "
             "each world"
         )
     if ignored is not None:
         array = np.where(ignored, kind.type(0), array)
     # a sum is finite where all numbers are, but for those beyond 1e308
     if kind is NUMBERS and not math.isfinite(np.add.reduce(array)):
-        raise TaskError(f"{what} '{name_of(function)}' gave {array}, and all must be finite")
+        raise TaskError(f"{what} '{name_of(function)}' returned {array}, but all must be finite")
     return array

@@ -1,4 +1,4 @@
-"""Many worlds as one environment of Gymnasium."""
+"""Many worlds as a Gymnasium vector environment."""
 
 from __future__ import annotations
 
@@ -71,12 +71,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
 
     @property
     def simulations(self) -> Sequence[Simulation]:
-        """The worlds, to look at or to change between two steps."""
+        """The worlds, for inspection or changes between two steps."""
         return tuple(self._worlds.simulations)
 
     @property
     def moment(self) -> Moment:
-        """What the functions of the task saw last."""
+        """What the task's functions received last."""
         return self._worlds.moment
 
     @property  # type: ignore[misc]  # as Gymnasium's own vectors have it
@@ -109,7 +109,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
             raise Gone("the environment is closed")
         chosen = self._mask(options)
         if not self._has_begun and not chosen.all():
-            raise error.ResetNeeded("the first reset, and one after a step that has raised something, is of all worlds")
+            raise error.ResetNeeded("the first reset, and one after a step that raised, must be of all worlds")
         seeds = self._one_each(seed)
         for i in np.flatnonzero(chosen).tolist():
             if (each := seeds[i]) is not None:
@@ -152,7 +152,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
         if not self._has_begun:
             if self._worlds.is_closed:
                 raise Gone("the environment is closed")
-            raise error.ResetNeeded("call reset before the first step, and after one that has raised something")
+            raise error.ResetNeeded("call reset before the first step, and after one that raised")
         batch = np.asarray(actions)
         if batch.shape != self.action_space.shape:
             raise ValueError(f"the actions have the shape {self.action_space.shape}, not {batch.shape}")
@@ -182,9 +182,9 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
         return infos
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
-        """A picture of each world as it is: rows x columns x red, green, blue. None without a `render_mode`."""
+        """An image of each current world: rows x columns x red, green, blue. None without a `render_mode`."""
         if self.render_mode is None:
-            logger.warn("render gives pictures where the environment is made with render_mode=\"rgb_array\"")
+            logger.warn("render needs an environment made with render_mode=\"rgb_array\"")
             return None
         return tuple(self._worlds.draw())
 

@@ -98,7 +98,7 @@ class Worlds:
         limits: list[Limits] = []
         for steering in task.action:
             if not isinstance(steering, Steering):
-                raise TypeError(f"an action is made of Steerings, such as Command(...), not {type(steering).__name__}")
+                raise TypeError(f"an action must consist of Steerings, such as Command(...), not {type(steering).__name__}")
             for i, simulation in enumerate(self.simulations):
                 each = steering.attach(self._pool, i, simulation)
             limits += each
@@ -110,7 +110,7 @@ class Worlds:
         size = self.simulations[0].step_size
         count = round(seconds / size)
         if count < 1 or abs(count * size - seconds) > 1e-9:
-            raise ValueError(f"{what} is {seconds:g} s, which is no whole number of the world's steps of {size:g} s")
+            raise ValueError(f"{what} is {seconds:g} s, which is not a multiple of the world's step of {size:g} s")
         return count
 
     def _has_noise(self) -> bool:
@@ -238,8 +238,8 @@ class Worlds:
             missing = self._pool.missing(i)
             if missing:
                 raise NoReading(
-                    f"there is no reading of {missing} before the first observation; let settle_time be so long that "
-                    "one comes, and look whether something in the world publishes it"
+                    f"there is no reading of {missing} before the first observation; increase settle_time so that "
+                    "one arrives, and check that the world publishes it"
                 )
         for i in to_save:
             self._pool.save(i)
@@ -256,7 +256,7 @@ class Worlds:
                 self.observations[i] = given
             except (TypeError, ValueError) as wrong:
                 raise TaskError(
-                    f"the observation '{name_of(observe)}' gave what does not fit into its space, {self.observation_space}: "
+                    f"the observation '{name_of(observe)}' returned a value outside its space, {self.observation_space}: "
                     f"{wrong}"
                 ) from wrong
 

@@ -24,13 +24,13 @@ _ACTIONS = ("run", "world", "plot")
 _EXAMPLES = """examples:
   pongsim sweep gains.yaml                     make the runs; results in gains.sweep/results.csv
   pongsim sweep gains.yaml --dry-run           list them only
-  pongsim sweep gains.yaml --jobs 8            eight at the same time
+  pongsim sweep gains.yaml --jobs 8            eight in parallel
   pongsim sweep gains.yaml --ray auto          on the Ray cluster of this machine
   pongsim sweep world gains.yaml 17 > 17.sdf   the world of run 17, for pongsim run
-  pongsim sweep plot gains.sweep               draw the measures over the parameters
+  pongsim sweep plot gains.sweep               plot the measures over the parameters
 
-Ctrl-C ends it; the same command goes on with the runs that are left. Exit code 1: a run has failed, and its row says why.
-docs/sweeps.md has what stands in the file."""
+Ctrl-C stops it; the same command resumes with the remaining runs. Exit code 1: a run failed, and its row says why.
+docs/sweeps.md describes the file."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -42,31 +42,31 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="pongsim sweep", epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
-                     description="Runs a world again and again, with other parameters and seeds.",
+                     description="Runs a world over parameters and seeds, and tabulates the results.",
                      usage="pongsim sweep FILE.yaml [OPTION...] | world FILE.yaml RUN | plot FOLDER")
     actions = parser.add_subparsers(dest="action", required=True, metavar="FILE.yaml", parser_class=_Parser)
 
-    each = actions.add_parser("run", help="make the runs of FILE.yaml, or those that are left", epilog=_EXAMPLES,
+    each = actions.add_parser("run", help="make the runs of FILE.yaml, or the remaining ones", epilog=_EXAMPLES,
                               formatter_class=argparse.RawDescriptionHelpFormatter, prog="pongsim sweep",
                               usage="pongsim sweep FILE.yaml [OPTION...]",
-                              description="Makes the runs of FILE.yaml, or those that are left.")
+                              description="Makes the runs of FILE.yaml, or the remaining ones.")
     each.add_argument("file", metavar="FILE.yaml", help="the sweep")
-    each.add_argument("-o", "--output", metavar="FOLDER", help="where the results go (FILE.sweep, beside the file)")
-    each.add_argument("-j", "--jobs", metavar="N", type=int, help="runs at the same time (as many as processors)")
-    each.add_argument("--ray", metavar="ADDRESS", help="run on the Ray cluster there: HOST:PORT, ray://HOST:PORT, auto")
-    each.add_argument("--restart", action="store_true", help="forget the runs that are done")
+    each.add_argument("-o", "--output", metavar="FOLDER", help="folder of the results (FILE.sweep, beside the file)")
+    each.add_argument("-j", "--jobs", metavar="N", type=int, help="parallel runs (one per core)")
+    each.add_argument("--ray", metavar="ADDRESS", help="use a Ray cluster: HOST:PORT, ray://HOST:PORT, auto")
+    each.add_argument("--restart", action="store_true", help="discard the results so far")
     each.add_argument("--dry-run", action="store_true", help="check the file and list the runs, without making them")
-    each.add_argument("--parquet", action="store_true", help="end at once where Parquet can't be written")
+    each.add_argument("--parquet", action="store_true", help="fail at once if Parquet can't be written")
     each.add_argument("--quiet", action="store_true", help="no progress bar")
 
-    each = actions.add_parser("world", help="print the world of a run, in SDF", prog="pongsim sweep world",
+    each = actions.add_parser("world", help="print the SDF world of a run", prog="pongsim sweep world",
                               description="Prints the world of a run with its parameters in it.")
     each.add_argument("file", metavar="FILE.yaml", help="the sweep")
-    each.add_argument("run", metavar="RUN", type=int, help="its number, from 0 on")
+    each.add_argument("run", metavar="RUN", type=int, help="its number, from 0")
 
-    each = actions.add_parser("plot", help="draw the measures over the parameters", prog="pongsim sweep plot",
-                              description="Draws each measure over each parameter, a dot a run.")
-    each.add_argument("folder", metavar="FOLDER", help="of the results, or results.csv")
+    each = actions.add_parser("plot", help="plot the measures over the parameters", prog="pongsim sweep plot",
+                              description="Plots each measure over each parameter, one dot per run.")
+    each.add_argument("folder", metavar="FOLDER", help="folder of the results, or results.csv")
     each.add_argument("-o", "--output", metavar="FILE", help="the picture: .png, .svg or .pdf (FOLDER/plot.png)")
     each.add_argument("--x", metavar="NAME", action="append", default=[], help="only over this parameter; repeatable")
     each.add_argument("--y", metavar="NAME", action="append", default=[], help="only this measure; repeatable")
@@ -105,7 +105,7 @@ def _say_error(text: object) -> None:
 def _world(options: argparse.Namespace) -> int:
     sweep = reading.read(options.file)
     if not 0 <= options.run < len(sweep.runs):
-        raise SweepError(f"there is no run {options.run}: they are 0 to {len(sweep.runs) - 1}")
+        raise SweepError(f"there is no run {options.run}: runs are 0 to {len(sweep.runs) - 1}")
     plan = sweep.plan
     # as bytes: a file into which nothing is put may be no UTF-8
     data = pathlib.Path(plan.world).read_bytes() if plan.text is None else world_of(plan, sweep.runs[options.run]).encode()
@@ -136,7 +136,7 @@ def _run(options: argparse.Namespace) -> int:
                       say=lambda text: print(text, file=sys.stderr))
     except KeyboardInterrupt:
         place = options.output or default_folder(reading.read(options.file))
-        print(f"\npongsim sweep: stopped; what is done is in {place}, and the same command goes on with what is left",
+        print(f"\npongsim sweep: stopped; completed runs are in {place}; run the same command to continue",
               file=sys.stderr)
         return _FAILED
     return _report(results)
@@ -150,7 +150,7 @@ def _report(results: Results) -> int:
         print(f"... and {len(failed) - _TOLD} more", file=sys.stderr)
     written = " and ".join(name for name in (CSV, PARQUET) if (results.folder / name).exists())
     if results.table_error:
-        _say_error(f"the tables can't be written: {results.table_error}; what is done stands in the journal")
+        _say_error(f"the tables can't be written: {results.table_error}; completed runs are in the journal")
         written = "no new tables"
     print(f"{len(results)} runs, {len(results) - len(failed)} done, {len(failed)} failed; {results.folder}: {written}")
     return _FAILED if failed or results.table_error else _DONE

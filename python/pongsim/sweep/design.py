@@ -30,7 +30,7 @@ def read_axis(name: str, node: Node) -> Axis:
     parts = node.mapping(f"parameter '{name}'")
     given = [key for key in ("values", "range", "between") if key in parts]
     if len(given) != 1:
-        node.fail(f"parameter '{name}' has {' and '.join(given) or 'no values'}", "give one of values, range, between")
+        node.fail(f"parameter '{name}' has {' and '.join(given) or 'no values'}", "give values, range or between")
     if "values" in parts:
         what = f"a value of '{name}'"
         return Axis(name, [each.scalar(what) for each in parts["values"].list(f"'{name}'.values")], None, node)
@@ -51,14 +51,14 @@ def _range(name: str, node: Node) -> list[Any]:
         if key not in parts:
             node.fail(f"'{name}'.range has no '{key}'", "a range has from, to, and step or count")
     if ("step" in parts) == ("count" in parts):
-        node.fail(f"'{name}'.range has one of step and count")
+        node.fail(f"'{name}'.range needs either step or count")
     first, last = (parts[key].number(f"'{key}' of '{name}'") for key in ("from", "to"))
     if "count" in parts:
         count = parts["count"].whole(f"'count' of '{name}'", least=2, most=MOST_RUNS)
         return [first + (last - first) * i / (count - 1) for i in range(count)]
     step = parts["step"].number(f"'step' of '{name}'")
     if step == 0 or (last - first) * step < 0:
-        parts["step"].fail(f"with steps of {step:g} no way leads from {first:g} to {last:g}")
+        parts["step"].fail(f"steps of {step:g} do not lead from {first:g} to {last:g}")
     # in decimals, so that it is 0.3 and not 0.30000000000000004
     begin, end, width = (decimal.Decimal(str(each)) for each in (first, last, step))
     count = int((end - begin) / width) + 1
@@ -82,7 +82,7 @@ def read_seeds(node: Node | None) -> list[int]:
         return [first + i for i in range(parts["count"].whole("the count of seeds", least=1, most=MOST_RUNS))]
     seeds = [each.whole("a seed") for each in node.list("seeds")]
     if len(set(seeds)) < len(seeds):
-        node.fail("a seed is there twice")
+        node.fail("a seed is given twice")
     return seeds
 
 

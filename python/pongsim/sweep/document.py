@@ -35,7 +35,7 @@ class Node:
     def mapping(self, what: str, known: Iterable[str] | None = None) -> dict[str, Node]:
         """What is in it, by name; other names than `known` are errors."""
         if not isinstance(self.value, dict):
-            self.fail(f"{what} is a mapping, 'name: value' a line, not {self._kind()}")
+            self.fail(f"{what} must be a mapping with lines 'name: value', not {self._kind()}")
         children: dict[str, Node] = self.value
         if known is not None:
             names = list(known)
@@ -47,7 +47,7 @@ class Node:
     def list(self, what: str) -> list[Node]:
         """What is in it, one after the other; at least one."""
         if not isinstance(self.value, list):
-            self.fail(f"{what} is a list, as [1, 2], not {self._kind()}")
+            self.fail(f"{what} must be a list such as [1, 2], not {self._kind()}")
         children: list[Node] = self.value
         if not children:
             self.fail(f"{what} is empty")
@@ -56,32 +56,32 @@ class Node:
     def text(self, what: str) -> str:
         """A text that is not empty."""
         if not isinstance(self.value, str) or not self.value.strip():
-            self.fail(f"{what} is a text, not {self._kind()}")
+            self.fail(f"{what} must be text, not {self._kind()}")
         return self.value
 
     def number(self, what: str, *, above: float = -math.inf, least: float = -math.inf) -> float:
         """A finite number."""
         # a whole number of YAML has no limit
         if isinstance(self.value, bool) or not isinstance(self.value, (int, float)) or not abs(self.value) <= _GREATEST:
-            self.fail(f"{what} is a number, not {self._kind()}")
+            self.fail(f"{what} must be a number, not {self._kind()}")
         number: float = self.value
         if number <= above:
-            self.fail(f"{what} is above {above:g}, not {number:g}")
+            self.fail(f"{what} must be above {above:g}, not {number:g}")
         if number < least:
-            self.fail(f"{what} is at least {least:g}, not {number:g}")
+            self.fail(f"{what} must be at least {least:g}, not {number:g}")
         return number
 
     def whole(self, what: str, *, least: int = 0, most: int = 2**63 - 1) -> int:
         """A whole number."""
         if isinstance(self.value, bool) or not isinstance(self.value, int) or not least <= self.value <= most:
-            self.fail(f"{what} is a whole number from {least} to {most}, not {self._kind()}")
+            self.fail(f"{what} must be a whole number from {least} to {most}, not {self._kind()}")
         number: int = self.value
         return number
 
     def scalar(self, what: str) -> Any:
         """A number, a text, true or false."""
         if not isinstance(self.value, (bool, int, float, str)):
-            self.fail(f"{what} is a number, a text, true or false, not {self._kind()}")
+            self.fail(f"{what} must be a number, text, true or false, not {self._kind()}")
         return self.value
 
     def _kind(self) -> str:
@@ -106,7 +106,7 @@ def read(text: str, file: str) -> Node:
         def compose_node(self, parent: Any, index: Any) -> Any:
             if self.check_event(yaml.events.AliasEvent):
                 event = self.peek_event()
-                raise SweepError("aliases (*name) are not taken here", at=_place(file, event.start_mark))
+                raise SweepError("aliases (*name) are not supported", at=_place(file, event.start_mark))
             return super().compose_node(parent, index)
 
     Loader.yaml_implicit_resolvers = {
@@ -128,7 +128,7 @@ def read(text: str, file: str) -> Node:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         unquoted = any(words in str(error.problem) for words in ("mapping values", "expected ',' or"))
-        hint = "quote texts that have : # { [ > or the like in them" if unquoted else ""
+        hint = "put text with : # { [ > and the like in quotes" if unquoted else ""
         raise SweepError(str(error.problem or error.context), at=_place(file, mark), hint=hint) from None
     except yaml.YAMLError as error:
         raise SweepError(" ".join(str(error).split()), at=file) from None
@@ -153,9 +153,9 @@ def _convert(loader: Any, node: Any, file: str) -> Node:
     for key, value in node.value:
         name = key.value if key.id == "scalar" else None
         if name is None:
-            raise SweepError("names are texts", at=_place(file, key.start_mark))
+            raise SweepError("names must be text", at=_place(file, key.start_mark))
         if name in children:
-            raise SweepError(f"'{name}' is there twice", at=_place(file, key.start_mark))
+            raise SweepError(f"'{name}' is given twice", at=_place(file, key.start_mark))
         child = _convert(loader, value, file)
         # what is wrong with a block is shown where its name stands
         children[name] = Node(child.value, _place(file, key.start_mark)) if value.id != "scalar" else child

@@ -1,4 +1,4 @@
-"""What goes wrong with a sweep before its runs begin."""
+"""Errors of a sweep before its runs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..errors import Error
 
 
 class SweepError(Error):
-    """A sweep can't be made. Its text says why: with file, line and column where the file is to blame, and a hint."""
+    """A sweep can't be run. The text has the reason, with file, line and column if the file is wrong, and a hint."""
 
     def __init__(self, message: str, *, at: str = "", hint: str = "") -> None:
         #: Where it is: "gains.yaml:3:5"; empty where it is in no file.
@@ -35,8 +35,8 @@ def nearest(word: str, known: Iterable[str]) -> str:
 _PACKAGES = {
     "lxml.etree": "python3-lxml, or lxml of PyPI",
     "matplotlib": "python3-matplotlib, or matplotlib of PyPI",
-    "pyarrow": "pyarrow of PyPI; Debian 12 has it not",
-    "ray": "ray of PyPI; Debian 12 has it not",
+    "pyarrow": "pyarrow of PyPI; not in Debian 12",
+    "ray": "ray of PyPI; not in Debian 12",
     "tqdm": "python3-tqdm, or tqdm of PyPI",
     "yaml": "python3-yaml, or PyYAML of PyPI",
 }

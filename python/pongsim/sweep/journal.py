@@ -50,7 +50,7 @@ class Journal:
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            raise SweepError(f"{self.path.parent}: another pongsim sweep is at work there") from None
+            raise SweepError(f"{self.path.parent}: another pongsim sweep is running there") from None
         self._file.seek(0)
         lines = self._file.read().split(b"\n")
         # a line that was not written to its end has not been
@@ -69,7 +69,7 @@ class Journal:
             try:
                 row = Row(**json.loads(line))
             except (ValueError, TypeError):
-                raise SweepError("this is no row of a sweep", at=f"{self.path}:{number}", hint="--restart begins anew") from None
+                raise SweepError("this is not a row of a sweep", at=f"{self.path}:{number}", hint="use --restart to start anew") from None
             self.rows[row.run] = row
 
     def _check(self, line: bytes, digests: dict[str, str]) -> None:
@@ -78,12 +78,12 @@ class Journal:
             known: dict[str, str] = header["files"]
             version = header["pongsim_sweep"]
         except (ValueError, TypeError, KeyError):
-            raise SweepError("this is no journal of a sweep", at=f"{self.path}:1", hint="choose another folder with --output") from None
+            raise SweepError("this is not a journal of a sweep", at=f"{self.path}:1", hint="choose another folder with --output") from None
         changed = sorted(name for name in known.keys() | digests.keys() if known.get(name) != digests.get(name))
         if changed or version != _FORMAT:
             raise SweepError(
                 f"the runs in {self.path.parent} were made with another {' and another '.join(changed) or 'format'}",
-                hint="--restart forgets them, --output FOLDER leaves them alone")
+                hint="use --restart to discard them, or --output FOLDER to keep them")
 
     def _write(self, value: dict[str, Any]) -> None:
         line = json.dumps(value).encode() + b"\n"

@@ -139,7 +139,7 @@ class LocalPool:
         if not worker.is_ready:
             self._false_starts += 1
             if self._false_starts >= _FALSE_STARTS:
-                raise SweepError(f"the processes for the runs do not start: the last one {how}")
+                raise SweepError(f"the processes for the runs can't be started: the last one {how}")
         if worker.runs:
             run = worker.runs.popleft()
             self._left.extendleft(reversed(worker.runs))

@@ -34,7 +34,7 @@ def parse_field(path: str) -> list[str | int]:
         steps.append(match.group(1) if match.group(1) else int(match.group(2)))
         end = match.end()
     if end != len(path) or not steps:
-        raise MeasureError(f"'{path}' is no field; it reads as pose.position.x or pose[0].name")
+        raise MeasureError(f"'{path}' is not a field; write pose.position.x or pose[0].name")
     return steps
 
 
@@ -43,7 +43,7 @@ def field_of(message: Any, path: list[str | int]) -> Value:
     for step in path:
         if isinstance(step, int):
             if not isinstance(message, list) or step >= len(message):
-                raise LookupError(f"has no [{step}]: " + (f"{len(message)} are there" if isinstance(message, list) else "it is no list"))
+                raise LookupError(f"has no [{step}]: " + (f"{len(message)} are there" if isinstance(message, list) else "it is not a list"))
             message = message[step]
         elif isinstance(message, dict) and step in message:
             message = message[step]
@@ -81,7 +81,7 @@ class TopicMeasure:
         try:
             self._take(value)
         except TypeError:
-            raise MeasureError(f"measure '{self._measure.name}': '{self._measure.field}' is {value!r}, no number") from None
+            raise MeasureError(f"measure '{self._measure.name}': '{self._measure.field}' is {value!r}, not a number") from None
 
     def _take(self, value: Value) -> None:
         take, condition = self._measure.take, self._measure.condition
@@ -106,12 +106,12 @@ class TopicMeasure:
             raise MeasureError(f"measure '{measure.name}': a message of {measure.topic} {self._missing}")
         if self._heard == 0 and not (measure.take == "count" and self._is_known):
             hint = "" if self._is_known else nearest(measure.topic, (each for each in self._sim.topics if each != measure.topic))
-            raise MeasureError(f"measure '{measure.name}': no message came on {measure.topic}" + (f" ({hint})" if hint else ""))
+            raise MeasureError(f"measure '{measure.name}': no messages on {measure.topic}" + (f" ({hint})" if hint else ""))
         if measure.take == "count":
             return self._count
         result = self._sum / self._count if measure.take == "mean" else self._value
         if isinstance(result, (dict, list, bytes)):
-            raise MeasureError(f"measure '{measure.name}': '{measure.field}' is no single value")
+            raise MeasureError(f"measure '{measure.name}': '{measure.field}' is not a single value")
         return result
 
     def close(self) -> None:
@@ -161,6 +161,6 @@ class Functions:
         if hasattr(value, "item") and getattr(value, "shape", None) == ():
             value = value.item()  # a number of NumPy
         if value is not None and not isinstance(value, (bool, int, float, str)):
-            raise MeasureError(f"measure '{function.name}': {function.function} gives a {type(value).__name__}, "
-                               "not a number, a text, true or false")
+            raise MeasureError(f"measure '{function.name}': {function.function} returned a {type(value).__name__}, "
+                               "not a number, text, true or false")
         return value

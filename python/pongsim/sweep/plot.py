@@ -38,7 +38,7 @@ def plot(
     columns, rows = read(place)
     done = [row for row in rows if row["status"] == "done"]
     if not done:
-        raise SweepError(f"{place} has no run that is done")
+        raise SweepError(f"{place} has no completed run")
     seed = columns.index("seed")
     numbers = {name: values for name in columns if (values := _numbers([row[name] for row in done])) is not None}
     across = _chosen(x, [name for name in columns[1:seed + 1] if name in numbers], "parameter", columns)
@@ -47,7 +47,7 @@ def plot(
         varied = [name for name in across if len(set(numbers[name])) > 1]
         across = [name for name in varied if name != "seed"] or varied or across[:1]
     if not across or not up:
-        raise SweepError(f"{place} has no measure and parameter that are numbers")
+        raise SweepError(f"{place} has no numeric measure and parameter")
     path = pathlib.Path(output) if output is not None else (place if place.is_dir() else place.parent) / "plot.png"
     _draw(path, {name: numbers[name] for name in across}, {name: numbers[name] for name in up})
     return path
@@ -65,20 +65,19 @@ def _numbers(texts: list[str]) -> list[float] | None:
 def _chosen(wanted: Sequence[str], there: list[str], what: str, columns: list[str]) -> list[str]:
     for name in wanted:
         if name not in there:
-            why = "is no number" if name in columns else "is not there"
+            why = "is not a number" if name in columns else "is not there"
             raise SweepError(f"the {what} '{name}' {why}", hint=nearest(name, there))
     return list(wanted) or there
 
 
 def _draw(path: pathlib.Path, across: dict[str, list[float]], up: dict[str, list[float]]) -> None:
-    matplotlib = need("matplotlib", "a plot")
-    matplotlib.use("Agg")
-    pyplot = need("matplotlib.pyplot", "a plot")
-    if path.suffix.lstrip(".") not in pyplot.gcf().canvas.get_supported_filetypes():
-        raise SweepError(f"a picture is no '{path.suffix}' file", hint=".png, .svg or .pdf")
-    pyplot.close()
-    figure, axes = pyplot.subplots(len(up), len(across), squeeze=False, layout="constrained",
-                                   figsize=(_SIZE[0] * len(across), _SIZE[1] * len(up)))
+    need("matplotlib", "a plot")
+    # not by pyplot, whose figures and display are the user's, in a notebook as well
+    figure = need("matplotlib.figure", "a plot").Figure(figsize=(_SIZE[0] * len(across), _SIZE[1] * len(up)),
+                                                        layout="constrained")
+    if path.suffix.lstrip(".") not in figure.canvas.get_supported_filetypes():
+        raise SweepError(f"a picture can't be a '{path.suffix}' file", hint=".png, .svg or .pdf")
+    axes = figure.subplots(len(up), len(across), squeeze=False)
     for line, (measure, values) in zip(axes, up.items()):
         for picture, (parameter, places) in zip(line, across.items()):
             picture.plot(places, values, ".", alpha=0.5, markersize=5)
@@ -92,8 +91,6 @@ def _draw(path: pathlib.Path, across: dict[str, list[float]], up: dict[str, list
         figure.savefig(path, dpi=120)
     except OSError as error:
         raise SweepError(f"{path}: {error.strerror}") from None
-    finally:
-        pyplot.close(figure)
 
 
 def _means(places: list[float], values: list[float]) -> dict[float, float]:

@@ -25,7 +25,7 @@ _PATIENCE = 5.0
 
 def _make(plan: Plan, runs: list[Run]) -> list[Row]:
     if _core.version != plan.version:
-        reason = f"the node has pongsim {_core.version}, the sweep was begun with {plan.version}"
+        reason = f"the node has pongsim {_core.version}, but the sweep was started with {plan.version}"
         return [Row(run.number, run.parameters, run.seed, reason=reason) for run in runs]
     return [execute(plan, run) for run in runs]
 
@@ -43,7 +43,7 @@ class RayPool:
                 self._ray.init(address=address, log_to_driver=False, configure_logging=False)
             except Exception as error:
                 raise SweepError(f"there is no Ray cluster at '{address}': {_first_line(error)}",
-                                 hint="begin one with: ray start --head") from None
+                                 hint="start one with: ray start --head") from None
 
     def __enter__(self) -> RayPool:
         return self
@@ -78,7 +78,7 @@ class RayPool:
                     left.extendleft(reversed(batch))
                     continue
                 rows = [Row(run.number, run.parameters, run.seed,
-                            reason=f"Ray has lost it {_RETRIES + 1} times: {_first_line(error)}") for run in batch]
+                            reason=f"Ray lost it {_RETRIES + 1} times: {_first_line(error)}") for run in batch]
             together = min(_MOST_RUNS, max(1, int(_TASK * len(rows) / (sum(row.wall_time for row in rows) or _TASK))))
             yield from rows
 
@@ -92,12 +92,12 @@ def _reach(address: str) -> None:
     host, colon, port = address.removeprefix("ray://").rpartition(":")
     if address in ("auto", "local") or not colon:
         if address != "auto":
-            raise SweepError(f"'{address}' is no address of a Ray cluster", hint="HOST:PORT, ray://HOST:PORT or auto")
+            raise SweepError(f"'{address}' is not the address of a Ray cluster", hint="HOST:PORT, ray://HOST:PORT or auto")
         return
     try:
         socket.create_connection((host, int(port)), _PATIENCE).close()
     except (OSError, ValueError, OverflowError) as error:
-        raise SweepError(f"there is no Ray cluster at '{address}': {error}", hint="begin one with: ray start --head") from None
+        raise SweepError(f"there is no Ray cluster at '{address}': {error}", hint="start one with: ray start --head") from None
 
 
 def _first_line(error: BaseException) -> str:

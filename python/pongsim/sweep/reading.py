@@ -50,7 +50,7 @@ def read(source: Source) -> Sweep:
     except OSError as error:
         raise SweepError(f"{file}: {error.strerror}") from None
     except UnicodeDecodeError as error:
-        raise SweepError(f"it is no text in UTF-8: {error.reason}", at=str(file)) from None
+        raise SweepError(f"it is not UTF-8 text: {error.reason}", at=str(file)) from None
     return _Reader(root, file).sweep(data)
 
 
@@ -89,13 +89,13 @@ class _Reader:
         self.names = list(parameters)
         for name, node in parameters.items():
             if not name.isidentifier() or name in RESERVED:
-                node.fail(f"'{name}' can't name a parameter", "letters, digits and _, and not " + ", ".join(RESERVED))
+                node.fail(f"'{name}' can't be the name of a parameter", "use letters, digits and _, and not " + ", ".join(RESERVED))
             node.mapping(f"parameter '{name}'", ["values", "range", "between", "xpath", "text"])
             axes.append(design.read_axis(name, node))
             ways += self._ways(name, node)
         combine = self.parts["combine"].text("combine") if "combine" in self.parts else "grid"
         if combine not in ("grid", "zip"):
-            self.parts["combine"].fail(f"combine is grid or zip, not '{combine}'")
+            self.parts["combine"].fail(f"combine must be grid or zip, not '{combine}'")
         samples, seed = self._sampling(axes)
         runs = design.make_runs(axes, combine, samples, seed, design.read_seeds(self.parts.get("seeds")), self.root)
         return runs, ways
@@ -105,12 +105,12 @@ class _Reader:
         node = self.parts.get("latin_hypercube")
         if node is None:
             if drawn:
-                drawn[0].at.fail(f"'{drawn[0].name}' has 'between', and the sweep no 'latin_hypercube'",
-                                 "as latin_hypercube: {samples: 100, seed: 1}")
+                drawn[0].at.fail(f"'{drawn[0].name}' has 'between', but the sweep has no 'latin_hypercube'",
+                                 "write latin_hypercube: {samples: 100, seed: 1}")
             return 0, 0
         parts = node.mapping("latin_hypercube", ["samples", "seed"])
         if not drawn:
-            node.fail("no parameter has 'between', which latin_hypercube is for")
+            node.fail("latin_hypercube needs a parameter with 'between'")
         if "samples" not in parts:
             node.fail("latin_hypercube has no 'samples'")
         samples = parts["samples"].whole("samples", least=1, most=design.MOST_RUNS)
@@ -121,7 +121,7 @@ class _Reader:
         text = parts["text"].text("text") if "text" in parts else None
         if "xpath" not in parts:
             if text is not None:
-                parts["text"].fail("a 'text' is for an 'xpath', which is missing")
+                parts["text"].fail("'text' needs an 'xpath'")
             return []
         if text is not None:
             self._check_names(text, parts["text"])
@@ -131,7 +131,7 @@ class _Reader:
     def _check_names(self, text: Any, node: Node) -> None:
         for name in template.names(text, node.at):
             if name not in self.names:
-                node.fail(f"${name} is no parameter", nearest(name, self.names) or "a $ itself is $$")
+                node.fail(f"${name} is not a parameter", nearest(name, self.names) or "write $$ for a $")
 
     def _plan(self, ways: list[world.Way]) -> Plan:
         world_node = self.parts["world"]
@@ -155,21 +155,21 @@ class _Reader:
     def _limits(self) -> dict[str, Node]:
         limits = self.parts["limits"].mapping("limits", ["simulated", "wall"]) if "limits" in self.parts else {}
         if "until" in self.parts and "simulated" not in limits:
-            self.parts["until"].fail("a run that ends 'until' something needs limits.simulated", "as limits: {simulated: 60}")
+            self.parts["until"].fail("a run with 'until' needs limits.simulated", "write limits: {simulated: 60}")
         if "until" not in self.parts and "simulated" in limits:
-            limits["simulated"].fail("limits.simulated is for 'until'; 'duration' says when a run ends")
+            limits["simulated"].fail("limits.simulated needs 'until'; a run with 'duration' ends by itself")
         return limits
 
     def _end(self) -> tuple[float, Until | None]:
         if ("duration" in self.parts) == ("until" in self.parts):
-            self.root.fail("a sweep has one of 'duration' and 'until'", "as duration: 10, in simulated seconds")
+            self.root.fail("a sweep needs either 'duration' or 'until'", "for example duration: 10, in simulated seconds")
         if "duration" in self.parts:
             return self.parts["duration"].number("duration", least=0), None
         node = self.parts["until"]
         parts = node.mapping("until", ["topic", "field", *_CONDITION])
         condition = _condition(node, parts)
         if condition is None or "topic" not in parts or "field" not in parts:
-            node.fail("until has a topic, a field, and one of above, below, equals")
+            node.fail("until needs a topic, a field, and one of above, below, equals")
         return 0.0, Until(parts["topic"].text("topic"), parts["field"].text("field"), condition)
 
     def _flag(self, name: str) -> bool:
@@ -177,7 +177,7 @@ class _Reader:
             return False
         value = self.parts[name].value
         if not isinstance(value, bool):
-            self.parts[name].fail(f"{name} is true or false")
+            self.parts[name].fail(f"{name} must be true or false")
         return value
 
     def _commands(self) -> tuple[Command, ...]:
@@ -191,7 +191,7 @@ class _Reader:
                     node.fail(f"a command has no '{key}'")
             message = parts["message"].plain()
             if not isinstance(message, (dict, str)):
-                parts["message"].fail("a message is a mapping of its fields, or protobuf's text")
+                parts["message"].fail("a message must be a mapping of its fields, or protobuf text")
             self._check_names(message, parts["message"])
             commands.append(Command(
                 parts["topic"].text("topic"), parts["type"].text("type") if "type" in parts else "",
@@ -202,23 +202,23 @@ class _Reader:
         measures: list[Measure | Function] = []
         for name, node in self.parts["measures"].mapping("measures").items():
             if not name.isidentifier() or name in RESERVED or name in self.names:
-                node.fail(f"'{name}' can't name a measure",
-                          "letters, digits and _, no parameter's name, and not " + ", ".join(RESERVED))
+                node.fail(f"'{name}' can't be the name of a measure",
+                          "use letters, digits and _; no parameter's name, and not " + ", ".join(RESERVED))
             parts = node.mapping(f"measure '{name}'", ["function", "topic", "field", "take", *_CONDITION])
             if "function" in parts:
                 if len(parts) > 1:
-                    node.fail(f"measure '{name}' is a function or of a topic, not both")
+                    node.fail(f"measure '{name}' needs either a function or a topic, not both")
                 measures.append(self._function(name, parts["function"]))
             else:
                 measures.append(_measure(name, node, parts))
         if not measures:
-            self.parts["measures"].fail("a sweep measures something")
+            self.parts["measures"].fail("the sweep has no measures")
         return tuple(measures)
 
     def _function(self, name: str, node: Node) -> Function:
         file, colon, function = node.text("a function").rpartition(":")
         if not colon or not file or not function.isidentifier():
-            node.fail(f"'{node.value}' is no function", "as judge.py:score")
+            node.fail(f"'{node.value}' is not a function", "write judge.py:score")
         path = str(self.folder / file)
         try:
             text = pathlib.Path(path).read_text()
@@ -249,7 +249,7 @@ class _Reader:
         for name in self.names:
             if name not in used:
                 self.parts["parameters"].value[name].fail(
-                    f"parameter '{name}' goes nowhere", f"give it an xpath, or put ${name} into a command")
+                    f"parameter '{name}' is not used", f"give it an xpath, or use ${name} in a command")
 
 
 def _condition(node: Node, parts: Mapping[str, Node]) -> Condition | None:
@@ -270,9 +270,9 @@ def _measure(name: str, node: Node, parts: Mapping[str, Node]) -> Measure:
         parts["take"].fail(f"there is no '{take}' to take", nearest(take, TAKES))
     condition = _condition(node, parts)
     if take == "time" and condition is None:
-        node.fail(f"measure '{name}' takes the time at which what holds?", "one of above, below, equals")
+        node.fail(f"measure '{name}' needs a condition for the time", "one of above, below, equals")
     if condition is not None and take not in ("time", "count"):
-        node.fail(f"measure '{name}': a condition is for time and count, not for {take}")
+        node.fail(f"measure '{name}': a condition is only for time and count, not for {take}")
     if "field" not in parts and (take != "count" or condition is not None):
         node.fail(f"measure '{name}' has no 'field'")
     field = parts["field"].text("field") if "field" in parts else ""

@@ -17,7 +17,7 @@ PARQUET = "results.parquet"
 
 @dataclasses.dataclass(frozen=True)
 class Results:
-    """What has come of a sweep."""
+    """The results of a sweep."""
 
     #: Where it lies: journal.jsonl, results.csv, results.parquet.
     folder: pathlib.Path
@@ -32,7 +32,7 @@ class Results:
 
     @property
     def failed(self) -> list[Row]:
-        """The runs that have failed: `reason` says why."""
+        """The failed runs, with `reason`."""
         return [row for row in self.rows if not row.is_done]
 
     @property
@@ -122,5 +122,5 @@ def read(folder: pathlib.Path) -> tuple[list[str], list[dict[str, str]]]:
     except (UnicodeDecodeError, csv.Error) as error:
         raise SweepError(f"{path}: {error}") from None
     if "run" not in columns or "seed" not in columns or "status" not in columns:
-        raise SweepError(f"{path} is no table of a sweep")
+        raise SweepError(f"{path} is not a table of a sweep")
     return columns, rows

@@ -50,7 +50,7 @@ def run(
     if parquet:
         need("pyarrow", "Parquet")
     if jobs is not None and jobs < 1:
-        raise SweepError(f"jobs is 1 or more, not {jobs}")
+        raise SweepError(f"jobs must be 1 or more, not {jobs}")
     sweep = reading.read(source)
     place = pathlib.Path(folder) if folder is not None else default_folder(sweep)
     tell: Say = say or (lambda text: None)
@@ -81,7 +81,7 @@ def run(
 def default_folder(sweep: reading.Sweep) -> pathlib.Path:
     """Where a sweep's results go without being told."""
     if sweep.file is None:
-        raise SweepError("a sweep that is a dict needs a folder for its results")
+        raise SweepError("a sweep given as a dict needs a folder for its results")
     return sweep.file.with_suffix(".sweep")
 
 
@@ -119,7 +119,7 @@ def _note(row: Row, journal: Journal, unwritten: dict[int, Row]) -> None:
     try:
         journal.add(row)
     except OSError as error:
-        row.status, row.reason = "failed", f"it could not be written to {journal.path}: {error.strerror}"
+        row.status, row.reason = "failed", f"it can't be written to {journal.path}: {error.strerror}"
         row.state_hash, row.measures = "", {}
         unwritten[row.run] = row
 

@@ -24,7 +24,7 @@ def names(value: Any, at: str) -> list[str]:
     found = []
     for match in string.Template.pattern.finditer(value):
         if match.group("invalid") is not None:
-            raise SweepError(f"the $ in '{value}' names no parameter", at=at, hint="a $ itself is $$")
+            raise SweepError(f"the $ in '{value}' is not a parameter", at=at, hint="write $$ for a $")
         name = match.group("named") or match.group("braced")
         if name:
             found.append(name)

@@ -36,7 +36,7 @@ def read(file: str, at: str) -> str:
     except OSError as error:
         raise SweepError(f"{file}: {error.strerror}", at=at) from None
     except UnicodeDecodeError:
-        raise SweepError(f"{file} is no text in UTF-8, and nothing can be put into it", at=at) from None
+        raise SweepError(f"{file} is not UTF-8 text, so parameters can't be put into it", at=at) from None
 
 
 def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
@@ -47,7 +47,7 @@ def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
     try:
         root = etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True, encoding="utf-8"))
     except etree.XMLSyntaxError as error:
-        raise SweepError(f"it is no XML, so that nothing can be put into it: {error.msg}",
+        raise SweepError(f"it is not XML, so parameters can't be put into it: {error.msg}",
                          at=":".join([file, *map(str, error.position)])) from None
     elements = _places(data)
     numbers = {each: i for i, each in enumerate(root.iter(etree.Element))}
@@ -60,7 +60,7 @@ def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
         name = thing.attrname if isinstance(thing, str) and is_attribute else ""  # type: ignore[attr-defined]
         target = _target(way, data, begin, end, name)
         if any(target.begin < each.end and each.begin < target.end or target.begin == each.begin for each in targets):
-            raise SweepError(f"'{way.xpath}' leads to where another parameter goes", at=way.at)
+            raise SweepError(f"'{way.xpath}' selects the same place as another parameter", at=way.at)
         targets.append(target)
     return tuple(sorted(targets, key=lambda each: each.begin))
 
@@ -108,7 +108,7 @@ def _target(way: Way, data: bytes, begin: int, end: int, attribute: str) -> Targ
         for match in re.finditer(rb"""\s([^\s=]+)\s*=\s*("[^"]*"|'[^']*')""", tag.group()):
             if match.group(1).decode() == attribute:
                 return Target(way.parameter, way.text, begin + match.start(2), begin + match.end(2), '"', '"')
-        raise SweepError(f"'{way.xpath}' is an attribute that another file gives", at=way.at)
+        raise SweepError(f"'{way.xpath}' selects an attribute that comes from another file", at=way.at)
     if tag.group().endswith(b"/>"):
         opened = tag.group()[:-2].decode().rstrip() + ">"
         return Target(way.parameter, way.text, begin, tag.end(), opened, f"</{tag.group(1).decode()}>")
@@ -116,20 +116,20 @@ def _target(way: Way, data: bytes, begin: int, end: int, attribute: str) -> Targ
 
 
 def _meet(etree: Any, root: Any, file: str, way: Way) -> Any:
-    """The one element or attribute that a path meets."""
+    """The one element or attribute that a path matches."""
     try:
         found = root.getroottree().xpath(way.xpath)
     except (etree.XPathError, ValueError) as error:  # ValueError: a character that XML has not
-        raise SweepError(f"'{way.xpath}' is no XPath: {error}", at=way.at) from None
+        raise SweepError(f"'{way.xpath}' is not an XPath: {error}", at=way.at) from None
     if not isinstance(found, list):
-        raise SweepError(f"'{way.xpath}' gives {found!r}, not a place", at=way.at, hint="a path, as //wheel/radius")
+        raise SweepError(f"'{way.xpath}' gives {found!r}, not an element or attribute", at=way.at, hint="a path, as //wheel/radius")
     if not found:
-        raise SweepError(f"'{way.xpath}' meets nothing in {file}", at=way.at, hint=_farthest(etree, root, file, way.xpath))
+        raise SweepError(f"'{way.xpath}' matches nothing in {file}", at=way.at, hint=_farthest(etree, root, file, way.xpath))
     if len(found) > 1:
         met = ", ".join(_name(each, file) for each in found[:_TOLD])
         more = f" and {len(found) - _TOLD} more" if len(found) > _TOLD else ""
-        raise SweepError(f"'{way.xpath}' meets {len(found)} things: {met}{more}", at=way.at,
-                         hint="say which, as //model[@name='x']/..., or give a list of paths")
+        raise SweepError(f"'{way.xpath}' matches {len(found)} places: {met}{more}", at=way.at,
+                         hint="be more specific, such as //model[@name='x']/..., or give a list of paths")
     thing = found[0]
     if isinstance(thing, str):
         if getattr(thing, "is_attribute", False):
@@ -137,10 +137,10 @@ def _meet(etree: Any, root: Any, file: str, way: Way) -> Any:
         if getattr(thing, "is_text", False):
             thing = thing.getparent()  # type: ignore[attr-defined]
     if not etree.iselement(thing) or not isinstance(thing.tag, str):
-        raise SweepError(f"'{way.xpath}' is no element and no attribute", at=way.at)
+        raise SweepError(f"'{way.xpath}' is neither an element nor an attribute", at=way.at)
     if len(thing.findall("*")):
-        raise SweepError(f"'{way.xpath}' meets {_name(thing, file)}, which has elements in it", at=way.at,
-                         hint="a value goes into an element that has only text: " + _inside(thing))
+        raise SweepError(f"'{way.xpath}' matches {_name(thing, file)}, which contains elements", at=way.at,
+                         hint="a value must go into an element with only text: " + _inside(thing))
     return thing
 
 
@@ -155,7 +155,7 @@ def _inside(element: Any) -> str:
 
 
 def _farthest(etree: Any, root: Any, file: str, path: str) -> str:
-    """How far the path leads: what its longest part that meets something meets."""
+    """How far the path leads: the match of its longest matching part."""
     for i in range(len(path) - 1, 0, -1):
         part = path[:i]
         if path[i] != "/" or not part.strip("/"):
@@ -165,5 +165,5 @@ def _farthest(etree: Any, root: Any, file: str, path: str) -> str:
         except etree.XPathError:  # a slash within [ ]: the part is no path
             continue
         if isinstance(found, list) and found and etree.iselement(found[0]):
-            return f"'{part}' meets {_name(found[0], file)}, in which there is: {_inside(found[0])}"
+            return f"'{part}' matches {_name(found[0], file)}, which contains: {_inside(found[0])}"
     return "what the file includes is not part of it"

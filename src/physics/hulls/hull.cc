@@ -8,7 +8,7 @@
 #include <set>
 
 #include "physics/convert.hh"
-#include "physics/margin.hh"
+#include "physics/shapes/margin.hh"
 #include "pongsim/math.hh"
 
 namespace pongsim::physics {

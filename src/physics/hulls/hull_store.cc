@@ -14,7 +14,7 @@
 #include "physics/hulls/decomposition.hh"
 #include "physics/hulls/hull_code.hh"
 #include "physics/hulls/triangle_chain.hh"
-#include "physics/margin.hh"
+#include "physics/shapes/margin.hh"
 #include "pongsim/log.hh"
 #include "pongsim/math.hh"
 
@@ -179,7 +179,7 @@ std::vector<Hull> HullStore::fetch(const HullRequest& request) const {
   std::vector<Hull> hulls = makeHulls(request, points);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   char text[32];
-  std::snprintf(text, sizeof text, ", made in %.2f s", taken.count());
+  std::snprintf(text, sizeof text, ", computed in %.2f s", taken.count());
   const std::string sentence = sentenceOf(request, hulls.size()) + text;
   // what is quick and stays whole is not worth a word
   hulls.size() > 1 ? logger().info(sentence) : logger().debug(sentence);
@@ -190,8 +190,8 @@ std::vector<Hull> HullStore::fetch(const HullRequest& request) const {
 void HullStore::keep(const std::string& name, const std::vector<Hull>& hulls) const {
   const std::string problem = cache_.keep(name, encodeHulls(hulls));
   if (problem.empty()) return;
-  logger().info("the pieces of meshes can't be kept in '" + cache_.folder().string() +
-                "' and are made anew each time: " + problem);
+  logger().info("the pieces of meshes can't be cached in '" + cache_.folder().string() +
+                "' and are computed again each time: " + problem);
 }
 
 }  // namespace pongsim::physics

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "physics/hulls/hull_code.hh"
-#include "physics/margin.hh"
+#include "physics/shapes/margin.hh"
 #include "support/solids.hh"
 #include "support/temp_folder.hh"
 

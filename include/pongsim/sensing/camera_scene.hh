@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pongsim/diagnostic.hh"
+#include "pongsim/export.hh"
+#include "pongsim/handles.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim {
+
+/// Projection and drawing options of a pinhole camera.
+///
+/// A point (x, y, z) in the camera frame, with x ahead, y to the left and z up, is at u = cx - (fx y + skew z) / x, v =
+/// cy - fy z / x, in pixels from the left and top edges of the image; the centre of the first pixel is at (0.5, 0.5).
+struct PictureView {
+  Pose X_WorldEye;
+  /// [pixels]
+  std::uint32_t width = 320;
+  std::uint32_t height = 240;
+  double fx = 277;
+  double fy = 277;
+  double cx = 160;
+  double cy = 120;
+  double skew = 0;
+  /// Clip distances along x [m]; `far` may be infinite.
+  double near = 0.1;
+  double far = 100;
+  /// A visual is drawn if it shares a bit with its `<visibility_flags>`.
+  std::uint32_t visibilityMask = 0xFFFFFFFF;
+  /// Samples per pixel for anti-aliasing: four, or one if fewer are requested.
+  std::uint32_t antiAliasing = 4;
+  /// Helpers to draw: a grid on the ground with lines 1 m apart, the world's axes.
+  bool showsGrid = false;
+  bool showsAxes = false;
+};
+
+/// The visuals and lights of a world, for cameras, drawn by OpenGL without a graphics card or display.
+///
+/// The same world and view give the same bits on the same machine, for any number of threads. Use it on one thread at a
+/// time.
+class PONGSIM_API CameraScene {
+ public:
+  /// A scene without visuals; call `rebuild`.
+  /// @throws std::runtime_error if OSMesa, which it draws with, is not installed; the message names the package.
+  explicit CameraScene(const World& world);
+  ~CameraScene();
+
+  /// Colours that replace those of the world's `<scene>`: red, green, blue, 0 to 1. Call it before `rebuild`.
+  void setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient);
+
+  /// Adds visuals and lights, and reads mesh and texture files. Call it first, and after models were added or removed
+  /// (`System::worldChanged`).
+  /// @param diagnostics Warnings about files that can't be read.
+  void rebuild(Diagnostics& diagnostics);
+
+  /// Moves everything to its current pose. Call it before drawing, once per step.
+  void update();
+
+  /// @param pixels Red, green, blue, 0 to 255 (sRGB), row by row from the top; 3 width height values.
+  /// @throws std::runtime_error if the image can't be drawn; likewise below.
+  void drawColors(const PictureView& view, std::span<std::uint8_t> pixels);
+
+  /// @param depths Distance along x at the centre of each pixel [m]; infinite where nothing is visible. Row by row from
+  /// the top; width height values.
+  void drawDepths(const PictureView& view, std::span<float> depths);
+
+  /// Writes a PNG file, replacing an existing one.
+  /// @param pixels As from `drawColors`.
+  /// @throws std::runtime_error if it can't be written.
+  static void writePicture(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height,
+                           std::span<const std::uint8_t> pixels);
+
+  /// @return A box around the visuals of a model and its nested models, or of all models, at their poses of the last
+  /// `update`; planes and heightmaps count only if there is nothing else. Empty if nothing is visible.
+  Eigen::AlignedBox3d bounds(const std::optional<Model>& model = std::nullopt) const;
+
+  /// @return The names of the world's actors.
+  std::vector<std::string> actors() const;
+  /// @return A box around an actor at its pose of the last `update`; empty if nothing with that name is visible.
+  Eigen::AlignedBox3d actorBounds(const std::string& name) const;
+
+ private:
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
+}  // namespace pongsim

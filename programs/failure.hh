@@ -1,0 +1,27 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace pongsim::programs {
+
+/// Why something can't be done, in a sentence without a full stop, and what can be done about it.
+class Failure : public std::runtime_error {
+ public:
+  explicit Failure(const std::string& message, std::string hint = {})
+      : std::runtime_error(message), hint_(std::move(hint)) {}
+  /// One line of help, or empty.
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
+};
+
+/// The command line is wrong; ends the program with `kWrongUsage`.
+class UsageError : public Failure {
+ public:
+  using Failure::Failure;
+};
+
+}  // namespace pongsim::programs

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "programs/command_line.hh"
+
+namespace pongsim::security {
+
+/// Adds the actions of `pongsim security`. They stand in share/security.json, too, for help and completion.
+void addActions(CLI::App& program, programs::Work& work);
+
+}  // namespace pongsim::security

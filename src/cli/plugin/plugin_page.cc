@@ -1,0 +1,167 @@
+#include "cli/plugin/plugin_page.hh"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "plugin/system_name.hh"
+#include "pongsim/system.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+using Way = Declaration::Way;
+
+const char* placeText(Declaration::Place place) {
+  switch (place) {
+    case Declaration::Place::kWorld:
+      return "the <world>";
+    case Declaration::Place::kModel:
+      return "a <model>";
+    case Declaration::Place::kActor:
+      return "an <actor>";
+    default:
+      return "the <world> or a <model>";
+  }
+}
+
+const char* verb(Way::Kind kind) {
+  switch (kind) {
+    case Way::Kind::kPublished:
+      return "publishes";
+    case Way::Kind::kSubscribed:
+      return "subscribes to";
+    default:
+      return "offers";
+  }
+}
+
+/// @return "number [m]".
+std::string typeText(const Parameter& parameter) {
+  return parameter.type() + (parameter.unit().empty() ? "" : " [" + parameter.unit() + "]");
+}
+
+/// @return "required, repeated", or its default.
+std::string defaultText(const Parameter& parameter) {
+  std::string text = parameter.isRequired() ? "required" : parameter.fallback();
+  if (parameter.isRepeated()) text += text.empty() ? "repeated" : ", repeated";
+  return text;
+}
+
+std::string typesOf(const Way& way) { return way.type + (way.replyType.empty() ? "" : ", " + way.replyType); }
+
+/// Adds the rows with all columns but the last one as wide as they need.
+void addTable(const std::vector<std::vector<std::string>>& rows, std::string& text) {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  for (const std::vector<std::string>& row : rows) {
+    text += " ";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += " " + row[i];
+      if (i + 1 < row.size()) text.append(widths[i] - row[i].size() + 1, ' ');
+    }
+    text += "\n";
+  }
+}
+
+/// @return With what Markdown takes for a tag or a column's end escaped, but in code.
+std::string escaped(const std::string& text) {
+  std::string result;
+  bool isCode = false;
+  for (const char letter : text) {
+    if (letter == '`') isCode = !isCode;
+    if (letter == '|' || (letter == '<' && !isCode)) result += '\\';
+    result += letter;
+  }
+  return result;
+}
+
+/// @return What pages show, one of each family, by the names that stand there.
+std::vector<std::pair<std::string, const Parameter*>> shownParameters(const Declaration& declaration) {
+  std::vector<std::pair<std::string, const Parameter*>> shown;
+  for (const Parameter& parameter : declaration.parameters()) {
+    const bool isAlone = parameter.family().empty();
+    const std::string name = "<" + (isAlone ? parameter.name() : parameter.family()) + ">";
+    if (isAlone || shown.empty() || shown.back().first != name) shown.emplace_back(name, &parameter);
+  }
+  return shown;
+}
+
+void addClassText(const std::vector<std::string>& names, const Declaration& declaration, std::string& text) {
+  text += "\nclass " + names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i == 1 ? ", also " : ", ") + names[i];
+  text += "\n";
+  if (declaration.text().empty()) return;
+  text += declaration.text() + "\nStands in " + placeText(declaration.place()) + ".\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [shownName, parameter] : shownParameters(declaration)) {
+    rows.push_back({shownName, typeText(*parameter), defaultText(*parameter), parameter->text()});
+  }
+  if (!rows.empty()) text += "parameters, with type, default and meaning:\n";
+  addTable(rows, text);
+  rows.clear();
+  for (const Way& way : declaration.ways()) rows.push_back({verb(way.kind), way.name, typesOf(way), way.text});
+  if (!rows.empty()) text += "topics and services, with types:\n";
+  addTable(rows, text);
+}
+
+void addClassMarkdown(const std::string& name, const Declaration& declaration, const std::string& filename,
+                      std::string& text) {
+  text += "## " + name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1) + "\n" +
+          declaration.text() + "\n\nfilename `" + filename + "`, class `" + name + "`; goes into " +
+          escaped(placeText(declaration.place())) + "\n";
+  if (!declaration.parameters().empty()) {
+    text += "\n| parameter | type | default | meaning |\n|---|---|---|---|\n";
+    for (const auto& [shownName, parameter] : shownParameters(declaration)) {
+      text += "| `" + shownName + "` | " + typeText(*parameter) + " | " + escaped(defaultText(*parameter)) + " | " +
+              escaped(parameter->text()) + " |\n";
+    }
+  }
+  if (!declaration.ways().empty()) {
+    text += "\n| | topic or service | types | |\n|---|---|---|---|\n";
+    for (const Way& way : declaration.ways()) {
+      text += std::string("| ") + verb(way.kind) + " | `" + way.name + "` | " + typesOf(way) + " | " +
+              escaped(way.text) + " |\n";
+    }
+  }
+}
+
+/// @return The name that the worlds of Fortress use.
+std::string fortressFilename(const std::string& name) { return "ignition-gazebo-" + name + "-system"; }
+
+}  // namespace
+
+std::string pluginText(const plugin::Inspection& inspection) {
+  std::string text = inspection.file().string() + "\nplugin interface version " + std::to_string(kAbiVersion) + "\n";
+  for (const auto& found : inspection.classes()) addClassText(found.names, found.declaration, text);
+  return text;
+}
+
+std::string pluginText(const plugin::CoreSystem& system) {
+  std::string text = "part of pongsim itself\n";
+  addClassText({system.className}, system.declaration, text);
+  return text;
+}
+
+std::string pluginMarkdown(const plugin::Inspection& inspection) {
+  const std::string file = inspection.file().filename().string();
+  const std::string name = plugin::systemName(file);
+  const std::string filename = file.starts_with("libpongsim-") ? fortressFilename(name) : name;
+  std::string text;
+  for (const auto& found : inspection.classes()) {
+    addClassMarkdown(found.names.front(), found.declaration, filename, text);
+  }
+  return text;
+}
+
+std::string pluginMarkdown(const plugin::CoreSystem& system) {
+  std::string text;
+  addClassMarkdown(system.className, system.declaration, fortressFilename(system.name), text);
+  return text + "\nPart of pongsim itself.\n";
+}
+
+}  // namespace pongsim::cli

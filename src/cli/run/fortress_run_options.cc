@@ -1,0 +1,68 @@
+#include "cli/run/fortress_run_options.hh"
+
+#include <CLI/App.hpp>
+#include <string_view>
+
+#include "cli/console.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+/// @param engine Without it there is nothing to check.
+void checkRenderEngine(const char* option, const std::optional<std::string>& engine) {
+  if (!engine) return;
+  std::string_view name = *engine;
+  if (constexpr std::string_view kPrefix = "ignition-rendering-"; name.starts_with(kPrefix)) {
+    name.remove_prefix(kPrefix.size());
+  }
+  if (name == "ogre" || name == "ogre2") return;
+  throw UsageError("there is no render engine '" + *engine + "' for '" + option + "'",
+                   "leave it out: cameras use pongsim's own renderer instead of ogre and ogre2");
+}
+
+}  // namespace
+
+void FortressRunOptions::addTo(CLI::App& run) {
+  const auto addFlag = [&run](const char* name, bool& target) {
+    run.add_flag(name, target)->disable_flag_override()->group("");
+  };
+  const auto add = [&run](const char* name, std::optional<std::string>& target) {
+    run.add_option_function<std::string>(name, [&target](const std::string& text) { target = text; })->group("");
+  };
+  addFlag("-s", isServer_);
+  addFlag("-g", isGui_);
+  addFlag("--headless-rendering", isHeadless_);
+  add("--gui-config", guiConfig_);
+  add("--physics-engine", physicsEngine_);
+  add("--render-engine", renderEngine_);
+  add("--render-engine-gui", guiEngine_);
+  add("--render-engine-server", serverEngine_);
+  add("--network-role", role_);
+  add("--network-secondaries", secondaries_);
+}
+
+std::vector<std::string> FortressRunOptions::check() const {
+  // as there, a server wins over a window
+  if (isGui_ && !isServer_) {
+    throw UsageError("'-g' has no effect: pongsim has no windows", "'pongsim view' draws a running world");
+  }
+  if (role_ || secondaries_) {
+    throw UsageError("one process runs the whole world: there is no '" +
+                         std::string(role_ ? "--network-role" : "--network-secondaries") + "'",
+                     "leave it out; '--threads' uses more cores, '--levels' loads only levels near performers");
+  }
+  checkRenderEngine("--render-engine", renderEngine_);
+  checkRenderEngine("--render-engine-server", serverEngine_);
+  std::vector<std::string> sentences;
+  if (physicsEngine_) sentences.emplace_back("'--physics-engine' has no effect: pongsim has its own engine");
+  for (const auto& [option, isGiven] :
+       {std::pair("--gui-config", guiConfig_.has_value()), std::pair("--render-engine-gui", guiEngine_.has_value())}) {
+    if (isGiven && !isServer_) {
+      sentences.push_back("'" + std::string(option) + "' has no effect: pongsim has no windows");
+    }
+  }
+  return sentences;
+}
+
+}  // namespace pongsim::cli

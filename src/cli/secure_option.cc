@@ -1,0 +1,25 @@
+#include "cli/secure_option.hh"
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "cli/console.hh"
+#include "pongsim/program/keystore.hh"
+
+namespace pongsim::cli {
+
+void addSecureOption(CLI::App& command) {
+  const auto secure = [](const std::string& place) {
+    if (place.empty()) throw UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
+    // a mistake in it is one even where the command turns out to talk to nobody
+    readIdentity(identityFolder(place));
+    secureBy(place);
+  };
+  command
+      .add_option_function<std::string>("--secure", secure,
+                                        "Talk to none but identities of this keystore, as one of them, encrypted:\n"
+                                        "'pongsim security' makes it")
+      ->type_name("KEYSTORE[/NAME]");
+}
+
+}  // namespace pongsim::cli

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <vector>
+
+#include "cli/console.hh"
+#include "cli/stop_signal.hh"
+#include "cli/topic/topic_command.hh"
+#include "cli/topic/topic_name.hh"
+#include "pongsim/node.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+/// @return The exit code after saying why nobody listens.
+int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
+  const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
+  for (const TopicInfo& topic : topics) {
+    if (topic.name != options.topic || topic.subscribers.empty()) continue;
+    const std::string& theirs = topic.subscribers.front().type;
+    // one that takes any type ("*") has not come to know of this one in time
+    if (theirs == options.type || theirs == "*") break;
+    return fail("the subscriber of " + options.topic + " takes " + theirs + ", not " + options.type);
+  }
+  std::vector<TopicInfo> heard;
+  std::copy_if(topics.begin(), topics.end(), std::back_inserter(heard),
+               [](const TopicInfo& topic) { return !topic.subscribers.empty(); });
+  return fail("no subscriber on " + options.topic, nearestTopic(options.topic, heard));
+}
+
+/// @return Whether there is one before the timeout or a signal.
+bool waitForSubscribers(const Publisher& publisher, std::chrono::nanoseconds timeout, const StopSignal& signal) {
+  using Steady = std::chrono::steady_clock;
+  constexpr std::chrono::nanoseconds kLongestPause = std::chrono::milliseconds(100);
+  const Steady::time_point end = Steady::now() + timeout;
+  do {
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Steady::now());
+    if (publisher.waitForSubscribers(std::clamp(left, std::chrono::nanoseconds::zero(), kLongestPause))) return true;
+  } while (Steady::now() < end && !signal.stopped());
+  return false;
+}
+
+/// Publishes, and waits out the period after each message but the last.
+/// @return Whether it went on to the end, and not to a signal.
+bool publishAll(Transport& transport, Publisher& publisher, const PublishOptions& options, StopSignal& signal) {
+  using Steady = std::chrono::steady_clock;
+  Steady::time_point next = Steady::now();
+  for (std::uint64_t sent = 1;; ++sent) {
+    publisher.publish(*options.message);
+    if (!options.period || sent == options.count) return true;
+    // from the time it was due: a late message does not make the next one late
+    next += std::chrono::duration_cast<Steady::duration>(*options.period);
+    for (auto now = Steady::now(); now < next && !signal.stopped(); now = Steady::now()) {
+      transport.dispatchFor(next - now);
+    }
+    if (signal.stopped()) return false;
+  }
+}
+
+}  // namespace
+
+int publish(const PublishOptions& options) {
+  // before the transport, whose threads inherit the signals' mask
+  StopSignal signal;
+  Transport transport;
+  Publisher publisher = transport.node().advertise(options.topic, options.type);
+  if (!waitForSubscribers(publisher, options.timeout, signal)) {
+    return signal.stopped() ? kFailed : failWithoutSubscriber(transport, options);
+  }
+  signal.onStop([&transport] { transport.wake(); });
+  const bool isAll = publishAll(transport, publisher, options, signal);
+  signal.onStop({});
+  if (!isAll || publisher.waitForDelivery(options.timeout)) return kDone;
+  return fail("no subscriber on " + options.topic + " confirmed the message in time");
+}
+
+}  // namespace pongsim::cli

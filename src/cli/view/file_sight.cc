@@ -1,0 +1,58 @@
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "cli/diagnostic_report.hh"
+#include "cli/view/view_command.hh"
+#include "cli/world_file.hh"
+#include "pongsim/simulation.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+class FileSight final : public Sight {
+ public:
+  explicit FileSight(std::unique_ptr<Simulation> simulation)
+      : simulation_(std::move(simulation)), scene_(simulation_->world()) {
+    Diagnostics found;
+    scene_.rebuild(found);
+    say(found, Severity::kWarning, Severity::kError);
+    scene_.update();
+  }
+
+  std::vector<std::string> names() override {
+    std::vector<std::string> names;
+    for (const Model& each : simulation_->world().models()) names.emplace_back(each.scopedName());
+    for (std::string& actor : scene_.actors()) names.push_back(std::move(actor));
+    return names;
+  }
+
+  Eigen::AlignedBox3d bounds(const std::string& name) override {
+    if (name.empty()) return scene_.bounds();
+    const std::optional<Model> model = simulation_->world().model(name);
+    return model ? scene_.bounds(model) : scene_.actorBounds(name);
+  }
+
+  void draw(const PictureView& view, std::span<std::uint8_t> pixels) override { scene_.drawColors(view, pixels); }
+
+ private:
+  std::unique_ptr<Simulation> simulation_;
+  CameraScene scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Sight> sightOfFile(const ViewOptions& options) {
+  Diagnostics diagnostics;
+  const std::optional<std::filesystem::path> file = fetchWorldFile(options.file, diagnostics);
+  std::unique_ptr<Simulation> simulation =
+      file ? Simulation::fromFile(*file, {.world = options.world}, diagnostics) : nullptr;
+  say(diagnostics, Severity::kWarning, Severity::kError);
+  if (simulation == nullptr || diagnostics.hasErrors()) return nullptr;
+  simulation->step(static_cast<std::uint64_t>(std::llround(options.at / toSeconds(simulation->stepSize()))));
+  return std::make_unique<FileSight>(std::move(simulation));
+}
+
+}  // namespace pongsim::cli

@@ -1,0 +1,140 @@
+#include "cli/view/labels.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "cli/view/small_font.hh"
+
+namespace pongsim::cli {
+
+namespace {
+
+/// Rows of a picture to a dot of a letter.
+constexpr double kRowsPerDot = 300;
+/// How much of the picture is seen through the panel behind a name.
+constexpr int kPanelShare = 3, kPanelWhole = 8;
+
+/// @return A byte for each letter: all beyond ASCII look alike.
+std::string lettersOf(const std::string& text) {
+  std::string letters;
+  for (const char each : text) {
+    const bool goesOn = (static_cast<unsigned char>(each) & 0xC0U) == 0x80U;
+    if (!goesOn || letters.empty()) letters.push_back(each);
+  }
+  return letters;
+}
+
+/// Of a label, in pixels; the ends are past the last.
+struct Panel {
+  std::string letters;
+  long left = 0, right = 0, top = 0, bottom = 0;
+
+  bool meets(const Panel& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+/// The panels of labels, and how they are drawn.
+class LabelWriter {
+ public:
+  LabelWriter(std::uint32_t width, std::uint32_t height, std::span<std::uint8_t> pixels)
+      : width_(width), height_(height), dot_(std::max(1L, std::lround(height / kRowsPerDot))), pixels_(pixels) {}
+
+  void add(const Label& label) {
+    Panel panel;
+    panel.letters = lettersOf(label.text);
+    const long across = (static_cast<long>(panel.letters.size()) * kLetterAdvance + 1) * dot_;
+    const long down = (static_cast<long>(kLetterHeight) + 2) * dot_;
+    panel.left = std::lround(label.column) - across / 2;
+    panel.right = panel.left + across;
+    panel.bottom = std::lround(label.row) - dot_;
+    panel.top = panel.bottom - down;
+    while (true) {
+      const auto covered = std::ranges::find_if(panels_, [&](const Panel& other) { return panel.meets(other); });
+      if (covered == panels_.end()) break;
+      panel.bottom = covered->top;
+      panel.top = panel.bottom - down;
+    }
+    draw(panel);
+    panels_.push_back(std::move(panel));
+  }
+
+ private:
+  static constexpr long kLetterAdvance = static_cast<long>(kLetterWidth) + 1;
+
+  void draw(const Panel& panel) {
+    fill(panel.left, panel.top, panel.right, panel.bottom,
+         [](std::uint8_t value) { return static_cast<std::uint8_t>(value * kPanelShare / kPanelWhole); });
+    long left = panel.left + dot_;
+    for (const char letter : panel.letters) {
+      const SmallLetter dots = smallLetter(static_cast<unsigned char>(letter));
+      for (std::size_t column = 0; column < kLetterWidth; ++column) {
+        for (std::size_t row = 0; row < kLetterHeight; ++row) {
+          if ((dots[column] >> row & 1U) == 0) continue;
+          const long x = left + static_cast<long>(column) * dot_, y = panel.top + (static_cast<long>(row) + 1) * dot_;
+          fill(x, y, x + dot_, y + dot_, [](std::uint8_t) { return std::uint8_t{255}; });
+        }
+      }
+      left += kLetterAdvance * dot_;
+    }
+  }
+
+  template <class Change>
+  void fill(long left, long top, long right, long bottom, Change change) {
+    for (long row = std::max(0L, top); row < std::min(height_, bottom); ++row) {
+      for (long column = std::max(0L, left); column < std::min(width_, right); ++column) {
+        for (long i = 0; i < 3; ++i) {
+          std::uint8_t& value = pixels_[static_cast<std::size_t>(3 * (row * width_ + column) + i)];
+          value = change(value);
+        }
+      }
+    }
+  }
+
+  const long width_;
+  const long height_;
+  /// Edge of a letter's dot [pixels].
+  const long dot_;
+  const std::span<std::uint8_t> pixels_;
+  std::vector<Panel> panels_;
+};
+
+/// @return Where in the picture a place of the world is; nothing where it is not in it.
+std::optional<Eigen::Vector2d> pixelOf(const Vector3& p_World, const PictureView& view) {
+  const Vector3 place = view.X_WorldEye.inverse() * p_World;
+  if (place.x() <= view.near) return std::nullopt;
+  const Eigen::Vector2d pixel(view.cx - (view.fx * place.y() + view.skew * place.z()) / place.x(),
+                              view.cy - view.fy * place.z() / place.x());
+  const bool isInside = pixel.x() >= 0 && pixel.x() < view.width && pixel.y() >= 0 && pixel.y() < view.height;
+  return isInside ? std::optional(pixel) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Label> labelsOf(Sight& sight, const PictureView& view) {
+  std::vector<Label> labels;
+  for (const std::string& name : sight.names()) {
+    if (name.find("::") != std::string::npos) continue;
+    const Eigen::AlignedBox3d box = sight.bounds(name);
+    if (box.isEmpty()) continue;
+    std::optional<Eigen::Vector2d> highest;
+    for (int i = 0; i < 8; ++i) {
+      const auto pixel = pixelOf(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)), view);
+      if (pixel && (!highest || pixel->y() < highest->y())) highest = pixel;
+    }
+    if (!highest) highest = pixelOf(box.center(), view);
+    if (highest) labels.push_back({name, highest->x(), highest->y()});
+  }
+  return labels;
+}
+
+void drawLabels(std::vector<Label> labels, std::uint32_t width, std::uint32_t height, std::span<std::uint8_t> pixels) {
+  // from the lowest up: those above make room
+  std::ranges::stable_sort(labels, std::greater<>(), &Label::row);
+  LabelWriter writer(width, height, pixels);
+  for (const Label& label : labels) writer.add(label);
+}
+
+}  // namespace pongsim::cli

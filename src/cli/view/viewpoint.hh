@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "pongsim/sensing/camera_scene.hh"
+#include "pongsim/types.hh"
+
+namespace pongsim::cli {
+
+/// @param text "x y z", or "x y z roll pitch yaw" [m, rad].
+/// @return The pose; without angles one that looks at the origin. Nothing where it is none.
+std::optional<Pose> readViewpoint(const std::string& text);
+
+/// Puts the eye where a box fills the picture, seen from the south-west and from above.
+void lookAt(const Eigen::AlignedBox3d& box, PictureView& view);
+
+}  // namespace pongsim::cli

@@ -1,0 +1,23 @@
+#include "cli/world/world_state.hh"
+
+#include "cli/console.hh"
+#include "pongsim/node.hh"
+
+namespace pongsim::cli {
+
+MessagePointer askForState(Transport& transport, const std::string& world, std::chrono::nanoseconds timeout) {
+  const MessagePointer request = newMessage("ignition.msgs.Empty");
+  MessagePointer reply = newMessage("ignition.msgs.SerializedStepMap");
+  const CallResult result = transport.node().call("/world/" + world + "/state", *request, *reply, timeout);
+  if (result) return reply;
+  if (result.outcome == CallOutcome::kNoService) {
+    fail("world '" + world + "' does not offer its state",
+         "add <plugin filename=\"ignition-gazebo-scene-broadcaster-system\" "
+         "name=\"ignition::gazebo::systems::SceneBroadcaster\"/>");
+  } else {
+    fail(result.error);
+  }
+  return nullptr;
+}
+
+}  // namespace pongsim::cli

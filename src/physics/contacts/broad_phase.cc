@@ -1,0 +1,89 @@
+#include "physics/contacts/broad_phase.hh"
+
+#include <LinearMath/btAabbUtil2.h>
+
+#include <new>
+#include <utility>
+
+namespace pongsim::physics {
+
+namespace {
+
+/// Room on all sides [m].
+constexpr double kRoom = 0.05;
+
+/// Adds pairs of one body and those whose boxes meet its box.
+class PairFinder final : public btDbvt::ICollide {
+ public:
+  PairFinder(btOverlappingPairCache& pairs, btDbvtProxy& proxy) : pairs_(pairs), proxy_(proxy) {}
+
+  void Process(const btDbvtNode* node) override {
+    auto* other = static_cast<btDbvtProxy*>(node->data);
+    if (other == &proxy_) return;
+    // whose number is smaller comes first, whoever has moved
+    const bool isFirst = proxy_.m_uniqueId < other->m_uniqueId;
+    pairs_.addOverlappingPair(isFirst ? &proxy_ : other, isFirst ? other : &proxy_);
+  }
+
+ private:
+  btOverlappingPairCache& pairs_;
+  btDbvtProxy& proxy_;
+};
+
+/// The trees' numbers are those of Bullet's stages, of which only the first and the last are used.
+bool forcesMove(const btDbvtProxy& proxy) { return proxy.stage != btDbvtBroadphase::STAGECOUNT; }
+
+}  // namespace
+
+btBroadphaseProxy* BroadPhase::createProxy(const btVector3& lowest, const btVector3& highest, int /*shape*/,
+                                           void* object, int group, int mask, btDispatcher* /*dispatcher*/) {
+  void* const place = btAlignedAlloc(sizeof(btDbvtProxy), alignof(btDbvtProxy));
+  auto* proxy = new (place) btDbvtProxy(lowest, highest, object, group, mask);
+  proxy->m_uniqueId = ++m_gid;
+  proxy->stage = (group & btBroadphaseProxy::StaticFilter) != 0 ? STAGECOUNT : 0;
+  proxy->leaf =
+      m_sets[forcesMove(*proxy) ? DYNAMIC_SET : FIXED_SET].insert(btDbvtVolume::FromMM(lowest, highest), proxy);
+  findPairs(*proxy);
+  return proxy;
+}
+
+void BroadPhase::setAabb(btBroadphaseProxy* absolute, const btVector3& lowest, const btVector3& highest,
+                         btDispatcher* /*dispatcher*/) {
+  auto& proxy = static_cast<btDbvtProxy&>(*absolute);
+  proxy.m_aabbMin = lowest;
+  proxy.m_aabbMax = highest;
+  put(proxy, btDbvtVolume::FromMM(lowest, highest));
+}
+
+void BroadPhase::calculateOverlappingPairs(btDispatcher* /*dispatcher*/) { m_sets[DYNAMIC_SET].optimizeIncremental(1); }
+
+bool BroadPhase::stay(btBroadphaseProxy& proxy, const btVector3& lowest, const btVector3& highest) {
+  proxy.m_aabbMin = lowest;
+  proxy.m_aabbMax = highest;
+  return static_cast<btDbvtProxy&>(proxy).leaf->volume.Contain(btDbvtVolume::FromMM(lowest, highest));
+}
+
+void BroadPhase::leave(btBroadphaseProxy& absolute, const btVector3& way) {
+  auto& proxy = static_cast<btDbvtProxy&>(absolute);
+  btDbvtVolume volume = btDbvtVolume::FromMM(proxy.m_aabbMin, proxy.m_aabbMax);
+  volume.Expand(btVector3(kRoom, kRoom, kRoom));
+  volume.SignedExpand(way);
+  put(proxy, volume);
+}
+
+void BroadPhase::put(btDbvtProxy& proxy, btDbvtVolume volume) {
+  m_sets[forcesMove(proxy) ? DYNAMIC_SET : FIXED_SET].update(proxy.leaf, volume);
+  findPairs(proxy);
+}
+
+void BroadPhase::findPairs(btBroadphaseProxy& absolute) {
+  auto& proxy = static_cast<btDbvtProxy&>(absolute);
+  PairFinder finder(*m_paircache, proxy);
+  for (const btDbvt& set : m_sets) set.collideTV(set.m_root, proxy.leaf->volume, finder);
+}
+
+bool BroadPhase::areNear(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  return Intersect(static_cast<const btDbvtProxy&>(a).leaf->volume, static_cast<const btDbvtProxy&>(b).leaf->volume);
+}
+
+}  // namespace pongsim::physics

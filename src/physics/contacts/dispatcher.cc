@@ -1,0 +1,303 @@
+#include "physics/contacts/dispatcher.hh"
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "base/prefetch.hh"
+#include "description/link.hh"
+#include "physics/contacts/broad_phase.hh"
+#include "physics/contacts/surface.hh"
+#include "physics/solving/contact_limits.hh"
+
+namespace pongsim::physics {
+
+namespace {
+
+int numberOf(const btCollisionObjectWrapper* wrapper) {
+  const btCollisionShape* part = partOf(wrapper);
+  return part == nullptr ? -1 : partNumber(part->getUserIndex(), part->getUserIndex2());
+}
+
+/// Of what an algorithm was made last on this thread. It makes its manifold when it is made itself, or as the first
+/// thing that it does then.
+struct LastPair {
+  const btCollisionObject* a = nullptr;
+  int partA = -1;
+  int partB = -1;
+};
+thread_local LastPair lastPair;
+
+/// What looking for contacts needs of an object stands before that [bytes]: where it is, its shape and numbers.
+constexpr std::size_t kSeenPart = 544;
+
+/// How many pairs a worker takes at a time: one is too little to be worth the asking.
+constexpr std::size_t kPairsAtATime = 16;
+
+/// @return Whether the masks of the two collisions share a bit; true where a whole of several is meant.
+bool masksMeet(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b) {
+  const btCollisionShape* partA = partOf(a);
+  const btCollisionShape* partB = partOf(b);
+  if (partA == nullptr || partB == nullptr) return true;
+  return (surfaceOf(*partA).collideBitmask & surfaceOf(*partB).collideBitmask) != 0;
+}
+
+// in a pair's number that is free for use
+constexpr int kSettledPair = 1;
+constexpr int kPartedPair = 2;
+
+// a body that does more than that in one step rolls [rad], [m]
+constexpr double kSmallTurn = 1e-4;
+constexpr double kSmallShift = 1e-5;
+
+const btCollisionObject& objectOf(const btBroadphaseProxy& proxy) {
+  return *static_cast<const btCollisionObject*>(proxy.m_clientObject);
+}
+
+void listManifolds(const btBroadphasePair& pair, btManifoldArray& manifolds) {
+  manifolds.resizeNoInitialize(0);
+  if (pair.m_algorithm != nullptr) pair.m_algorithm->getAllContactManifolds(manifolds);
+}
+
+void copyPoints(const btBroadphasePair& pair, btManifoldArray& manifolds, std::vector<btManifoldPoint>& points) {
+  listManifolds(pair, manifolds);
+  for (int i = 0; i < manifolds.size(); ++i) {
+    for (int j = 0; j < manifolds[i]->getNumContacts(); ++j) points.push_back(manifolds[i]->getContactPoint(j));
+  }
+}
+
+/// @return Whether the two are the same in all that looking for contacts sets and that counts for others.
+bool isSamePoint(const btManifoldPoint& a, const btManifoldPoint& b) {
+  const auto same = [](const btVector3& one, const btVector3& other) {
+    return std::memcmp(&one[0], &other[0], 3 * sizeof(btScalar)) == 0;
+  };
+  return same(a.m_localPointA, b.m_localPointA) && same(a.m_localPointB, b.m_localPointB) &&
+         same(a.m_positionWorldOnA, b.m_positionWorldOnA) && same(a.m_positionWorldOnB, b.m_positionWorldOnB) &&
+         same(a.m_normalWorldOnB, b.m_normalWorldOnB) &&
+         std::memcmp(&a.m_distance1, &b.m_distance1, sizeof(btScalar)) == 0 && a.m_index0 == b.m_index0 &&
+         a.m_index1 == b.m_index1;
+}
+
+bool arePoints(const btBroadphasePair& pair, btManifoldArray& manifolds, const std::vector<btManifoldPoint>& points) {
+  listManifolds(pair, manifolds);
+  std::size_t next = 0;
+  for (int i = 0; i < manifolds.size(); ++i) {
+    for (int j = 0; j < manifolds[i]->getNumContacts(); ++j, ++next) {
+      if (next == points.size() || !isSamePoint(points[next], manifolds[i]->getContactPoint(j))) return false;
+    }
+  }
+  return next == points.size();
+}
+
+bool havePoints(const btBroadphasePair& pair, btManifoldArray& manifolds) {
+  listManifolds(pair, manifolds);
+  for (int i = 0; i < manifolds.size(); ++i) {
+    if (manifolds[i]->getNumContacts() > 0) return true;
+  }
+  return false;
+}
+
+bool rolls(const btRigidBody& body, const btVector3& normal, double dt) {
+  return body.getAngularVelocity().length() * dt > kSmallTurn &&
+         body.getLinearVelocity().cross(normal).length() * dt > kSmallShift;
+}
+
+/// A rolling wheel's old points of contact lie behind it and would push it forward. The step finds those on a plane
+/// anew; a body that does not roll keeps its own, which give it a broader base.
+/// @return Whether points of the pair have been forgotten.
+bool forgetRolled(const btBroadphasePair& pair, double dt, btManifoldArray& manifolds) {
+  const btCollisionObject* objects[] = {&objectOf(*pair.m_pProxy0), &objectOf(*pair.m_pProxy1)};
+  const auto isPlane = [](const btCollisionObject* object) {
+    return object->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
+  };
+  if (isPlane(objects[1])) std::swap(objects[0], objects[1]);
+  if (!isPlane(objects[0])) return false;
+  const btRigidBody& body = *btRigidBody::upcast(objects[1]);
+  listManifolds(pair, manifolds);
+  bool isOneForgotten = false;
+  for (int i = 0; i < manifolds.size(); ++i) {
+    btPersistentManifold& manifold = *manifolds[i];
+    if (manifold.getNumContacts() == 0 || !rolls(body, manifold.getContactPoint(0).m_normalWorldOnB, dt)) continue;
+    manifold.clearManifold();
+    isOneForgotten = true;
+  }
+  return isOneForgotten;
+}
+
+Touch touchOf(btPersistentManifold& manifold) {
+  const btCollisionObject& a = *manifold.getBody0();
+  const btCollisionObject& b = *manifold.getBody1();
+  auto slotA = static_cast<std::uint32_t>(a.getUserIndex());
+  auto slotB = static_cast<std::uint32_t>(b.getUserIndex());
+  auto partA = static_cast<std::uint32_t>(manifold.m_companionIdA);
+  auto partB = static_cast<std::uint32_t>(manifold.m_companionIdB);
+  if (slotB < slotA) {
+    std::swap(slotA, slotB);
+    std::swap(partA, partB);
+  }
+  return {std::uint64_t{slotA} << 32U | slotB, std::uint64_t{partA} << 32U | partB, &manifold, a.getIslandTag(),
+          b.getIslandTag()};
+}
+
+}  // namespace
+
+btCollisionAlgorithm* Dispatcher::findAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
+                                                btPersistentManifold* shared, ebtDispatcherQueryType type) {
+  if (!masksMeet(a, b)) return noAlgorithm(a, b, shared);
+  lastPair = {a->getCollisionObject(), numberOf(a), numberOf(b)};
+  return btCollisionDispatcher::findAlgorithm(a, b, shared, type);
+}
+
+btCollisionAlgorithm* Dispatcher::noAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
+                                              btPersistentManifold* shared) {
+  btCollisionAlgorithmConstructionInfo info;
+  info.m_dispatcher1 = this;
+  info.m_manifold = shared;
+  return m_doubleDispatchContactPoints[EMPTY_SHAPE_PROXYTYPE][EMPTY_SHAPE_PROXYTYPE]->CreateCollisionAlgorithm(info, a,
+                                                                                                               b);
+}
+
+btPersistentManifold* Dispatcher::getNewManifold(const btCollisionObject* a, const btCollisionObject* b) {
+  btPersistentManifold* manifold = nullptr;
+  {
+    const std::lock_guard lock(pools_);
+    manifold = btCollisionDispatcher::getNewManifold(a, b);
+  }
+  manifold->m_companionIdA = a == lastPair.a ? lastPair.partA : lastPair.partB;
+  manifold->m_companionIdB = a == lastPair.a ? lastPair.partB : lastPair.partA;
+  return manifold;
+}
+
+void Dispatcher::releaseManifold(btPersistentManifold* manifold) {
+  const std::lock_guard lock(pools_);
+  btCollisionDispatcher::releaseManifold(manifold);
+}
+
+void* Dispatcher::allocateCollisionAlgorithm(int size) {
+  const std::lock_guard lock(pools_);
+  return btCollisionDispatcher::allocateCollisionAlgorithm(size);
+}
+
+void Dispatcher::freeCollisionAlgorithm(void* algorithm) {
+  const std::lock_guard lock(pools_);
+  btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
+}
+
+// of pairs that come soon after `now`, each time what the time before has led to
+void Dispatcher::prefetchPairs(const btBroadphasePair* pairs, std::size_t now, std::size_t count,
+                               btManifoldArray& manifolds) const {
+  constexpr std::size_t kFar = 8, kNear = 5, kNext = 2;
+  if (now + kFar < count) {
+    BroadPhase::prefetch(*pairs[now + kFar].m_pProxy0);
+    BroadPhase::prefetch(*pairs[now + kFar].m_pProxy1);
+  }
+  if (now + kNear < count) {
+    const btBroadphasePair& pair = pairs[now + kNear];
+    base::prefetch(objectOf(*pair.m_pProxy0), kSeenPart);
+    base::prefetch(objectOf(*pair.m_pProxy1), kSeenPart);
+    if (pair.m_algorithm != nullptr) base::prefetch(*pair.m_algorithm);
+  }
+  if (now + kNext >= count) return;
+  for (const btBroadphaseProxy* proxy : {pairs[now + kNext].m_pProxy0, pairs[now + kNext].m_pProxy1}) {
+    const int tag = objectOf(*proxy).getIslandTag();
+    if (tag >= 0) rest_.prefetch(static_cast<std::size_t>(tag));
+  }
+  listManifolds(pairs[now + kNext], manifolds);
+  for (int i = 0; i < manifolds.size(); ++i) {
+    base::prefetch(manifolds[i]->getContactPoint(0));
+    base::prefetch(manifolds[i]->m_companionIdA);
+  }
+}
+
+void Dispatcher::findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory) {
+  bool isStill = pair.m_algorithm != nullptr && rest_.isStill(objectOf(*pair.m_pProxy0)) &&
+                 rest_.isStill(objectOf(*pair.m_pProxy1));
+  if (pair.m_algorithm != nullptr && forgetRolled(pair, info.m_timeStep, memory.manifolds)) isStill = false;
+  if (isStill && pair.m_internalTmpValue == kSettledPair) return;
+  if (BroadPhase::meet(*pair.m_pProxy0, *pair.m_pProxy1)) {
+    look(pair, info, isStill, memory);
+  } else {
+    part(pair, memory);
+  }
+}
+
+void Dispatcher::look(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Look& memory) {
+  auto& [manifolds, before] = memory;
+  before.clear();
+  if (isStill) copyPoints(pair, manifolds, before);
+  const bool hadPoints = havePoints(pair, manifolds);
+  getNearCallback()(pair, *this, info);
+  const bool isSettled = isStill && arePoints(pair, manifolds, before);
+  pair.m_internalTmpValue = isSettled ? kSettledPair : 0;
+  if (isSettled || (!hadPoints && !havePoints(pair, manifolds))) return;
+  rest_.disturb(objectOf(*pair.m_pProxy0));
+  rest_.disturb(objectOf(*pair.m_pProxy1));
+}
+
+void Dispatcher::part(btBroadphasePair& pair, Look& memory) {
+  if (havePoints(pair, memory.manifolds)) {
+    for (int i = 0; i < memory.manifolds.size(); ++i) memory.manifolds[i]->clearManifold();
+    rest_.disturb(objectOf(*pair.m_pProxy0));
+    rest_.disturb(objectOf(*pair.m_pProxy1));
+  }
+  pair.m_internalTmpValue = 0;
+  if (BroadPhase::areNear(*pair.m_pProxy0, *pair.m_pProxy1)) return;
+  pair.m_internalTmpValue = kPartedPair;
+  haveParted_.store(true, std::memory_order_relaxed);
+}
+
+void Dispatcher::collectTouches(const btManifoldArray& manifolds, std::vector<Touch>& touches) const {
+  for (int i = 0; i < manifolds.size(); ++i) {
+    btPersistentManifold& manifold = *manifolds[i];
+    limitContacts(manifold, mostContacts_);
+    if (manifold.getNumContacts() == 0) continue;
+    const Touch touch = touchOf(manifold);
+    if (touch.a != kNoMember || touch.b != kNoMember) touches.push_back(touch);
+  }
+}
+
+// from behind, for the last one takes the place of one that goes
+void Dispatcher::removeParted(btOverlappingPairCache& pairs) {
+  if (!haveParted_.exchange(false)) return;
+  for (int i = pairs.getNumOverlappingPairs() - 1; i >= 0; --i) {
+    const btBroadphasePair& pair = pairs.getOverlappingPairArrayPtr()[i];
+    if (pair.m_internalTmpValue == kPartedPair) pairs.removeOverlappingPair(pair.m_pProxy0, pair.m_pProxy1, this);
+  }
+}
+
+void Dispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
+                                           btDispatcher* /*dispatcher*/) {
+  for (FoundTouches& found : touches_) {
+    found.list.clear();
+    // who finds how much of it differs from step to step
+    found.list.reserve(static_cast<std::size_t>(getNumManifolds()));
+  }
+  const auto count = static_cast<std::size_t>(pairs->getNumOverlappingPairs());
+  btBroadphasePair* const first = pairs->getOverlappingPairArrayPtr();
+  workers_.forEach((count + kPairsAtATime - 1) / kPairsAtATime, [&](std::size_t chunk, int worker) {
+    std::vector<Touch>& touches = touches_[static_cast<std::size_t>(worker)].list;
+    Look& memory = looks_[static_cast<std::size_t>(worker)];
+    const std::size_t end = std::min(count, (chunk + 1) * kPairsAtATime);
+    // others may be at the pairs behind these
+    const std::size_t seen = workers_.count() == 1 ? count : end;
+    for (std::size_t i = chunk * kPairsAtATime; i < end; ++i) {
+      prefetchPairs(first, i, seen, memory.manifolds);
+      findTouches(first[i], info, memory);
+      if (first[i].m_algorithm == nullptr) continue;
+      listManifolds(first[i], memory.manifolds);
+      collectTouches(memory.manifolds, touches);
+    }
+  });
+  removeParted(*pairs);
+}
+
+}  // namespace pongsim::physics

@@ -1,0 +1,53 @@
+#include "physics/contacts/surface.hh"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
+#include <algorithm>
+
+#include "description/link.hh"
+#include "physics/shapes/triangle_edges.hh"
+
+namespace pongsim::physics {
+
+const btCollisionShape* partOf(const btCollisionObjectWrapper* wrapper) {
+  for (; wrapper != nullptr; wrapper = wrapper->m_parent) {
+    if (wrapper->getCollisionShape()->getUserPointer() != nullptr) return wrapper->getCollisionShape();
+  }
+  return nullptr;
+}
+
+const description::Surface& surfaceOf(const btCollisionShape& part) {
+  return *static_cast<const description::Surface*>(part.getUserPointer());
+}
+
+namespace {
+
+bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, int /*partA*/, int /*indexA*/,
+             const btCollisionObjectWrapper* wrapperB, int /*partB*/, int indexB) {
+  const btCollisionShape* a = partOf(wrapperA);
+  const btCollisionShape* b = partOf(wrapperB);
+  if (a == nullptr || b == nullptr) return false;
+  if (wrapperB->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE) {
+    TriangleEdges::smooth(point, *wrapperB, indexB);
+  }
+  point.m_combinedFriction = std::min(surfaceOf(*a).mu, surfaceOf(*b).mu);
+  point.m_combinedRestitution = surfaceOf(*a).restitution * surfaceOf(*b).restitution;
+  // which collisions of their links; Bullet leaves the number of a triangle here, or none
+  point.m_index0 = a->getUserIndex();
+  point.m_index1 = b->getUserIndex();
+  return true;
+}
+
+}  // namespace
+
+void combineSurfacesAsFortress() {
+  static const bool installed = [] {
+    gContactAddedCallback = combine;
+    return true;
+  }();
+  static_cast<void>(installed);
+}
+
+}  // namespace pongsim::physics

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+class btPersistentManifold;
+
+namespace pongsim::physics {
+
+/// The number of a body that forces do not move; those of others are their places among such bodies.
+inline constexpr int kNoMember = -1;
+
+/// Two parts of bodies that touch.
+struct Touch {
+  /// Slots of the links, the smaller one first, and the parts that touch.
+  std::uint64_t links;
+  std::uint64_t parts;
+  btPersistentManifold* manifold;
+  /// Numbers of the bodies.
+  int a;
+  int b;
+
+  /// As bodies, points of contact and joints are always ordered, whatever was found first.
+  bool operator<(const Touch& other) const { return std::tie(links, parts) < std::tie(other.links, other.parts); }
+};
+
+/// What one of several threads has found, in no order.
+struct alignas(64) FoundTouches {
+  std::vector<Touch> list;
+};
+
+}  // namespace pongsim::physics

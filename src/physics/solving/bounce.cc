@@ -1,0 +1,39 @@
+#include "physics/solving/bounce.hh"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include "physics/solving/friction.hh"
+
+namespace pongsim::physics {
+
+namespace {
+
+btVector3 velocityAt(const btRigidBody* body, const btVector3& position) {
+  if (body == nullptr) return btVector3(0, 0, 0);
+  return body->getVelocityInLocalPoint(position - body->getCenterOfMassPosition());
+}
+
+/// How fast the two come nearer to each other at the point [m/s].
+double approachAt(const btManifoldPoint& point, const btRigidBody* a, const btRigidBody* b) {
+  const btVector3 velocity = velocityAt(a, point.getPositionWorldOnA()) - velocityAt(b, point.getPositionWorldOnB());
+  return -point.m_normalWorldOnB.dot(velocity);
+}
+
+}  // namespace
+
+double restitutionAt(const btPersistentManifold& manifold, const btManifoldPoint& point, const PointSurface& surface) {
+  if (surface.restitution <= 0) return surface.restitution;
+  const double approach =
+      approachAt(point, btRigidBody::upcast(manifold.getBody0()), btRigidBody::upcast(manifold.getBody1()));
+  return approach < surface.bounceThreshold ? 0 : surface.restitution;
+}
+
+double bounceChange(const btManifoldPoint& point, const btRigidBody* a, const btRigidBody* b, double dt) {
+  if (point.m_combinedRestitution <= 0 || point.getDistance() <= 0) return 0;
+  const double approach = approachAt(point, a, b);
+  const double gapRate = point.getDistance() / dt;
+  return gapRate < approach ? gapRate : -point.m_combinedRestitution * approach;
+}
+
+}  // namespace pongsim::physics

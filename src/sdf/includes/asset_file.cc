@@ -1,0 +1,48 @@
+#include "sdf/includes/asset_file.hh"
+
+#include <optional>
+
+#include "sdf/includes/includes.hh"
+
+namespace pongsim::sdf {
+
+void AssetFile::warn(const assets::Problem& problem, Context& context) const {
+  context.diagnostics.warning(position, kind + " '" + path.string() + "' " + problem.text + effect, problem.hint);
+}
+
+AssetFile findAsset(const Element& shape, const std::string& kind, const std::string& owner, bool isCollision,
+                    Context& context) {
+  const std::string effect = ": " + owner + (isCollision ? " will not collide" : " will not be seen");
+  const Element* uri = shape.child("uri");
+  if (uri == nullptr || uri->text.empty()) {
+    context.diagnostics.error(shape.position, "the " + kind + " of " + owner + " has no <uri>",
+                              "write <uri>model://NAME/FILE</uri>");
+    return {{}, {}, kind, shape.position, effect};
+  }
+  Diagnostics found;
+  const std::optional<std::filesystem::path> path =
+      context.includes.findAsset(uri->text, context.folder, uri->position, found);
+  for (const Diagnostic& diagnostic : found.all()) {
+    context.diagnostics.warning(diagnostic.position, kind + ' ' + diagnostic.message + effect, diagnostic.hint);
+  }
+  return {uri->text, path.value_or(std::filesystem::path()), kind, uri->position, effect};
+}
+
+description::Texture readTexture(const Element& parent, std::string_view child, Context& context) {
+  description::Texture texture;
+  const Element* element = parent.child(child);
+  if (element == nullptr || element->text.empty()) return texture;
+  texture.uri = element->text;
+  Diagnostics found;
+  texture.file = context.includes.findAsset(texture.uri, context.folder, element->position, found)
+                     .value_or(std::filesystem::path());
+  if (texture.file.empty() && context.firstTime("missing file " + texture.uri)) {
+    for (const Diagnostic& diagnostic : found.all()) {
+      context.diagnostics.warning(diagnostic.position, "<" + element->name + "> " + diagnostic.message,
+                                  diagnostic.hint);
+    }
+  }
+  return texture;
+}
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,109 @@
+#include "sdf/includes/merge.hh"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "sdf/includes/attribute.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+/// Puts the frame in place of the model's in an attribute that names one.
+void rename(Element& element, std::string_view attributeName, const std::string& frame) {
+  Element::Attribute* attribute = attributeOf(element, attributeName);
+  if (attribute != nullptr && attribute->value == kModelFrame) attribute->value = frame;
+}
+
+/// As `rename`, where no name stands for the model frame too.
+void renameDefault(Element& element, std::string_view attributeName, const std::string& frame) {
+  Element::Attribute* attribute = attributeOf(element, attributeName);
+  if (attribute == nullptr) {
+    element.attributes.push_back({std::string(attributeName), frame, element.position});
+  } else if (attribute->value.empty() || attribute->value == kModelFrame) {
+    attribute->value = frame;
+  }
+}
+
+/// Renames the model frame in what stands in a part.
+void renameInside(Element& element, const std::string& frame) {
+  for (Element& child : element.children) {
+    if (child.name == "plugin") continue;
+    if (child.name == "pose") rename(child, "relative_to", frame);
+    if (child.name == "xyz") rename(child, "expressed_in", frame);
+    if ((child.name == "parent" || child.name == "child") && child.text == kModelFrame) child.text = frame;
+    renameInside(child, frame);
+  }
+}
+
+/// @return Whether the part goes with those that are merged; others tell of the model itself.
+bool isMerged(const Element& part) {
+  constexpr std::array<std::string_view, 7> kMerged{"link", "model", "joint", "frame", "gripper", "plugin", "include"};
+  return std::ranges::find(kMerged, part.name) != kMerged.end() || part.name.find(':') != std::string::npos;
+}
+
+/// @return The shortest text that reads as the same number.
+std::string textOf(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+Element poseElement(const MergedModel& model) {
+  const Vector3& p = model.X_ReferenceModel.position;
+  const Quaternion& q = model.X_ReferenceModel.rotation;
+  Element pose;
+  pose.name = "pose";
+  pose.position = model.includedFrom;
+  for (const double value : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()}) {
+    pose.text += (pose.text.empty() ? "" : " ") + textOf(value);
+  }
+  pose.attributes.push_back({"relative_to", model.relativeTo, model.includedFrom});
+  pose.attributes.push_back({"rotation_format", "quat_xyzw", model.includedFrom});
+  return pose;
+}
+
+}  // namespace
+
+std::string mergedFrameName(const std::string& model) { return "_merged__" + model + "__model__"; }
+
+void setModelFrame(Element& part, const std::string& frame) {
+  const bool isFrame = part.name == "frame";
+  if (isFrame) renameDefault(part, "attached_to", frame);
+  // what a nested model holds has a model frame of its own
+  if (part.name != "model") renameInside(part, frame);
+  // by default frames are measured in what they are attached to, and joints in their child
+  if (isFrame || part.name == "joint") return;
+  auto pose = std::ranges::find(part.children, "pose", &Element::name);
+  if (pose == part.children.end()) {
+    Element& added = part.children.emplace_back();
+    added.name = "pose";
+    added.text = "0 0 0 0 0 0";
+    added.position = part.position;
+    pose = std::prev(part.children.end());
+  }
+  renameDefault(*pose, "relative_to", frame);
+}
+
+std::vector<Element> mergedParts(const MergedModel& model) {
+  const std::string frameName = mergedFrameName(model.name);
+  std::vector<Element> parts(1);
+  Element& frame = parts.front();
+  frame.name = "frame";
+  frame.position = model.includedFrom;
+  frame.attributes.push_back({"name", frameName, model.includedFrom});
+  frame.attributes.push_back({"attached_to", model.canonicalLink, model.includedFrom});
+  frame.children.push_back(poseElement(model));
+  for (const Element& child : model.element.children) {
+    if (!isMerged(child)) continue;
+    parts.push_back(child);
+    if (child.name != "include" && child.name != "plugin" && child.name != "gripper") {
+      setModelFrame(parts.back(), frameName);
+    }
+  }
+  return parts;
+}
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,126 @@
+#include "sdf/includes/unflatten.hh"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "sdf/includes/attribute.hh"
+#include "sdf/includes/includes.hh"
+#include "sdf/text/names.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+/// @return The model that the part was in, "" where it has always been in this one.
+std::string_view innerModel(const Element& part) {
+  constexpr std::array<std::string_view, 5> kKinds{"model", "link", "joint", "frame", "gripper"};
+  if (std::ranges::find(kKinds, part.name) == kKinds.end()) return {};
+  const Element::Attribute* name = part.attribute("name");
+  if (name == nullptr) return {};
+  const std::string_view text = name->value;
+  const std::size_t end = text.find(kNameSeparator);
+  return end == std::string_view::npos ? std::string_view() : text.substr(0, end);
+}
+
+/// @return Whether the name is one of too many models within each other.
+bool isTooDeep(std::string_view name) {
+  int depth = 0;
+  for (std::size_t at = name.find(kNameSeparator); at != name.npos; at = name.find(kNameSeparator, at + 2)) ++depth;
+  return depth > Includes::kDeepestModel;
+}
+
+/// Takes the model's name away from the names in the part, for it stands in that model from now on.
+class PrefixRemover {
+ public:
+  explicit PrefixRemover(std::string_view model) : prefix_(std::string(model) + std::string(kNameSeparator)) {}
+
+  void removeFrom(Element& part) const {
+    constexpr std::array<std::string_view, 4> kAttributes{"name", "attached_to", "canonical_link", "placement_frame"};
+    for (const std::string_view name : kAttributes) removeFromAttribute(part, name);
+    for (Element& child : part.children) removeFromInside(child);
+  }
+
+ private:
+  void removeFromInside(Element& element) const {
+    constexpr std::array<std::string_view, 4> kTexts{"parent", "child", "gripper_link", "palm_link"};
+    if (element.name == "plugin") return;
+    if (std::ranges::find(kTexts, element.name) != kTexts.end()) remove(element.text);
+    if (element.name == "pose") removeFromAttribute(element, "relative_to");
+    if (element.name == "xyz") removeFromAttribute(element, "expressed_in");
+    for (Element& child : element.children) removeFromInside(child);
+  }
+
+  void removeFromAttribute(Element& element, std::string_view name) const {
+    if (Element::Attribute* attribute = attributeOf(element, name)) remove(attribute->value);
+  }
+
+  void remove(std::string& text) const {
+    if (text.starts_with(prefix_)) text.erase(0, prefix_.size());
+  }
+
+  std::string prefix_;
+};
+
+/// The frame "__model__" tells where the model is and by which link it is held.
+void takeModelFrame(Element& frame, Element& model) {
+  if (const Element::Attribute* link = frame.attribute("attached_to")) {
+    model.attributes.push_back({"canonical_link", link->value, link->position});
+  }
+  for (Element& child : frame.children) {
+    if (child.name == "pose") model.children.insert(model.children.begin(), std::move(child));
+  }
+}
+
+bool isModelFrame(const Element& element) {
+  return element.name == "frame" && element.attributeOr("name", "") == kModelFrame;
+}
+
+void unflatten(Element& model, Context& context) {
+  std::vector<Element> inner;
+  std::unordered_map<std::string, std::size_t> indexOfName;
+  for (Element& part : model.children) {
+    const std::string name(innerModel(part));
+    if (name.empty()) continue;
+    if (isTooDeep(part.attribute("name")->value)) {
+      context.diagnostics.error(part.position, "models nest more than " + std::to_string(Includes::kDeepestModel) +
+                                                   " deep in the name of a " + part.name);
+      continue;
+    }
+    const auto [found, isNew] = indexOfName.try_emplace(name, inner.size());
+    if (isNew) {
+      Element& added = inner.emplace_back();
+      added.name = "model";
+      added.attributes.push_back({"name", name, part.attribute("name")->position});
+      added.position = part.position;
+    }
+    PrefixRemover(name).removeFrom(part);
+    Element& target = inner[found->second];
+    if (isModelFrame(part)) {
+      takeModelFrame(part, target);
+    } else {
+      target.children.push_back(std::move(part));
+    }
+    // what has gone
+    part.name.clear();
+  }
+  std::erase_if(model.children, [](const Element& part) { return part.name.empty(); });
+  std::ranges::move(inner, std::back_inserter(model.children));
+  unflattenAll(model, context);
+}
+
+}  // namespace
+
+void unflattenAll(Element& root, Context& context) {
+  for (Element& child : root.children) {
+    if (child.name == "model") unflatten(child, context);
+    if (child.name == "world") unflattenAll(child, context);
+  }
+}
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "description/actor.hh"
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+#include "sdf/frames/scope.hh"
+#include "sdf/text/values.hh"
+
+namespace pongsim::sdf {
+
+/// An actor, complete but for its pose, which waits for the frames around it.
+struct ActorDraft {
+  description::Actor actor;
+  PoseText pose;
+};
+
+/// @param owner "world 'w'"
+ActorDraft readActor(const Element& element, const std::string& owner, Context& context);
+
+/// Completes the actor's pose.
+/// @param scope That of the world, which is resolved.
+description::Actor finishActor(ActorDraft&& draft, const Scope& scope, Context& context);
+
+}  // namespace pongsim::sdf

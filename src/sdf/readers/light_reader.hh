@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "description/light.hh"
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+#include "sdf/frames/scope.hh"
+#include "sdf/text/values.hh"
+
+namespace pongsim::sdf {
+
+/// A light of a world or link, complete but for its pose, which waits for the frames around it.
+struct LightDraft {
+  description::Light light;
+  PoseText pose;
+};
+
+/// @param owner "world 'w'", "link 'l' of model 'm'"
+LightDraft readLight(const Element& element, const std::string& owner, Context& context);
+
+/// Completes the light's pose.
+/// @param scope That of the world or model, which is resolved.
+/// @param X_ScopeParent Pose of what holds it: the world, or a link.
+description::Light finishLight(LightDraft&& draft, const Scope& scope, const Pose& X_ScopeParent, Context& context);
+
+}  // namespace pongsim::sdf

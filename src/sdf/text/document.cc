@@ -1,0 +1,136 @@
+#include "sdf/text/document.hh"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "sdf/text/text_cursor.hh"
+#include "sdf/text/xml_fault.hh"
+
+namespace pongsim::sdf {
+
+namespace {
+
+std::string trimmed(std::string text) {
+  const std::size_t first = text.find_first_not_of(kWhiteSpace);
+  if (first == std::string::npos) return {};
+  text.erase(text.find_last_not_of(kWhiteSpace) + 1);
+  text.erase(0, first);
+  return text;
+}
+
+/// Copies tinyxml2's tree and finds the columns, which tinyxml2 does not know: the names of its elements and
+/// attributes point into its copy of the text, so that their distance from the first node is known.
+class TreeCopier {
+ public:
+  TreeCopier(const tinyxml2::XMLDocument& document, std::string_view text, std::shared_ptr<const std::string> file)
+      : text_(text), cursor_(text), file_(std::move(file)) {
+    const tinyxml2::XMLNode* first = document.FirstChild();
+    std::size_t markLength = 1;  // "<"
+    if (first->ToComment() != nullptr) markLength = 4;
+    if (first->ToDeclaration() != nullptr || first->ToUnknown() != nullptr) markLength = 2;
+    anchor_ = first->Value();
+    anchorOffset_ = text.find_first_not_of(kWhiteSpace, TextCursor::startOf(text)) + markLength;
+  }
+
+  void copy(const tinyxml2::XMLElement& from, Element& to) {
+    to.name = from.Name();
+    to.position = position(from.Name(), to.name, from.GetLineNum(), 1);
+    for (const tinyxml2::XMLAttribute* attribute = from.FirstAttribute(); attribute != nullptr;
+         attribute = attribute->Next()) {
+      Element::Attribute& added = to.attributes.emplace_back();
+      added.name = attribute->Name();
+      added.value = attribute->Value();
+      added.position = position(attribute->Name(), added.name, attribute->GetLineNum(), 0);
+    }
+    std::size_t childCount = 0;
+    for (const auto* child = from.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+      ++childCount;
+    }
+    to.children.reserve(childCount);
+    for (const tinyxml2::XMLNode* child = from.FirstChild(); child != nullptr; child = child->NextSibling()) {
+      if (const tinyxml2::XMLElement* element = child->ToElement()) copy(*element, to.children.emplace_back());
+      if (const tinyxml2::XMLText* text = child->ToText()) to.text += text->Value();
+    }
+    to.text = trimmed(std::move(to.text));
+  }
+
+ private:
+  /// @param before Characters between the position to give and the name.
+  SourcePosition position(const char* name, std::string_view expected, int line, std::size_t before) {
+    const std::ptrdiff_t signedOffset = static_cast<std::ptrdiff_t>(anchorOffset_) + (name - anchor_);
+    const auto offset = static_cast<std::size_t>(signedOffset);
+    const bool found = signedOffset >= static_cast<std::ptrdiff_t>(cursor_.offset() + before) &&
+                       offset < text_.size() && text_.substr(offset).starts_with(expected);
+    if (!found) return {file_, line, 0};
+    cursor_.advanceTo(offset - before);
+    return {file_, cursor_.line(), cursor_.column()};
+  }
+
+  std::string_view text_;
+  TextCursor cursor_;
+  std::shared_ptr<const std::string> file_;
+  const char* anchor_ = nullptr;
+  std::size_t anchorOffset_ = 0;
+};
+
+void explainFault(const tinyxml2::XMLDocument& document, std::string_view text,
+                  const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics) {
+  if (document.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
+    return diagnostics.error({file}, "this file contains no XML");
+  }
+  const std::optional<XmlFault> fault = findXmlFault(text);
+  if (!fault) {
+    const std::string where = document.ErrorLineNum() > 0 ? " here" : "";
+    return diagnostics.error({file, document.ErrorLineNum(), 0}, "the XML is not well-formed" + where);
+  }
+  TextCursor cursor(text);
+  cursor.advanceTo(fault->offset);
+  diagnostics.error({file, cursor.line(), cursor.column()}, fault->message, fault->hint);
+}
+
+/// Warns of entities that the file defines: tinyxml2 knows those only that every XML has, and takes others as text.
+void warnOfEntities(const tinyxml2::XMLDocument& document, std::string_view text,
+                    const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics) {
+  constexpr std::string_view kMark = "<!ENTITY";
+  for (const tinyxml2::XMLNode* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if (node->ToUnknown() == nullptr || std::string_view(node->Value()).find(kMark) == std::string_view::npos) continue;
+    TextCursor cursor(text);
+    cursor.advanceTo(text.find(kMark));
+    return diagnostics.warning({file, cursor.line(), cursor.column()},
+                               "entities are not expanded: '&NAME;' stays as it is",
+                               "as in Fortress; write its text instead");
+  }
+}
+
+}  // namespace
+
+std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<const std::string> file,
+                                     Diagnostics& diagnostics) {
+  // tinyxml2 would stop at a zero byte and take what stands before it for the whole.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+    TextCursor cursor(text);
+    cursor.advanceTo(zero);
+    diagnostics.error({std::move(file), cursor.line(), cursor.column()}, "the text contains a zero byte",
+                      "is this a text file, in UTF-8?");
+    return std::nullopt;
+  }
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+    explainFault(document, text, file, diagnostics);
+    return std::nullopt;
+  }
+  warnOfEntities(document, text, file, diagnostics);
+  const tinyxml2::XMLElement* root = document.FirstChildElement("sdf");
+  if (root == nullptr) root = document.FirstChildElement();
+  if (root == nullptr) {
+    diagnostics.error({std::move(file)}, "this file contains no element");
+    return std::nullopt;
+  }
+  std::optional<Element> copied(std::in_place);
+  TreeCopier(document, text, std::move(file)).copy(*root, *copied);
+  return copied;
+}
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,65 @@
+#include "sdf/text/file_text.hh"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include "base/nearest_word.hh"
+
+namespace pongsim::sdf {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Enough to find a misspelt name in; a folder with more entries is not searched to its end.
+constexpr std::size_t kMostNeighbours = 10'000;
+
+std::string hintForMissing(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return "there is no folder '" + folder.string() + "' either";
+  std::vector<std::string> names;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end && names.size() < kMostNeighbours;
+       entry.increment(error)) {
+    names.push_back(entry->path().filename().string());
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string_view nearest = base::nearestWord(file.filename().string(), known);
+  if (nearest.empty()) return {};
+  return "did you mean '" + (file.parent_path() / nearest).string() + "'?";
+}
+
+}  // namespace
+
+std::optional<std::string> readFileText(const fs::path& file, std::shared_ptr<const std::string> name,
+                                        Diagnostics& diagnostics) {
+  const auto fail = [&](std::string message, std::string hint = {}) {
+    diagnostics.error({name}, std::move(message), std::move(hint));
+    return std::nullopt;
+  };
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found) return fail("no such file", hintForMissing(file));
+  if (status.type() == fs::file_type::none) return fail("can't be read: " + error.message());
+  if (fs::is_directory(status)) return fail("is a folder, not a file", "name a world file in it");
+
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return fail(std::string("can't be read: ") + std::strerror(errno));
+  std::string text;
+  std::vector<char> chunk(std::size_t{1} << 16U);
+  while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), stream.gcount() > 0) {
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kLargestFile) {
+      return fail("is larger than " + std::to_string(kLargestFile >> 20U) + " MiB, which is the limit");
+    }
+  }
+  if (stream.bad()) return fail("can't be read completely");
+  if (text.empty()) return fail("the file is empty");
+  return text;
+}
+
+}  // namespace pongsim::sdf

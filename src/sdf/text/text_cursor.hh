@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace pongsim::sdf {
+
+/// What stands between the words of a text, as isspace has it in the C locale.
+inline constexpr std::string_view kWhiteSpace = " \t\r\n\f\v";
+
+/// Turns offsets into lines and columns. Offsets must not decrease, so that all of them together cost one pass.
+class TextCursor {
+ public:
+  explicit TextCursor(std::string_view text) : text_(text), offset_(startOf(text)) {}
+
+  /// @return Where the text begins: behind the byte order mark, if there is one.
+  static std::size_t startOf(std::string_view text) { return text.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
+
+  void advanceTo(std::size_t offset) {
+    for (; offset_ < offset && offset_ < text_.size(); ++offset_) {
+      const auto byte = static_cast<unsigned char>(text_[offset_]);
+      if (byte == '\n') {
+        ++line_;
+        column_ = 1;
+      } else if ((byte & 0xC0U) != 0x80U) {
+        ++column_;  // once a character, not once a byte of it
+      }
+    }
+  }
+
+  std::size_t offset() const { return offset_; }
+  int line() const { return line_; }
+  int column() const { return column_; }
+
+ private:
+  std::string_view text_;
+  std::size_t offset_;
+  int line_ = 1;
+  int column_ = 1;
+};
+
+}  // namespace pongsim::sdf

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "physics/engine.hh"
+#include "pongsim/handles.hh"
+#include "pongsim/log.hh"
+#include "sim/levels.hh"
+#include "world/entities.hh"
+#include "world/state.hh"
+
+namespace pongsim::sim {
+
+/// Largest magnitude of commands: far beyond any reasonable command, and about the limit of what physics can compute.
+/// Forces [N, N m], and velocities [m/s, rad/s].
+inline constexpr double kMostForce = 1e10;
+inline constexpr const char* kMostForceText = "1e10 N or N m";
+inline constexpr double kMostVelocity = 1e8;
+inline constexpr const char* kMostVelocityText = "1e8 m/s or rad/s";
+
+/// @return Whether all values are within `most`; false for NaN.
+inline bool isWithin(const Vector3& values, double most) {
+  return std::abs(values.x()) <= most && std::abs(values.y()) <= most && std::abs(values.z()) <= most;
+}
+
+/// @return The same for both together, with fewer comparisons.
+inline bool areWithin(const Vector3& a, const Vector3& b, double most) {
+  // neither is longer than both together, which is not below what is not a number
+  return a.squaredNorm() + b.squaredNorm() <= most * most || (isWithin(a, most) && isWithin(b, most));
+}
+
+/// A group of entities in unloaded levels, kept unchanged until it returns.
+struct Shelved {
+  world::Records entities;
+  world::StatePart state;
+  physics::SetAside bodies;
+};
+
+/// What the handles (`World`, `Model`, `Link`, `Joint`) access.
+class Access {
+ public:
+  world::Entities& entities;
+  world::State& state;
+  physics::Engine& engine;
+  Logger log{"commands"};
+  /// Whether a system is running, and its first invalid command.
+  bool inSystem = false;
+  std::optional<std::string> badCommand = std::nullopt;
+
+  /// Reports an invalid command.
+  void refuse(std::string what) {
+    if (!inSystem) {
+      log.warning(what);
+    } else if (!badCommand) {
+      badCommand = std::move(what);
+    }
+  }
+  /// Models or joints were added or removed, and the systems have not been notified.
+  bool hasChanged = false;
+  /// Number of such changes.
+  std::uint64_t changes = 0;
+  void noteChange() {
+    hasChanged = true;
+    ++changes;
+  }
+  /// Groups that are set aside, in the order of ids.
+  std::vector<Shelved> shelf = {};
+  /// The ids of all their models, sensors and actors.
+  std::unordered_set<std::uint64_t> shelvedIds = {};
+  Levels levels = {};
+};
+
+inline const char* kindOf(ModelId) { return "model"; }
+inline const char* kindOf(LinkId) { return "link"; }
+inline const char* kindOf(JointId) { return "joint"; }
+inline const char* kindOf(CollisionId) { return "collision"; }
+inline const char* kindOf(SensorId) { return "sensor"; }
+
+/// @return The slot of an entity.
+/// @throws Gone if it no longer exists.
+template <class Id>
+world::Slot slotOf(const Access& access, Id id) {
+  const world::Slot slot = access.entities.slot(id);
+  if (slot == world::kNoSlot) {
+    if (access.shelvedIds.contains(id.value)) {
+      throw Gone(std::string("the ") + kindOf(id) + " with the id " + std::to_string(id.value) +
+                 " is in a level that is not loaded");
+    }
+    throw Gone(std::string("the ") + kindOf(id) + " with the id " + std::to_string(id.value) + " no longer exists");
+  }
+  return slot;
+}
+
+}  // namespace pongsim::sim

@@ -1,0 +1,76 @@
+#include "pongsim/sensing/camera_scene.hh"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "assets/picture_file.hh"
+#include "rendering/osmesa.hh"
+#include "rendering/renderer.hh"
+#include "rendering/scene.hh"
+#include "sim/api/access.hh"
+
+namespace pongsim {
+
+struct CameraScene::Content {
+  sim::Access& access;
+  std::unique_ptr<rendering::Renderer> renderer;
+  rendering::Scene scene = {};
+  /// Those of the world that it knows of.
+  std::uint64_t changes = 0;
+};
+
+CameraScene::CameraScene(const World& world)
+    : content_(new Content{*world.access_, std::make_unique<rendering::Renderer>(rendering::openOsmesa())}) {}
+
+CameraScene::~CameraScene() = default;
+
+void CameraScene::setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient) {
+  content_->scene.setColors(background, ambient);
+}
+
+void CameraScene::rebuild(Diagnostics& diagnostics) {
+  content_->changes = content_->access.changes;
+  content_->scene.build(content_->access.entities, content_->access.state, diagnostics);
+}
+
+void CameraScene::update() {
+  // who steps a simulation himself is told by nobody that a level has come or gone
+  if (content_->changes != content_->access.changes) {
+    Diagnostics none;
+    rebuild(none);
+  }
+  content_->scene.update(content_->access.entities, content_->access.state);
+}
+
+void CameraScene::drawColors(const PictureView& view, std::span<std::uint8_t> pixels) {
+  content_->renderer->drawColors(content_->scene, view, pixels);
+}
+
+void CameraScene::drawDepths(const PictureView& view, std::span<float> depths) {
+  content_->renderer->drawDepths(content_->scene, view, depths);
+}
+
+void CameraScene::writePicture(const std::filesystem::path& file, std::uint32_t width, std::uint32_t height,
+                               std::span<const std::uint8_t> pixels) {
+  if (const auto problem = assets::writePicture(file, width, height, pixels)) {
+    throw std::runtime_error("'" + file.string() + "' " + problem->text);
+  }
+}
+
+Eigen::AlignedBox3d CameraScene::bounds(const std::optional<Model>& model) const {
+  const world::Slot slot = model ? sim::slotOf(content_->access, model->id()) : world::kNoSlot;
+  return content_->scene.bounds(content_->access.entities, slot);
+}
+
+std::vector<std::string> CameraScene::actors() const {
+  std::vector<std::string> names;
+  for (const world::ActorRecord& actor : content_->access.entities.actors()) names.push_back(actor.description->name);
+  return names;
+}
+
+Eigen::AlignedBox3d CameraScene::actorBounds(const std::string& name) const {
+  return content_->scene.actorBounds(name);
+}
+
+}  // namespace pongsim

@@ -1,0 +1,233 @@
+#include <cmath>
+
+#include "pongsim/sensing/sensor.hh"
+#include "sim/api/access.hh"
+
+namespace pongsim {
+
+namespace {
+
+using sim::slotOf;
+
+const world::CollisionRecord& record(const sim::Access& access, CollisionId id) {
+  return access.entities.collisions()[slotOf(access, id)];
+}
+
+/// @return The how manieth collision of its link it is.
+std::size_t numberInLink(const sim::Access& access, CollisionId id) {
+  const world::Slot slot = slotOf(access, id);
+  return slot - access.entities.links()[access.entities.collisions()[slot].link].firstCollision;
+}
+
+const world::SensorRecord& record(const sim::Access& access, SensorId id) {
+  return access.entities.sensors()[slotOf(access, id)];
+}
+
+Shape trianglesOf(const std::shared_ptr<const description::TriangleMesh>& mesh, const Vector3& scale) {
+  if (mesh == nullptr) return NoShape();
+  return TriangleShape{mesh->vertices, mesh->triangles, scale, mesh};
+}
+
+struct ShapeOf {
+  Shape operator()(const description::Box& box) const { return BoxShape{box.size}; }
+  Shape operator()(const description::Sphere& sphere) const { return SphereShape{sphere.radius}; }
+  Shape operator()(const description::Cylinder& shape) const { return CylinderShape{shape.radius, shape.length}; }
+  Shape operator()(const description::Capsule& shape) const { return CapsuleShape{shape.radius, shape.length}; }
+  Shape operator()(const description::Ellipsoid& ellipsoid) const { return EllipsoidShape{ellipsoid.radii}; }
+  Shape operator()(const description::Plane& plane) const { return PlaneShape{plane.normal.normalized()}; }
+  Shape operator()(const description::Mesh& mesh) const { return trianglesOf(mesh.triangles, mesh.scale); }
+  Shape operator()(const description::Heightmap& map) const { return trianglesOf(map.triangles, {1, 1, 1}); }
+  Shape operator()(const description::Polyline& line) const { return trianglesOf(line.triangles, {1, 1, 1}); }
+  Shape operator()(const description::Empty&) const { return NoShape(); }
+  Shape operator()(const description::Image&) const { return NoShape(); }
+};
+
+/// @return "/model/outer/model/inner"
+std::string modelTopic(const world::Entities& entities, world::Slot model) {
+  if (model == world::kNoSlot) return "";
+  const world::ModelRecord& record = entities.models()[model];
+  return modelTopic(entities, record.parent) + "/model/" + record.description->name;
+}
+
+}  // namespace
+
+bool Collision::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
+
+std::string_view Collision::name() const { return record(*access_, id_).description->name; }
+
+std::string Collision::scopedName() const { return link().scopedName() + "::" + std::string(name()); }
+
+Link Collision::link() const { return Link(*access_, access_->entities.links()[record(*access_, id_).link].id); }
+
+Pose Collision::poseInLink() const { return record(*access_, id_).description->X_LinkCollision; }
+
+void Collision::setSurfaceMotion(const std::optional<SurfaceMotion>& motion) {
+  const world::CollisionRecord& own = record(*access_, id_);
+  if (motion) {
+    const bool isFinite = std::abs(motion->speed) <= SurfaceMotion::kLargestSpeed && motion->axis.allFinite() &&
+                          (!motion->center || motion->center->allFinite());
+    if (!isFinite || !(motion->axis.norm() > 0)) {
+      access_->refuse("the surface of collision '" + scopedName() +
+                      "' can't move: the speed must be at most 1e6 m/s, the axis not zero and the centre finite");
+      return;
+    }
+  }
+  access_->engine.setSurfaceMotion(own.link, numberInLink(*access_, id_), motion);
+}
+
+std::optional<SurfaceMotion> Collision::surfaceMotion() const {
+  return access_->engine.surfaceMotion(record(*access_, id_).link, numberInLink(*access_, id_));
+}
+
+void Collision::setSlip(double slip1, double slip2) {
+  const world::CollisionRecord& own = record(*access_, id_);
+  if (!(slip1 >= 0) || !(slip2 >= 0) || !std::isfinite(slip1) || !std::isfinite(slip2)) {
+    access_->refuse("the slips of collision '" + scopedName() + "' must be finite and zero or more, in m/s/N");
+    return;
+  }
+  access_->engine.setSlip(own.link, numberInLink(*access_, id_), slip1, slip2);
+}
+
+std::pair<double, double> Collision::slip() const {
+  return access_->engine.slip(record(*access_, id_).link, numberInLink(*access_, id_));
+}
+
+Shape Collision::shape() const { return std::visit(ShapeOf(), record(*access_, id_).description->geometry); }
+
+std::optional<MeshFile> Collision::meshFile() const {
+  const auto* mesh = std::get_if<description::Mesh>(&record(*access_, id_).description->geometry);
+  if (mesh == nullptr) return std::nullopt;
+  const bool isThere = !mesh->file.empty();
+  return MeshFile{isThere ? std::filesystem::absolute(mesh->file).lexically_normal() : mesh->file, mesh->submesh,
+                  mesh->isCentered, mesh->scale};
+}
+
+SourcePosition Collision::sourcePosition() const { return record(*access_, id_).description->position; }
+
+bool Sensor::exists() const { return access_->entities.slot(id_) != world::kNoSlot; }
+
+bool Sensor::isSetAside() const { return access_->shelvedIds.contains(id_.value); }
+
+std::string_view Sensor::name() const { return record(*access_, id_).description->name; }
+
+std::string_view Sensor::type() const { return record(*access_, id_).description->type; }
+
+std::string Sensor::scopedName() const {
+  const std::optional<Joint> holder = joint();
+  if (!holder) return link().scopedName() + "::" + std::string(name());
+  const world::Slot model = access_->entities.joints()[record(*access_, id_).joint].model;
+  const std::string scope = model == world::kNoSlot ? "" : access_->entities.models()[model].scopedName + "::";
+  return scope + std::string(holder->name()) + "::" + std::string(name());
+}
+
+Link Sensor::link() const {
+  const world::SensorRecord& sensor = record(*access_, id_);
+  if (sensor.joint != world::kNoSlot) return joint()->child();
+  return Link(*access_, access_->entities.links()[sensor.link].id);
+}
+
+std::optional<Joint> Sensor::joint() const {
+  const world::Slot slot = record(*access_, id_).joint;
+  if (slot == world::kNoSlot) return std::nullopt;
+  return Joint(*access_, access_->entities.joints()[slot].id);
+}
+
+Pose Sensor::poseInLink() const {
+  const world::SensorRecord& sensor = record(*access_, id_);
+  if (sensor.joint == world::kNoSlot) return sensor.description->X_ParentSensor;
+  return access_->entities.joints()[sensor.joint].description->X_ChildJoint * sensor.description->X_ParentSensor;
+}
+
+Pose Sensor::pose() const { return link().pose() * poseInLink(); }
+
+Vector3 Sensor::linearVelocity() const {
+  const Link holder = link();
+  return holder.linearVelocity() + holder.angularVelocity().cross(holder.pose().rotation * poseInLink().position);
+}
+
+double Sensor::updateRate() const { return record(*access_, id_).description->updateRate; }
+
+bool Sensor::isAlwaysOn() const { return record(*access_, id_).description->alwaysOn; }
+
+bool Sensor::hasMetrics() const { return record(*access_, id_).description->hasMetrics; }
+
+std::string Sensor::topic(std::string_view suffix) const {
+  const world::SensorRecord& sensor = record(*access_, id_);
+  const world::Entities& entities = access_->entities;
+  const world::Slot holder =
+      sensor.joint != world::kNoSlot ? entities.joints()[sensor.joint].model : entities.links()[sensor.link].model;
+  const std::string& nameSpace = entities.nameSpace(holder);
+  if (!sensor.description->topic.empty()) {
+    const std::string& topic = sensor.description->topic;
+    return nameSpace.empty() ? topic : nameSpace + (topic.starts_with('/') ? "" : "/") + topic;
+  }
+  std::string topic = nameSpace + "/world/" + entities.description().name;
+  if (sensor.joint != world::kNoSlot) {
+    const world::JointRecord& joint = entities.joints()[sensor.joint];
+    topic += modelTopic(entities, joint.model) + "/joint/" + joint.description->name;
+  } else {
+    const world::LinkRecord& link = entities.links()[sensor.link];
+    topic += modelTopic(entities, link.model) + "/link/" + link.description->name;
+  }
+  return topic.append("/sensor/").append(sensor.description->name).append(suffix);
+}
+
+std::string Sensor::frameName() const {
+  const std::string& frame = record(*access_, id_).description->frame;
+  return frame.empty() ? scopedName() : frame;
+}
+
+const SensorSettings& Sensor::allSettings() const { return record(*access_, id_).description->settings; }
+
+const Element& Sensor::sdf() const { return record(*access_, id_).description->sdf; }
+
+std::optional<Collision> World::collision(CollisionId id) const {
+  if (access_->entities.slot(id) == world::kNoSlot) return std::nullopt;
+  return Collision(*access_, id);
+}
+
+std::vector<Sensor> World::sensors(std::string_view type) const {
+  std::vector<Sensor> handles;
+  for (const world::SensorRecord& sensor : access_->entities.sensors()) {
+    if (sensor.description->type == type) handles.push_back(Sensor(*access_, sensor.id));
+  }
+  return handles;
+}
+
+std::vector<Collision> Link::collisions() const {
+  std::vector<Collision> handles;
+  const world::Slot slot = slotOf(*access_, id_);
+  for (const world::CollisionRecord& collision : access_->entities.collisions()) {
+    if (collision.link == slot) handles.push_back(Collision(*access_, collision.id));
+  }
+  return handles;
+}
+
+std::vector<Visual> Link::visuals() const {
+  std::vector<Visual> visuals;
+  const world::LinkRecord& link = access_->entities.links()[slotOf(*access_, id_)];
+  for (const description::Visual& visual : link.description->visuals) {
+    visuals.emplace_back(world::visualId(link, visuals.size()), visual.name, visual.X_LinkVisual);
+  }
+  return visuals;
+}
+
+std::vector<Sensor> Link::sensors() const {
+  std::vector<Sensor> handles;
+  const world::Slot slot = slotOf(*access_, id_);
+  for (const world::SensorRecord& sensor : access_->entities.sensors()) {
+    if (sensor.link == slot) handles.push_back(Sensor(*access_, sensor.id));
+  }
+  return handles;
+}
+
+std::vector<Sensor> Joint::sensors() const {
+  std::vector<Sensor> handles;
+  const world::Slot slot = slotOf(*access_, id_);
+  for (const world::SensorRecord& sensor : access_->entities.sensors()) {
+    if (sensor.joint == slot) handles.push_back(Sensor(*access_, sensor.id));
+  }
+  return handles;
+}
+
+}  // namespace pongsim

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "description/joint.hh"
+#include "description/model.hh"
+#include "pongsim/handles.hh"
+#include "sim/api/access.hh"
+
+namespace pongsim::sim {
+
+/// Changes entities, state and engine of a world together, between two steps. A refused change has no effect.
+class Editor {
+ public:
+  explicit Editor(Access& access) : access_(access) {}
+
+  /// @return `name` if no model or light at the top level has it, else the first free one of `name`_0, `name`_1 and so
+  /// on, as in Fortress.
+  std::string freeName(const std::string& name) const;
+  bool isFree(std::string_view name) const;
+
+  /// @param model With a free name.
+  /// @throws std::invalid_argument if it can't be simulated; then nothing is changed.
+  /// @return Its slot.
+  world::Slot insert(std::shared_ptr<const description::Model> model);
+
+  /// @param model At the top level.
+  /// @return The removed models: the model and its nested models.
+  std::vector<ModelId> remove(world::Slot model);
+
+  /// @return Why it was refused, or nothing.
+  std::optional<std::string> setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after);
+  std::optional<std::string> setLinkPose(world::Slot link, const Pose& X_WorldLink, AfterMove after);
+
+  /// Moves links like a rigid body, ignoring joints.
+  void move(const std::vector<world::Slot>& links, const Pose& X_NewOld, AfterMove after);
+
+  /// Connects two links at their current poses with a fixed joint that belongs to the world.
+  /// @param name Empty: chosen automatically.
+  world::Slot attach(world::Slot parent, world::Slot child, std::string name);
+  void detach(world::Slot joint);
+  /// Adds a joint that belongs to the world.
+  /// @param id As in `Entities::insertJoint`.
+  world::Slot insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id = std::nullopt);
+
+  void setGravity(const Vector3& gravity);
+
+  /// Sets groups of entities aside; each returns as a whole. No joint may connect a group to anything else.
+  void setAside(const std::vector<world::Roots>& groups);
+  /// Returns the groups at these indices of the shelf, in ascending order.
+  void bringBack(const std::vector<std::size_t>& places);
+
+  /// Resets to the start.
+  void reset();
+
+  /// Removes the commands to joints of models whose batteries are empty.
+  void cutPower();
+
+ private:
+  /// @return A joint that connects some of these links, in ascending order, to another link; null if there is none.
+  const world::JointRecord* holder(const std::vector<world::Slot>& links) const;
+  void putShelfInOrder();
+  Access& access_;
+};
+
+/// @return Whether it is finite and its rotation is not zero.
+bool isSound(const Pose& pose);
+
+}  // namespace pongsim::sim

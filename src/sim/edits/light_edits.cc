@@ -1,0 +1,106 @@
+#include "sim/edits/light_edits.hh"
+
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/nearest_word.hh"
+#include "msgs/scene/light_message.hh"
+#include "sim/edits/editor.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+/// @return The slot of the light, or none and `refusal`.
+world::Slot findLight(const Access& access, const msgs::LightName& asked, std::string& refusal) {
+  const world::Entities& entities = access.entities;
+  world::Slot holder = world::kNoSlot;
+  if (asked.id != 0) {
+    const world::Slot slot = entities.slot(LightId{asked.id});
+    if (slot == world::kNoSlot) refusal = "there is no light with the id " + std::to_string(asked.id);
+    return slot;
+  }
+  if (asked.name.empty()) {
+    refusal = "give a name or an id";
+    return world::kNoSlot;
+  }
+  if (asked.parent != 0 && asked.parent != entities.worldId().value) {
+    holder = entities.slot(LinkId{asked.parent});
+    if (holder == world::kNoSlot) {
+      refusal = "there is no link with the id " + std::to_string(asked.parent) + " to hold a light";
+      return world::kNoSlot;
+    }
+  }
+  const world::Slot slot = entities.findLight(holder, asked.name);
+  if (slot != world::kNoSlot) return slot;
+  std::vector<std::string_view> names;
+  for (const world::LightRecord& light : entities.lights()) {
+    if (light.link == holder) names.push_back(light.description->name);
+  }
+  const std::string nearest = base::didYouMean(asked.name, names);
+  refusal = "there is no light '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest);
+  return world::kNoSlot;
+}
+
+/// Makes the direction a unit vector.
+/// @return Why there can be no such light, or nothing.
+std::optional<std::string> checkLight(description::Light& light) {
+  const double length = light.direction.norm();
+  if (!std::isfinite(length) || length < 1e-9) return "the light's direction is not finite, or zero";
+  light.direction /= length;
+  if (!light.X_ParentLight.position.allFinite()) return "the light's pose is not finite";
+  for (const double value :
+       {light.range, light.constantAttenuation, light.linearAttenuation, light.quadraticAttenuation, light.innerAngle,
+        light.outerAngle, light.falloff, light.intensity}) {
+    if (!std::isfinite(value) || value < 0) return "the light's values must be finite and zero or more";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Outcome<std::string> insertLight(Access& access, const Message& light, const InsertOptions& options) {
+  description::Light blank;
+  blank.name = options.name.empty() ? msgs::lightName(light).name : options.name;
+  if (blank.name.empty()) return {std::nullopt, "the light has no name"};
+  const Editor editor(access);
+  if (options.allowRenaming) blank.name = editor.freeName(blank.name);
+  if (!editor.isFree(blank.name)) return {std::nullopt, "there is a '" + blank.name + "' in the world already"};
+  auto added = std::make_shared<description::Light>(msgs::changedLight(blank, light));
+  if (options.pose) added->X_ParentLight = *options.pose;
+  if (!isSound(added->X_ParentLight)) return {std::nullopt, "the light's pose is not finite"};
+  added->X_ParentLight.rotation.normalize();
+  if (std::optional<std::string> refusal = checkLight(*added)) return {std::nullopt, *refusal};
+  access.entities.insertLight(std::move(added));
+  access.noteChange();
+  return {blank.name, {}};
+}
+
+std::optional<std::string> changeLight(Access& access, const Message& light) {
+  std::string refusal;
+  const world::Slot slot = findLight(access, msgs::lightName(light), refusal);
+  if (slot == world::kNoSlot) return refusal;
+  auto changed =
+      std::make_shared<description::Light>(msgs::changedLight(*access.entities.lights()[slot].description, light));
+  if (std::optional<std::string> wrong = checkLight(*changed)) return wrong;
+  access.entities.changeLight(slot, std::move(changed));
+  access.noteChange();
+  return std::nullopt;
+}
+
+std::optional<std::string> removeLight(Access& access, std::uint64_t id, const std::string& name) {
+  std::string refusal;
+  const world::Slot slot = findLight(access, {.id = id, .name = name, .parent = 0}, refusal);
+  if (slot == world::kNoSlot) return refusal;
+  if (access.entities.lights()[slot].link != world::kNoSlot) {
+    return "the light with the id " + std::to_string(id) + " is part of a link and can't be removed alone";
+  }
+  access.entities.removeLight(slot);
+  access.noteChange();
+  return std::nullopt;
+}
+
+}  // namespace pongsim::sim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "pongsim/message.hh"
+#include "pongsim/outcome.hh"
+#include "pongsim/simulation.hh"
+#include "sim/api/access.hh"
+
+namespace pongsim::sim {
+
+// Changes of lights, between two steps. A refused change has no effect.
+
+/// Adds a light to the world.
+/// @param options Their name and pose take precedence over the message's.
+/// @return Its name, or why it was refused.
+Outcome<std::string> insertLight(Access& access, const Message& light, const InsertOptions& options);
+
+/// Changes the light that the message identifies; see `msgs::changedLight`.
+/// @return Why it was refused, or nothing; likewise below.
+std::optional<std::string> changeLight(Access& access, const Message& light);
+
+/// Removes a light of the world.
+/// @param id 0: use the name.
+std::optional<std::string> removeLight(Access& access, std::uint64_t id, const std::string& name);
+
+}  // namespace pongsim::sim

@@ -1,0 +1,185 @@
+#include "sim/edits/model_edits.hh"
+
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "sdf/includes/model_config.hh"
+#include "sim/edits/editor.hh"
+#include "sim/system_set.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+/// @return The first model that was read, with warnings of what is left out; null where there was an error.
+std::shared_ptr<description::Model> firstModel(sdf::Root root, Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : root.unsimulated.all()) diagnostics.add(diagnostic);
+  if (diagnostics.hasErrors()) return nullptr;
+  if (root.models.empty()) {
+    diagnostics.error({}, "there is no model to insert", "put it directly in <sdf>");
+    return nullptr;
+  }
+  auto model = std::make_shared<description::Model>(std::move(root.models.front()));
+  for (std::size_t i = 1; i < root.models.size(); ++i) {
+    diagnostics.warning(root.models[i].position, "model '" + root.models[i].name + "' is left out: the first model, '" +
+                                                     model->name + "', is inserted");
+  }
+  return model;
+}
+
+/// @return The file that a model's folder names; what is no folder as it is. Nothing, and an error, where there is
+/// none.
+std::optional<std::filesystem::path> modelFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(file, ignored)) return file;
+  const std::filesystem::path config = file / "model.config";
+  return sdf::readModelConfig(config, std::make_shared<const std::string>(config.string()), diagnostics);
+}
+
+void addAll(const Diagnostics& found, Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : found.all()) diagnostics.add(diagnostic);
+}
+
+}  // namespace
+
+// Each looks at mistakes of its own: what was wrong before is no reason not to insert.
+
+std::optional<Model> ModelEdits::insertFile(const std::filesystem::path& file, const InsertOptions& options,
+                                            Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<Model> model;
+  if (const std::shared_ptr<description::Model> read = readFirst(file, found))
+    model = insertOwned(read, options, found);
+  addAll(found, diagnostics);
+  return model;
+}
+
+std::optional<Model> ModelEdits::insertText(std::string_view text, std::string_view name, const InsertOptions& options,
+                                            Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<Model> model = insertFirst(sdf::loadText(text, name, found, assets::finderIn(places_)), options, found);
+  addAll(found, diagnostics);
+  return model;
+}
+
+std::optional<Model> ModelEdits::insertCopy(ModelId original, const InsertOptions& options, Diagnostics& diagnostics) {
+  const world::Slot slot = access_.entities.slot(original);
+  if (slot == world::kNoSlot) {
+    diagnostics.error({}, "the model no longer exists");
+    return std::nullopt;
+  }
+  const world::ModelRecord& record = access_.entities.models()[slot];
+  if (record.parent != world::kNoSlot) {
+    diagnostics.error({}, "model '" + record.scopedName + "' is part of another model");
+    return std::nullopt;
+  }
+  InsertOptions placed = options;
+  if (!placed.pose) placed.pose = world::modelPose(access_.entities, access_.state, slot);
+  return insert(*record.description, placed, diagnostics);
+}
+
+std::optional<Model> ModelEdits::insert(const description::Model& model, const InsertOptions& options,
+                                        Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<Model> inserted = insertOwned(std::make_shared<description::Model>(model), options, found);
+  addAll(found, diagnostics);
+  return inserted;
+}
+
+std::shared_ptr<description::Model> ModelEdits::readFirst(const std::filesystem::path& file,
+                                                          Diagnostics& diagnostics) const {
+  const std::optional<std::filesystem::path> found = modelFile(file, diagnostics);
+  if (!found) return nullptr;
+  return firstModel(sdf::loadFile(*found, diagnostics, assets::finderIn(places_)), diagnostics);
+}
+
+std::optional<Model> ModelEdits::insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics) {
+  std::shared_ptr<description::Model> model = firstModel(std::move(root), diagnostics);
+  if (!model) return std::nullopt;
+  return insertOwned(std::move(model), options, diagnostics);
+}
+
+std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model> model, const InsertOptions& options,
+                                             Diagnostics& diagnostics) {
+  if (!options.name.empty()) model->name = options.name;
+  if (options.pose) model->X_ParentModel = *options.pose;
+  if (!options.nameSpace.empty()) model->nameSpace = options.nameSpace;
+  Editor editor(access_);
+  if (options.allowRenaming) model->name = editor.freeName(model->name);
+  const SourcePosition position = model->position;
+  if (!editor.isFree(model->name)) {
+    diagnostics.error(position, "there is a '" + model->name + "' in the world already");
+  } else if (model->name.find("::") != std::string::npos) {
+    diagnostics.error(position, "the name '" + model->name + "' contains '::', which separates names");
+  } else if (!isSound(model->X_ParentModel)) {
+    diagnostics.error(position, "the pose of '" + model->name + "' is not finite");
+  } else if (const auto error = topicNameError(model->nameSpace); error && !model->nameSpace.empty()) {
+    diagnostics.error(position, "the namespace '" + model->nameSpace + "' " + *error);
+  }
+  if (diagnostics.hasErrors()) return std::nullopt;
+  model->X_ParentModel.rotation.normalize();
+
+  world::Slot slot = world::kNoSlot;
+  try {
+    slot = editor.insert(std::move(model));
+  } catch (const std::invalid_argument& error) {
+    diagnostics.error(position, error.what());
+    return std::nullopt;
+  }
+  const Model inserted = World(access_).model(access_.entities.models()[slot].id).value();
+  if (systems_ != nullptr) systems_->load(slot, diagnostics);
+  if (diagnostics.hasErrors()) {
+    systems_->unload(editor.remove(slot));
+    access_.hasChanged = false;
+    return std::nullopt;
+  }
+  announceChanges();
+  return inserted;
+}
+
+std::optional<std::string> ModelEdits::remove(ModelId model) {
+  const world::Slot slot = access_.entities.slot(model);
+  if (slot == world::kNoSlot) return "the model no longer exists";
+  const world::ModelRecord& record = access_.entities.models()[slot];
+  if (record.parent != world::kNoSlot) {
+    return "model '" + record.scopedName + "' is part of '" + access_.entities.models()[record.parent].scopedName +
+           "' and can't be removed alone";
+  }
+  const std::vector<ModelId> gone = Editor(access_).remove(slot);
+  if (systems_ != nullptr) systems_->unload(gone);
+  announceChanges();
+  return std::nullopt;
+}
+
+std::shared_ptr<const description::Model> ModelEdits::read(const Element& sdf, Diagnostics& diagnostics) const {
+  Diagnostics found;
+  std::shared_ptr<const description::Model> model =
+      firstModel(sdf::loadElement(sdf, found, assets::finderIn(places_)), found);
+  addAll(found, diagnostics);
+  return model;
+}
+
+std::shared_ptr<const description::Model> ModelEdits::readFile(const std::filesystem::path& file,
+                                                               Diagnostics& diagnostics) const {
+  Diagnostics found;
+  std::shared_ptr<const description::Model> model = readFirst(file, found);
+  addAll(found, diagnostics);
+  return model;
+}
+
+std::shared_ptr<const description::Model> ModelEdits::readText(std::string_view text, std::string_view name,
+                                                               Diagnostics& diagnostics) const {
+  Diagnostics found;
+  std::shared_ptr<const description::Model> model =
+      firstModel(sdf::loadText(text, name, found, assets::finderIn(places_)), found);
+  addAll(found, diagnostics);
+  return model;
+}
+
+void ModelEdits::announceChanges() {
+  if (systems_ != nullptr) systems_->announceChanges();
+}
+
+}  // namespace pongsim::sim

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "assets/finder.hh"
+#include "description/model.hh"
+#include "pongsim/handles.hh"
+#include "pongsim/insert_options.hh"
+#include "sdf/loader.hh"
+#include "sim/api/access.hh"
+
+namespace pongsim::sim {
+
+class SystemSet;
+
+/// Inserts and removes models with their systems, between two steps. A refused change has no effect.
+class ModelEdits {
+ public:
+  /// @param places Where models' files are searched. Both must outlive this.
+  ModelEdits(Access& access, const assets::Places& places) : access_(access), places_(places) {}
+
+  /// Sets the systems, which are then added and removed with their models. They must outlive this.
+  void setSystems(SystemSet& systems) { systems_ = &systems; }
+
+  std::optional<Model> insertFile(const std::filesystem::path& file, const InsertOptions& options,
+                                  Diagnostics& diagnostics);
+  std::optional<Model> insertText(std::string_view text, std::string_view name, const InsertOptions& options,
+                                  Diagnostics& diagnostics);
+  std::optional<Model> insertCopy(ModelId original, const InsertOptions& options, Diagnostics& diagnostics);
+  /// @param model The model to insert, except for what the options replace.
+  std::optional<Model> insert(const description::Model& model, const InsertOptions& options, Diagnostics& diagnostics);
+
+  /// @return Why it was refused, or nothing.
+  std::optional<std::string> remove(ModelId model);
+
+  /// @return The first model of an `<sdf>` element; null on errors. Likewise below.
+  std::shared_ptr<const description::Model> read(const Element& sdf, Diagnostics& diagnostics) const;
+  std::shared_ptr<const description::Model> readFile(const std::filesystem::path& file, Diagnostics& diagnostics) const;
+  std::shared_ptr<const description::Model> readText(std::string_view text, std::string_view name,
+                                                     Diagnostics& diagnostics) const;
+
+  /// Where models' files are searched.
+  const assets::Places& places() const { return places_; }
+
+ private:
+  std::shared_ptr<description::Model> readFirst(const std::filesystem::path& file, Diagnostics& diagnostics) const;
+  std::optional<Model> insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
+  std::optional<Model> insertOwned(std::shared_ptr<description::Model> model, const InsertOptions& options,
+                                   Diagnostics& diagnostics);
+  void announceChanges();
+
+  Access& access_;
+  const assets::Places& places_;
+  SystemSet* systems_ = nullptr;
+};
+
+}  // namespace pongsim::sim

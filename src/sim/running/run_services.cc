@@ -1,0 +1,65 @@
+#include "sim/running/run_services.hh"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "pongsim/scene.hh"
+#include "pongsim/simulation.hh"
+#include "sim/diagnostic_log.hh"
+
+namespace pongsim::sim {
+
+RunServices::RunServices(Simulation& simulation, RunControl& control, ResourceServices::FolderAdded folderAdded)
+    : simulation_(simulation), control_(control), edits_(simulation) {
+  constexpr std::string_view kBoolean = "ignition.msgs.Boolean";
+  Node node = simulation.transport().node();
+  const std::string controlName = cleanTopic("/world/" + std::string(simulation.world().name()) + "/control");
+  worldControl_ =
+      node.serve(controlName, "ignition.msgs.WorldControl", kBoolean, [this](const Message& request, Message& reply) {
+        msgs::setBoolean(true, reply);
+        return controlWorld(msgs::worldControl(request));
+      });
+  playbackControl_ =
+      node.serve(cleanTopic("/world/" + std::string(simulation.world().name()) + "/playback/control"),
+                 "ignition.msgs.LogPlaybackControl", kBoolean, [this](const Message& request, Message& reply) {
+                   msgs::setBoolean(true, reply);
+                   return controlPlayback(msgs::playbackControl(request));
+                 });
+  guiInfo_ = node.serve(cleanTopic("/world/" + std::string(simulation.world().name()) + "/gui/info"),
+                        "ignition.msgs.Empty", "ignition.msgs.GUI", [&simulation](const Message&, Message& reply) {
+                          Scene(simulation.world()).fillInGui(reply);
+                          return true;
+                        });
+  if (folderAdded) resources_.emplace(simulation, std::move(folderAdded));
+}
+
+ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
+  const bool isReset = asked.reset == msgs::Reset::kAll;
+  const std::optional<std::string> refusal = control_.apply(asked, isReset ? Time::zero() : simulation_.time());
+  if (refusal) return ServiceAnswer::refused(*refusal);
+  if (!isReset) return true;
+  return reset(asked.seed != 0 ? std::optional<std::uint64_t>(asked.seed) : std::nullopt);
+}
+
+ServiceAnswer RunServices::controlPlayback(const msgs::PlaybackControl& asked) {
+  if (asked.forward) return ServiceAnswer::refused("'forward' is not supported: seek to a time");
+  if (asked.rewind && asked.seek) return ServiceAnswer::refused("rewind and seek exclude each other");
+  if (asked.seek) {
+    if (const auto refusal = simulation_.setTime(*asked.seek)) return ServiceAnswer::refused(*refusal);
+  }
+  msgs::WorldControl run = asked.run;
+  if (asked.rewind) run.reset = msgs::Reset::kAll;
+  control_.apply(run, asked.rewind ? Time::zero() : simulation_.time());
+  return asked.rewind ? reset(std::nullopt) : true;
+}
+
+ServiceAnswer RunServices::reset(std::optional<std::uint64_t> seed) {
+  Diagnostics diagnostics;
+  simulation_.reset(diagnostics, seed);
+  logDiagnostics(diagnostics, log_);
+  return true;
+}
+
+}  // namespace pongsim::sim

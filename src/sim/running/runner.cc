@@ -1,0 +1,168 @@
+#include "sim/running/runner.hh"
+
+#include <sys/prctl.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "msgs/control/status_messages.hh"
+#include "sim/running/real_time_factor.hh"
+#include "sim/running/run_control.hh"
+#include "sim/running/run_services.hh"
+#include "sim/running/status_publisher.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How long a wait may last before `stop` is looked at.
+constexpr std::chrono::milliseconds kLongestWait{50};
+// A run that has fallen behind its schedule by more than this does not try to catch up.
+constexpr std::chrono::milliseconds kLargestDebt{20};
+// While paused, messages and topics are served this often even if none comes.
+constexpr std::chrono::milliseconds kPausedPeriod{10};
+
+/// @return Wall time that a step is to take; zero: as little as possible.
+Clock::duration stepPeriod(const Simulation& simulation, const RunOptions& options) {
+  double seconds = 0;
+  if (options.updateRate) {
+    seconds = *options.updateRate > 0 ? 1 / *options.updateRate : 0;
+  } else if (simulation.realTimeFactor() > 0) {
+    seconds = toSeconds(simulation.stepSize()) / simulation.realTimeFactor();
+  }
+  // A day is as good as for ever, and fits the clock.
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, 86400.0)));
+}
+
+/// Sleeps until `time`, or until a signal comes.
+void sleepUntil(Clock::time_point time) {
+  const auto sinceEpoch = time.time_since_epoch();
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(sinceEpoch);
+  timespec until{};
+  until.tv_sec = seconds.count();
+  until.tv_nsec = std::chrono::nanoseconds(sinceEpoch - seconds).count();
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
+
+}  // namespace
+
+struct Runner::Parts {
+  Parts(Simulation& s, const RunOptions& o, ResourceServices::FolderAdded folderAdded)
+      : simulation(s),
+        iterations(o.iterations.value_or(std::numeric_limits<std::uint64_t>::max())),
+        options(o),
+        status(std::in_place, s.transport(), std::string(s.world().name()), static_cast<bool>(folderAdded)),
+        control(o.paused),
+        services(std::in_place, s, control, std::move(folderAdded)) {}
+
+  void publishStatus(Clock::time_point now) {
+    status->publish({.simulated = simulation.time(),
+                     .real = real,
+                     .system = std::chrono::system_clock::now().time_since_epoch(),
+                     .iterations = simulation.iterations(),
+                     .realTimeFactor = factor.value(),
+                     .paused = control.paused()},
+                    now);
+  }
+
+  Simulation& simulation;
+  const std::uint64_t iterations;
+  const RunOptions options;
+  std::optional<StatusPublisher> status;
+  RunControl control;
+  std::optional<RunServices> services;
+  RealTimeFactor factor;
+  std::chrono::nanoseconds real{0};
+  std::uint64_t made = 0;
+};
+
+Runner::Runner(Simulation& simulation, const RunOptions& options, ResourceServices::FolderAdded folderAdded)
+    : parts_(std::make_unique<Parts>(simulation, options, std::move(folderAdded))) {}
+
+Runner::~Runner() = default;
+
+void Runner::leave() {
+  parts_->services.reset();
+  parts_->status.reset();
+}
+
+void Runner::post(std::function<void(Simulation&)> task) {
+  const std::lock_guard lock(tasksMutex_);
+  tasks_.push_back(std::move(task));
+  hasTasks_ = true;
+}
+
+void Runner::doTasks() {
+  if (!hasTasks_.load(std::memory_order_relaxed)) return;
+  std::vector<std::function<void(Simulation&)>> tasks;
+  {
+    const std::lock_guard lock(tasksMutex_);
+    tasks.swap(tasks_);
+    hasTasks_ = false;
+  }
+  for (const auto& task : tasks) task(parts_->simulation);
+}
+
+void Runner::run() {
+  // The kernel rounds sleeps up by 50 us otherwise, a twentieth of the usual step.
+  prctl(PR_SET_TIMERSLACK, 1UL);
+  while (!isOver()) {
+    if (parts_->control.paused()) {
+      waitPaused();
+    } else {
+      runSteps();
+    }
+  }
+}
+
+bool Runner::isOver() const { return stopping_.load() || parts_->made >= parts_->iterations; }
+
+/// Until something comes that may end the pause, but not for long. The systems are called first: some wait for a pause
+/// to come.
+void Runner::waitPaused() {
+  Parts& parts = *parts_;
+  doTasks();
+  parts.simulation.advance(Time::zero());
+  parts.publishStatus(Clock::now());
+  parts.simulation.transport().dispatchFor(kPausedPeriod);
+}
+
+void Runner::runSteps() {
+  Parts& parts = *parts_;
+  parts.factor.restart();
+  Clock::time_point now = Clock::now();
+  const Clock::time_point start = now - parts.real;
+  Clock::time_point due = now;
+  while (!isOver()) {
+    doTasks();
+    parts.simulation.transport().dispatch();
+    // what was asked for meanwhile is done before it is answered: no step comes after an answered pause
+    if (parts.control.paused() || isOver()) return;
+    parts.simulation.advance(parts.simulation.stepSize());
+    ++parts.made;
+    if (parts.options.stepped && !parts.options.stepped(parts.simulation)) stop();
+    parts.control.stepped(parts.simulation.time());
+    now = Clock::now();
+    parts.real = now - start;
+    parts.factor.sample(now, parts.simulation.time());
+    parts.publishStatus(now);
+
+    const Clock::duration period = stepPeriod(parts.simulation, parts.options);
+    if (period == Clock::duration::zero()) continue;
+    due = std::max(due + period, now - kLargestDebt);
+    while (now < due && !stopping_.load()) {
+      sleepUntil(std::min(due, now + kLongestWait));
+      now = Clock::now();
+    }
+  }
+}
+
+}  // namespace pongsim::sim

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "pongsim/simulation.hh"
+#include "sim/resource_services.hh"
+
+namespace pongsim::sim {
+
+struct RunOptions {
+  /// Start paused.
+  bool paused = false;
+  /// End after this many steps.
+  std::optional<std::uint64_t> iterations = std::nullopt;
+  /// Steps per second of wall time, instead of the world's `<real_time_factor>`. 0: as fast as possible.
+  std::optional<double> updateRate = std::nullopt;
+  /// Called after each step, on its thread; may be empty. If it returns false, the run ends.
+  std::function<bool(Simulation&)> stepped = {};
+};
+
+/// Steps a simulation at the pace of the wall clock, publishes its status on `/world/W/clock`, `/world/W/stats` and,
+/// for the first world of a process, `/clock` and `/stats`, and offers the services that control it
+/// (`/world/W/control`).
+class Runner {
+ public:
+  /// All references must outlive this.
+  /// @param folderAdded Called within `run` with resource folders added by requests; empty: not the first world.
+  /// @throws std::invalid_argument if another run offers the services on the simulation's transport.
+  Runner(
+      Simulation& simulation, const RunOptions& options,
+      ResourceServices::FolderAdded folderAdded = [](const auto&) {});
+  ~Runner();
+
+  /// Runs until all steps are made or `stop` is called.
+  void run();
+
+  /// Ends its topics and services, after `run`.
+  void leave();
+
+  /// Lets `run` call `task` between two steps. Thread-safe.
+  void post(std::function<void(Simulation&)> task);
+
+  /// Makes `run` end soon. Thread-safe and lock-free, so it may be called from a signal handler.
+  void stop() { stopping_.store(true); }
+
+ private:
+  bool isOver() const;
+  void doTasks();
+  void waitPaused();
+  void runSteps();
+
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+  std::atomic<bool> stopping_{false};
+  std::atomic<bool> hasTasks_{false};
+  std::mutex tasksMutex_;
+  std::vector<std::function<void(Simulation&)>> tasks_;
+};
+
+}  // namespace pongsim::sim

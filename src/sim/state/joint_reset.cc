@@ -1,0 +1,115 @@
+#include "sim/state/joint_reset.hh"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "description/joint.hh"
+#include "sim/edits/editor.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+/// An axis as it lies in the world now.
+struct WorldAxis {
+  Vector3 direction;
+  Vector3 origin;
+  /// [m/rad] of what turns; of what slides there is no turn.
+  double lead = 0;
+  bool slides = false;
+};
+
+WorldAxis axisNow(const Access& access, const world::JointRecord& joint, std::size_t axis) {
+  const description::Joint& description = *joint.description;
+  const Pose X_WorldParent =
+      joint.parentLink == world::kNoSlot ? Pose() : access.state.links[joint.parentLink].X_WorldLink;
+  const Pose X_WorldChild =
+      joint.childLink == world::kNoSlot ? Pose() : access.state.links[joint.childLink].X_WorldLink;
+  // the first is fixed to the parent, the second to the child
+  const Pose X_WorldParentJoint = X_WorldParent * description.X_ParentJoint;
+  const Pose X_WorldChildJoint = X_WorldChild * description.X_ChildJoint;
+  const Quaternion& rotation = axis == 0 ? X_WorldParentJoint.rotation : X_WorldChildJoint.rotation;
+  const bool isScrew = description.type == description::JointType::kScrew;
+  return {rotation * description.axes[axis].xyz, X_WorldChildJoint.position,
+          isScrew ? description.threadPitch / (2 * std::numbers::pi) : 0,
+          description.type == description::JointType::kPrismatic};
+}
+
+/// @return The links that other joints connect with the joint's child, itself first; none where they hold it to the
+/// joint's parent or to the world, too.
+std::vector<world::Slot> hangingOn(const world::Entities& entities, world::Slot joint) {
+  const world::JointRecord& own = entities.joints()[joint];
+  if (own.childLink == world::kNoSlot) return {};
+  std::vector<bool> isFound(entities.links().size());
+  std::vector<world::Slot> links = {own.childLink};
+  isFound[own.childLink] = true;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (world::Slot slot = 0; slot < entities.joints().size(); ++slot) {
+      const world::JointRecord& other = entities.joints()[slot];
+      if (slot == joint || (other.parentLink != links[i] && other.childLink != links[i])) continue;
+      const world::Slot next = other.parentLink == links[i] ? other.childLink : other.parentLink;
+      if (next == world::kNoSlot || next == own.parentLink) return {};
+      if (isFound[next]) continue;
+      isFound[next] = true;
+      links.push_back(next);
+    }
+  }
+  return links;
+}
+
+std::string loopError(const world::JointRecord& joint) {
+  return "joint '" + joint.description->name +
+         "' can't be reset: other joints also connect its child to its parent or the world";
+}
+
+}  // namespace
+
+std::optional<std::string> resetJointPosition(Access& access, world::Slot joint, std::size_t axis, double position) {
+  const world::JointRecord& record = access.entities.joints()[joint];
+  if (!std::isfinite(position))
+    return "joint '" + record.description->name + "' can't be reset to a value that is not finite";
+  const std::vector<world::Slot> links = hangingOn(access.entities, joint);
+  if (links.empty()) return loopError(record);
+  world::JointState& state = access.state.joints[joint];
+  double& now = axis == 0 ? state.position : state.position2;
+  const WorldAxis found = axisNow(access, record, axis);
+  const double change = position - now;
+  Pose X_NewOld;
+  if (found.slides) {
+    X_NewOld.position = change * found.direction;
+  } else {
+    X_NewOld.rotation = rotationAbout(found.direction, change);
+    X_NewOld.position = found.origin - X_NewOld.rotation * found.origin + change * found.lead * found.direction;
+  }
+  Editor(access).move(links, X_NewOld, AfterMove::kKeepVelocity);
+  access.engine.setJointPosition(joint, position, axis);
+  now = position;
+  return std::nullopt;
+}
+
+std::optional<std::string> resetJointVelocity(Access& access, world::Slot joint, std::size_t axis, double velocity) {
+  const world::JointRecord& record = access.entities.joints()[joint];
+  if (!std::isfinite(velocity))
+    return "joint '" + record.description->name + "' can't be reset to a value that is not finite";
+  const std::vector<world::Slot> links = hangingOn(access.entities, joint);
+  if (links.empty()) return loopError(record);
+  world::JointState& state = access.state.joints[joint];
+  double& now = axis == 0 ? state.velocity : state.velocity2;
+  const WorldAxis found = axisNow(access, record, axis);
+  const Vector3 change = (velocity - now) * found.direction;
+  for (const world::Slot slot : links) {
+    world::LinkState& link = access.state.links[slot];
+    if (found.slides) {
+      link.v_WorldLink += change;
+    } else {
+      link.v_WorldLink += change.cross(link.X_WorldLink.position - found.origin) + found.lead * change;
+      link.w_WorldLink += change;
+    }
+    access.engine.setLinkVelocity(slot, link.v_WorldLink, link.w_WorldLink);
+  }
+  now = velocity;
+  return std::nullopt;
+}
+
+}  // namespace pongsim::sim

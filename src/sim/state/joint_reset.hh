@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "sim/api/access.hh"
+
+namespace pongsim::sim {
+
+// Functions that reset joints between two steps. A refused change has no effect.
+
+/// Moves everything connected to the joint's child so that the axis has that position; velocities rotate along.
+/// @param joint With such an axis.
+/// @return Why it was refused, or nothing.
+std::optional<std::string> resetJointPosition(Access& access, world::Slot joint, std::size_t axis, double position);
+
+/// Gives everything connected to the joint's child the velocity at which the axis moves with `velocity`.
+std::optional<std::string> resetJointVelocity(Access& access, world::Slot joint, std::size_t axis, double velocity);
+
+}  // namespace pongsim::sim

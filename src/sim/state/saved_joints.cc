@@ -1,0 +1,178 @@
+#include "sim/state/saved_joints.hh"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "base/hash.hh"
+#include "description/joint.hh"
+#include "sim/edits/editor.hh"
+
+namespace pongsim::sim {
+
+namespace {
+
+void addPose(base::Hash& hash, const Pose& pose) {
+  for (const double value : pose.position) hash.add(value);
+  for (const double value : pose.rotation.coeffs()) hash.add(value);
+}
+
+/// Entities that are there, or a group that is set aside.
+struct Holder {
+  const std::vector<world::ModelRecord>& models;
+  const std::vector<world::LinkRecord>& links;
+  const std::vector<world::JointRecord>& joints;
+};
+
+std::string linkName(const Holder& holder, world::Slot link) {
+  if (link == world::kNoSlot) return {};
+  return holder.models[holder.links[link].model].scopedName + "::" + holder.links[link].description->name;
+}
+
+SavedJoint savedJoint(const Holder& holder, const world::JointRecord& joint) {
+  const description::Joint& description = *joint.description;
+  SavedJoint saved;
+  saved.isMade = joint.owner != nullptr;
+  if (saved.isMade) {
+    saved.id = joint.id;
+    saved.name = description.name;
+    saved.parent = description.parent;
+    saved.child = description.child;
+    saved.X_ParentJoint = description.X_ParentJoint;
+  }
+  base::Hash hash;
+  hash.add(joint.model == world::kNoSlot ? std::string() : holder.models[joint.model].scopedName);
+  hash.add(description.name);
+  hash.add(static_cast<std::uint64_t>(description.type));
+  for (const world::Slot link : {joint.parentLink, joint.childLink, joint.referenceLink}) {
+    hash.add(linkName(holder, link));
+  }
+  addPose(hash, description.X_ParentJoint);
+  hash.add(saved.id.value);
+  saved.key = hash.value();
+  return saved;
+}
+
+using Joints = std::vector<std::pair<JointId, SavedJoint>>;
+
+void addJoints(const Holder& holder, Joints& joints) {
+  for (const world::JointRecord& joint : holder.joints) joints.emplace_back(joint.id, savedJoint(holder, joint));
+}
+
+/// @return In the order of their ids.
+std::vector<SavedJoint> inOrder(Joints joints) {
+  std::ranges::sort(joints, {}, &Joints::value_type::first);
+  std::vector<SavedJoint> sorted;
+  for (auto& [id, joint] : joints) sorted.push_back(std::move(joint));
+  return sorted;
+}
+
+std::vector<SavedJoint> jointsOf(const world::Entities& entities) {
+  Joints joints;
+  addJoints({entities.models(), entities.links(), entities.joints()}, joints);
+  return inOrder(std::move(joints));
+}
+
+bool isSame(const SavedJoint& a, const SavedJoint& b) { return a.key == b.key; }
+
+/// @return Whether `wanted` is some of the file's joints in `present`, in their order, and then what was made.
+bool canBecome(const std::vector<SavedJoint>& present, const std::vector<SavedJoint>& wanted) {
+  auto next = wanted.begin();
+  for (const SavedJoint& joint : present) {
+    if (next != wanted.end() && !next->isMade && !joint.isMade && isSame(joint, *next)) ++next;
+  }
+  return std::all_of(next, wanted.end(), [](const SavedJoint& joint) { return joint.isMade; });
+}
+
+/// @param next The first id that the file leaves free.
+/// @return Whether what was made has ids that come after those of the file, each once.
+bool followTheFile(const std::vector<SavedJoint>& wanted, std::uint64_t next) {
+  constexpr std::uint64_t kLargestId = std::uint64_t{1} << 30U;
+  for (const SavedJoint& joint : wanted) {
+    if (!joint.isMade) continue;
+    if (joint.id.value < next || joint.id.value > kLargestId) return false;
+    next = joint.id.value + 1;
+  }
+  return true;
+}
+
+/// @return Whether what was made has ids of nothing that is there, and larger ones than all joints that stay: models
+/// that have come in another way than in the saved run may have those ids, or smaller and larger ones around them.
+bool haveFreeIds(const std::vector<SavedJoint>& wanted, const world::Entities& entities) {
+  const auto isTaken = [&](const SavedJoint& joint) {
+    const std::uint64_t id = joint.id.value;
+    return std::ranges::any_of(
+               entities.models(),
+               [id](const world::ModelRecord& model) { return model.id.value <= id && id <= model.lastId; }) ||
+           std::ranges::any_of(entities.lights(),
+                               [id](const world::LightRecord& light) { return light.id.value == id; }) ||
+           std::ranges::any_of(entities.joints(), [id](const world::JointRecord& other) {
+             return other.owner == nullptr && other.id.value >= id;
+           });
+  };
+  return std::ranges::none_of(wanted, [&](const SavedJoint& joint) { return joint.isMade && isTaken(joint); });
+}
+
+bool hasModelsOfTheStart(const world::Entities& entities, const world::Entities& start) {
+  return std::ranges::equal(
+      entities.models(), start.models(), [](const world::ModelRecord& a, const world::ModelRecord& b) {
+        return a.scopedName == b.scopedName && a.owner == nullptr && a.description == b.description;
+      });
+}
+
+}  // namespace
+
+void SavedJoint::transfer(StateArchive& archive) {
+  archive(key);
+  archive(isMade);
+  archive(id.value);
+  for (std::string* text : {&name, &parent, &child}) archive(*text);
+  archive(X_ParentJoint);
+}
+
+std::vector<SavedJoint> listJoints(const Access& access) {
+  const world::Entities& entities = access.entities;
+  Joints joints;
+  addJoints({entities.models(), entities.links(), entities.joints()}, joints);
+  for (const Shelved& shelved : access.shelf) {
+    addJoints({shelved.entities.models, shelved.entities.links, shelved.entities.joints}, joints);
+  }
+  return inOrder(std::move(joints));
+}
+
+std::optional<std::string> restoreJoints(Access& access, const std::vector<SavedJoint>& wanted) {
+  const std::vector<SavedJoint> present = listJoints(access);
+  if (std::ranges::equal(present, wanted, isSame)) return std::nullopt;
+  const std::string refusal = "the saved state has joints that can't be recreated here";
+  world::Entities start(access.entities.description());
+  if (!followTheFile(wanted, start.nextId())) return refusal;
+  if (!canBecome(present, wanted)) {
+    if (!hasModelsOfTheStart(access.entities, start) || !canBecome(jointsOf(start), wanted)) {
+      return refusal;
+    }
+    Editor(access).reset();
+  } else if (!haveFreeIds(wanted, access.entities)) {
+    return refusal;
+  }
+  const auto isWanted = [&](const SavedJoint& joint) {
+    return !joint.isMade && std::ranges::any_of(wanted, [&](const SavedJoint& each) { return isSame(each, joint); });
+  };
+  const std::vector<SavedJoint> before = listJoints(access);
+  for (world::Slot slot = before.size(); slot-- > 0;) {
+    if (!isWanted(before[slot])) Editor(access).detach(slot);
+  }
+  for (const SavedJoint& joint : wanted) {
+    if (!joint.isMade) continue;
+    auto made = std::make_shared<description::Joint>();
+    made->name = joint.name;
+    made->type = description::JointType::kFixed;
+    made->parent = joint.parent;
+    made->child = joint.child;
+    made->X_ParentJoint = joint.X_ParentJoint;
+    Editor(access).insertJoint(std::move(made), joint.id);
+  }
+  return std::nullopt;
+}
+
+}  // namespace pongsim::sim

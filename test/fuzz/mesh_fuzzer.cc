@@ -1,0 +1,49 @@
+// Any bytes as a mesh file; the first one chooses its kind. Whatever they are, the readers end, and say why where they
+// return no mesh; a mesh has vertices for all its triangles.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+#include "assets/mesh_file.hh"
+#include "assets/mesh_look.hh"
+#include "require.hh"
+#include "scratch_file.hh"
+
+namespace {
+
+using pongsim::assets::Problem;
+using pongsim::fuzz::require;
+
+void read(const std::filesystem::path& file) {
+  const auto found = pongsim::assets::readMeshFile(file);
+  if (const auto* problem = std::get_if<Problem>(&found)) return require(!problem->text.empty());
+  for (const auto& part : std::get<0>(found)) {
+    for (const auto& triangle : part.mesh.triangles) {
+      for (const std::uint32_t corner : triangle) require(corner < part.mesh.vertices.size());
+    }
+  }
+}
+
+void readLook(const std::filesystem::path& file) {
+  const auto found = pongsim::assets::readMeshLook(file, {}, false);
+  if (const auto* problem = std::get_if<Problem>(&found)) return require(!problem->text.empty());
+  for (const auto& part : std::get<0>(found)) {
+    require(part.triangles.size() % 3 == 0);
+    for (const std::uint32_t corner : part.triangles) require(corner < part.corners.size());
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  static const pongsim::fuzz::ScratchFolder folder;
+  constexpr std::array<const char*, 5> kNames{"mesh.dae", "mesh.stl", "mesh.obj", "mesh.glb", "mesh.gltf"};
+  const auto file = folder.write(kNames[data[0] % kNames.size()], std::span(data, size).subspan(1));
+  read(file);
+  readLook(file);
+  return 0;
+}

@@ -1,0 +1,23 @@
+// Any bytes as the model.config of a model's package. Whatever they are, the reader ends, and returns a file or adds an
+// error.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "pongsim/diagnostic.hh"
+#include "require.hh"
+#include "scratch_file.hh"
+#include "sdf/includes/model_config.hh"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const pongsim::fuzz::ScratchFolder folder;
+  const auto file = folder.write("model.config", std::span(data, size));
+  pongsim::Diagnostics diagnostics;
+  const auto found =
+      pongsim::sdf::readModelConfig(file, std::make_shared<const std::string>("model.config"), diagnostics);
+  pongsim::fuzz::require(found.has_value() || diagnostics.hasErrors());
+  return 0;
+}

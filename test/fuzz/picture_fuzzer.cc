@@ -1,0 +1,34 @@
+// Any bytes as a PNG or JPEG file, a texture or a heightmap. Whatever they are, the readers end, and say why where they
+// return no picture; a picture has all its pixels.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+
+#include "assets/gray_image.hh"
+#include "assets/picture_file.hh"
+#include "require.hh"
+#include "scratch_file.hh"
+
+namespace {
+
+/// @param channels Bytes of a pixel.
+template <class Image>
+void requireWhole(const std::variant<Image, pongsim::assets::Problem>& found, std::size_t channels) {
+  if (const auto* image = std::get_if<Image>(&found)) {
+    pongsim::fuzz::require(image->pixels.size() == image->width * image->height * channels);
+  } else {
+    pongsim::fuzz::require(!std::get<pongsim::assets::Problem>(found).text.empty());
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const pongsim::fuzz::ScratchFolder folder;
+  const auto file = folder.write("picture", std::span(data, size));
+  requireWhole(pongsim::assets::readPicture(file), 4);
+  requireWhole(pongsim::assets::readGrayImage(file), 1);
+  return 0;
+}

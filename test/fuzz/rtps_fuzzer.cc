@@ -1,0 +1,40 @@
+// Any bytes as messages that come in at the wire, each after the two bytes of its length. Whatever they are, the
+// doorkeeper ends, keeps within the bytes, and changes no more than a lease.
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "require.hh"
+#include "transport/doorkeeper.hh"
+#include "transport/rtps_message.hh"
+
+namespace {
+
+constexpr std::size_t kLeaseBytes = 8;
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using pongsim::transport::Doorkeeper;
+  Doorkeeper doorkeeper({.isDiscovery = [](std::uint32_t port) { return port % 2 == 0; },
+                         .isOpen = [](const pongsim::transport::RtpsAddress&) { return true; }});
+  Doorkeeper::TimePoint now{};
+  for (std::span<const std::uint8_t> rest(data, size); rest.size() > 2;) {
+    const std::size_t length = std::min<std::size_t>(rest[0] + 256U * rest[1], rest.size() - 2);
+    // in memory of its own, whose end is watched
+    std::vector<std::uint8_t> message(rest.begin() + 2, rest.begin() + 2 + static_cast<std::ptrdiff_t>(length));
+    const std::vector<std::uint8_t> before = message;
+    doorkeeper.admits(message, {0x7f000001, 7410}, Doorkeeper::Side::kLoopback, now);
+    const auto read = pongsim::transport::readRtpsMessage(before);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < message.size(); ++i) changed += message[i] != before[i] ? 1 : 0;
+    pongsim::fuzz::require(changed <= (read ? kLeaseBytes * read->discovery.size() : 0));
+    now += std::chrono::milliseconds(100);
+    rest = rest.subspan(2 + length);
+  }
+  return 0;
+}

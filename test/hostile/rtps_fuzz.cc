@@ -1,0 +1,115 @@
+// Strikes at the participants of a DDS domain of this machine with RTPS messages that are well formed and mean ill.
+//   pongsim_rtps_fuzz --domain N [--seconds S] [--rate PACKETS] [--seed N] [KIND...]
+// Kinds: see attacker.hh; all in turn where none is named. A rate of 0 is as fast as it goes.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hostile/attacker.hh"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using pongsim::hostile::Attack;
+
+struct Wishes {
+  int domain = -1;
+  double seconds = 10;
+  std::uint64_t rate = 0;
+  std::uint64_t seed = 1;
+  std::vector<Attack> attacks;
+};
+
+/// @throws std::invalid_argument unless it is a number that is not negative.
+double numberFor(const std::string& option, const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !(value >= 0 && value <= 1e15)) {
+    throw std::invalid_argument(option + " is '" + text + "', which is not a number from 0");
+  }
+  return value;
+}
+
+/// @throws std::invalid_argument for what can't be meant.
+Wishes read(const std::vector<std::string>& arguments) {
+  Wishes wishes;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& name = arguments[i];
+    if (!name.starts_with("--")) {
+      const auto attack = pongsim::hostile::attackOf(name);
+      if (!attack) throw std::invalid_argument("there is no attack '" + name + "'");
+      wishes.attacks.push_back(*attack);
+      continue;
+    }
+    if (++i == arguments.size()) throw std::invalid_argument(name + " wants a number");
+    const double value = numberFor(name, arguments[i]);
+    if (name == "--domain") {
+      wishes.domain = static_cast<int>(std::min(value, 1000.0));
+    } else if (name == "--seconds") {
+      wishes.seconds = value;
+    } else if (name == "--rate") {
+      wishes.rate = static_cast<std::uint64_t>(value);
+    } else if (name == "--seed") {
+      wishes.seed = static_cast<std::uint64_t>(value);
+    } else {
+      throw std::invalid_argument("there is no option " + name);
+    }
+  }
+  if (wishes.domain < 0 || wishes.domain > 232) throw std::invalid_argument("--domain wants a number from 0 to 232");
+  if (wishes.attacks.empty()) {
+    for (const auto& [name, attack] : pongsim::hostile::attacks()) wishes.attacks.push_back(attack);
+  }
+  return wishes;
+}
+
+int strike(const Wishes& wishes) {
+  pongsim::hostile::Attacker attacker(wishes.domain, wishes.seed);
+  const std::size_t known = attacker.look(std::chrono::seconds(5));
+  if (known == 0) {
+    std::fprintf(stderr, "pongsim_rtps_fuzz: error: nobody is in domain %d of this machine\n", wishes.domain);
+    return 1;
+  }
+  std::printf("strikes at %zu participants\n", known);
+  std::fflush(stdout);
+  const auto start = Clock::now();
+  const auto end = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wishes.seconds));
+  for (std::uint64_t i = 0; Clock::now() < end; ++i) {
+    if (wishes.rate > 0) {
+      const auto at = std::chrono::duration<double>(static_cast<double>(i) / static_cast<double>(wishes.rate));
+      std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(at));
+    }
+    // in turns of many, for some do harm only together
+    attacker.strike(wishes.attacks[i / 256 % wishes.attacks.size()]);
+  }
+  const double took = std::chrono::duration<double>(Clock::now() - start).count();
+  std::printf("%llu packets, %.0f a second\n", static_cast<unsigned long long>(attacker.sent()),
+              static_cast<double>(attacker.sent()) / took);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** texts) {
+  try {
+    return strike(read({texts + 1, texts + count}));
+  } catch (const std::logic_error& error) {
+    std::fprintf(stderr,
+                 "pongsim_rtps_fuzz: error: %s\nusage: pongsim_rtps_fuzz --domain N [--seconds S] [--rate "
+                 "PACKETS] [--seed N] [KIND...]\nkinds:",
+                 error.what());
+    for (const auto& [name, attack] : pongsim::hostile::attacks())
+      std::fprintf(stderr, " %s", std::string(name).c_str());
+    std::fputc('\n', stderr);
+    return 2;
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "pongsim_rtps_fuzz: error: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,86 @@
+#include "physics/contacts/broad_phase.hh"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace pongsim::physics {
+namespace {
+
+/// Cubes of 1 m, known by where they are along x.
+struct Row {
+  BroadPhase broadPhase;
+  btBroadphaseProxy& add(double x, bool forcesMove = true) {
+    const int group = forcesMove ? btBroadphaseProxy::DefaultFilter : btBroadphaseProxy::StaticFilter;
+    const int mask =
+        forcesMove ? btBroadphaseProxy::AllFilter : btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter;
+    proxies.push_back(broadPhase.createProxy(low(x), high(x), 0, nullptr, group, mask, nullptr));
+    return *proxies.back();
+  }
+  ~Row() {
+    for (btBroadphaseProxy* proxy : proxies) broadPhase.destroyProxy(proxy, nullptr);
+  }
+  bool isPair(btBroadphaseProxy& a, btBroadphaseProxy& b) {
+    return broadPhase.getOverlappingPairCache()->findPair(&a, &b) != nullptr;
+  }
+  static btVector3 low(double x) { return {x, 0, 0}; }
+  static btVector3 high(double x) { return {x + 1, 1, 1}; }
+  std::vector<btBroadphaseProxy*> proxies;
+};
+
+TEST(BroadPhase, FindsWhatIsNearAsItComes) {
+  Row row;
+  btBroadphaseProxy& a = row.add(0);
+  btBroadphaseProxy& b = row.add(0.5);
+  btBroadphaseProxy& wall = row.add(0.7, false);
+  btBroadphaseProxy& far = row.add(3);
+  EXPECT_TRUE(row.isPair(a, b));
+  EXPECT_TRUE(row.isPair(a, wall));
+  EXPECT_FALSE(row.isPair(a, far));
+}
+
+TEST(BroadPhase, FindsWhatIsNearWhenItLeavesItsBox) {
+  Row row;
+  btBroadphaseProxy& wall = row.add(0, false);
+  btBroadphaseProxy& body = row.add(3);
+  // the first box is as large as the body
+  EXPECT_FALSE(BroadPhase::stay(body, Row::low(2.9), Row::high(2.9)));
+  row.broadPhase.leave(body, {-1.5, 0, 0});
+  EXPECT_FALSE(row.isPair(wall, body));
+  // there is room where it goes, and some behind
+  EXPECT_TRUE(BroadPhase::stay(body, Row::low(1.5), Row::high(1.5)));
+  EXPECT_TRUE(BroadPhase::stay(body, Row::low(2.94), Row::high(2.94)));
+  EXPECT_FALSE(BroadPhase::stay(body, Row::low(3), Row::high(3)));
+  EXPECT_FALSE(BroadPhase::stay(body, Row::low(1.1), Row::high(1.1)));
+  row.broadPhase.leave(body, {0, 0, 0});
+  EXPECT_FALSE(row.isPair(wall, body));
+  EXPECT_FALSE(BroadPhase::stay(body, Row::low(1.01), Row::high(1.01)));
+  row.broadPhase.leave(body, {0, 0, 0});
+  EXPECT_TRUE(row.isPair(wall, body));
+  // near, but with a centimetre between
+  EXPECT_TRUE(BroadPhase::areNear(wall, body));
+  EXPECT_FALSE(BroadPhase::meet(wall, body));
+}
+
+TEST(BroadPhase, TellsOfThoseThatHaveParted) {
+  Row row;
+  btBroadphaseProxy& a = row.add(0);
+  btBroadphaseProxy& b = row.add(0.5);
+  EXPECT_TRUE(BroadPhase::meet(a, b));
+  row.broadPhase.setAabb(&b, Row::low(5), Row::high(5), nullptr);
+  EXPECT_FALSE(BroadPhase::meet(a, b));
+  EXPECT_FALSE(BroadPhase::areNear(a, b));
+}
+
+TEST(BroadPhase, PutsWhoseNumberIsSmallerFirst) {
+  Row row;
+  btBroadphaseProxy& a = row.add(5);
+  btBroadphaseProxy& b = row.add(0);
+  row.broadPhase.setAabb(&a, Row::low(0.5), Row::high(0.5), nullptr);
+  const btBroadphasePair* pair = row.broadPhase.getOverlappingPairCache()->findPair(&b, &a);
+  ASSERT_NE(pair, nullptr);
+  EXPECT_EQ(pair->m_pProxy0, &a);
+}
+
+}  // namespace
+}  // namespace pongsim::physics

@@ -1,0 +1,298 @@
+#include "sim/edits/edit_services.hh"
+
+#include <gtest/gtest.h>
+#include <ignition/msgs/boolean.pb.h>
+#include <ignition/msgs/scene.pb.h>
+#include <ignition/msgs/wheel_slip_parameters_cmd.pb.h>
+
+#include <chrono>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "plugin/core_systems.hh"
+#include "pongsim/scene.hh"
+#include "pongsim/simulation.hh"
+#include "support/ask_service.hh"
+#include "support/test_domain.hh"
+
+namespace pongsim::sim {
+namespace {
+
+constexpr const char* kEditedWorld = R"(<sdf version="1.9"><world name="w"><gravity>0 0 0</gravity>
+  <model name="ball"><pose>1 2 3 0 0 0</pose><link name="l"/></model>
+  <model name="tower"><link name="l"/><model name="top"><link name="l"/></model></model>
+  <light name="sun" type="directional"><diffuse>1 1 1 1</diffuse></light></world></sdf>)";
+constexpr const char* kCrate = "sdf: \"<sdf version='1.9'><model name='crate'><link name='l'/></model></sdf>\"";
+
+class EditServicesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::testDomain();
+    Diagnostics diagnostics;
+    simulation_ = Simulation::fromText(kEditedWorld, "world.sdf", {.loadSystems = false}, diagnostics);
+    ASSERT_NE(simulation_, nullptr);
+    services_ = std::make_unique<EditServices>(*simulation_);
+  }
+
+  /// @return Why the service refused; empty where it did it.
+  std::string refusal(const std::string& service, const std::string& type, const std::string& text) {
+    const MessagePointer request = newMessage(type);
+    EXPECT_FALSE(parseMessage(text, *request)) << text;
+    ignition::msgs::Boolean reply;
+    const CallResult result = test::askService(simulation_->transport(), "/world/w/" + service, *request, reply);
+    EXPECT_EQ(reply.data(), static_cast<bool>(result));
+    return test::refusalOf(result);
+  }
+  std::string create(const std::string& text) { return refusal("create", "EntityFactory", text); }
+  std::string setPose(const std::string& text) { return refusal("set_pose", "Pose", text); }
+  std::string setPhysics(const std::string& text) { return refusal("set_physics", "Physics", text); }
+
+  ignition::msgs::Scene scene() {
+    ignition::msgs::Scene message;
+    Scene(simulation_->world()).fillIn(message);
+    return message;
+  }
+
+  std::optional<Model> model(const char* name) { return simulation_->world().model(name); }
+
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<EditServices> services_;
+};
+
+TEST_F(EditServicesTest, LetModelsPerform) {
+  const auto perform = [this](const std::string& text) { return refusal("level/set_performer", "StringMsg", text); };
+  EXPECT_EQ(perform("data: 'ball'"), "");
+  EXPECT_EQ(perform("data: 'ball'"), "model 'ball' is already a performer");
+  EXPECT_EQ(perform(""), "no model is given");
+  EXPECT_EQ(perform("data: 'tower::top'"), "model 'tower::top' is part of another model");
+  EXPECT_EQ(perform("data: 'later'"), "") << "as in Fortress: when it comes";
+  std::vector<Performer> performers;
+  simulation_->world().performers(performers);
+  ASSERT_EQ(performers.size(), 1U);
+  EXPECT_EQ(performers[0].name, "perf_ball");
+  EXPECT_EQ(performers[0].pose.position, Vector3(1, 2, 3));
+}
+
+TEST_F(EditServicesTest, SayThatAModelIsSetAside) {
+  Diagnostics diagnostics;
+  services_.reset();
+  simulation_ = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><model name='far'><link name='l'/></model><plugin filename='dummy' "
+      "name='gz::sim'><level name='x'><geometry><box/></geometry><ref>far</ref></level></plugin></world></sdf>",
+      "world.sdf", {.loadSystems = false, .levels = true}, diagnostics);
+  ASSERT_NE(simulation_, nullptr);
+  services_ = std::make_unique<EditServices>(*simulation_);
+  const std::string refused = "model 'far' is in a level that is not loaded";
+  EXPECT_EQ(setPose("name: 'far'"), refused);
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'far', type: MODEL"), refused);
+}
+
+TEST_F(EditServicesTest, CreateAModelWhereItIsWanted) {
+  const std::string crate = kCrate;
+  EXPECT_EQ(create(crate + ", pose {position {x: 4}}"), "");
+  EXPECT_EQ(model("crate")->pose().position, Vector3(4, 0, 0));
+  EXPECT_EQ(create(crate + ", name: 'box'"), "");
+  EXPECT_TRUE(model("box"));
+  EXPECT_NE(create(crate), "");
+  EXPECT_EQ(create(crate + ", allow_renaming: true"), "");
+  EXPECT_TRUE(model("crate_0"));
+}
+
+TEST_F(EditServicesTest, SayWhatIsWrongWithWhatIsToBeCreated) {
+  EXPECT_NE(create("").find("'sdf'"), std::string::npos);
+  EXPECT_NE(create("sdf: '<sdf'").find("sdf:1:"), std::string::npos);
+  EXPECT_NE(create("sdf_filename: 'nowhere.sdf'").find("nowhere.sdf"), std::string::npos);
+  EXPECT_EQ(create("clone_name: 'bal', name: 'b'"), "there is no model 'bal'; did you mean 'ball'?");
+  EXPECT_NE(create("clone_name: 'ball'"), "") << "the name is taken";
+  EXPECT_EQ(create("clone_name: 'ball', name: 'b', relative_to: 'tower'"), "field 'relative_to' is not supported");
+  EXPECT_EQ(simulation_->world().models().size(), 2U);
+}
+
+TEST_F(EditServicesTest, CreateACopyWhereTheOriginalIs) {
+  EXPECT_EQ(setPose("name: 'tower', position {x: 5}"), "");
+  EXPECT_EQ(create("clone_name: 'tower', name: 'twin'"), "");
+  EXPECT_EQ(model("twin")->pose().position, Vector3(5, 0, 0));
+  EXPECT_TRUE(model("twin::top"));
+  EXPECT_EQ(create("clone_name: 'tower', allow_renaming: true, pose {position {z: 2}}"), "");
+  EXPECT_EQ(model("tower_0")->pose().position, Vector3(0, 0, 2));
+}
+
+TEST_F(EditServicesTest, CreateWhereOnTheEarthTheyAreTold) {
+  const std::string crate = kCrate;
+  EXPECT_NE(create(crate + ", spherical_coordinates {latitude_deg: 1}").find("<spherical_coordinates>"),
+            std::string::npos);
+  Diagnostics diagnostics;
+  services_.reset();
+  simulation_ = Simulation::fromText(
+      "<sdf version='1.9'><world name='w'><spherical_coordinates><surface_model>EARTH_WGS84</surface_model>"
+      "<latitude_deg>10</latitude_deg><longitude_deg>20</longitude_deg><elevation>30</elevation>"
+      "</spherical_coordinates></world></sdf>",
+      "world.sdf", {.loadSystems = false}, diagnostics);
+  ASSERT_NE(simulation_, nullptr);
+  services_ = std::make_unique<EditServices>(*simulation_);
+  EXPECT_EQ(
+      create(crate + ", spherical_coordinates {latitude_deg: 10, longitude_deg: 20, elevation: 35, heading_deg: 90}"),
+      "");
+  EXPECT_NEAR((model("crate")->pose().position - Vector3(0, 0, 5)).norm(), 0, 1e-6);
+  EXPECT_NEAR(yawOf(model("crate")->pose().rotation), std::numbers::pi / 2, 1e-9);
+}
+
+TEST_F(EditServicesTest, CreateChangeAndRemoveLights) {
+  const auto light = [&](const std::string& text) { return refusal("light_config", "Light", text); };
+  EXPECT_EQ(light("name: 'sun', diffuse {r: 0.5}, intensity: 2, pose {position {z: 9}}"), "");
+  const ignition::msgs::Light sun = scene().light(0);
+  EXPECT_EQ(sun.diffuse().r(), 0.5F);
+  EXPECT_EQ(sun.intensity(), 2);
+  EXPECT_EQ(sun.pose().position().z(), 9);
+  EXPECT_EQ(light("name: 'sum'"), "there is no light 'sum'; did you mean 'sun'?");
+  EXPECT_NE(light("name: 'sun', range: -1"), "");
+  EXPECT_NE(light("name: 'sun', direction {x: nan}"), "");
+  EXPECT_NE(light("name: 'sun', parent_id: 4711"), "");
+
+  EXPECT_EQ(create("light {name: 'lamp', type: POINT, range: 3}, pose {position {x: 1}}"), "");
+  EXPECT_NE(create("light {name: 'lamp'}"), "") << "it is there already";
+  EXPECT_EQ(create("light {name: 'lamp'}, allow_renaming: true"), "");
+  ASSERT_EQ(scene().light_size(), 3);
+  EXPECT_EQ(scene().light(1).pose().position().x(), 1);
+  EXPECT_EQ(scene().light(2).name(), "lamp_0");
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'sun', type: LIGHT"), "");
+  EXPECT_NE(refusal("remove", "Entity", "name: 'sun', type: LIGHT"), "");
+  EXPECT_EQ(scene().light_size(), 2);
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  ASSERT_EQ(scene().light_size(), 1);
+  EXPECT_EQ(scene().light(0).diffuse().r(), 1);
+}
+
+TEST_F(EditServicesTest, PassWheelSlipsOnToWhoeverListens) {
+  const auto slip = [&](const std::string& text) { return refusal("wheel_slip", "WheelSlipParametersCmd", text); };
+  EXPECT_EQ(slip("entity {name: 'ball::l'}"), "the world has no wheel-slip system");
+  std::vector<ignition::msgs::WheelSlipParametersCmd> heard;
+  const Subscription subscription = simulation_->transport().node().subscribe<ignition::msgs::WheelSlipParametersCmd>(
+      "/world/w/wheel_slip", [&](const auto& message) { heard.push_back(message); });
+  const LinkId link = model("ball")->link("l")->id();
+  EXPECT_EQ(slip("entity {name: 'ball::l', type: LINK}, slip_compliance_lateral: 0.5"), "");
+  EXPECT_EQ(slip("entity {name: 'tower::top'}, slip_compliance_longitudinal: 2"), "");
+  EXPECT_EQ(slip("entity {id: " + std::to_string(link.value) + "}"), "");
+  simulation_->step();
+  ASSERT_EQ(heard.size(), 3U);
+  EXPECT_EQ(heard[0].entity().id(), link.value);
+  EXPECT_EQ(heard[0].entity().type(), ignition::msgs::Entity::LINK);
+  EXPECT_EQ(heard[0].slip_compliance_lateral(), 0.5);
+  EXPECT_EQ(heard[1].entity().id(), model("tower::top")->id().value);
+  EXPECT_EQ(heard[1].entity().type(), ignition::msgs::Entity::MODEL);
+  EXPECT_EQ(heard[1].slip_compliance_longitudinal(), 2);
+  EXPECT_EQ(heard[2].entity().name(), "ball::l");
+}
+
+TEST_F(EditServicesTest, SayWhichWheelIsNotThere) {
+  const auto slip = [&](const std::string& text) { return refusal("wheel_slip", "WheelSlipParametersCmd", text); };
+  EXPECT_NE(slip("").find("give a name or an id"), std::string::npos);
+  EXPECT_NE(slip("entity {name: 'ball::k'}").find("no model 'ball::k', and no link of that name"), std::string::npos);
+  EXPECT_NE(slip("entity {name: 'l'}").find("'MODEL::LINK'"), std::string::npos);
+  EXPECT_NE(slip("entity {id: 4711}").find("id 4711"), std::string::npos);
+  for (const char* bad : {"slip_compliance_lateral: -1", "slip_compliance_longitudinal: nan"}) {
+    EXPECT_NE(slip(std::string("entity {name: 'ball::l'}, ") + bad).find("zero or more"), std::string::npos) << bad;
+  }
+}
+
+TEST_F(EditServicesTest, ListenToLightsOnATopic) {
+  const MessagePointer light = newMessage("Light");
+  ASSERT_FALSE(parseMessage("name: 'sun', range: 7", *light));
+  Publisher publisher = simulation_->transport().node().advertise("/world/w/light_config", "ignition.msgs.Light");
+  publisher.publish(*light);
+  simulation_->transport().dispatch();
+  EXPECT_EQ(scene().light(0).range(), 7);
+}
+
+TEST_F(EditServicesTest, CreateAllOrNone) {
+  const std::string crate = kCrate;
+  EXPECT_NE(
+      refusal("create_multiple", "EntityFactory_V", "data {" + crate + "} data {" + crate + "}").find("number 2: "),
+      std::string::npos);
+  EXPECT_FALSE(model("crate"));
+  EXPECT_EQ(refusal("create_multiple", "EntityFactory_V", "data {" + crate + "} data {" + crate + ", name: 'b'}"), "");
+  EXPECT_TRUE(model("crate") && model("b"));
+}
+
+TEST_F(EditServicesTest, RemoveAModelByNameOrId) {
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'bal', type: MODEL"), "there is no model 'bal'; did you mean 'ball'?");
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'tower::top', type: MODEL"), "'tower::top' is nested in another model");
+  EXPECT_NE(refusal("remove", "Entity", "name: 'l', type: LINK"), "");
+  EXPECT_NE(refusal("remove", "Entity", "id: 4711"), "");
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'ball', type: MODEL"), "");
+  EXPECT_EQ(refusal("remove", "Entity", "id: " + std::to_string(model("tower")->id().value)), "");
+  EXPECT_TRUE(simulation_->world().models().empty());
+}
+
+TEST_F(EditServicesTest, PutModelsSomewhereElse) {
+  EXPECT_EQ(setPose("name: 'ball', position {x: 7}, orientation {z: 1}"), "");
+  EXPECT_EQ(model("ball")->pose().position, Vector3(7, 0, 0));
+  EXPECT_NE(setPose("name: 'ball', orientation {}"), "") << "no rotation";
+  EXPECT_NE(setPose("position {x: 7}"), "");
+  const std::string both = "pose {name: 'ball', position {x: 1}} pose {name: 'NAME', position {x: 2}}";
+  EXPECT_NE(refusal("set_pose_vector", "Pose_V", both), "");
+  EXPECT_EQ(model("ball")->pose().position.x(), 7);
+  EXPECT_EQ(refusal("set_pose_vector", "Pose_V", "pose {name: 'ball'} pose {name: 'tower', position {x: 2}}"), "");
+  EXPECT_EQ(model("tower")->pose().position.x(), 2);
+}
+
+TEST_F(EditServicesTest, PutTheWorldAndModelsSomewhereOnTheEarth) {
+  const auto setPlace = [this](const std::string& text) {
+    return refusal("set_spherical_coordinates", "SphericalCoordinates", text);
+  };
+  EXPECT_NE(setPlace("entity {name: 'ball'}").find("<spherical_coordinates>"), std::string::npos);
+  EXPECT_EQ(setPlace("latitude_deg: 91"), "the latitude is not between -90 and 90 degrees");
+  EXPECT_EQ(setPlace("longitude_deg: nan"), "the position is not finite");
+  EXPECT_FALSE(simulation_->world().tangentPlane());
+  const std::vector<std::byte> before = simulation_->saveState();
+
+  EXPECT_EQ(setPlace("latitude_deg: 10, longitude_deg: 20, elevation: 30, heading_deg: 90"), "");
+  ASSERT_TRUE(simulation_->world().tangentPlane());
+  EXPECT_NEAR(simulation_->world().heading(), std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(setPlace("entity {name: 'ball'}, latitude_deg: 10, longitude_deg: 20, elevation: 35"), "");
+  EXPECT_NEAR((model("ball")->pose().position - Vector3(0, 0, 5)).norm(), 0, 1e-6);
+  EXPECT_EQ(setPlace("entity {name: 'bll'}"), "there is no model 'bll'; did you mean 'ball'?");
+
+  const std::vector<std::byte> after = simulation_->saveState();
+  EXPECT_FALSE(simulation_->restoreState(before));
+  EXPECT_FALSE(simulation_->world().tangentPlane());
+  EXPECT_FALSE(simulation_->restoreState(after));
+  EXPECT_TRUE(simulation_->world().tangentPlane());
+  Diagnostics diagnostics;
+  simulation_->reset(diagnostics);
+  EXPECT_FALSE(simulation_->world().tangentPlane());
+}
+
+TEST_F(EditServicesTest, AreThoseThatThePagesTellOf) {
+  const plugin::CoreSystem& system = *plugin::coreSystem("user-commands");
+  int services = 0;
+  for (const Declaration::Way& way : system.declaration.ways()) {
+    if (way.kind != Declaration::Way::Kind::kService) continue;
+    ++services;
+    const std::string name = "/world/w/" + way.name.substr(std::string("/world/W/").size());
+    const MessagePointer request = newMessage(way.type);
+    const MessagePointer reply = newMessage(way.replyType);
+    const CallOutcome outcome = test::askService(simulation_->transport(), name, *request, *reply).outcome;
+    // an empty request is understood, whether it can be met or not
+    EXPECT_TRUE(outcome == CallOutcome::kDone || outcome == CallOutcome::kRefused) << name;
+  }
+  EXPECT_EQ(services, 10);
+}
+
+TEST_F(EditServicesTest, ChangePhysicsOrNothingOfIt) {
+  EXPECT_EQ(setPhysics("max_step_size: 0.002, real_time_factor: 3, gravity {z: -1}"), "");
+  EXPECT_EQ(simulation_->stepSize(), std::chrono::milliseconds(2));
+  EXPECT_EQ(simulation_->realTimeFactor(), 3);
+  EXPECT_EQ(simulation_->world().gravity(), Vector3(0, 0, -1));
+  for (const char* bad : {"", "max_step_size: -1", "max_step_size: nan", "max_step_size: 1e300",
+                          "max_step_size: 0.5, real_time_factor: -1", "max_step_size: 0.5, gravity {x: inf}"}) {
+    EXPECT_NE(setPhysics(bad), "") << bad;
+  }
+  EXPECT_EQ(simulation_->stepSize(), std::chrono::milliseconds(2));
+}
+
+}  // namespace
+}  // namespace pongsim::sim

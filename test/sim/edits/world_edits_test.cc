@@ -1,0 +1,214 @@
+#include "pongsim/world_edits.hh"
+
+#include <gtest/gtest.h>
+#include <ignition/msgs/stringmsg.pb.h>
+
+#include <string>
+#include <vector>
+
+#include "support/running_world.hh"
+#include "support/temp_folder.hh"
+
+namespace pongsim {
+namespace {
+
+using test::RunningWorld;
+
+const std::string kEditor =
+    std::string("<plugin filename='") + PONGSIM_EDITING_SYSTEM + "' name='test::Editing'>" +
+    "<sdf version='1.9'><model name='crumb'><static>true</static><link name='l'/></model></sdf></plugin>";
+
+std::string robot(const std::string& name) {
+  return "<model name='" + name + "'><static>true</static><link name='l'/>" + kEditor + "</model>";
+}
+
+class WorldEditsTest : public testing::Test {
+ protected:
+  explicit WorldEditsTest(const std::string& content = kEditor) : world_(content) { world_.listen("/edited", said_); }
+
+  void tell(const std::string& what) {
+    ignition::msgs::StringMsg message;
+    message.set_data(what);
+    world_.tell("/edit", message);
+  }
+  /// @return What has been said since the last call.
+  std::vector<std::string> said() {
+    world_.simulation().transport().dispatch();
+    std::vector<std::string> texts;
+    for (const auto& message : said_) texts.push_back(message.data());
+    said_.clear();
+    return texts;
+  }
+  bool has(const std::string& model) { return world_.simulation().world().model(model).has_value(); }
+
+  RunningWorld world_;
+  std::vector<ignition::msgs::StringMsg> said_;
+};
+
+using Said = std::vector<std::string>;
+
+TEST_F(WorldEditsTest, InsertWhatWasReadBefore) {
+  tell("template a");
+  tell("template b");
+  tell("template a");
+  world_.simulation().step();
+  const Said all = said();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0], "there is a");
+  EXPECT_EQ(all[1], "there is b");
+  EXPECT_TRUE(all[2].starts_with("world.sdf:1:") && all[2].ends_with(": there is a 'a' in the world already"))
+      << all[2];
+  EXPECT_EQ(world_.model("a").pose().position.x(), 3);
+}
+
+TEST_F(WorldEditsTest, AreCarriedOutInTheStepInWhichTheyAreAskedFor) {
+  tell("step template a");
+  EXPECT_FALSE(has("a"));
+  world_.simulation().step();
+  EXPECT_TRUE(has("a"));
+}
+
+TEST_F(WorldEditsTest, AreCarriedOutWhilePaused) {
+  tell("template a");
+  world_.simulation().stepPaused();
+  EXPECT_TRUE(has("a"));
+}
+
+TEST_F(WorldEditsTest, InsertTextsFilesAndCopies) {
+  tell(
+      "text <sdf version='1.9'><model name='t'><static>1</static><pose>7 0 0 0 0 0</pose><link "
+      "name='l'/></model></sdf>");
+  world_.simulation().step();
+  tell("copy t");
+  tell("file /no/such/file.sdf");
+  world_.simulation().step();
+  const Said all = said();
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0], "there is t");
+  EXPECT_EQ(all[1], "there is t_0");
+  EXPECT_NE(all[2].find("/no/such/file.sdf"), std::string::npos) << all[2];
+  EXPECT_EQ(world_.model("t_0").pose().position.x(), 7);
+}
+
+TEST_F(WorldEditsTest, InsertTheFileOfAModelsFolder) {
+  const test::TempFolder folder;
+  folder.write("cup/model.config", "<model><name>cup</name><sdf version='1.9'>cup.sdf</sdf></model>");
+  folder.write("cup/cup.sdf", "<sdf version='1.9'><model name='cup'><static>1</static><link name='l'/></model></sdf>");
+  tell("file " + (folder.path() / "cup").string());
+  tell("file " + folder.path().string());
+  world_.simulation().step();
+  const Said all = said();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0], "there is cup");
+  EXPECT_NE(all[1].find("model.config"), std::string::npos) << all[1];
+}
+
+TEST_F(WorldEditsTest, ReadWhatIsInsertedLater) {
+  tell(
+      "read <sdf version='1.9'><model name='r'><static>1</static><link name='l'><collision name='c'><geometry><mesh>"
+      "<uri>model://no/such.dae</uri></mesh></geometry></collision></link></model></sdf>");
+  tell("read <sdf version='1.9'><model name='s'><lonk/>");
+  tell("find /no/such/folder");
+  tell("find /");
+  world_.simulation().step();
+  const Said all = said();
+  ASSERT_EQ(all.size(), 5U);
+  EXPECT_EQ(all[0], "read r with 1 warnings");
+  EXPECT_TRUE(all[1].starts_with("read:1:")) << all[1];
+  EXPECT_EQ(all[2], "nothing");
+  EXPECT_EQ(all[3], "/");
+  EXPECT_EQ(all[4], "there is r");
+  EXPECT_TRUE(has("r"));
+}
+
+TEST_F(WorldEditsTest, RemoveModels) {
+  tell("template a");
+  world_.simulation().step();
+  tell("remove a");
+  tell("remove a");
+  world_.simulation().step();
+  EXPECT_FALSE(has("a"));
+  EXPECT_EQ(said(), (Said{"there is a", "it has gone", "the model no longer exists"}));
+}
+
+TEST_F(WorldEditsTest, WarnOfARefusalThatNobodyIsTold) {
+  tell("template a");
+  world_.simulation().step();
+  testing::internal::CaptureStderr();
+  tell("silent template a");
+  world_.simulation().step();
+  const std::string text = testing::internal::GetCapturedStderr();
+  const std::size_t place = text.find("a model can't be inserted: world.sdf:1:");
+  ASSERT_NE(place, std::string::npos) << text;
+  EXPECT_NE(text.find(": there is a 'a' in the world already", place), std::string::npos) << text;
+}
+
+TEST_F(WorldEditsTest, SwitchASystemOffWhoseAnswerThrows) {
+  testing::internal::CaptureStderr();
+  tell("template bad");
+  world_.simulation().step();
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_NE(text.find("failed in the answer to an edit: it is bad; it is switched off"), std::string::npos) << text;
+  EXPECT_TRUE(has("bad"));
+}
+
+TEST_F(WorldEditsTest, AreForgottenByAReset) {
+  tell("template a");
+  world_.simulation().transport().dispatch();
+  Diagnostics diagnostics;
+  world_.simulation().reset(diagnostics);
+  world_.simulation().step();
+  EXPECT_FALSE(has("a"));
+  EXPECT_EQ(said(), Said{});
+}
+
+class WorldEditsOfModels : public WorldEditsTest {
+ protected:
+  WorldEditsOfModels() : WorldEditsTest(robot("first") + robot("second")) {}
+};
+
+// Both hear the message; the first one's request ends the second one's.
+TEST_F(WorldEditsOfModels, EndWithTheirSystem) {
+  tell("remove second");
+  world_.simulation().step();
+  EXPECT_FALSE(has("second"));
+  EXPECT_EQ(said(), Said{"it has gone"});
+  tell("remove first");
+  world_.simulation().step(2);
+  EXPECT_FALSE(has("first"));
+  EXPECT_EQ(said(), Said{});
+}
+
+/// @return What is said of a world whose editor is to read that.
+std::vector<std::string> complaintsAbout(const std::string& sdf) {
+  return RunningWorld::complaintsAbout(std::string("<plugin filename='") + PONGSIM_EDITING_SYSTEM +
+                                       "' name='test::Editing'>" + sdf + "</plugin>");
+}
+
+TEST(WorldEditsRead, SaysWhatIsWrongWithAModel) {
+  const auto endsWith = [](const std::vector<std::string>& said, const std::string& end) {
+    EXPECT_TRUE(!said.empty() && said.back().ends_with(end)) << (said.empty() ? "nothing" : said.back());
+  };
+  endsWith(complaintsAbout("<sdf version='1.9'><world name='w'/></sdf>"), " is left out: there is no model to insert");
+  endsWith(complaintsAbout("<sdf version='1.9'><model name='m'/></sdf>"), " is left out: model 'm' has no link");
+  EXPECT_EQ(complaintsAbout("<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>"), Said{});
+}
+
+TEST(WorldEditsRead, SaysWhereItIsAndAllElseAsWarnings) {
+  Diagnostics diagnostics;
+  EXPECT_NE(Simulation::fromText(RunningWorld::textOf(std::string("\n<plugin filename='") + PONGSIM_EDITING_SYSTEM +
+                                                      "' name='test::Editing'><sdf version='1.9'>\n<model name='m'>"
+                                                      "\n<link name='l'><mass>1</mass></link>\n<link name='l'/>"
+                                                      "</model></sdf></plugin>"),
+                                 "world.sdf", {}, diagnostics),
+            nullptr);
+  std::vector<int> lines;
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    EXPECT_EQ(diagnostic.severity, Severity::kWarning);
+    lines.push_back(diagnostic.position.line);
+  }
+  EXPECT_EQ(lines, (std::vector<int>{4, 5}));
+}
+
+}  // namespace
+}  // namespace pongsim

@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "pongsim/simulation.hh"
+#include "support/fortress_worlds.hh"
+
+namespace pongsim {
+namespace {
+
+std::string courtFile() { return (test::projectFolder() / "worlds/pong_world.sdf").string(); }
+
+std::unique_ptr<Simulation> court(const SimulationOptions& options = {}) {
+  Diagnostics diagnostics;
+  auto simulation = Simulation::fromFile(courtFile(), options, diagnostics);
+  for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
+  return simulation;
+}
+
+void press(Simulation& simulation, int key) {
+  Publisher keys = simulation.transport().node().advertise("/keyboard/keypress", "ignition.msgs.Int32");
+  const MessagePointer message = newMessage("ignition.msgs.Int32");
+  ASSERT_FALSE(parseMessage("data: " + std::to_string(key), *message).has_value());
+  keys.publish(*message);
+}
+
+/// Forward, then in a bend until it stands against a wall.
+std::uint64_t driveOn(Simulation& simulation) {
+  press(simulation, 16777235);
+  simulation.step(1500);
+  press(simulation, 16777234);
+  simulation.step(1500);
+  return simulation.stateHash();
+}
+
+TEST(SavedState, GivesOneHashInTenRunsAfterAResetAndFromASave) {
+  std::set<std::uint64_t> hashes;
+  for (int i = 0; i < 10; ++i) {
+    const auto simulation = court();
+    ASSERT_NE(simulation, nullptr);
+    simulation->step(500);
+    hashes.insert(driveOn(*simulation));
+  }
+  const auto simulation = court();
+  simulation->step(500);
+  const std::vector<std::byte> state = simulation->saveState();
+  hashes.insert(driveOn(*simulation));
+
+  Diagnostics diagnostics;
+  simulation->reset(diagnostics);
+  simulation->step(500);
+  hashes.insert(driveOn(*simulation));
+
+  EXPECT_EQ(simulation->restoreState(state), std::nullopt);
+  EXPECT_EQ(simulation->time(), std::chrono::milliseconds(500));
+  hashes.insert(driveOn(*simulation));
+
+  const auto other = court();
+  EXPECT_EQ(other->restoreState(state), std::nullopt);
+  hashes.insert(driveOn(*other));
+  EXPECT_EQ(hashes.size(), 1U);
+}
+
+TEST(SavedState, IsTheSameOnThreadsOfTheirOwn) {
+  const auto alone = court();
+  const std::uint64_t expected = driveOn(*alone);
+  std::vector<std::uint64_t> hashes(4);
+  std::vector<std::thread> threads;
+  for (std::uint64_t& hash : hashes) {
+    threads.emplace_back([&hash] {
+      const auto simulation = court();
+      hash = driveOn(*simulation);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, expected);
+}
+
+TEST(SavedState, KeepsWhatWasChangedWhileRunning) {
+  const auto simulation = court({.loadSystems = false});
+  simulation->world().setGravity({0, 0, -1});
+  simulation->setStepSize(std::chrono::milliseconds(2));
+  simulation->step(10);
+  const std::vector<std::byte> state = simulation->saveState();
+  const auto other = court({.loadSystems = false});
+  EXPECT_EQ(other->restoreState(state), std::nullopt);
+  EXPECT_EQ(other->stepSize(), std::chrono::milliseconds(2));
+  EXPECT_EQ(other->world().gravity(), Vector3(0, 0, -1));
+  simulation->step(500);
+  other->step(500);
+  EXPECT_EQ(simulation->stateHash(), other->stateHash());
+}
+
+TEST(SavedState, KeepsJointsThatWereMadeAndRemoved) {
+  constexpr const char* kArmAndCrate = R"(<sdf version="1.9"><world name="w"><model name="arm">
+      <link name="base"><pose>0 0 2 0 0 0</pose></link><link name="hand"><pose>1 0 2 0 0 0</pose></link>
+      <joint name="root" type="fixed"><parent>world</parent><child>base</child></joint>
+      <joint name="elbow" type="revolute"><parent>base</parent><child>hand</child><axis><xyz>0 1 0</xyz></axis></joint>
+    </model><model name="crate"><pose>1 0 1 0 0 0</pose><link name="link"/></model></world></sdf>)";
+  const auto begin = [&] {
+    Diagnostics diagnostics;
+    auto simulation = Simulation::fromText(kArmAndCrate, "w.sdf", {.loadSystems = false}, diagnostics);
+    simulation->step(50);
+    return simulation;
+  };
+  const auto attachCrate = [](Simulation& simulation) {
+    const Link hand = *simulation.world().model("arm")->link("hand");
+    const Link crate = *simulation.world().model("crate")->link("link");
+    const Outcome<Joint> made = simulation.world().attach(hand, crate, "leash");
+    ASSERT_TRUE(made) << made.error;
+    simulation.step(50);
+  };
+  const auto removeElbow = [](Simulation& simulation) {
+    ASSERT_EQ(simulation.world().detach(*simulation.world().model("arm")->joint("elbow")), std::nullopt);
+    simulation.step(50);
+  };
+  const auto simulation = begin();
+  std::vector<std::vector<std::byte>> states;
+  std::vector<std::uint64_t> futures;
+  const auto future = [](Simulation& each) {
+    each.step(300);
+    return each.stateHash();
+  };
+  states.push_back(simulation->saveState());
+  attachCrate(*simulation);
+  states.push_back(simulation->saveState());
+  removeElbow(*simulation);
+  states.push_back(simulation->saveState());
+  for (const std::vector<std::byte>& state : states) {
+    const auto other = begin();
+    EXPECT_EQ(other->restoreState(state), std::nullopt);
+    futures.push_back(future(*other));
+  }
+  EXPECT_EQ(std::set(futures.begin(), futures.end()).size(), 3U);
+  // there and back in one simulation, with joints to make again that had gone
+  for (const std::size_t i : {2U, 0U, 1U, 2U, 1U, 0U}) {
+    EXPECT_EQ(simulation->restoreState(states[i]), std::nullopt);
+    EXPECT_EQ(simulation->saveState(), states[i]);
+    EXPECT_EQ(future(*simulation), futures[i]) << i;
+  }
+  // where a model has come, joints of the file can't be made again
+  EXPECT_EQ(simulation->restoreState(states[2]), std::nullopt);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(simulation->insertText("<sdf version='1.9'><model name='new'><link name='l'/></model></sdf>", "new.sdf",
+                                     {}, diagnostics));
+  EXPECT_TRUE(simulation->restoreState(states[0]).has_value());
+}
+
+// all joints are in the order of their ids
+TEST(SavedState, IsRefusedWhereAModelHasComeAnewSinceAJointWasMade) {
+  constexpr const char* kTwoLinks = R"(<sdf version="1.9"><world name="w">
+      <model name="a"><link name="l"/></model><model name="b"><pose>5 0 0 0 0 0</pose><link name="l"/></model>
+    </world></sdf>)";
+  constexpr const char* kPair = R"(<sdf version="1.9"><model name="pair"><pose>0 9 0 0 0 0</pose><link name="l"/>
+      <link name="m"/><joint name="j" type="fixed"><parent>l</parent><child>m</child></joint></model></sdf>)";
+  Diagnostics diagnostics;
+  const auto simulation = Simulation::fromText(kTwoLinks, "w.sdf", {.loadSystems = false}, diagnostics);
+  ASSERT_TRUE(simulation->insertText(kPair, "pair.sdf", {}, diagnostics));
+  const Link a = *simulation->world().model("a")->link("l");
+  const Link b = *simulation->world().model("b")->link("l");
+  const Outcome<Joint> leash = simulation->world().attach(a, b, "leash");
+  ASSERT_TRUE(leash) << leash.error;
+  const std::vector<std::byte> state = simulation->saveState();
+  EXPECT_EQ(simulation->restoreState(state), std::nullopt);
+  ASSERT_EQ(simulation->remove(*simulation->world().model("pair")), std::nullopt);
+  ASSERT_TRUE(simulation->insertText(kPair, "pair.sdf", {}, diagnostics));
+  EXPECT_TRUE(simulation->restoreState(state).has_value());
+  EXPECT_EQ(simulation->remove(*simulation->world().model("pair")), std::nullopt);
+  simulation->step(10);
+}
+
+TEST(SavedState, IsRefusedWhereItDoesNotFit) {
+  const auto simulation = court({.loadSystems = false});
+  simulation->step(100);
+  std::vector<std::byte> state = simulation->saveState();
+  const std::uint64_t hash = simulation->stateHash();
+  const auto refusal = [&](const std::vector<std::byte>& bytes) {
+    return simulation->restoreState(bytes).value_or("taken");
+  };
+  EXPECT_EQ(refusal({}), "this is not a saved state");
+  EXPECT_EQ(refusal(std::vector<std::byte>(100)), "the saved state is of another version of pongsim");
+  EXPECT_EQ(refusal(std::vector<std::byte>(state.begin(), state.end() - 1)), "the saved state is damaged");
+  std::vector<std::byte> damaged = state;
+  damaged[100] ^= std::byte{1};
+  EXPECT_EQ(refusal(damaged), "the saved state is damaged");
+  const std::string otherWorld = "the saved state is of another world, or of other models, joints or systems";
+  EXPECT_EQ(refusal(court()->saveState()), otherWorld);
+  EXPECT_EQ(simulation->stateHash(), hash);
+  EXPECT_EQ(simulation->remove(*simulation->world().model("pong_bot")), std::nullopt);
+  EXPECT_EQ(refusal(state), otherWorld);
+}
+
+}  // namespace
+}  // namespace pongsim

@@ -1,0 +1,83 @@
+"""What the long run takes for a fault."""
+
+import types
+import unittest
+
+from daemon import Daemon, Fault, Footprint
+from soak import GROWTH, Bound, Record, go_on
+
+
+class Hashes(unittest.TestCase):
+    def test_of_a_kind_are_the_same_in_all_cycles(self):
+        record = Record()
+        record.check("w", "plain", ["a", "b"])
+        record.check("w", "plain", ["a", "b"])
+        record.check("w", "spawned", ["a", "c"])
+        record.check("v", "plain", ["d", "e"])
+        with self.assertRaisesRegex(Fault, "'w', cycle 'plain'"):
+            record.check("w", "plain", ["x", "b"])
+
+    def test_of_a_restored_state_are_those_of_the_plain_cycle(self):
+        record = Record()
+        record.check("w", "saved", ["b"])
+        record.check("w", "plain", ["a", "b"])
+        record.check("w", "loaded", ["b"])
+        record.check("w", "interrupted", ["a", "b"])
+        with self.assertRaises(Fault):
+            record.check("w", "interrupted", ["x", "b"])
+
+    def test_show_a_reset_that_was_missed(self):
+        daemon = Daemon.__new__(Daemon)
+        daemon._hashes = {"w": [(500, "a"), (750, "b")]}
+        with self.assertRaisesRegex(Fault, "missed a reset"):
+            daemon.hashes("w", [250, 500])
+
+
+class Bounds(unittest.TestCase):
+    def setUp(self):
+        self.now = Footprint(100 << 20, 14, 15)
+        self.bound = Bound("it", lambda: self.now, patience=0)
+        self.bound.measure(is_warm=False)
+
+    def test_are_of_the_most_memory_of_the_warm_up(self):
+        self.now = Footprint(200 << 20, 14, 15)
+        self.bound.measure(is_warm=False)
+        self.now = Footprint((200 << 20) + GROWTH, 14, 15)
+        self.bound.measure(is_warm=True)
+        self.now = Footprint((200 << 20) + GROWTH + 4096, 14, 15)
+        with self.assertRaisesRegex(Fault, "memory of it grows"):
+            self.bound.measure(is_warm=True)
+
+    def test_are_of_descriptors_and_threads(self):
+        for now in Footprint(100 << 20, 15, 15), Footprint(100 << 20, 14, 14):
+            self.now = now
+            with self.assertRaisesRegex(Fault, "it takes"):
+                self.bound.measure(is_warm=False)
+
+
+class Counted:
+    """A long run in which something is measured in the third round."""
+
+    def __init__(self):
+        self.rounds = self.measures = 0
+
+    def round(self):
+        self.rounds += 1
+        self.measures += self.rounds == 3
+
+    def line(self, _):
+        return ""
+
+    def end(self):
+        pass
+
+
+class Run(unittest.TestCase):
+    def test_goes_on_until_something_was_measured(self):
+        soak = Counted()
+        go_on(soak, None, types.SimpleNamespace(minutes=0, rounds=1, every=60))
+        self.assertEqual(soak.rounds, 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

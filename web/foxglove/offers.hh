@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "web/foxglove/offer.hh"
+#include "web/world/worlds.hh"
+
+namespace google::protobuf {
+class Descriptor;
+}
+
+namespace pongsim::web::foxglove {
+
+/// What the channels of the worlds are. For the server's thread.
+class Offers {
+ public:
+  explicit Offers(std::shared_ptr<Worlds> worlds);
+
+  /// @return The topics of all worlds, as they are, sorted by name.
+  std::vector<Offer> topics();
+
+  /// @return What describes a message type, as base64; the same for all who ask.
+  std::shared_ptr<const std::string> schema(const std::string& type);
+
+ private:
+  const std::shared_ptr<Worlds> worlds_;
+  std::map<std::string, std::shared_ptr<const std::string>, std::less<>> schemas_;
+};
+
+}  // namespace pongsim::web::foxglove

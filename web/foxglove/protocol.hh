@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "web/foxglove/log_offer.hh"
+#include "web/foxglove/offers.hh"
+#include "web/foxglove/typed_offers.hh"
+#include "web/server/session.hh"
+#include "web/world/heard_log.hh"
+#include "web/world/worlds.hh"
+
+namespace pongsim::web::foxglove {
+
+/// The WebSocket protocol of Foxglove, version 1, which Lichtblick and our own page speak, too: the page by a name of
+/// its own, by which it is offered the own channels, and services that take protobuf.
+class FoxgloveProtocol final : public Protocol {
+ public:
+  /// @param own, log, assets Must outlive it.
+  FoxgloveProtocol(std::shared_ptr<Worlds> worlds, const OwnChannels& own, HeardLog& log, const AssetSource& assets);
+  ~FoxgloveProtocol() override;
+
+  std::vector<std::string> names() const override;
+  std::unique_ptr<Session> open(const std::string& name, const std::shared_ptr<Client>& client) override;
+
+ private:
+  const std::shared_ptr<Worlds> worlds_;
+  const OwnChannels& own_;
+  const AssetSource& assets_;
+  Offers offers_;
+  TypedOffers typed_;
+  LogOffer log_;
+};
+
+}  // namespace pongsim::web::foxglove

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "web/server/session.hh"
+#include "web/world/message_form.hh"
+#include "web/world/worlds.hh"
+
+namespace pongsim::web::foxglove {
+
+/// What one client publishes. For the server's thread. Functions return what is wrong, as a sentence without a full
+/// stop, or an empty text.
+class Publications {
+ public:
+  Publications(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds);
+
+  /// @param channel As the protocol has it in an `advertise` of the client; may be anything.
+  std::string open(const nlohmann::json& channel);
+  std::string close(std::uint32_t channel);
+  std::string publish(std::uint32_t channel, std::span<const std::byte> message);
+
+ private:
+  struct Channel {
+    std::string type;
+    MessageForm form = MessageForm::kProtobuf;
+    std::shared_ptr<WorldLink::Voice> voice;
+  };
+
+  std::string fault(const nlohmann::json& channel);
+  std::shared_ptr<WorldLink> worldFor(const std::string& topic) const;
+
+  const std::shared_ptr<Client> client_;
+  const std::shared_ptr<Worlds> worlds_;
+  std::map<std::uint32_t, Channel> channels_;
+  std::size_t unknownTypes_ = 0;
+};
+
+}  // namespace pongsim::web::foxglove

@@ -1,0 +1,201 @@
+#include "web/foxglove/session.hh"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "web/foxglove/fields.hh"
+#include "web/foxglove/status.hh"
+#include "web/foxglove/wire.hh"
+#include "web/typed/asset_address.hh"
+
+namespace pongsim::web::foxglove {
+
+namespace {
+
+using nlohmann::json;
+
+// where what is no subscription's waits for the socket; subscriptions have 32 bits
+constexpr std::uint64_t kListsKey = std::uint64_t{1} << 32;
+constexpr std::uint64_t kTimeKey = kListsKey + 1;
+// of one message of the client
+constexpr std::size_t kMostComplaints = 10;
+
+/// @return What tells a client that comes back whether this is still the same run.
+std::string sessionId() {
+  static const auto start = std::chrono::system_clock::now().time_since_epoch();
+  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(start).count());
+}
+
+/// Tells a client the time of the first world.
+class TimeTeller final : public Callee {
+ public:
+  TimeTeller(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds)
+      : client_(std::move(client)), worlds_(std::move(worlds)) {}
+
+  void called() override {
+    isTurn_ = !isTurn_;
+    if (!isTurn_) return;
+    const auto worlds = worlds_->all();
+    const std::uint64_t timeNs = worlds.empty() ? told_ : worlds.front()->timeNs();
+    if (timeNs == told_) return;
+    told_ = timeNs;
+    client_->sendData(kTimeKey, 1, timeFrame(timeNs));
+  }
+
+ private:
+  const std::shared_ptr<Client> client_;
+  const std::shared_ptr<Worlds> worlds_;
+  /// 60 times a second are enough.
+  bool isTurn_ = false;
+  std::uint64_t told_ = 0;
+};
+
+using ParameterOperation = std::string (Parameters::*)(const json&);
+
+/// @return What is to be done of an operation with parameters; null where it is another one.
+ParameterOperation parameterOperation(std::string_view operation) {
+  if (operation == "getParameters") return &Parameters::get;
+  if (operation == "setParameters") return &Parameters::set;
+  if (operation == "subscribeParameterUpdates") return &Parameters::subscribe;
+  if (operation == "unsubscribeParameterUpdates") return &Parameters::unsubscribe;
+  return nullptr;
+}
+
+Offer offerOf(const std::shared_ptr<OwnChannel>& channel) {
+  Offer offer;
+  offer.topic = channel->topic();
+  offer.encoding = "pongsim";
+  offer.schemaName = channel->schemaName();
+  offer.source = channel.get();
+  offer.open = [channel](const std::shared_ptr<Client>& client, std::uint64_t key, Head head) {
+    return channel->open(client, key, std::move(head));
+  };
+  return offer;
+}
+
+}  // namespace
+
+FoxgloveSession::FoxgloveSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, Offers& offers,
+                                 const OwnChannels* own, TypedOffers* typed, LogOffer& log, const AssetSource& assets)
+    : client_(std::move(client)),
+      worlds_(std::move(worlds)),
+      assets_(assets),
+      told_(std::make_shared<Told>(
+          Told{Channels(client_),
+               Calls(client_, worlds_, offers, own != nullptr ? MessageForm::kProtobuf : MessageForm::kJson),
+               Graph(client_, worlds_), offers, own, typed, log})),
+      publications_(client_, worlds_),
+      parameters_(std::make_shared<Parameters>(client_, worlds_)) {
+  sendServerInfo();
+  told_->follow();
+  // on a world's thread: has the server's look
+  watch_ = worlds_->watch({.changed = [to = client_, told = std::weak_ptr(told_)] {
+    to->sendWhenFree(kListsKey, [told]() -> Frame {
+      if (const auto there = told.lock()) there->follow();
+      return {};
+    });
+  }});
+  timeTeller_ = std::make_shared<TimeTeller>(client_, worlds_);
+  regularly_ = client_->callRegularly(timeTeller_);
+}
+
+void FoxgloveSession::sendServerInfo() {
+  json capabilities = {"time", "services", "connectionGraph", "assets", "parameters", "parametersSubscribe"};
+  if (client_->mayWrite()) capabilities.push_back("clientPublish");
+  json worlds = json::array();
+  for (const auto& world : worlds_->all()) worlds.push_back(world->world());
+  client_->sendText(textOf({{"op", "serverInfo"},
+                            {"name", "pongsim"},
+                            {"capabilities", std::move(capabilities)},
+                            {"supportedEncodings", {"json", "protobuf"}},
+                            {"metadata", {{"worlds", textOf(worlds)}}},
+                            {"sessionId", sessionId()}}));
+}
+
+void FoxgloveSession::Told::follow() {
+  std::vector<Offer> all = offers.topics();
+  if (own != nullptr) {
+    for (const auto& channel : own->all()) all.push_back(offerOf(channel));
+  }
+  if (typed != nullptr) std::ranges::move(typed->all(), std::back_inserter(all));
+  all.push_back(log.offer());
+  channels.follow(std::move(all));
+  calls.follow();
+  graph.follow();
+}
+
+void FoxgloveSession::text(std::string_view text) {
+  const json message = parseJson(text);
+  const auto operation = textField(message, "op");
+  if (!operation) return complain("a text message is a JSON object with an 'op'");
+  const auto withId = [](auto&& deal, const char* what) {
+    return [deal, what](const json& value) {
+      const auto id = idOf(value);
+      return id ? deal(*id) : "the id of a " + std::string(what) + " is a number";
+    };
+  };
+  if (*operation == "subscribe") {
+    return each(message, "subscriptions", [this](const json& value) { return subscribe(value); });
+  }
+  if (*operation == "unsubscribe") {
+    const auto end = [this](std::uint32_t id) { return told_->channels.unsubscribe(id); };
+    return each(message, "subscriptionIds", withId(end, "subscription"));
+  }
+  if (*operation == "advertise") {
+    return each(message, "channels", [this](const json& value) { return publications_.open(value); });
+  }
+  if (*operation == "unadvertise") {
+    const auto end = [this](std::uint32_t id) { return publications_.close(id); };
+    return each(message, "channelIds", withId(end, "channel"));
+  }
+  if (*operation == "fetchAsset") return fetchAsset(message);
+  if (const auto deal = parameterOperation(*operation)) {
+    const std::string wrong = (*parameters_.*deal)(message);
+    return wrong.empty() ? void() : complain(wrong);
+  }
+  if (*operation == "subscribeConnectionGraph") return told_->graph.setWanted(true);
+  if (*operation == "unsubscribeConnectionGraph") return told_->graph.setWanted(false);
+  complain("there is no operation '" + operation->substr(0, 40) + "'");
+}
+
+void FoxgloveSession::binary(std::span<const std::byte> message) {
+  const auto said = readBinary(message);
+  if (const auto* call = std::get_if<ServiceCall>(&said)) return told_->calls.call(*call);
+  const auto* data = std::get_if<ClientData>(&said);
+  const std::string what =
+      data != nullptr ? publications_.publish(data->channel, data->message) : std::get<std::string>(said);
+  if (!what.empty()) complain(what);
+}
+
+void FoxgloveSession::each(const json& message, const char* list, const std::function<std::string(const json&)>& deal) {
+  const auto members = listField(message, list);
+  if (!members) return complain("'" + message.value("op", "") + "' has a list '" + list + "'");
+  std::size_t faults = 0;
+  for (const json& member : *members) {
+    const std::string what = deal(member);
+    if (!what.empty() && ++faults <= kMostComplaints) complain(what);
+  }
+  if (faults > kMostComplaints) complain("and " + std::to_string(faults - kMostComplaints) + " more like these");
+}
+
+std::string FoxgloveSession::subscribe(const json& subscription) {
+  const auto id = idField(subscription, "id");
+  const auto channel = idField(subscription, "channelId");
+  if (!id || !channel) return "a subscription has an 'id' and a 'channelId'";
+  return told_->channels.subscribe(*id, *channel);
+}
+
+void FoxgloveSession::fetchAsset(const json& message) {
+  const auto uri = textField(message, "uri");
+  const auto id = idField(message, "requestId");
+  if (!uri || !id) return complain("'fetchAsset' has a 'uri' and a 'requestId'");
+  client_->sendBinary(assetFrame(*id, assets_.fetch(typed::sceneAddress(*uri))));
+}
+
+void FoxgloveSession::complain(std::string_view what) { sendStatus(*client_, StatusLevel::kError, what); }
+
+}  // namespace pongsim::web::foxglove

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "web/server/session.hh"
+
+/// The binary messages of Foxglove's WebSocket protocol. Numbers are little endian.
+namespace pongsim::web::foxglove {
+
+/// @return What stands in front of a message of a subscription.
+std::string dataHead(std::uint32_t subscription, std::uint64_t timeNs);
+Frame timeFrame(std::uint64_t timeNs);
+Frame answerFrame(std::uint32_t service, std::uint32_t call, std::string_view encoding, Payload reply);
+/// @param asset Its error, where it has one, or its bytes.
+Frame assetFrame(std::uint32_t request, const Asset& asset);
+
+/// A message on a channel of the client. Lives as long as its bytes, as `ServiceCall`.
+struct ClientData {
+  std::uint32_t channel = 0;
+  std::span<const std::byte> message;
+};
+struct ServiceCall {
+  std::uint32_t service = 0;
+  std::uint32_t call = 0;
+  std::string_view encoding;
+  std::span<const std::byte> request;
+};
+
+/// @return What a client says, or what is wrong with it.
+std::variant<ClientData, ServiceCall, std::string> readBinary(std::span<const std::byte> message);
+
+}  // namespace pongsim::web::foxglove

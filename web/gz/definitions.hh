@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace pongsim::web::gz {
+
+/// @return All message types and enumerations of ignition.msgs, as one file of protobuf's language.
+std::string definitions();
+
+}  // namespace pongsim::web::gz

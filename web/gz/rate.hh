@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+namespace pongsim::web::gz {
+
+/// Lets through so many a second. Its limit may be set by another thread.
+class Rate {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// @param hz Above 0; infinite: no limit.
+  explicit Rate(double hz) { set(hz); }
+
+  void set(double hz) { periodNs_ = static_cast<std::int64_t>(std::min(1e9 / hz, kLongestNs)); }
+
+  /// @return Whether this one may pass. Messages that come as often as they may, but for what a clock is late or early,
+  /// all pass.
+  bool passes(Clock::time_point now) {
+    const std::chrono::nanoseconds period(periodNs_.load(std::memory_order_relaxed));
+    // it may have been slower
+    next_ = std::min(next_, now + 2 * period);
+    if (now + period / 2 < next_) return false;
+    next_ = std::max(next_, now - period / 2) + period;
+    return true;
+  }
+
+ private:
+  // some 30 years
+  static constexpr double kLongestNs = 1e18;
+
+  std::atomic<std::int64_t> periodNs_ = 0;
+  Clock::time_point next_{};
+};
+
+}  // namespace pongsim::web::gz

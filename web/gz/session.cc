@@ -1,0 +1,275 @@
+#include "web/gz/session.hh"
+
+#include <google/protobuf/message.h>
+#include <ignition/msgs/bytes.pb.h>
+#include <ignition/msgs/empty.pb.h>
+#include <ignition/msgs/publishers.pb.h>
+#include <ignition/msgs/stringmsg_v.pb.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+#include <variant>
+
+#include "web/gz/definitions.hh"
+#include "web/world/harmless.hh"
+#include "web/world/message_form.hh"
+
+namespace pongsim::web::gz {
+
+namespace {
+
+namespace im = ignition::msgs;
+
+constexpr std::size_t kMostVoices = 100;
+// questions that wait for the worlds' first lists
+constexpr int kMostEarly = 10;
+// where what has changed waits for the socket, apart from the topics' keys
+constexpr std::uint64_t kListsKey = 0;
+
+/// Compares without telling by its time how much is right.
+bool isKey(std::string_view said, std::string_view key) {
+  if (key.empty()) return false;
+  unsigned difference = said.size() == key.size() ? 0 : 1;
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    difference |= static_cast<unsigned char>(said[i]) ^ static_cast<unsigned char>(key[i % key.size()]);
+  }
+  return difference == 0;
+}
+
+}  // namespace
+
+struct GzSession::Early {
+  /// Null when the session has ended.
+  GzSession* session = nullptr;
+  int topics = 0;
+  int types = 0;
+
+  void answer() {
+    if (!session->areListsKnown()) return;
+    for (; topics > 0; --topics) session->sendTopics();
+    for (; types > 0; --types) session->sendTopicsTypes();
+  }
+};
+
+GzSession::GzSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, const AssetSource& assets,
+                     const GzSettings& settings, std::shared_ptr<void> counted)
+    : client_(std::move(client)),
+      worlds_(std::move(worlds)),
+      assets_(assets),
+      settings_(settings),
+      counted_(std::move(counted)),
+      isLetIn_(settings.authorizationKey.empty() && settings.adminAuthorizationKey.empty()),
+      listening_(std::make_shared<Listening>(client_, worlds_, settings_)),
+      early_(std::make_shared<Early>(Early{this})) {
+  // on a world's thread: has the server's look
+  watch_ =
+      worlds_->watch({.changed = [to = client_, listening = std::weak_ptr(listening_), early = std::weak_ptr(early_)] {
+        to->sendWhenFree(kListsKey, [listening, early]() -> Frame {
+          if (const auto there = listening.lock()) there->follow();
+          if (const auto there = early.lock(); there && there->session != nullptr) there->answer();
+          return {};
+        });
+      }});
+}
+
+GzSession::~GzSession() { early_->session = nullptr; }
+
+void GzSession::text(std::string_view message) { binary(std::as_bytes(std::span(message))); }
+
+void GzSession::binary(std::span<const std::byte> message) {
+  const auto call = readCall({reinterpret_cast<const char*>(message.data()), message.size()});
+  if (!call) return error("", "a message has four parts: operation,topic,type,payload");
+  if (call->operation == "auth") return auth(*call);
+  if (!isLetIn_) return error(call->topic, "say 'auth,,,KEY' first");
+  const auto found = operations().find(call->operation);
+  if (found == operations().end()) {
+    return error(call->topic, "there is no operation '" + std::string(call->operation.substr(0, 40)) + "'");
+  }
+  (this->*found->second)(*call);
+}
+
+const std::map<std::string_view, GzSession::Operation>& GzSession::operations() {
+  static const std::map<std::string_view, Operation> all = {{"protos", &GzSession::protos},
+                                                            {"topics", &GzSession::topics},
+                                                            {"topics-types", &GzSession::topicsTypes},
+                                                            {"worlds", &GzSession::worlds},
+                                                            {"scene", &GzSession::scene},
+                                                            {"particle_emitters", &GzSession::particleEmitters},
+                                                            {"sub", &GzSession::listen},
+                                                            {"image", &GzSession::image},
+                                                            {"unsub", &GzSession::unlisten},
+                                                            {"throttle", &GzSession::throttle},
+                                                            {"adv", &GzSession::advertise},
+                                                            {"pub", &GzSession::publish},
+                                                            {"pub_in", &GzSession::publish},
+                                                            {"req", &GzSession::request},
+                                                            {"asset", &GzSession::asset}};
+  return all;
+}
+
+void GzSession::auth(const Call& call) {
+  const bool isOpen = settings_.authorizationKey.empty() && settings_.adminAuthorizationKey.empty();
+  // the key may have commas in it; gzweb sends it as payload
+  isLetIn_ = isLetIn_ || isOpen || isKey(call.payload, settings_.authorizationKey) ||
+             isKey(call.payload, settings_.adminAuthorizationKey);
+  client_->sendBinary({isLetIn_ ? "authorized" : "invalid", {}});
+}
+
+void GzSession::protos(const Call&) {
+  static const Payload text(definitions());
+  client_->sendBinary({{}, text});
+}
+
+/// @return Whether all worlds have been looked at, which the first client has them be.
+bool GzSession::areListsKnown() const {
+  return std::ranges::all_of(worlds_->all(), [](const auto& world) { return world->areListsKnown(); });
+}
+
+void GzSession::topics(const Call&) {
+  if (areListsKnown()) return sendTopics();
+  early_->topics = std::min(early_->topics + 1, kMostEarly);
+}
+
+void GzSession::topicsTypes(const Call&) {
+  if (areListsKnown()) return sendTopicsTypes();
+  early_->types = std::min(early_->types + 1, kMostEarly);
+}
+
+void GzSession::sendTopics() {
+  im::StringMsg_V list;
+  for (const auto& place : worlds_->topics()) {
+    if (place.topic.publishers > 0) list.add_data(place.topic.name);
+  }
+  client_->sendBinary(frame("pub", "topics", list));
+}
+
+void GzSession::sendTopicsTypes() {
+  im::Publishers list;
+  for (const auto& place : worlds_->topics()) {
+    if (place.topic.publishers == 0) continue;
+    auto& publisher = *list.add_publisher();
+    publisher.set_topic(place.topic.name);
+    publisher.set_msg_type(place.topic.type);
+  }
+  client_->sendBinary(frame("pub", "topics-types", list));
+}
+
+void GzSession::worlds(const Call&) {
+  im::StringMsg_V list;
+  for (const auto& world : worlds_->all()) list.add_data(world->world());
+  client_->sendBinary(frame("pub", "worlds", list));
+}
+
+void GzSession::scene(const Call& call) { ask(call, "/scene/info", "ignition.msgs.Scene"); }
+
+void GzSession::particleEmitters(const Call& call) {
+  ask(call, "/particle_emitters", "ignition.msgs.ParticleEmitter_V");
+}
+
+/// Asks a service of the world that the call names. The answer is empty where it has none.
+void GzSession::ask(const Call& call, const char* service, const char* type) {
+  const auto answer = [client = client_, operation = std::string(call.operation), type](const CallResult& result,
+                                                                                        const Message& reply) {
+    client->sendBinary(result ? frame("pub", operation, reply) : frame("pub", operation, *newMessage(type)));
+  };
+  const auto world = worlds_->find(call.topic);
+  if (!world) return client_->sendBinary(frame("pub", call.operation, *newMessage(type)));
+  // not by the lists, which for the first client nobody has made yet
+  world->request({"/world/" + world->world() + service, "ignition.msgs.Empty", type}, std::make_shared<im::Empty>(),
+                 answer);
+}
+
+void GzSession::listen(const Call& call) {
+  if (const std::string fault = listening_->add(call.topic, false); !fault.empty()) error(call.topic, fault);
+}
+
+void GzSession::image(const Call& call) {
+  if (const std::string fault = listening_->add(call.topic, true); !fault.empty()) error(call.topic, fault);
+}
+
+void GzSession::unlisten(const Call& call) { listening_->remove(call.topic); }
+
+void GzSession::throttle(const Call& call) {
+  double hz = 0;
+  std::from_chars(call.payload.data(), call.payload.data() + call.payload.size(), hz);
+  if (const std::string fault = listening_->limit(call.topic, hz); !fault.empty()) error(call.topic, fault);
+}
+
+void GzSession::advertise(const Call& call) {
+  if (const auto type = messageTypeName(call.type)) {
+    voice(call, *type);
+  } else {
+    error(call.topic, "there is no message type '" + std::string(call.type) + "'");
+  }
+}
+
+void GzSession::publish(const Call& call) {
+  const auto message = readMessage(call.type, MessageForm::kProtobuf, std::as_bytes(std::span(call.payload)));
+  if (const auto* fault = std::get_if<std::string>(&message)) return error(call.topic, *fault);
+  WorldLink::Voice* const speaker = voice(call, *messageTypeName(call.type));
+  if (speaker != nullptr && !speaker->publish(Payload(call.payload))) {
+    error(call.topic, "the world is too slow: a message was dropped");
+  }
+}
+
+/// @return What publishes on the call's topic; null where it can't, which the client is told.
+WorldLink::Voice* GzSession::voice(const Call& call, const std::string& type) {
+  const std::pair key(std::string(call.topic), type);
+  if (const auto found = voices_.find(key); found != voices_.end()) return found->second.get();
+  std::string fault;
+  const auto all = worlds_->all();
+  if (!client_->mayWrite()) fault = "this client is read-only";
+  if (const auto name = topicNameError(call.topic)) fault = "the topic's name " + *name;
+  if (voices_.size() >= kMostVoices)
+    fault = "a client can publish on at most " + std::to_string(kMostVoices) + " topics";
+  if (all.empty()) fault = "there is no world";
+  std::shared_ptr<WorldLink::Voice> speaker;
+  if (fault.empty()) {
+    // what several worlds listen to goes to all of them
+    const auto place = worlds_->findTopic(key.first);
+    speaker = (place ? place->world : all.front())->speak(key.first, type);
+    if (!speaker) fault = "the world is too slow";
+  }
+  if (!fault.empty()) {
+    error(call.topic, fault);
+    return nullptr;
+  }
+  return voices_.emplace(key, std::move(speaker)).first->second.get();
+}
+
+void GzSession::request(const Call& call) {
+  const auto found = worlds_->findService(call.topic);
+  if (!found) return client_->sendBinary(textFrame("req", call.topic, "service_not_found"));
+  const OwnService& service = found->service;
+  if (!client_->mayWrite() && !isHarmless(call.topic)) return error(call.topic, "this client is read-only");
+  if (messageTypeName(call.type) != service.requestType) {
+    return error(call.topic, "the service takes " + service.requestType + ", not '" + std::string(call.type) + "'");
+  }
+  auto request = readMessage(call.type, MessageForm::kProtobuf, std::as_bytes(std::span(call.payload)));
+  if (const auto* fault = std::get_if<std::string>(&request)) return error(call.topic, *fault);
+  found->world->request(service, std::shared_ptr<const Message>(std::move(std::get<MessagePointer>(request))),
+                        [client = client_, service](const CallResult& result, const Message& reply) {
+                          if (result) return client->sendBinary(frame("req", service.name, reply));
+                          // an empty answer, as clients of Fortress get it, and a word
+                          client->sendBinary({head("req", service.name, service.replyType), {}});
+                          client->sendBinary(textFrame("error", service.name, result.error));
+                        });
+}
+
+void GzSession::asset(const Call& call) {
+  // gzweb has the address as payload
+  const std::string_view address = call.payload.empty() ? call.topic : call.payload;
+  if (address.empty()) return client_->sendBinary(textFrame("asset", "", "asset_uri_missing"));
+  Asset file = assets_.fetch(address);
+  if (!file.error.empty()) return client_->sendBinary(textFrame("asset", address, "asset_not_found"));
+  im::Bytes bytes;
+  bytes.set_data(std::move(file.bytes));
+  client_->sendBinary(frame("asset", address, bytes));
+}
+
+void GzSession::error(std::string_view about, std::string_view text) {
+  client_->sendBinary(textFrame("error", about, text));
+}
+
+}  // namespace pongsim::web::gz

@@ -1,0 +1,67 @@
+/// What can be done with the entity that is chosen.
+import { rollPitchYawOf } from '../connection/poses.ts';
+import { modelSdf } from '../connection/sdf_writer.ts';
+import type { Message } from '../connection/types.ts';
+import type { Entity } from '../connection/entities.ts';
+import type { Context } from './context.ts';
+import { download } from './dom.ts';
+
+/// The model at the top level, or the light, that the chosen entity belongs to.
+export function chosenTop(context: Context): Entity | null {
+  const { world, selection } = context;
+  const entity = world.entities.get(selection.id);
+  if (!entity || entity.kind === 'world') return null;
+  const top = world.entities.topOf(entity);
+  return top.kind === 'model' || top.kind === 'light' ? top : null;
+}
+
+export async function removeChosen(context: Context): Promise<void> {
+  const top = chosenTop(context);
+  if (!top) return;
+  if (await context.attempt(`Remove ${top.name}`, context.world.remove(top.id))) context.selection.set(null);
+}
+
+function messageOf(context: Context, entity: Entity): Message | undefined {
+  return ((context.world.scene?.model ?? []) as Message[]).find(({ id }) => id === entity.id);
+}
+
+/// Where the entity is now, as an ignition.msgs.Pose.
+function poseNow(context: Context, entity: Entity, message: Message): Message | undefined {
+  const live = context.world.poses.get(entity.id);
+  if (!live) return message.pose as Message | undefined;
+  const [x, y, z, qx, qy, qz, qw] = live;
+  return { position: { x, y, z }, orientation: { x: qx, y: qy, z: qz, w: qw } };
+}
+
+/// Puts the chosen model into the clipboard as SDF; where the browser refuses, into a file.
+export async function copyAsSdf(context: Context): Promise<void> {
+  const top = chosenTop(context);
+  const message = top && messageOf(context, top);
+  if (!message) return context.log.add('info', 'Select a model to copy');
+  const sdf = modelSdf(message, poseNow(context, top, message));
+  try {
+    await navigator.clipboard.writeText(sdf);
+    context.log.add('info', `${top.name} is in the clipboard as SDF, without plugins and sensors`);
+  } catch {
+    download(`${top.name}.sdf`, new Blob([sdf], { type: 'application/xml' }));
+  }
+}
+
+let copied: { name: string; message: Message } | null = null;
+
+export function copyChosen(context: Context): void {
+  const top = chosenTop(context);
+  const message = top && messageOf(context, top);
+  if (!message) return;
+  copied = { name: top.name, message };
+  context.log.add('info', `${top.name} can be pasted`);
+}
+
+/// A copy of what was copied, at the place that the user chooses.
+export async function paste(context: Context): Promise<void> {
+  if (!copied) return;
+  const { name, message } = copied;
+  const place = await context.choosePlace(message);
+  if (!place) return;
+  await context.attempt(`Paste ${name}`, context.world.clone(name, [...place.position, ...rollPitchYawOf(place.orientation)]));
+}

@@ -1,0 +1,32 @@
+/// Pictures and video of the view, as files.
+import type { Context } from './context.ts';
+import { download } from './dom.ts';
+
+const stamp = (): string => new Date().toISOString().slice(0, 19).replaceAll(':', '-');
+
+export async function saveScreenshot(context: Context): Promise<void> {
+  const { view, world, log } = context;
+  if (!view) return log.add('info', 'There is no view to take a picture of');
+  await context.attempt('Screenshot', view.screenshot().then((picture) => download(`${world.name}-${stamp()}.png`, picture)));
+}
+
+/// Begins or ends a video.
+/// @return Whether one is being taken now.
+export async function toggleVideo(context: Context, isTaking: boolean): Promise<boolean> {
+  const { view, world, log } = context;
+  if (!view) {
+    log.add('info', 'There is no view to record');
+    return false;
+  }
+  if (isTaking) {
+    await context.attempt('Video', view.stopVideo().then((video) => download(`${world.name}-${stamp()}.webm`, video)));
+    return false;
+  }
+  try {
+    view.startVideo();
+    return true;
+  } catch (fault) {
+    log.add('error', `Video: ${(fault as Error).message}`);
+    return false;
+  }
+}

@@ -1,0 +1,62 @@
+/// Elements of the page in one expression each.
+
+type Child = Node | string | null | undefined | false;
+type Attributes = Record<string, string | number | boolean | ((event: never) => void) | undefined>;
+
+/// h('button', { class: 'x', onclick: f, disabled: true }, 'text'). What begins with "on" is a listener, what is true has no
+/// value, what is false or undefined is left out.
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K, attributes: Attributes = {}, ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === 'function') element.addEventListener(name.slice(2), value as EventListener);
+    else if (value === true) element.setAttribute(name, '');
+    else if (value !== false && value !== undefined) element.setAttribute(name, String(value));
+  }
+  for (const child of children) if (child) element.append(child);
+  return element;
+}
+
+let nextId = 1;
+
+/// A field with its label in front of it.
+export function labelled(text: string, field: HTMLElement, more: Attributes = {}): HTMLElement {
+  if (!field.id) field.id = `field-${nextId++}`;
+  return h('div', { class: 'field', ...more }, h('label', { for: field.id }, text), field);
+}
+
+export function numberField(value: number, more: Attributes = {}): HTMLInputElement {
+  const field = h('input', { type: 'number', step: 'any', ...more });
+  field.value = String(value);
+  return field;
+}
+
+/// What is chosen stays where it is still among the choices.
+export function setChoices(select: HTMLSelectElement, choices: readonly string[], none?: string): void {
+  const before = select.value;
+  const values = none === undefined ? choices : ['', ...choices];
+  if (values.length === select.options.length && values.every((value, i) => select.options[i]!.value === value)) return;
+  select.replaceChildren(...values.map((value) => h('option', { value }, value === '' ? none! : value)));
+  select.value = values.includes(before) ? before : (values[0] ?? '');
+}
+
+/// A button with a picture, or a sign, that says in words what it does.
+export function iconButton(icon: Node | string, name: string, act: () => void, more: Attributes = {}): HTMLButtonElement {
+  return h('button', { type: 'button', class: 'icon', title: name, 'aria-label': name, onclick: act, ...more }, icon);
+}
+
+/// Up to four digits behind the point that count.
+export function shortNumber(value: number): string {
+  if (!Number.isFinite(value)) return String(value);
+  const text = Math.abs(value) >= 1e6 || (value !== 0 && Math.abs(value) < 1e-4) ? value.toExponential(3) : value.toFixed(4);
+  return text.includes('e') ? text : text.replace(/\.?0+$/, '') === '-0' ? '0' : text.replace(/\.?0+$/, '');
+}
+
+/// Offers bytes to be kept as a file.
+export function download(name: string, content: Blob): void {
+  const address = URL.createObjectURL(content);
+  h('a', { href: address, download: name }).click();
+  // after the click has been followed
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}

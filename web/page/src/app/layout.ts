@@ -1,0 +1,78 @@
+/// The panels around the view: docks at its sides and below, corners above it.
+import type { Context, Panel, PanelKind, Place, Settings } from './context.ts';
+import { h, iconButton } from './dom.ts';
+
+const kPlaces: [Place, string][] = [
+  ['left', 'Panels on the left'], ['right', 'Panels on the right'], ['bottom', 'Panels below'],
+  ['corner-left', 'Panels at the left of the view'], ['corner-right', 'Panels at the right of the view'],
+];
+
+interface Open {
+  kind: PanelKind;
+  frame: HTMLElement;
+  panel: Panel;
+}
+
+export class Layout {
+  readonly element: HTMLElement;
+  /// Where the view is.
+  readonly stage = h('div', { class: 'stage', id: 'view' });
+  private readonly docks = new Map<Place, HTMLElement>();
+  private open: Open[] = [];
+  private nextId = 1;
+
+  constructor() {
+    for (const [place, name] of kPlaces) {
+      this.docks.set(place, h('div', { class: `dock ${place}`, role: 'region', 'aria-label': name, hidden: true }));
+    }
+    const dock = (place: Place): HTMLElement => this.docks.get(place)!;
+    const middle = h('div', { class: 'middle' }, this.stage, h('div', { class: 'corners' }, dock('corner-left'), dock('corner-right')));
+    this.element = h('main', { class: 'layout' }, dock('left'), middle, dock('right'), dock('bottom'));
+  }
+
+  /// @param title What stands above it, where not its own.
+  add(kind: PanelKind, context: Context, settings: Settings = null, title = kind.title, place = kind.place): void {
+    const panel = kind.open(context, settings);
+    const id = `panel-${this.nextId++}`;
+    const body = h('div', { class: 'body', id: `${id}-body` }, panel.element);
+    const fold = iconButton('▾', `Fold ${title}`, () => {
+      body.hidden = !body.hidden;
+      fold.textContent = body.hidden ? '▸' : '▾';
+      fold.setAttribute('aria-expanded', String(!body.hidden));
+    }, { 'aria-expanded': 'true', 'aria-controls': body.id });
+    const heading = h('h2', { id }, title);
+    const frame = h('section', { class: 'panel', 'aria-labelledby': id, 'data-panel': kind.id },
+      h('header', {}, fold, heading, iconButton('×', `Close ${title}`, () => this.close(frame))), body);
+    this.docks.get(place)!.append(frame);
+    this.open.push({ kind, frame, panel });
+    this.showDocks();
+  }
+
+  has(kind: PanelKind): boolean {
+    return this.open.some((each) => each.kind === kind);
+  }
+
+  /// Brings a panel to the eye that is open already.
+  reveal(kind: PanelKind): void {
+    const frame = this.open.find((each) => each.kind === kind)?.frame;
+    frame?.scrollIntoView({ block: 'nearest' });
+    frame?.querySelector<HTMLElement>('.body button, .body input, .body select')?.focus();
+  }
+
+  closeAll(): void {
+    for (const { frame } of [...this.open]) this.close(frame);
+  }
+
+  private close(frame: HTMLElement): void {
+    const closed = this.open.find((each) => each.frame === frame);
+    if (!closed) return;
+    closed.panel.close?.();
+    frame.remove();
+    this.open = this.open.filter((each) => each !== closed);
+    this.showDocks();
+  }
+
+  private showDocks(): void {
+    for (const dock of this.docks.values()) dock.hidden = dock.childElementCount === 0;
+  }
+}

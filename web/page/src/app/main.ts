@@ -1,0 +1,112 @@
+/// The page: connects to the server that it comes from, and shows one of its worlds.
+import { Connection, type Socket } from '../connection/connection.ts';
+import { MessageTypes } from '../connection/types.ts';
+import { worldNames } from '../connection/world.ts';
+import { spawnFiles } from '../panels/spawn.ts';
+import { h, setChoices } from './dom.ts';
+import { MessageLog } from './message_log.ts';
+import { Shell } from './shell.ts';
+import { listenToShortcuts } from './shortcuts.ts';
+import { currentTheme } from './theme.ts';
+
+const log = new MessageLog();
+const types = new MessageTypes();
+let shell: Shell | null = null;
+
+const worlds = h('select', { 'aria-label': 'World', hidden: true });
+const title = h('h1', {}, 'pongsim');
+const state = h('span', { class: 'state', role: 'status' }, 'connecting');
+const tools = h('div', { class: 'tools-place' });
+const place = h('div', { class: 'world-place' });
+const toast = h('div', { class: 'toast', role: 'alert', hidden: true });
+
+/// What a server that is open to others asks for stands in the address of the page.
+function socketAddress(): string {
+  const token = new URLSearchParams(location.search).get('token');
+  const query = token ? `?token=${encodeURIComponent(token)}` : '';
+  return `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/${query}`;
+}
+
+async function loadTypes(): Promise<void> {
+  const answer = await fetch('message_types.bin');
+  if (!answer.ok) throw new Error(`the message types are missing (${answer.status})`);
+  types.add(new Uint8Array(await answer.arrayBuffer()));
+}
+
+function show(name: string): void {
+  if (shell?.context.world.name === name) return;
+  shell?.end();
+  shell = new Shell(connection, name, log);
+  title.textContent = name;
+  document.title = `${name} · pongsim`;
+  tools.replaceChildren(shell.tools);
+  place.replaceChildren(shell.layout.element);
+}
+
+function showWorlds(): void {
+  const names = worldNames(connection.services.keys());
+  if (names.length === 0) return;
+  setChoices(worlds, names);
+  worlds.hidden = names.length < 2;
+  title.hidden = names.length > 1;
+  show(worlds.value);
+}
+
+function showState(): void {
+  const { state: now, isReadOnly } = connection;
+  const words = { connecting: 'connecting', open: isReadOnly ? 'connected, read-only' : 'connected', lost: 'connection lost, reconnecting' };
+  state.textContent = words[now];
+  state.dataset.state = now;
+}
+
+/// foxglove.Log.Level
+const kLogError = 4;
+let toastTimer: ReturnType<typeof setTimeout> | undefined;
+function showToast(level: string, text: string): void {
+  toast.textContent = text;
+  toast.className = `toast ${level}`;
+  toast.hidden = false;
+  clearTimeout(toastTimer);
+  toastTimer = setTimeout(() => (toast.hidden = true), 6000);
+}
+
+document.documentElement.dataset.theme = currentTheme();
+document.body.append(h('header', { class: 'bar' }, title, worlds, state, tools), place, toast);
+log.changed.on(({ level, text, isQuiet }) => {
+  if (!isQuiet) showToast(level, text);
+});
+const loaded = loadTypes().catch((fault: Error) => log.add('error', fault.message));
+await loaded;
+const connection = new Connection(types, {
+  connect: () => new WebSocket(socketAddress(), 'pongsim.web.v1') as unknown as Socket,
+  nextPicture: (callback) => void requestAnimationFrame(callback),
+  later: (callback, ms) => void setTimeout(callback, ms),
+});
+connection.stateChanged.on((now) => {
+  showState();
+  if (now === 'lost' && connection.reason) log.add('error', connection.reason);
+});
+connection.servicesChanged.on(showWorlds);
+connection.infoHeard.on(showState);
+connection.statusHeard.on(({ level, message }) => log.add((['info', 'warning', 'error'] as const)[level] ?? 'error', message));
+// after the connection was lost those come again that are kept
+let warnedNs = 0n;
+connection.subscribe('/foxglove/log', ({ level, name, message }, timeNs) => {
+  if (timeNs <= warnedNs) return;
+  warnedNs = timeNs;
+  log.add(level >= kLogError ? 'error' : 'warning', `${name}: ${message}`, true);
+}, true);
+worlds.addEventListener('change', () => show(worlds.value));
+listenToShortcuts(() => shell?.context ?? null);
+
+// keys are for the world, not for what was clicked last; who goes by keys keeps the focus
+document.addEventListener('click', ({ detail, target }) => {
+  if (detail > 0) (target as Element).closest<HTMLElement>('button, [role="treeitem"]')?.blur();
+});
+
+// models are dropped anywhere
+window.addEventListener('dragover', (event) => event.preventDefault());
+window.addEventListener('drop', (event) => {
+  event.preventDefault();
+  if (shell && event.dataTransfer) void spawnFiles(shell.context, event.dataTransfer.files);
+});

@@ -1,0 +1,52 @@
+/// All panels, by the names that Fortress's plugins have.
+import { openEntityTree } from '../panels/entity_tree.ts';
+import { openForce } from '../panels/force.ts';
+import { openImageDisplay } from '../panels/image_display.ts';
+import { openInspector } from '../panels/inspector.ts';
+import { openJointPositions } from '../panels/joint_positions.ts';
+import { openKeyPublisher } from '../panels/key_publisher.ts';
+import { openLidarPlot } from '../panels/lidar_plot.ts';
+import { openLights } from '../panels/lights.ts';
+import { openLog } from '../panels/log.ts';
+import { openPlot } from '../panels/plot.ts';
+import { openPointCloud } from '../panels/point_cloud.ts';
+import { openPublisher } from '../panels/publisher.ts';
+import { openSpawn } from '../panels/spawn.ts';
+import { openTeleop } from '../panels/teleop.ts';
+import { openTopicEcho } from '../panels/topic_echo.ts';
+import { openTransform } from '../panels/transform.ts';
+import { openViewSettings } from '../panels/view_settings.ts';
+import { openWorldControl } from '../panels/world_control.ts';
+import { openWorldStats } from '../panels/world_stats.ts';
+import type { PanelKind } from './context.ts';
+
+export const kPanels: readonly PanelKind[] = [
+  { id: 'WorldControl', title: 'World control', place: 'corner-left', open: openWorldControl },
+  { id: 'WorldStats', title: 'World stats', place: 'corner-right', open: openWorldStats },
+  { id: 'EntityTree', title: 'Entity tree', place: 'right', open: openEntityTree },
+  { id: 'ComponentInspector', title: 'Component inspector', place: 'right', open: openInspector },
+  { id: 'KeyPublisher', title: 'Key publisher', place: 'right', open: openKeyPublisher },
+  { id: 'Teleop', title: 'Teleop', place: 'right', open: openTeleop },
+  { id: 'JointPositionController', title: 'Joint position controller', place: 'right', open: openJointPositions },
+  { id: 'ImageDisplay', title: 'Image display', place: 'right', open: openImageDisplay },
+  { id: 'VisualizeLidar', title: 'Visualize lidar', place: 'right', open: openLidarPlot },
+  { id: 'PointCloud', title: 'Point cloud', place: 'right', open: openPointCloud },
+  { id: 'Plotting', also: ['Plot'], title: 'Plot', place: 'bottom', open: openPlot },
+  { id: 'TopicEcho', also: ['TopicViewer'], title: 'Topic echo', place: 'bottom', open: openTopicEcho },
+  { id: 'Publisher', title: 'Publisher', place: 'left', open: openPublisher },
+  { id: 'TransformControl', title: 'Transform control', place: 'left', open: openTransform },
+  { id: 'ApplyForceTorque', title: 'Apply force torque', place: 'left', open: openForce },
+  { id: 'Shapes', also: ['ResourceSpawner', 'Spawn'], title: 'Spawn', place: 'left', open: openSpawn },
+  { id: 'Lights', title: 'Lights', place: 'left', open: openLights },
+  {
+    id: 'ViewAngle', also: ['VisualizationCapabilities', 'VisualizeContacts', 'CameraTracking', 'GridConfig'],
+    title: 'View', place: 'left', open: openViewSettings,
+  },
+  { id: 'Log', title: 'Messages', place: 'bottom', open: openLog },
+];
+
+/// @param plugin "WorldControl", also as "libWorldControl.so".
+export function panelFor(plugin: string): PanelKind | undefined {
+  const name = plugin.replace(/^lib/, '').replace(/\.so$/, '');
+  return kPanels.find(({ id, also }) => id === name || also?.includes(name));
+}

@@ -1,0 +1,124 @@
+/// One world on the page: its context, its panels, its view; made anew when another world is chosen.
+import type { Connection } from '../connection/connection.ts';
+import type { Sixfold } from '../connection/poses.ts';
+import { quaternionOf } from '../connection/poses.ts';
+import type { Message } from '../connection/types.ts';
+import { World } from '../connection/world.ts';
+import { View, type Pose } from '../view/index.ts';
+import { Ends, Selection, type Context } from './context.ts';
+import { h } from './dom.ts';
+import { wishesOf } from './gui.ts';
+import { Layout } from './layout.ts';
+import type { MessageLog } from './message_log.ts';
+import { currentTheme } from './theme.ts';
+import { toolbar } from './toolbar.ts';
+
+export class Shell {
+  readonly context: Context;
+  readonly layout = new Layout();
+  readonly tools: HTMLElement;
+  private readonly ends = new Ends();
+  private placed: ((pose: Pose | null) => void) | null = null;
+
+  constructor(connection: Connection, name: string, log: MessageLog) {
+    const world = new World(connection, name);
+    const selection = new Selection();
+    this.context = {
+      connection, world, selection, log,
+      view: null,
+      attempt: async (what, work) => {
+        try {
+          await work;
+          return true;
+        } catch (fault) {
+          log.add('error', `${what}: ${(fault as Error).message}`);
+          return false;
+        }
+      },
+      choosePlace: (message) => this.choosePlace(message),
+    };
+    this.context.view = this.makeView();
+    this.tools = toolbar(this.context, this.layout, () => this.showTheme());
+    this.connectView();
+    this.showTheme();
+    void this.openPanels();
+  }
+
+  end(): void {
+    this.ends.end();
+    this.layout.closeAll();
+    this.context.view?.dispose();
+    this.context.world.end();
+  }
+
+  showTheme(): void {
+    document.documentElement.dataset.theme = currentTheme();
+    this.context.view?.setTheme(currentTheme());
+  }
+
+  private makeView(): View | null {
+    const { stage } = this.layout;
+    const { connection, world, selection, log } = this.context;
+    if (!View.supported()) {
+      stage.append(h('p', { class: 'no-view', role: 'status' },
+        'This browser has no WebGL 2 or it is switched off: everything works but the 3D view.'));
+      return null;
+    }
+    return new View(stage, {
+      asset: (address) => connection.asset(address),
+      onPick: (entity) => selection.set(entity),
+      onMove: (entity, pose, during) => {
+        if (during) return undefined;
+        const asked = world.ask('set_pose', { id: entity, ...poseFields(pose) });
+        void this.context.attempt('Move', asked);
+        return asked;
+      },
+      onPlace: (pose) => {
+        this.placed?.(pose);
+        this.placed = null;
+      },
+      onProblem: (text) => log.add('warning', text),
+    });
+  }
+
+  private connectView(): void {
+    const { view, world, selection } = this.context;
+    if (!view) return;
+    this.ends.add(
+      world.changed.on(() => {
+        if (!world.scene) return;
+        view.setScene(world.scene);
+        // those that stand still since do not come again
+        view.applyFrame(world.allPoses());
+      }),
+      world.framed.on((frame) => view.applyFrame(frame)),
+      selection.changed.on((id) => view.select(id)),
+    );
+  }
+
+  /// The panels that the world asks for, and where the eye begins.
+  private async openPanels(): Promise<void> {
+    const { world, view } = this.context;
+    const gui = await world.ask('gui/info').catch(() => null);
+    const wishes = wishesOf(gui);
+    for (const { kind, settings, title, place } of wishes.panels) this.layout.add(kind, this.context, settings, title, place);
+    if (wishes.camera) view?.setCamera(poseOf(wishes.camera));
+  }
+
+  private choosePlace(message: Message): Promise<Pose | null> {
+    const { view, log } = this.context;
+    if (!view) return Promise.resolve({ position: [0, 0, 0.5], orientation: [0, 0, 0, 1] });
+    this.placed?.(null);
+    log.add('info', 'Click in the view to place it; Escape cancels');
+    view.showGhost(message);
+    return new Promise((resolve) => (this.placed = resolve));
+  }
+}
+
+function poseOf([x, y, z, roll, pitch, yaw]: Sixfold): Pose {
+  return { position: [x, y, z], orientation: quaternionOf(roll, pitch, yaw) };
+}
+
+function poseFields({ position: [x, y, z], orientation: [qx, qy, qz, qw] }: Pose): Message {
+  return { position: { x, y, z }, orientation: { x: qx, y: qy, z: qz, w: qw } };
+}

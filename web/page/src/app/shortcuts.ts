@@ -1,0 +1,63 @@
+/// Keys of the page, and the page that lists them.
+import { copyChosen, paste, removeChosen } from './actions.ts';
+import { saveScreenshot } from './capture.ts';
+import type { Context } from './context.ts';
+import { h } from './dom.ts';
+import { isTyping } from '../panels/key_publisher.ts';
+
+interface Shortcut {
+  /// "t", "Delete", "ctrl+c"
+  keys: string;
+  what: string;
+  act(context: Context): void;
+}
+
+export const kShortcuts: readonly Shortcut[] = [
+  { keys: '?', what: 'This page', act: () => showHelp() },
+  { keys: 'space', what: 'Play or pause', act: () => document.getElementById('play')?.click() },
+  { keys: '.', what: 'Step', act: () => document.getElementById('step')?.click() },
+  { keys: 'escape', what: 'Select, and cancel', act: ({ view }) => view?.setTool('select') },
+  { keys: 't', what: 'Move the selected model', act: ({ view }) => view?.setTool('move') },
+  { keys: 'r', what: 'Rotate it', act: ({ view }) => view?.setTool('turn') },
+  { keys: 'f', what: 'Look at the selection', act: ({ view, selection }) => selection.id !== null && view?.lookAt(selection.id) },
+  { keys: 'h', what: 'Reset the view', act: ({ view }) => view?.lookFrom('home') },
+  { keys: 'delete', what: 'Remove the selected model or light', act: (context) => void removeChosen(context) },
+  { keys: 'ctrl+c', what: 'Copy the selected model', act: copyChosen },
+  { keys: 'ctrl+v', what: 'Paste it: click to place it', act: (context) => void paste(context) },
+  { keys: 'p', what: 'Picture of the view', act: (context) => void saveScreenshot(context) },
+  { keys: '/', what: 'Search the entity tree', act: () => document.querySelector<HTMLElement>('.entity-tree input')?.focus() },
+];
+
+/// How a key press is written in the list.
+export function keysOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey'>): string {
+  const key = event.key === ' ' ? 'space' : event.key.toLowerCase();
+  return `${event.ctrlKey || event.metaKey ? 'ctrl+' : ''}${event.altKey ? 'alt+' : ''}${key}`;
+}
+
+/// @param context Of the world that is shown now; null: none is.
+export function listenToShortcuts(context: () => Context | null): void {
+  window.addEventListener('keydown', (event) => {
+    const now = context();
+    if (!now || event.defaultPrevented || isTyping(event.target, event.key)) return;
+    const keys = keysOf(event);
+    // who has marked text wants to copy that
+    if (keys === 'ctrl+c' && String(getSelection()) !== '') return;
+    const shortcut = kShortcuts.find((each) => each.keys === keys);
+    if (!shortcut) return;
+    event.preventDefault();
+    shortcut.act(now);
+  });
+}
+
+export function showHelp(): void {
+  const rows = kShortcuts.flatMap(({ keys, what }) => [h('dt', {}, h('kbd', {}, keys)), h('dd', {}, what)]);
+  const dialog = h('dialog', { class: 'help', 'aria-labelledby': 'help-title' },
+    h('h2', { id: 'help-title' }, 'Keys'),
+    h('dl', {}, ...rows),
+    h('p', {}, 'While the Key publisher sends, all other keys go to the world.'),
+    h('p', {}, 'View: the left button pans, the middle button or Shift with the left rotates, the wheel or the right button zooms; a click selects.'),
+    h('form', { method: 'dialog' }, h('button', {}, 'Close')));
+  dialog.addEventListener('close', () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+}

@@ -1,0 +1,66 @@
+/// What stands above all: the world, the connection, tools, shapes, pictures, panels.
+import { kShapeNames } from '../panels/shapes.ts';
+import { spawnShape } from '../panels/spawn.ts';
+import type { Tool } from '../view/index.ts';
+import { copyAsSdf, removeChosen } from './actions.ts';
+import { saveScreenshot, toggleVideo } from './capture.ts';
+import type { Context } from './context.ts';
+import { h, iconButton } from './dom.ts';
+import { icon, type Icon } from './icons.ts';
+import type { Layout } from './layout.ts';
+import { kPanels } from './registry.ts';
+import { showHelp } from './shortcuts.ts';
+import { currentTheme, setTheme } from './theme.ts';
+
+/// A button under which choices appear.
+function menu(title: string, items: [string, () => void][]): HTMLElement {
+  const details = h('details', { class: 'menu' }, h('summary', {}, `${title} ▾`));
+  const choose = (act: () => void): void => {
+    details.open = false;
+    act();
+  };
+  details.append(h('div', { class: 'items' }, ...items.map(([name, act]) => h('button', { type: 'button', onclick: () => choose(act) }, name))));
+  details.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || !details.open) return;
+    event.stopPropagation();
+    details.open = false;
+    details.querySelector('summary')?.focus();
+  });
+  details.addEventListener('focusout', (event) => {
+    if (event.relatedTarget && !details.contains(event.relatedTarget as Node)) details.open = false;
+  });
+  return details;
+}
+
+/// @param themed Told of the theme that is chosen.
+export function toolbar(context: Context, layout: Layout, themed: () => void): HTMLElement {
+  const { view } = context;
+  const tools: [Tool & Icon, string][] = [['select', 'Select'], ['move', 'Move'], ['turn', 'Turn']];
+  const toolButtons = tools.map(([tool, name]) => iconButton(icon(tool), name, () => view?.setTool(tool), { disabled: !view, 'data-tool': tool }));
+  let isFilming = false;
+  const film = iconButton(icon('film'), 'Record a video', async () => {
+    isFilming = await toggleVideo(context, isFilming);
+    film.classList.toggle('on', isFilming);
+    film.title = isFilming ? 'Stop recording' : 'Record a video';
+    film.setAttribute('aria-label', film.title);
+  }, { disabled: !view });
+  const openPanel = (id: string): void => {
+    const kind = kPanels.find((each) => each.id === id)!;
+    // of these there may be several
+    const isMany = ['Plotting', 'TopicEcho', 'ImageDisplay', 'VisualizeLidar', 'PointCloud', 'Publisher'].includes(id);
+    if (isMany || !layout.has(kind)) layout.add(kind, context);
+    layout.reveal(kind);
+  };
+  return h('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Tools' },
+    ...toolButtons,
+    menu('Add', kShapeNames.map((shape) => [shape, () => void spawnShape(context, shape)])),
+    menu('Edit', [['Copy as SDF', () => void copyAsSdf(context)], ['Remove', () => void removeChosen(context)]]),
+    iconButton(icon('camera'), 'Picture of the view', () => void saveScreenshot(context), { disabled: !view }),
+    film,
+    menu('Panels', kPanels.map(({ id, title }) => [title, () => openPanel(id)])),
+    iconButton(icon('theme'), 'Dark or light', () => {
+      setTheme(currentTheme() === 'dark' ? 'light' : 'dark');
+      themed();
+    }),
+    iconButton('?', 'Keys', showHelp));
+}

@@ -1,0 +1,48 @@
+/// Components of Fortress's states, by their names.
+import type { Message, MessageTypes } from './types.ts';
+
+const numbers = new Map<string, string>();
+
+/// The number by which a state names a component, as "Pose": FNV-1a of its full name, 64 bits, in decimal.
+export function componentNumber(name: string): string {
+  let number = numbers.get(name);
+  if (number === undefined) {
+    let hash = 0xcbf29ce484222325n;
+    for (const byte of new TextEncoder().encode('ign_gazebo_components.' + name)) {
+      hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
+    }
+    number = BigInt.asIntN(64, hash).toString();
+    numbers.set(name, number);
+  }
+  return number;
+}
+
+/// The components of one entity: an ignition.msgs.SerializedEntityMap.
+export class Components {
+  constructor(private readonly entity: Message) {}
+
+  has(name: string): boolean {
+    return this.bytes(name) !== undefined;
+  }
+
+  bytes(name: string): Uint8Array | undefined {
+    const component = this.entity.components[componentNumber(name)] as Message | undefined;
+    return component?.component as Uint8Array | undefined;
+  }
+
+  /// Text, as numbers and names are told.
+  text(name: string): string | undefined {
+    const bytes = this.bytes(name);
+    return bytes && new TextDecoder().decode(bytes);
+  }
+
+  /// Numbers with blanks between them; a pose is x y z roll pitch yaw.
+  numbers(name: string): number[] | undefined {
+    return this.text(name)?.trim().split(/\s+/).map(Number);
+  }
+
+  message(name: string, type: string, types: MessageTypes): Message | undefined {
+    const bytes = this.bytes(name);
+    return bytes && types.decode(type, bytes);
+  }
+}

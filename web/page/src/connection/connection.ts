@@ -1,0 +1,294 @@
+/// One connection to a pongsim, over and over again where it breaks off: topics, services and files by their names.
+import { Emitter } from './emitter.ts';
+import { Latest } from './latest.ts';
+import { Outgoing } from './outgoing.ts';
+import { readFrame, readText, type Channel, type ServerFrame, type ServerMessage, type Service } from './protocol.ts';
+import { Requests } from './requests.ts';
+import { MessageTypes, type Message } from './types.ts';
+
+export type ConnectionState = 'connecting' | 'open' | 'lost';
+
+export interface Status {
+  level: 0 | 1 | 2;
+  message: string;
+}
+
+/// What a WebSocket is to the connection.
+export interface Socket {
+  binaryType: string;
+  onopen: (() => void) | null;
+  onmessage: ((event: { data: unknown }) => void) | null;
+  onclose: ((event: { code: number; reason: string }) => void) | null;
+  send(data: string | Uint8Array<ArrayBuffer>): void;
+  close(): void;
+}
+
+export interface ConnectionOptions {
+  connect(): Socket;
+  /// Calls back when the next picture is drawn.
+  nextPicture(callback: () => void): void;
+  later(callback: () => void, ms: number): void;
+}
+
+interface Listener {
+  /// Every message, or only the latest before each picture.
+  isEvery: boolean;
+  hear(payload: Uint8Array, timeNs: bigint, channel: Channel): void;
+}
+
+interface Subscription {
+  id: number;
+  topic: string;
+  /// The channel that it holds now.
+  channel: Channel | null;
+  listeners: Set<Listener>;
+}
+
+const kLongestWaitMs = 5000;
+
+export class Connection {
+  state: ConnectionState = 'connecting';
+  /// By topic, and by name.
+  readonly channels = new Map<string, Channel>();
+  readonly services = new Map<string, Service>();
+  serverName = '';
+  capabilities: string[] = [];
+  /// Why it broke off.
+  reason = '';
+
+  readonly stateChanged = new Emitter<ConnectionState>();
+  /// The server has said who it is.
+  readonly infoHeard = new Emitter<void>();
+  readonly channelsChanged = new Emitter<void>();
+  readonly servicesChanged = new Emitter<void>();
+  /// What the server has to say.
+  readonly statusHeard = new Emitter<Status>();
+  readonly timeHeard = new Emitter<bigint>();
+
+  private socket: Socket | null = null;
+  private waitMs = 250;
+  private nextId = 1;
+  private readonly subscriptions = new Map<string, Subscription>();
+  private readonly byId = new Map<number, Subscription>();
+  private readonly latest: Latest;
+  private readonly requests = new Requests();
+  private readonly outgoing: Outgoing;
+
+  constructor(readonly types: MessageTypes, private readonly options: ConnectionOptions) {
+    this.latest = new Latest(options.nextPicture);
+    this.outgoing = new Outgoing(types, (data) => this.send(data));
+    this.open();
+  }
+
+  /// Whether the server lets nobody change anything.
+  get isReadOnly(): boolean {
+    return this.capabilities.length > 0 && !this.capabilities.includes('clientPublish');
+  }
+
+  /// Messages of a topic, now or when it comes, and again after the connection has been lost. Only the latest before each
+  /// picture is decoded, unless `isEvery`.
+  /// @return Ends it.
+  subscribe(topic: string, hear: (message: Message, timeNs: bigint, type: string) => void, isEvery = false): () => void {
+    return this.subscribeBytes(
+      topic,
+      (payload, timeNs, channel) => hear(this.types.decode(channel.schemaName, payload), timeNs, channel.schemaName),
+      isEvery,
+    );
+  }
+
+  /// The same of bytes, as they come.
+  subscribeBytes(topic: string, hear: Listener['hear'], isEvery = false): () => void {
+    let subscription = this.subscriptions.get(topic);
+    if (!subscription) {
+      subscription = { id: this.nextId++, topic, channel: null, listeners: new Set() };
+      this.subscriptions.set(topic, subscription);
+      this.byId.set(subscription.id, subscription);
+      this.begin(subscription);
+    }
+    const listener = { isEvery, hear };
+    subscription.listeners.add(listener);
+    return () => this.leave(subscription, listener);
+  }
+
+  /// @param fields What the message has; the rest is left at its defaults.
+  /// @throws Error where the type is unknown.
+  publish(topic: string, type: string, fields: Message): void {
+    this.outgoing.publish(topic, type, this.types.encode(type, fields));
+  }
+
+  publishBytes(topic: string, type: string, payload: Uint8Array): void {
+    this.outgoing.publish(topic, type, payload);
+  }
+
+  /// @throws Error with the reason where the service is not there, refuses, or the connection breaks off.
+  async call(name: string, fields: Message = {}): Promise<Message> {
+    const service = this.services.get(name);
+    if (!service?.request || !service.response) {
+      // of what changes something it is not told
+      throw new Error(`the world has no service ${name}${this.isReadOnly ? ': this page is read-only' : ''}`);
+    }
+    const request = this.types.encode(service.request.schemaName, fields);
+    const answer = await this.requests.call(service.id, request, (data) => this.sendNow(data));
+    return this.types.decode(service.response.schemaName, answer);
+  }
+
+  /// The bytes of a file by its address in the scene.
+  asset(address: string): Promise<ArrayBuffer> {
+    return this.requests.asset(address, (data) => this.sendNow(data));
+  }
+
+  /// Calls back when the next picture is drawn.
+  nextPicture(callback: () => void): void {
+    this.options.nextPicture(callback);
+  }
+
+  private open(): void {
+    this.setState('connecting');
+    const socket = this.options.connect();
+    socket.binaryType = 'arraybuffer';
+    socket.onopen = () => {
+      this.waitMs = 250;
+      this.setState('open');
+      this.outgoing.begin();
+    };
+    socket.onmessage = ({ data }) => {
+      try {
+        if (typeof data === 'string') this.hearText(readText(data));
+        else this.hearFrame(readFrame(new Uint8Array(data as ArrayBuffer)));
+      } catch (fault) {
+        this.statusHeard.emit({ level: 2, message: String(fault) });
+      }
+    };
+    socket.onclose = ({ reason }) => this.lose(reason);
+    this.socket = socket;
+  }
+
+  private lose(reason: string): void {
+    this.socket = null;
+    this.reason = reason;
+    this.requests.fail(reason || 'the connection is lost');
+    this.channels.clear();
+    this.services.clear();
+    for (const subscription of this.byId.values()) subscription.channel = null;
+    this.setState('lost');
+    this.channelsChanged.emit();
+    this.servicesChanged.emit();
+    this.options.later(() => this.open(), this.waitMs);
+    this.waitMs = Math.min(2 * this.waitMs, kLongestWaitMs);
+  }
+
+  private hearText(message: ServerMessage): void {
+    switch (message.op) {
+      case 'serverInfo':
+        this.serverName = message.name;
+        this.capabilities = message.capabilities;
+        this.infoHeard.emit();
+        return;
+      case 'status':
+        this.statusHeard.emit(message);
+        return;
+      case 'advertise':
+        for (const channel of message.channels) this.addChannel(channel);
+        this.channelsChanged.emit();
+        return;
+      case 'unadvertise':
+        this.removeChannels(new Set(message.channelIds));
+        this.channelsChanged.emit();
+        return;
+      case 'advertiseServices':
+        for (const service of message.services) this.addService(service);
+        this.servicesChanged.emit();
+        return;
+      case 'unadvertiseServices':
+        for (const [name, { id }] of this.services) if (message.serviceIds.includes(id)) this.services.delete(name);
+        this.servicesChanged.emit();
+        return;
+      case 'serviceCallFailure':
+        this.requests.refuse(message.callId, message.message);
+        return;
+      case 'removeStatus':
+      case 'parameterValues':
+      case 'connectionGraphUpdate':
+        return;
+    }
+  }
+
+  private hearFrame(frame: ServerFrame): void {
+    switch (frame.op) {
+      case 'data':
+        this.hearData(frame.subscription, frame.payload, frame.timeNs);
+        return;
+      case 'time':
+        this.timeHeard.emit(frame.timeNs);
+        return;
+      case 'answer':
+        this.requests.answer(frame.call, frame.payload);
+        return;
+      case 'asset':
+        this.requests.answerAsset(frame.request, frame.error, frame.payload);
+        return;
+    }
+  }
+
+  private hearData(id: number, payload: Uint8Array, timeNs: bigint): void {
+    const subscription = this.byId.get(id);
+    const channel = subscription?.channel;
+    if (!subscription || !channel) return;
+    for (const listener of [...subscription.listeners]) {
+      if (listener.isEvery) listener.hear(payload, timeNs, channel);
+      else this.latest.put(listener, () => listener.hear(payload, timeNs, channel));
+    }
+  }
+
+  private addChannel(channel: Channel): void {
+    if (channel.encoding === 'protobuf') this.types.addSchema(channel.schemaName, channel.schema);
+    this.channels.set(channel.topic, channel);
+    const subscription = this.subscriptions.get(channel.topic);
+    if (subscription && !subscription.channel) this.begin(subscription);
+  }
+
+  private removeChannels(ids: Set<number>): void {
+    for (const [topic, { id }] of this.channels) if (ids.has(id)) this.channels.delete(topic);
+    for (const subscription of this.byId.values()) {
+      // the server has ended it
+      if (subscription.channel && ids.has(subscription.channel.id)) subscription.channel = null;
+    }
+  }
+
+  private addService(service: Service): void {
+    for (const side of [service.request, service.response]) {
+      if (side?.encoding === 'protobuf') this.types.addSchema(side.schemaName, side.schema);
+    }
+    this.services.set(service.name, service);
+  }
+
+  private begin(subscription: Subscription): void {
+    const channel = this.channels.get(subscription.topic);
+    if (!channel || this.state !== 'open') return;
+    subscription.channel = channel;
+    const asked = { id: subscription.id, channelId: channel.id };
+    this.send(JSON.stringify({ op: 'subscribe', subscriptions: [asked] }));
+  }
+
+  private leave(subscription: Subscription, listener: Listener): void {
+    this.latest.drop(listener);
+    if (!subscription.listeners.delete(listener) || subscription.listeners.size > 0) return;
+    this.subscriptions.delete(subscription.topic);
+    this.byId.delete(subscription.id);
+    if (subscription.channel) this.send(JSON.stringify({ op: 'unsubscribe', subscriptionIds: [subscription.id] }));
+  }
+
+  private setState(state: ConnectionState): void {
+    this.state = state;
+    this.stateChanged.emit(state);
+  }
+
+  private send(data: string | Uint8Array<ArrayBuffer>): void {
+    if (this.state === 'open') this.socket?.send(data);
+  }
+
+  private sendNow(data: string | Uint8Array<ArrayBuffer>): void {
+    if (this.state !== 'open') throw new Error('there is no connection');
+    this.send(data);
+  }
+}

@@ -1,0 +1,30 @@
+/// The topics on which this page publishes: each is advertised with its first message, and again on a new connection.
+import { publishFrame } from './protocol.ts';
+import type { MessageTypes } from './types.ts';
+
+export class Outgoing {
+  private readonly ids = new Map<string, number>();
+  private nextId = 1;
+
+  constructor(
+    private readonly types: MessageTypes,
+    private readonly send: (data: string | Uint8Array<ArrayBuffer>) => void,
+  ) {}
+
+  /// A connection is there, which knows nothing of the ones before.
+  begin(): void {
+    this.ids.clear();
+  }
+
+  publish(topic: string, type: string, payload: Uint8Array): void {
+    this.types.get(type);
+    const key = `${topic} ${type}`;
+    let id = this.ids.get(key);
+    if (id === undefined) {
+      id = this.nextId++;
+      this.ids.set(key, id);
+      this.send(JSON.stringify({ op: 'advertise', channels: [{ id, topic, encoding: 'protobuf', schemaName: type }] }));
+    }
+    this.send(publishFrame(id, payload));
+  }
+}

@@ -1,0 +1,141 @@
+/// One world of the server: what there is in it, where it is, and what can be done with it.
+import type { Connection } from './connection.ts';
+import { Emitter } from './emitter.ts';
+import { completeScene, Entities } from './entities.ts';
+import { FrameGatherer, readFrame, type Frame } from './frames.ts';
+import { poseMessage, type Sixfold } from './poses.ts';
+import type { Message } from './types.ts';
+
+/// What an ignition.msgs.Entity may be.
+export const kModel = 2;
+export const kLight = 1;
+
+/// The names of all worlds that can be controlled or seen: who may only look is not told of what controls them.
+export function worldNames(services: Iterable<string>): string[] {
+  const names = [...services].map((name) => /^\/world\/([^/]+)\/(?:control|scene\/info)$/.exec(name)?.[1]);
+  return [...new Set(names.filter((name) => name !== undefined))].sort();
+}
+
+export class World {
+  /// An ignition.msgs.Scene with what the state tells; null until it is there, or where no system tells of it.
+  scene: Message | null = null;
+  entities = new Entities(null);
+  readonly changed = new Emitter<World>();
+  /// What has moved since the picture before.
+  readonly framed = new Emitter<Frame>();
+  revision = -1;
+  private readonly frames = new FrameGatherer();
+  private isDrawAsked = false;
+  private isReading = false;
+  private isStale = false;
+  private readonly ends: (() => void)[] = [];
+
+  constructor(readonly connection: Connection, readonly name: string) {
+    this.ends.push(
+      connection.subscribeBytes(this.path('frame'), (payload) => this.hearFrame(readFrame(payload)), true),
+      connection.subscribe(this.path('scene/deletion'), () => void this.read(), true),
+      connection.subscribe(this.path('scene/info'), () => void this.read()),
+      connection.servicesChanged.on(() => {
+        if (!this.scene && connection.services.has(this.path('scene/info'))) void this.read();
+      }),
+      connection.stateChanged.on((state) => {
+        if (state === 'lost') this.scene = null;
+      }),
+    );
+    void this.read();
+  }
+
+  /// The latest pose in the world of each link and model: position and quaternion x, y, z, w.
+  get poses(): ReadonlyMap<number, Float32Array> {
+    return this.frames.poses;
+  }
+
+  /// All of them as a frame, for who has not heard the ones before.
+  allPoses(): Frame {
+    return this.frames.all(this.revision);
+  }
+
+  end(): void {
+    for (const end of this.ends.splice(0)) end();
+  }
+
+  /// "/world/NAME/" and what is said.
+  path(rest: string): string {
+    return `/world/${this.name}/${rest}`;
+  }
+
+  /// Calls a service of this world.
+  /// @throws Error with the reason.
+  async ask(service: string, fields: Message = {}): Promise<Message> {
+    return this.connection.call(this.path(service), fields);
+  }
+
+  control(fields: Message): Promise<Message> {
+    return this.ask('control', fields);
+  }
+
+  setPose(id: number, pose: Sixfold): Promise<Message> {
+    return this.ask('set_pose', { id, ...poseMessage(pose) });
+  }
+
+  async remove(id: number): Promise<void> {
+    const isLight = this.entities.get(id)?.kind === 'light';
+    await this.ask('remove', { id: BigInt(id), type: isLight ? kLight : kModel });
+  }
+
+  /// @param sdf Text of SDF or URDF with one model or light.
+  async spawn(sdf: string, pose: Sixfold | null, name = ''): Promise<void> {
+    await this.ask('create', {
+      from: { case: 'sdf', value: sdf }, name, allowRenaming: true, ...(pose ? { pose: poseMessage(pose) } : {}),
+    });
+  }
+
+  /// @param model The name of one that is there, of which another one is made.
+  async clone(model: string, pose: Sixfold): Promise<void> {
+    await this.ask('create', {
+      from: { case: 'cloneName', value: model }, name: model, allowRenaming: true, pose: poseMessage(pose),
+    });
+  }
+
+  /// Reads what there is again; a change meanwhile has it read once more.
+  async read(): Promise<void> {
+    if (this.isReading) {
+      this.isStale = true;
+      return;
+    }
+    this.isReading = true;
+    try {
+      do {
+        this.isStale = false;
+        await this.readOnce();
+      } while (this.isStale);
+    } catch {
+      // broken off, or no system tells of the scene: it is read when the service is there
+    } finally {
+      this.isReading = false;
+    }
+  }
+
+  private async readOnce(): Promise<void> {
+    const scene = await this.ask('scene/info');
+    const state = this.connection.services.has(this.path('state')) ? await this.ask('state') : null;
+    this.entities = new Entities(state);
+    this.scene = completeScene(scene, this.entities, this.connection.types);
+    this.changed.emit(this);
+  }
+
+  private hearFrame(frame: Frame): void {
+    this.frames.add(frame);
+    if (frame.revision !== this.revision) {
+      this.revision = frame.revision;
+      void this.read();
+    }
+    if (this.isDrawAsked) return;
+    this.isDrawAsked = true;
+    this.connection.nextPicture(() => {
+      this.isDrawAsked = false;
+      const moved = this.frames.take();
+      if (moved) this.framed.emit(moved);
+    });
+  }
+}

@@ -1,0 +1,102 @@
+/// All that there is in the world as a tree, with a search.
+import { Ends, type Context, type Panel } from '../app/context.ts';
+import { h } from '../app/dom.ts';
+import type { Entity, Kind } from '../connection/entities.ts';
+
+const kSigns: Record<Kind, string> = {
+  world: 'W', model: 'M', link: 'L', joint: 'J', visual: 'V', collision: 'C', sensor: 'S', light: '☀', actor: 'A',
+};
+
+/// Whether the entity, or one below it, has the words in its name or kind.
+export function matches(entity: Entity, words: string): boolean {
+  const own = `${entity.name} ${entity.kind}`.toLowerCase();
+  return own.includes(words) || entity.children.some((child) => matches(child, words));
+}
+
+export function openEntityTree(context: Context): Panel {
+  const { world, selection } = context;
+  const ends = new Ends();
+  const open = new Set<number>();
+  const search = h('input', { type: 'search', placeholder: 'Search', 'aria-label': 'Search entities', class: 'wide' });
+  const tree = h('ul', { class: 'tree', role: 'tree', 'aria-label': 'Entities' });
+  const element = h('div', { class: 'entity-tree' }, search, tree);
+
+  const item = (entity: Entity, words: string, level: number): HTMLElement => {
+    const children = entity.children.filter((child) => words === '' || matches(child, words));
+    const isOpen = words !== '' || open.has(entity.id);
+    const more: Record<string, string> = children.length > 0 ? { 'aria-expanded': String(isOpen) } : {};
+    const row = h('li', {
+      role: 'treeitem', tabindex: -1, 'data-id': entity.id, 'aria-selected': String(selection.id === entity.id),
+      'aria-level': level, 'aria-label': `${entity.name} ${entity.kind}`, ...more,
+    }, h('span', { class: 'row' },
+      h('span', { class: 'twist' }), h('span', { class: 'sign', 'data-sign': kSigns[entity.kind] }),
+      h('span', { class: 'name' }, entity.name)));
+    if (children.length > 0 && isOpen) {
+      row.append(h('ul', { role: 'group' }, ...children.map((child) => item(child, words, level + 1))));
+    }
+    return row;
+  };
+  const show = (): void => {
+    const words = search.value.trim().toLowerCase();
+    const roots = (world.entities.world?.children ?? []).filter((entity) => words === '' || matches(entity, words));
+    const focused = (document.activeElement as HTMLElement | null)?.closest<HTMLElement>('.tree li')?.dataset.id;
+    tree.replaceChildren(...roots.map((entity) => item(entity, words, 1)));
+    const reached = tree.querySelector<HTMLElement>(`li[data-id="${selection.id}"]`) ?? tree.querySelector('li');
+    reached?.setAttribute('tabindex', '0');
+    if (focused) tree.querySelector<HTMLElement>(`li[data-id="${focused}"]`)?.focus();
+    if (roots.length === 0) {
+      const why = world.scene ? 'No entity has that name' : 'The world has no SceneBroadcaster';
+      tree.replaceChildren(h('li', { role: 'treeitem', class: 'hint' }, why));
+    }
+  };
+  const idOf = (event: Event): number | null => {
+    const id = (event.target as HTMLElement).closest<HTMLElement>('li')?.dataset.id;
+    return id === undefined ? null : Number(id);
+  };
+  const turn = (id: number, isOpen: boolean): void => {
+    if (isOpen) open.add(id);
+    else open.delete(id);
+    show();
+  };
+  tree.addEventListener('click', (event) => {
+    const id = idOf(event);
+    if (id === null) return;
+    if ((event.target as HTMLElement).classList.contains('twist')) turn(id, !open.has(id));
+    else selection.set(id);
+  });
+  tree.addEventListener('dblclick', (event) => {
+    const id = idOf(event);
+    if (id !== null) context.view?.lookAt(id);
+  });
+  tree.addEventListener('keydown', (event) => {
+    if (moveInTree(tree, event, (id, isOpen) => turn(id, isOpen))) event.preventDefault();
+    else if (event.key === 'Enter' && idOf(event) !== null) selection.set(idOf(event));
+  });
+  search.addEventListener('input', show);
+  const showSelected = (id: number | null): void => {
+    for (let up = world.entities.get(id)?.parent; up; up = up.parent) open.add(up.id);
+    show();
+    tree.querySelector('[aria-selected="true"] .row')?.scrollIntoView({ block: 'nearest' });
+  };
+  ends.add(world.changed.on(show), selection.changed.on(showSelected));
+  show();
+  return { element, close: ends.end };
+}
+
+/// The keys of a tree: up and down, right opens, left closes or leads to the parent.
+/// @return Whether the key was one of them.
+function moveInTree(tree: HTMLElement, event: KeyboardEvent, turn: (id: number, isOpen: boolean) => void): boolean {
+  const item = (event.target as HTMLElement).closest<HTMLElement>('li');
+  const items = [...tree.querySelectorAll<HTMLElement>('li[data-id]')];
+  if (!item || !items.includes(item)) return false;
+  const at = items.indexOf(item);
+  const isOpen = item.getAttribute('aria-expanded');
+  if (event.key === 'ArrowDown') items[at + 1]?.focus();
+  else if (event.key === 'ArrowUp') items[at - 1]?.focus();
+  else if (event.key === 'ArrowRight' && isOpen === 'false') turn(Number(item.dataset.id), true);
+  else if (event.key === 'ArrowRight' && isOpen === 'true') items[at + 1]?.focus();
+  else if (event.key === 'ArrowLeft' && isOpen === 'true') turn(Number(item.dataset.id), false);
+  else if (event.key === 'ArrowLeft') item.parentElement?.closest<HTMLElement>('li')?.focus();
+  else return false;
+  return true;
+}

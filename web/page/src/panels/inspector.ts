@@ -1,0 +1,137 @@
+/// What is known of the entity that is chosen: its pose as it moves, and its components.
+import { Ends, type Context, type Panel } from '../app/context.ts';
+import { h, shortNumber } from '../app/dom.ts';
+import { Components } from '../connection/components.ts';
+import { kJointNames, sensorSettings, sensorType, type Entity } from '../connection/entities.ts';
+import { rollPitchYawOf } from '../connection/poses.ts';
+import type { Message, MessageTypes } from '../connection/types.ts';
+
+type Rows = [name: string, value: string][];
+
+const list = (numbers: readonly number[]): string => numbers.map(shortNumber).join('  ');
+const vector = (v: Message | undefined): string => list([v?.x ?? 0, v?.y ?? 0, v?.z ?? 0]);
+
+/// Name and value of each that is worth a line.
+export function rowsOf(entity: Entity, types: MessageTypes): Rows {
+  const { components, kind } = entity;
+  const rows: Rows = [['Name', entity.name], ['Kind', kind], ['Entity', String(entity.id)]];
+  if (entity.parent) rows.push(['Parent', `${entity.parent.name} (${entity.parent.id})`]);
+  const text = (label: string, name: string, words?: (value: string) => string): void => {
+    const value = components.text(name);
+    if (value !== undefined && value !== '') rows.push([label, words ? words(value) : value]);
+  };
+  const yesNo = (value: string): string => (value === '1' ? 'yes' : 'no');
+  text('Static', 'Static', yesNo);
+  text('Self collide', 'SelfCollide', yesNo);
+  text('Gravity [m/s²]', 'Gravity');
+  text('Cast shadows', 'CastShadows', yesNo);
+  text('Transparency', 'Transparency');
+  text('Laser retro', 'LaserRetro');
+  text('Charge', 'BatterySoC');
+  const inertial = components.message('Inertial', 'ignition.msgs.Inertial', types);
+  if (inertial) rows.push(...inertialRows(inertial));
+  const geometry = components.message('Geometry', 'ignition.msgs.Geometry', types);
+  if (geometry) rows.push(...geometryRows(geometry, types));
+  if (kind === 'joint') rows.push(...jointRows(entity, types));
+  if (kind === 'sensor') rows.push(...sensorRows(entity, types));
+  const light = components.message('Light', 'ignition.msgs.Light', types);
+  if (light) {
+    rows.push(['Type', ['point', 'spot', 'directional'][light.type as number] ?? ''],
+      ['Intensity', shortNumber(light.intensity as number)], ['Range [m]', shortNumber(light.range as number)]);
+  }
+  return rows;
+}
+
+function inertialRows(m: Message): Rows {
+  return [
+    ['Mass [kg]', shortNumber(m.mass as number)],
+    ['Centre of mass [m]', vector(m.pose?.position as Message)],
+    ['Moments xx yy zz [kg m²]', list([m.ixx, m.iyy, m.izz] as number[])],
+    ['Products xy xz yz [kg m²]', list([m.ixy, m.ixz, m.iyz] as number[])],
+  ];
+}
+
+function geometryRows(geometry: Message, types: MessageTypes): Rows {
+  const json = types.json('ignition.msgs.Geometry', geometry) as Record<string, unknown>;
+  const { type, ...shape } = json;
+  const [[name, value] = ['', '']] = Object.entries(shape);
+  return [['Geometry', `${name || String(type ?? '').toLowerCase()} ${value ? JSON.stringify(value).replaceAll('"', '') : ''}`]];
+}
+
+function jointRows({ components }: Entity, types: MessageTypes): Rows {
+  const rows: Rows = [
+    ['Type', kJointNames[Number(components.text('JointType'))] ?? ''],
+    ['From', components.text('ParentLinkName') ?? ''],
+    ['To', components.text('ChildLinkName') ?? ''],
+  ];
+  const axis = components.message('JointAxis', 'ignition.msgs.Axis', types);
+  if (!axis) return rows;
+  rows.push(['Axis', vector(axis.xyz as Message)], ['Limits', list([axis.limitLower, axis.limitUpper] as number[])]);
+  rows.push(['Effort, velocity limits', list([axis.limitEffort, axis.limitVelocity] as number[])]);
+  rows.push(['Damping, friction', list([axis.damping, axis.friction] as number[])]);
+  return rows;
+}
+
+function sensorRows(sensor: Entity, types: MessageTypes): Rows {
+  const settings = sensorSettings(sensor, types);
+  const rows: Rows = [['Type', sensorType(sensor) ?? '']];
+  if (settings) rows.push(['Rate [Hz]', shortNumber(settings.updateRate as number)], ['Topic', settings.topic as string]);
+  return rows;
+}
+
+export function openInspector(context: Context): Panel {
+  const { world, selection, connection } = context;
+  const ends = new Ends();
+  const pose = h('dd', { id: 'inspector-pose' }, '–');
+  const table = h('dl', {});
+  const nothing = h('p', { class: 'hint' }, 'Select something in the view or the tree');
+  const motion = h('dd', { id: 'inspector-joint' }, '–');
+  let isJoint = false;
+  const show = (): void => {
+    const entity = world.entities.get(selection.id);
+    if (!entity) {
+      table.replaceChildren();
+      nothing.hidden = false;
+      return;
+    }
+    nothing.hidden = true;
+    isJoint = entity.kind === 'joint';
+    const rows = rowsOf(entity, connection.types).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]);
+    table.replaceChildren(...rows, ...(isJoint ? [h('dt', {}, 'Position, velocity'), motion] : [h('dt', {}, 'Pose'), pose]));
+    showPose();
+  };
+  const showPose = (): void => {
+    const entity = world.entities.get(selection.id);
+    if (!entity || isJoint) return;
+    const live = world.poses.get(entity.id);
+    if (live) {
+      const [x, y, z, qx, qy, qz, qw] = live as unknown as [number, number, number, number, number, number, number];
+      pose.textContent = `${list([x, y, z, ...rollPitchYawOf([qx, qy, qz, qw])])} in the world`;
+    } else {
+      pose.textContent = list(entity.components.numbers('Pose') ?? []) || '–';
+    }
+  };
+  // joints do not come with the poses of the page; the state that moves has them
+  let endState: (() => void) | null = null;
+  const followJoint = (): void => {
+    endState?.();
+    endState = null;
+    if (world.entities.get(selection.id)?.kind !== 'joint') return;
+    endState = connection.subscribe(world.path('state'), (step) => {
+      const moving = step.state?.entities?.[String(selection.id)] as Message | undefined;
+      if (moving) showJoint(moving);
+    });
+  };
+  const showJoint = (moving: Message): void => {
+    const components = new Components(moving);
+    const data = (name: string): number[] => components.message(name, 'ignition.msgs.Double_V', connection.types)?.data ?? [];
+    motion.textContent = `${list(data('JointPosition'))}, ${list(data('JointVelocity'))}`;
+  };
+  ends.add(selection.changed.on(() => {
+    show();
+    followJoint();
+  }), world.changed.on(show), world.framed.on(showPose), () => endState?.());
+  show();
+  followJoint();
+  return { element: h('div', { class: 'inspector' }, nothing, table), close: ends.end };
+}

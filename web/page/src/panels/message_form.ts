@@ -1,0 +1,111 @@
+/// A form made from a message type: a field for each of its, filled in to a message.
+import type { DescEnum, DescField, DescMessage } from '@bufbuild/protobuf';
+import { h, iconButton, numberField } from '../app/dom.ts';
+import { scalarKind } from '../connection/fields.ts';
+import type { Message } from '../connection/types.ts';
+
+interface Part {
+  element: HTMLElement;
+  /// @return What has been filled in; undefined: nothing.
+  /// @throws Error with the field's name where it is no value of its type.
+  value(): unknown;
+}
+
+/// @return The form; `value` is the message's fields, those left empty left out.
+export function messageForm(type: DescMessage): { element: HTMLElement; value(): Message } {
+  const parts = type.fields.map((field) => ({ field, part: fieldPart(field) }));
+  const element = h('div', { class: 'form' }, ...parts.map(({ part }) => part.element));
+  const value = (): Message => {
+    const message: Message = {};
+    for (const { field, part } of parts) {
+      const filled = part.value();
+      if (filled === undefined) continue;
+      if (field.oneof) message[field.oneof.localName] = { case: field.localName, value: filled };
+      else message[field.localName] = filled;
+    }
+    return message;
+  };
+  return { element, value };
+}
+
+function fieldPart(field: DescField): Part {
+  if (field.fieldKind === 'list') return listPart(field);
+  if (field.fieldKind === 'map') {
+    return { element: h('p', { class: 'hint' }, `${field.name}: maps can't be filled in here`), value: () => undefined };
+  }
+  if (field.message) return messagePart(field.name, field.message);
+  if (field.enum) return named(field.name, enumPart(field.enum));
+  return named(field.name, scalarPart(field));
+}
+
+function named(name: string, { element, value }: Part): Part {
+  return { element: h('label', { class: 'field' }, name, element), value };
+}
+
+function enumPart(type: DescEnum): Part {
+  const select = h('select', {}, ...type.values.map(({ name, number }) => h('option', { value: number }, name)));
+  return { element: select, value: () => (Number(select.value) === 0 ? undefined : Number(select.value)) };
+}
+
+function scalarPart(field: DescField): Part {
+  const kind = scalarKind(field.scalar!);
+  if (kind === 'bool') {
+    const box = h('input', { type: 'checkbox' });
+    return { element: box, value: () => box.checked || undefined };
+  }
+  if (kind === 'number') {
+    const input = numberField(0);
+    input.value = '';
+    input.placeholder = '0';
+    return { element: input, value: () => numberOf(field, input.value) };
+  }
+  const input = h('input', { placeholder: kind === 'bytes' ? 'text, as bytes' : '' });
+  const value = (): unknown => {
+    if (input.value === '') return undefined;
+    return kind === 'bytes' ? new TextEncoder().encode(input.value) : input.value;
+  };
+  return { element: input, value };
+}
+
+/// @throws Error naming the field where the text is not a number of its type.
+export function numberOf(field: Pick<DescField, 'name' | 'scalar'>, text: string): number | bigint | undefined {
+  if (text.trim() === '') return undefined;
+  const value = Number(text);
+  if (!Number.isFinite(value)) throw new Error(`${field.name}: '${text}' is not a number`);
+  // ScalarType: DOUBLE, FLOAT
+  if (field.scalar === 1 || field.scalar === 2) return value;
+  if (!Number.isInteger(value)) throw new Error(`${field.name}: '${text}' is not a whole number`);
+  // INT64, UINT64, FIXED64, SFIXED64, SINT64
+  return [3, 4, 6, 16, 18].includes(field.scalar!) ? BigInt(text) : value;
+}
+
+/// Types may hold themselves: what is in a message is made when it is opened.
+function messagePart(name: string, type: DescMessage): Part {
+  let form: ReturnType<typeof messageForm> | null = null;
+  const details = h('details', {}, h('summary', {}, name));
+  details.addEventListener('toggle', () => {
+    if (form || !details.open) return;
+    form = messageForm(type);
+    details.append(form.element);
+  });
+  const value = (): unknown => {
+    if (!form || !details.open) return undefined;
+    const filled = form.value();
+    return Object.keys(filled).length > 0 ? filled : undefined;
+  };
+  return { element: details, value };
+}
+
+function listPart(field: DescField & { fieldKind: 'list' }): Part {
+  const parts: Part[] = [];
+  const items = h('div', {});
+  const add = iconButton('+', `Add to ${field.name}`, () => {
+    const part = field.message ? messagePart(`[${parts.length}]`, field.message)
+      : named(`[${parts.length}]`, field.enum ? enumPart(field.enum) : scalarPart(field));
+    parts.push(part);
+    items.append(part.element);
+  });
+  const element = h('div', { class: 'list' }, h('span', {}, field.name), add, items);
+  const none = field.message ? {} : field.scalar === 9 ? '' : 0;
+  return { element, value: () => (parts.length > 0 ? parts.map((part) => part.value() ?? none) : undefined) };
+}

@@ -1,0 +1,53 @@
+/// New models: shapes, what a file has, what the simulator finds by a name or an address.
+import { Ends, type Context, type Panel } from '../app/context.ts';
+import { h } from '../app/dom.ts';
+import { kShapeNames, shapeMessage, shapeSdf, type Shape } from './shapes.ts';
+
+/// What a file of SDF is, by its first model, light or robot; null: it is none.
+export function sdfName(text: string): string | null {
+  const found = /<(?:model|light|robot)\b[^>]*?\bname\s*=\s*["']([^"']+)["']/.exec(text);
+  return found?.[1] ?? null;
+}
+
+/// Lets the world have the models of files, such as have been dropped on the page.
+export async function spawnFiles(context: Context, files: Iterable<File>): Promise<void> {
+  for (const file of files) {
+    const text = await file.text();
+    if (/<world\b/.test(text)) {
+      context.log.add('error', `Spawn: ${file.name} is a world, not a model`);
+      continue;
+    }
+    const name = sdfName(text);
+    if (name === null) {
+      context.log.add('error', `Spawn: ${file.name} has no model, light or robot`);
+      continue;
+    }
+    // where the file says
+    if (await context.attempt(`Spawn ${name}`, context.world.spawn(text, null))) context.log.add('info', `${name} of ${file.name} is there`);
+  }
+}
+
+export async function spawnShape(context: Context, shape: Shape): Promise<void> {
+  const place = await context.choosePlace(shapeMessage(shape));
+  if (!place) return;
+  await context.attempt(`Spawn ${shape}`, context.world.spawn(shapeSdf(shape), [...place.position, 0, 0, 0], shape));
+}
+
+export function openSpawn(context: Context): Panel {
+  const ends = new Ends();
+  const shapes = kShapeNames.map((shape) => h('button', { type: 'button', onclick: () => void spawnShape(context, shape) }, shape));
+  const choose = h('input', { type: 'file', accept: '.sdf,.urdf,.xml', multiple: true, 'aria-label': 'SDF or URDF files' });
+  choose.addEventListener('change', () => {
+    void spawnFiles(context, choose.files ?? []);
+    choose.value = '';
+  });
+  const address = h('input', { class: 'wide', placeholder: 'model://NAME, a file of the simulator, or a Fuel address', 'aria-label': 'Address of a model' });
+  const form = h('form', { class: 'row', onsubmit: (event: Event) => {
+    event.preventDefault();
+    const fields = { from: { case: 'sdfFilename', value: address.value }, allowRenaming: true };
+    void context.attempt('Spawn', context.world.ask('create', fields));
+  } }, address, h('button', { type: 'submit' }, 'Add'));
+  const element = h('div', { class: 'spawn' }, h('p', { class: 'hint' }, 'Choose a shape, then click in the view to place it. Files can be dropped on the page.'),
+    h('div', { class: 'row wrap' }, ...shapes), choose, form);
+  return { element, close: ends.end };
+}

@@ -1,0 +1,41 @@
+/// Choosing a topic among those of a type.
+import type { Context, Ends } from '../app/context.ts';
+import { h, setChoices } from '../app/dom.ts';
+
+/// The topics that the server offers, of one of the types; of all types where none is named.
+export function topicsOf(context: Context, types: readonly string[]): string[] {
+  return [...context.connection.channels.values()]
+    .filter(({ encoding, schemaName }) => encoding === 'protobuf' && (types.length === 0 || types.includes(schemaName)))
+    .map(({ topic }) => topic)
+    .sort();
+}
+
+/// A list of them that follows what comes and goes.
+/// @param chosen Called with the one that is chosen, first of all with the wanted one; '' is none.
+export function topicChooser(
+  context: Context, types: readonly string[], wanted: string | undefined, ends: Ends, chosen: (topic: string) => void,
+): HTMLSelectElement {
+  const select = h('select', { 'aria-label': 'Topic', class: 'wide' });
+  let current = '';
+  let hoped = wanted;
+  const update = (): void => {
+    const topics = topicsOf(context, types);
+    if (current && !topics.includes(current)) topics.push(current);
+    setChoices(select, topics, types.length === 0 ? 'Choose a topic' : undefined);
+    if (hoped && topics.includes(hoped)) {
+      select.value = hoped;
+      hoped = undefined;
+    }
+    if (select.value === current) return;
+    current = select.value;
+    chosen(current);
+  };
+  select.addEventListener('change', () => {
+    hoped = undefined;
+    update();
+  });
+  ends.add(context.connection.channelsChanged.on(update));
+  // when the panel that it is for is whole
+  queueMicrotask(update);
+  return select;
+}

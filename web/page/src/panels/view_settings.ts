@@ -1,0 +1,58 @@
+/// How the 3D view shows the world: from where, with what drawn over it, whom it follows.
+import { Ends, type Context, type Panel } from '../app/context.ts';
+import { h } from '../app/dom.ts';
+import type { Direction, Overlay } from '../view/index.ts';
+
+const kOverlays: [Overlay, string][] = [
+  ['frames', 'Frames'], ['joints', 'Joints'], ['centres', 'Centres of mass'], ['inertia', 'Inertia'],
+  ['collisions', 'Collisions'], ['contacts', 'Contacts'], ['wireframe', 'Wireframe'], ['transparent', 'Transparent'],
+];
+const kDirections: Direction[] = ['home', 'front', 'back', 'left', 'right', 'top', 'bottom'];
+
+export function openViewSettings(context: Context): Panel {
+  const { view, world, selection, connection } = context;
+  const ends = new Ends();
+  if (!view) return { element: h('p', { class: 'hint' }, 'This browser has no WebGL 2') };
+  const isOnlyChosen = h('input', { type: 'checkbox', id: 'overlay-chosen' });
+  const box = (id: string, name: string, isOn: boolean, set: (on: boolean) => void): HTMLElement => {
+    const input = h('input', { type: 'checkbox', id: `show-${id}`, checked: isOn });
+    input.addEventListener('change', () => set(input.checked));
+    return h('div', { class: 'row' }, input, h('label', { for: input.id }, name));
+  };
+  let endContacts = (): void => {};
+  const showContacts = (on: boolean): void => {
+    endContacts();
+    endContacts = (): void => {};
+    const topics = [...connection.channels.values()].filter(({ schemaName }) => schemaName === 'ignition.msgs.Contacts');
+    if (!on) {
+      for (const { topic } of topics) view.setContacts(topic, null);
+      return;
+    }
+    const all = topics.map(({ topic }) => connection.subscribe(topic, (contacts) => view.setContacts(topic, contacts)));
+    endContacts = (): void => all.forEach((end) => end());
+    if (all.length === 0) context.log.add('info', 'No sensor of the world publishes contacts');
+  };
+  const overlays = kOverlays.map(([overlay, name]) => box(overlay, name, false, (on) => {
+    const chosen = isOnlyChosen.checked ? (selection.id ?? undefined) : undefined;
+    view.setOverlay(overlay, on, chosen);
+    if (overlay === 'contacts') showContacts(on);
+  }));
+  const from = kDirections.map((direction) => h('button', { type: 'button', onclick: () => view.lookFrom(direction) }, direction));
+  const top = (): number | null => {
+    const entity = world.entities.get(selection.id);
+    return entity ? world.entities.topOf(entity).id : null;
+  };
+  const follow = box('follow', 'Follow the selected model', false, (on) => view.follow(on ? top() : null));
+  const trail = box('trail', 'Trail of the selected model', false, (on) => {
+    const id = top();
+    if (id !== null) view.setTrail(id, on);
+  });
+  ends.add(() => endContacts());
+  const element = h('div', { class: 'view-settings' },
+    h('div', { class: 'row wrap', role: 'group', 'aria-label': 'Look from' }, ...from),
+    follow, trail,
+    box('grid', 'Grid', true, (on) => view.setGrid(on)), box('shadows', 'Shadows', true, (on) => view.setShadows(on)),
+    h('div', { class: 'row' }, isOnlyChosen, h('label', { for: isOnlyChosen.id }, 'The next ones only for the selection')),
+    ...overlays);
+  return { element, close: ends.end };
+}

@@ -1,0 +1,16 @@
+// What the page uses of the parts of three's ColladaLoader, for which there are no types.
+declare module 'three/examples/jsm/loaders/collada/ColladaParser.js' {
+  export class ColladaParser {
+    parse(text: string): { library: unknown; collada: unknown; asset: { unit: number; upAxis: string } } | null;
+  }
+}
+declare module 'three/examples/jsm/loaders/collada/ColladaComposer.js' {
+  import type { Scene, Texture } from 'three';
+  interface PictureLoader {
+    load(name: string): Texture;
+  }
+  export class ColladaComposer {
+    constructor(library: unknown, collada: unknown, textures: PictureLoader, tgas: PictureLoader);
+    compose(): { scene: Scene };
+  }
+}

@@ -1,0 +1,169 @@
+import {
+  Box3,
+  BufferGeometry,
+  Color,
+  DynamicDrawUsage,
+  Group,
+  InstancedMesh,
+  type Intersection,
+  Matrix4,
+  type Raycaster,
+} from 'three';
+
+import type { Visual } from '../scene/content.ts';
+import { Materials, type Style } from './materials.ts';
+import type { Paint } from './paint.ts';
+
+/// A surface in its place. A visual is one, or several where its mesh has parts.
+export interface Item {
+  visual: Visual;
+  geometry: BufferGeometry;
+  geometryKey: string;
+  paint: Paint;
+  /// From the geometry, scaling included, to the place that it stands in.
+  M_PlaceForm: Matrix4;
+  isGround: boolean;
+  castsShadows: boolean;
+}
+
+/// Items that are drawn in one go: of one geometry and one material.
+class Batch {
+  readonly items: Item[] = [];
+  mesh: InstancedMesh;
+
+  constructor(geometry: BufferGeometry, material: InstancedMesh['material'], castsShadows: boolean) {
+    this.mesh = new InstancedMesh(geometry, material, 4);
+    this.mesh.castShadow = castsShadows;
+    this.prepare();
+  }
+
+  private prepare(): void {
+    this.mesh.count = this.items.length;
+    this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+    this.mesh.receiveShadow = true;
+    // its bounds change with every pose
+    this.mesh.frustumCulled = false;
+    this.mesh.userData['batch'] = this;
+  }
+
+  /// @returns The number of the item in this batch.
+  add(item: Item, group: Group): number {
+    const index = this.items.push(item) - 1;
+    if (index >= this.mesh.instanceMatrix.count) this.grow(group);
+    this.mesh.count = this.items.length;
+    this.mesh.setColorAt(index, new Color(...item.paint.diffuse));
+    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
+    return index;
+  }
+
+  private grow(group: Group): void {
+    const before = this.mesh;
+    this.mesh = new InstancedMesh(before.geometry, before.material, before.instanceMatrix.count * 2);
+    this.mesh.castShadow = before.castShadow;
+    this.mesh.instanceMatrix.array.set(before.instanceMatrix.array);
+    const white = new Color(1, 1, 1);
+    this.mesh.setColorAt(0, white);
+    if (before.instanceColor) this.mesh.instanceColor?.array.set(before.instanceColor.array);
+    this.prepare();
+    group.remove(before);
+    group.add(this.mesh);
+    before.dispose();
+  }
+}
+
+interface Seat {
+  batch: Batch;
+  index: number;
+}
+
+/// Everything that is seen of a scene's visuals. Only what moves costs anything: a matrix each.
+export class Batches {
+  readonly group = new Group();
+  private readonly batches = new Map<string, Batch>();
+  private readonly seats = new Map<number, { item: Item; seat: Seat }[]>();
+  private readonly casters = new Map<number, Box3>();
+  private readonly matrix = new Matrix4();
+
+  constructor(private readonly materials: Materials) {}
+
+  clear(): void {
+    for (const batch of this.batches.values()) batch.mesh.dispose();
+    this.group.clear();
+    this.batches.clear();
+    this.seats.clear();
+    this.casters.clear();
+  }
+
+  add(item: Item, style: Style, M_WorldPlace: Matrix4): void {
+    if (item.paint.opacity <= 0) return;
+    const castsShadows = item.castsShadows && !style.transparent && !style.wireframe;
+    const key = `${item.geometryKey}|${castsShadows}|${this.materials.key(item.paint, style)}`;
+    let batch = this.batches.get(key);
+    if (batch === undefined) {
+      batch = new Batch(item.geometry, this.materials.get(item.paint, style), castsShadows);
+      this.batches.set(key, batch);
+      this.group.add(batch.mesh);
+    }
+    const index = batch.add(item, this.group);
+    const seats = this.seats.get(item.visual.place) ?? [];
+    seats.push({ item, seat: { batch, index } });
+    this.seats.set(item.visual.place, seats);
+    this.casters.delete(item.visual.place);
+    this.put({ batch, index }, item, M_WorldPlace);
+  }
+
+  private put(seat: Seat, item: Item, M_WorldPlace: Matrix4): void {
+    const { mesh } = seat.batch;
+    mesh.setMatrixAt(seat.index, this.matrix.multiplyMatrices(M_WorldPlace, item.M_PlaceForm));
+    mesh.instanceMatrix.needsUpdate = true;
+    mesh.boundingSphere = null;
+  }
+
+  has(place: number): boolean {
+    return this.seats.has(place);
+  }
+
+  /// Moves what stands in a place.
+  move(place: number, M_WorldPlace: Matrix4): void {
+    for (const { item, seat } of this.seats.get(place) ?? []) this.put(seat, item, M_WorldPlace);
+  }
+
+  /// Everywhere that something is.
+  places(): Iterable<number> {
+    return this.seats.keys();
+  }
+
+  /// What a ray meets, the nearest first.
+  meet(ray: Raycaster): { item: Item; hit: Intersection }[] {
+    return ray.intersectObjects(this.group.children, false).flatMap((hit) => {
+      const batch = hit.object.userData['batch'] as Batch | undefined;
+      const item = batch?.items[hit.instanceId ?? -1];
+      return item === undefined ? [] : [{ item, hit }];
+    });
+  }
+
+  /// Around what stands in a place, in the frame of the place.
+  boundsInPlace(place: number): Box3 {
+    return boundsOf(this.seats.get(place) ?? [], () => true);
+  }
+
+  /// Around what throws shadows in a place, in the frame of the place; not to be changed.
+  castersInPlace(place: number): Readonly<Box3> {
+    let box = this.casters.get(place);
+    if (box === undefined) {
+      box = boundsOf(this.seats.get(place) ?? [], (item) => item.castsShadows && !item.isGround);
+      this.casters.set(place, box);
+    }
+    return box;
+  }
+}
+
+function boundsOf(seats: { item: Item }[], isWanted: (item: Item) => boolean): Box3 {
+  const box = new Box3();
+  for (const { item } of seats) {
+    if (!isWanted(item)) continue;
+    if (item.geometry.boundingBox === null) item.geometry.computeBoundingBox();
+    if (item.geometry.boundingBox) box.union(item.geometry.boundingBox.clone().applyMatrix4(item.M_PlaceForm));
+  }
+  return box;
+}

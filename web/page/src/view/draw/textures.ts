@@ -1,0 +1,86 @@
+import { type ColorSpace, type Material, RepeatWrapping, SRGBColorSpace, Texture } from 'three';
+
+/// The bytes of a file that the scene names.
+export type FetchAsset = (address: string) => Promise<ArrayBuffer>;
+
+/// The pictures in use, by their addresses; each is fetched once.
+export class Textures {
+  private readonly textures = new Map<string, Promise<Texture>>();
+  private readonly embedded = new Map<string, ArrayBuffer>();
+
+  /// @param changed Called when a picture has come.
+  /// @param problem Told once of a picture that can't be had.
+  constructor(
+    private readonly asset: FetchAsset,
+    private readonly changed: () => void,
+    private readonly problem: (text: string) => void,
+  ) {}
+
+  /// Lays a picture over a material, as soon as it is there.
+  put(material: Material, slot: string, address: string, colorSpace: ColorSpace): void {
+    if (address === '') return;
+    void this.get(address, colorSpace).then(
+      (texture) => {
+        (material as unknown as Record<string, Texture>)[slot] = texture;
+        material.needsUpdate = true;
+        this.changed();
+      },
+      () => {},
+    );
+  }
+
+  /// Keeps the bytes of a picture that comes with another file.
+  embed(address: string, bytes: ArrayBuffer): void {
+    this.embedded.set(address, bytes);
+  }
+
+  /// @param address Or several, a line each, of which the first that is there counts.
+  private get(address: string, colorSpace: ColorSpace): Promise<Texture> {
+    const key = `${colorSpace} ${address}`;
+    let known = this.textures.get(key);
+    if (known === undefined) {
+      known = this.fetch(address.split('\n'), colorSpace);
+      known.catch((error: unknown) => this.problem(`texture '${address.split('\n')[0]}' can't be shown: ${words(error)}`));
+      this.textures.set(key, known);
+    }
+    return known;
+  }
+
+  private async fetch(addresses: string[], colorSpace: ColorSpace): Promise<Texture> {
+    let first: unknown;
+    for (const address of addresses) {
+      try {
+        return await textureOf(this.embedded.get(address) ?? (await this.asset(address)), colorSpace);
+      } catch (error) {
+        first ??= error;
+      }
+    }
+    throw first;
+  }
+
+  dispose(): void {
+    for (const texture of this.textures.values()) void texture.then((made) => made.dispose(), () => {});
+    this.textures.clear();
+  }
+}
+
+export function words(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+/// @param bytes Of a PNG or JPEG file.
+export async function textureOf(bytes: ArrayBuffer, colorSpace: ColorSpace): Promise<Texture> {
+  const picture = await createImageBitmap(new Blob([bytes]), {
+    imageOrientation: 'flipY',
+    premultiplyAlpha: 'none',
+    colorSpaceConversion: colorSpace === SRGBColorSpace ? 'default' : 'none',
+  });
+  const texture = new Texture(picture);
+  // it has been turned already
+  texture.flipY = false;
+  texture.colorSpace = colorSpace;
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.anisotropy = 4;
+  texture.needsUpdate = true;
+  return texture;
+}

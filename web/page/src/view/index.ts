@@ -1,0 +1,8 @@
+/// The 3D view, as the page uses it. It knows no sockets: scenes, poses and files are given to it.
+export type { Direction } from './camera/orbit.ts';
+export type { Pose } from './maths/placement.ts';
+export type { Message } from './messages.ts';
+export type { Frame } from './scene/places.ts';
+export type { Overlay } from './scene/shown.ts';
+export type { Tool } from './tools/handles.ts';
+export { View, type ViewOptions } from './view.ts';

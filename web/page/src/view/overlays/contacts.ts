@@ -1,0 +1,64 @@
+import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsMaterial } from 'three';
+
+import type { Message, VectorMessage } from '../messages.ts';
+import { put } from './scan.ts';
+
+// of the line that shows a normal [m]
+const normalLength = 0.2;
+
+export interface ContactMarks {
+  /// Three numbers each, in the world [m].
+  points: number[];
+  /// Ends of the lines along the normals.
+  normals: number[];
+}
+
+/// @param contacts An ignition.msgs.Contacts.
+export function contactMarks(contacts: Message): ContactMarks {
+  const marks: ContactMarks = { points: [], normals: [] };
+  for (const contact of (contacts['contact'] ?? []) as { position?: VectorMessage[]; normal?: VectorMessage[] }[]) {
+    contact.position?.forEach(({ x = 0, y = 0, z = 0 }, i) => {
+      const normal = contact.normal?.[i] ?? {};
+      marks.points.push(x, y, z);
+      marks.normals.push(
+        x, y, z,
+        x + normalLength * (normal.x ?? 0), y + normalLength * (normal.y ?? 0), z + normalLength * (normal.z ?? 0),
+      );
+    });
+  }
+  return marks;
+}
+
+/// Points where things touch, with the normals there, seen through everything.
+export class Contacts {
+  readonly object = new Group();
+  private readonly points = new Points(
+    new BufferGeometry(),
+    new PointsMaterial({ color: 0x10e0e0, size: 9, sizeAttenuation: false, depthTest: false, transparent: true }),
+  );
+  private readonly normals = new LineSegments(
+    new BufferGeometry(),
+    new LineBasicMaterial({ color: 0x10ff40, depthTest: false, transparent: true }),
+  );
+
+  constructor() {
+    this.object.add(this.normals, this.points);
+    for (const part of this.object.children) {
+      part.frustumCulled = false;
+      part.renderOrder = 12;
+    }
+  }
+
+  set(contacts: Message): void {
+    const marks = contactMarks(contacts);
+    put(this.points.geometry, marks.points);
+    put(this.normals.geometry, marks.normals);
+  }
+
+  dispose(): void {
+    for (const { geometry, material } of [this.points, this.normals]) {
+      geometry.dispose();
+      material.dispose();
+    }
+  }
+}

@@ -1,0 +1,73 @@
+import type { Object3D } from 'three';
+
+import type { Overlay, Shown } from '../scene/shown.ts';
+import type { Stage } from '../scene/stage.ts';
+import { Attached } from './attached.ts';
+import { centreMark, collisionMark, frameMark, inertiaMark, jointMark } from './marks.ts';
+
+/// Frames, joints, centres of mass, boxes of inertia and collisions of those who are to show them.
+export class Marked {
+  private readonly attached = new Attached();
+  private generation = 0;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly shown: Shown,
+    private readonly changed: () => void,
+  ) {}
+
+  get group(): Object3D {
+    return this.attached.group;
+  }
+
+  /// Puts the marks of a place where it is now.
+  move(place: number): void {
+    const matrix = this.attached.has(place) ? this.stage.places.matrix(place) : null;
+    if (matrix) this.attached.move(place, matrix);
+  }
+
+  /// Makes all marks anew.
+  rebuild(): void {
+    const generation = ++this.generation;
+    this.attached.clear();
+    const { content } = this.stage;
+    for (const { id, kind } of content.places.values()) {
+      if (kind !== 'light' && this.has('frames', id)) this.add(id, frameMark(this.lengthAt(id)));
+    }
+    for (const joint of content.joints) {
+      if (this.has('joints', joint.place)) this.add(joint.place, jointMark(joint, this.lengthAt(joint.place)));
+    }
+    for (const { place, inertial } of content.inertials) {
+      if (this.has('centres', place)) this.add(place, centreMark(inertial));
+      if (this.has('inertia', place)) this.add(place, inertiaMark(inertial));
+    }
+    for (const collision of content.collisions) {
+      if (!this.has('collisions', collision.place)) continue;
+      this.stage.withShape(collision, `collision '${collision.name}'`, (geometry, M_PlaceForm) => {
+        // its file may come when something else is shown
+        if (generation !== this.generation) return;
+        const mark = collisionMark(geometry);
+        mark.matrixAutoUpdate = false;
+        mark.matrix.copy(M_PlaceForm);
+        this.add(collision.place, mark);
+      });
+    }
+  }
+
+  private has(overlay: Overlay, place: number): boolean {
+    return this.shown.has(overlay, place, this.stage.content.places);
+  }
+
+  private add(place: number, mark: Object3D | null): void {
+    const matrix = this.stage.places.matrix(place);
+    if (mark && matrix) this.attached.add(place, mark, matrix);
+    this.changed();
+  }
+
+  /// As large as suits what stands there [m].
+  private lengthAt(place: number): number {
+    const box = this.stage.batches.boundsInPlace(place);
+    if (box.isEmpty()) return 0.3;
+    return Math.min(Math.max(box.max.distanceTo(box.min) * 0.6, 0.1), 2);
+  }
+}

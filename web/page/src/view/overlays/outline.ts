@@ -1,0 +1,31 @@
+import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments, Vector3 } from 'three';
+
+import type { Stage } from '../scene/stage.ts';
+
+/// The edges of a box around what is selected.
+export class Outline {
+  readonly object = new LineSegments(
+    new EdgesGeometry(new BoxGeometry()),
+    new LineBasicMaterial({ color: 0xffffff }),
+  );
+
+  constructor() {
+    this.object.matrixAutoUpdate = false;
+    this.object.visible = false;
+    this.object.frustumCulled = false;
+  }
+
+  /// Puts it around the entity, where it is now; null: around nothing.
+  update(stage: Stage, entity: number | null): void {
+    const shown = entity === null ? null : stage.places.shown(entity);
+    this.object.visible = shown !== null;
+    if (entity === null || shown === null) return;
+    const box = stage.boundsOf(entity, shown);
+    // outside of what it is around
+    const size = box.getSize(new Vector3()).multiplyScalar(1.02).addScalar(0.004);
+    const middle = box.getCenter(new Vector3());
+    const { position, rotation } = shown;
+    this.object.matrix.compose(middle.applyQuaternion(rotation).add(position), rotation, size);
+    this.object.updateMatrixWorld(true);
+  }
+}

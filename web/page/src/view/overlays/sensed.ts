@@ -1,0 +1,83 @@
+import { Group, type Object3D } from 'three';
+
+import { matrixOf, placementOf } from '../maths/placement.ts';
+import type { Message } from '../messages.ts';
+import { fullName } from '../scene/content.ts';
+import type { Stage } from '../scene/stage.ts';
+
+interface Shape {
+  object: Object3D;
+  set(message: Message): void;
+  dispose(): void;
+}
+
+interface Entry {
+  shape: Shape;
+  message: Message;
+  /// Whose frame the message is in, where somebody said.
+  entity: number | undefined;
+}
+
+/// The frame that a message is in, by its header or as scans say it; empty: none.
+export function frameNameOf(message: Message): string {
+  const data = (message['header']?.data ?? []) as { key?: string; value?: string[] }[];
+  const said = data.find(({ key }) => key === 'frame_id')?.value?.[0];
+  return said ?? (message['frame'] as string | undefined) ?? '';
+}
+
+/// The latest of what sensors measure, each where its sensor is.
+export class Sensed {
+  readonly group = new Group();
+  private readonly entries = new Map<string, Entry>();
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly make: () => Shape,
+  ) {}
+
+  /// @param message Null: no longer shown.
+  /// @param entity Whose frame it is in; else the message says that.
+  set(key: string, message: Message | null, entity?: number): void {
+    let entry = this.entries.get(key);
+    if (message === null) {
+      if (entry === undefined) return;
+      this.group.remove(entry.shape.object);
+      entry.shape.dispose();
+      this.entries.delete(key);
+      return;
+    }
+    if (entry === undefined) {
+      entry = { shape: this.make(), message, entity };
+      entry.shape.object.matrixAutoUpdate = false;
+      this.entries.set(key, entry);
+      this.group.add(entry.shape.object);
+    }
+    entry.message = message;
+    entry.entity = entity;
+    entry.shape.set(message);
+    this.place(entry);
+  }
+
+  /// Puts all where their sensors are now.
+  update(): void {
+    for (const entry of this.entries.values()) this.place(entry);
+  }
+
+  clear(): void {
+    for (const key of [...this.entries.keys()]) this.set(key, null);
+  }
+
+  private place({ shape, message, entity }: Entry): void {
+    const id = entity ?? this.idOf(frameNameOf(message));
+    const matrix = id === undefined ? null : this.stage.places.matrix(id);
+    shape.object.matrix.copy(matrix ?? matrixOf(placementOf(message['worldPose'])));
+    shape.object.updateMatrixWorld(true);
+  }
+
+  private idOf(name: string): number | undefined {
+    if (name === '') return undefined;
+    const { places } = this.stage.content;
+    for (const id of places.keys()) if (fullName(places, id) === name) return id;
+    return undefined;
+  }
+}

@@ -1,0 +1,55 @@
+import { BufferGeometry, Line, LineBasicMaterial, type Vector3 } from 'three';
+
+import { put } from './scan.ts';
+
+// a trail is no longer than that; then its oldest half becomes coarser
+const mostPoints = 4000;
+// [m]
+const smallestStep = 0.01;
+
+/// Where something has been. It keeps the whole way: of a long one every other point of its older half goes.
+export class Way {
+  readonly places: number[] = [];
+
+  /// @returns Whether it is far enough from the last one to count.
+  add({ x, y, z }: Vector3): boolean {
+    const end = this.places.length;
+    const [lastX, lastY, lastZ] = this.places.slice(-3);
+    if (end > 0 && Math.hypot(x - lastX!, y - lastY!, z - lastZ!) < smallestStep) return false;
+    this.places.push(x, y, z);
+    if (this.places.length > 3 * mostPoints) this.thin();
+    return true;
+  }
+
+  private thin(): void {
+    const points = this.places.length / 3;
+    const kept: number[] = [];
+    for (let i = 0; i < points; ++i) {
+      if (i % 2 === 0 || i > points / 2) kept.push(...this.places.slice(3 * i, 3 * i + 3));
+    }
+    this.places.splice(0, this.places.length, ...kept);
+  }
+}
+
+/// The way of an entity, as a line.
+export class Trail {
+  readonly object: Line;
+  private readonly way = new Way();
+
+  constructor(readonly entity: number) {
+    // each has a colour of its own
+    const material = new LineBasicMaterial();
+    material.color.setHSL((entity * 0.381966) % 1, 0.9, 0.5);
+    this.object = new Line(new BufferGeometry(), material);
+    this.object.frustumCulled = false;
+  }
+
+  add(place: Vector3): void {
+    if (this.way.add(place)) put(this.object.geometry, this.way.places);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    (this.object.material as LineBasicMaterial).dispose();
+  }
+}

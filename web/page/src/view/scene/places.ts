@@ -1,0 +1,128 @@
+import { Matrix4, Vector3 } from 'three';
+
+import { type Placement, inverse, times } from '../maths/placement.ts';
+import { type Place, isWithin } from './content.ts';
+
+/// Poses in the world of what moved: 7 numbers each, position [m] and quaternion x, y, z, w.
+export interface Frame {
+  timeNs: bigint;
+  /// Changes with what there is: setScene has been called with that scene, or will be.
+  revision: number;
+  ids: Uint32Array;
+  poses: Float32Array;
+}
+
+const unscaled = new Vector3(1, 1, 1);
+
+// what rests trembles by less [m], and nobody sees that
+const tremble = 2e-6;
+
+function isThere({ position: p, rotation: q }: Placement, poses: Float32Array, at: number): boolean {
+  const near = (value: number, i: number) => Math.abs(value - poses[at + i]!) < tremble;
+  return near(p.x, 0) && near(p.y, 1) && near(p.z, 2) && near(q.x, 3) && near(q.y, 4) && near(q.z, 5) && near(q.w, 6);
+}
+
+/// Where everything is, and what has moved since somebody asked. A model that is held (by its handles) is shown where it
+/// is held, with all that stands in it; what frames say of it is kept for afterwards.
+export class Places {
+  private places: ReadonlyMap<number, Place> = new Map();
+  /// Lights and sensors of links, of which frames say nothing: they go with their link.
+  private readonly riders = new Map<number, number[]>();
+  private readonly moved = new Set<number>();
+  private held: { model: number; X_WorldModel: Placement } | null = null;
+
+  set(places: ReadonlyMap<number, Place>): void {
+    this.places = places;
+    this.moved.clear();
+    this.riders.clear();
+    for (const place of places.values()) {
+      this.moved.add(place.id);
+      if (isRider(place)) this.riders.set(place.parent, [...(this.riders.get(place.parent) ?? []), place.id]);
+    }
+    if (this.held && !places.has(this.held.model)) this.held = null;
+  }
+
+  /// @returns Whether anything moved so that it is seen.
+  apply(frame: Frame): boolean {
+    const { ids, poses } = frame;
+    const count = Math.min(ids.length, Math.floor(poses.length / 7));
+    let hasMoved = false;
+    for (let i = 0; i < count; ++i) {
+      const place = this.places.get(ids[i]!);
+      if (place === undefined) continue;
+      const at = i * 7;
+      // what has flown apart stays where it was last
+      let sum = 0;
+      for (let k = 0; k < 7; ++k) sum += poses[at + k]!;
+      if (!Number.isFinite(sum)) continue;
+      if (isThere(place.X_WorldPlace, poses, at)) continue;
+      place.X_WorldPlace.position.fromArray(poses, at);
+      place.X_WorldPlace.rotation.fromArray(poses, at + 3);
+      this.moved.add(place.id);
+      hasMoved = true;
+    }
+    return hasMoved;
+  }
+
+  /// Shows a model elsewhere than it is; null: where it is.
+  hold(model: number, X_WorldModel: Placement | null): void {
+    const before = this.held?.model ?? 0;
+    this.held = X_WorldModel === null ? null : { model, X_WorldModel };
+    for (const id of this.places.keys()) {
+      if (isWithin(this.places, id, model) || isWithin(this.places, id, before)) this.moved.add(id);
+    }
+  }
+
+  /// Takes it that what is held is where it is shown, until frames say otherwise.
+  settle(): void {
+    const { held } = this;
+    if (held === null) return;
+    for (const place of this.places.values()) {
+      const shown = isWithin(this.places, place.id, held.model) && place.id !== held.model ? this.shown(place.id) : null;
+      if (shown && !isRider(place)) place.X_WorldPlace = shown;
+    }
+    const model = this.places.get(held.model);
+    if (model) model.X_WorldPlace = held.X_WorldModel;
+    this.hold(held.model, null);
+  }
+
+  /// Where something is shown.
+  shown(id: number): Placement | null {
+    const place = this.places.get(id);
+    if (place === undefined) return null;
+    if (isRider(place)) {
+      const link = this.shown(place.parent);
+      return link && times(link, place.X_ParentPlace);
+    }
+    const { held } = this;
+    if (held === null || !isWithin(this.places, id, held.model)) return place.X_WorldPlace;
+    const model = this.places.get(held.model)!;
+    return times(held.X_WorldModel, times(inverse(model.X_WorldPlace), place.X_WorldPlace));
+  }
+
+  /// @param into Is written over and returned.
+  matrix(id: number, into = new Matrix4()): Matrix4 | null {
+    const shown = this.shown(id);
+    return shown && into.compose(shown.position, shown.rotation, unscaled);
+  }
+
+  position(id: number): Vector3 | null {
+    return this.shown(id)?.position ?? null;
+  }
+
+  /// @returns The ids of what has moved since the last call.
+  takeMoved(): number[] {
+    // what is in a held model moves with it
+    if (this.held && this.moved.size > 0) {
+      const { model } = this.held;
+      if (this.moved.has(model)) this.hold(model, this.held.X_WorldModel);
+    }
+    const ids = [...this.moved];
+    this.moved.clear();
+    return ids.flatMap((id) => [id, ...(this.riders.get(id) ?? [])]);
+  }
+}
+
+function isRider(place: Place): boolean {
+  return place.parent !== 0 && (place.kind === 'light' || place.kind === 'sensor');
+}

@@ -1,0 +1,256 @@
+import { Box3, Color, Matrix4, type Mesh, SRGBColorSpace, Scene, ShaderChunk, Vector3 } from 'three';
+
+import { groundGeometry, grayPictureOf } from '../assets/heightmap.ts';
+import { Meshes } from '../assets/meshes.ts';
+import { type Part, mirrored } from '../assets/mesh_parts.ts';
+import { Batches, type Item } from '../draw/batches.ts';
+import { Lamps, shadowRegion } from '../draw/lamps.ts';
+import { Materials, type Style, mirroredSky, withAttenuation } from '../draw/materials.ts';
+import { type Paint, greyPaint, paintOf, rgbOf } from '../draw/paint.ts';
+import { type Form, formOf } from '../draw/shapes.ts';
+import { skyColors, skyDome } from '../draw/sky.ts';
+import { type FetchAsset, Textures, words } from '../draw/textures.ts';
+import { matrixOf, noPlacement, times, vectorOf } from '../maths/placement.ts';
+import { type GeometryMessage, GeometryType, type SceneMessage } from '../messages.ts';
+import { type Content, type Shape, type Visual, contentOf, isWithin } from './content.ts';
+import { Places } from './places.ts';
+
+export interface StageOptions {
+  asset: FetchAsset;
+  /// Something has come that is to be drawn.
+  changed(): void;
+  problem(text: string): void;
+  /// How what stands in a place is to be shown.
+  styleOf(place: number): Style;
+}
+
+/// Everything that the cameras see, as three.js draws it.
+export class Stage {
+  readonly root = new Scene();
+  readonly places = new Places();
+  readonly batches: Batches;
+  readonly lamps = new Lamps();
+  content: Content = contentOf({});
+  private readonly textures: Textures;
+  private readonly materials: Materials;
+  private readonly meshes: Meshes;
+  private readonly grounds = new Map<string, Promise<Part[]>>();
+  private readonly geometries = new Map<string, Mesh['geometry']>();
+  private readonly told = new Set<string>();
+  private sky: Mesh | null = null;
+  private generation = 0;
+  private readonly matrix = new Matrix4();
+
+  constructor(private readonly options: StageOptions) {
+    this.textures = new Textures(options.asset, options.changed, (text) => this.tell(text));
+    this.materials = new Materials(this.textures, withAttenuation(ShaderChunk.lights_pars_begin));
+    this.meshes = new Meshes(options.asset, (address, bytes) => this.textures.embed(address, bytes));
+    this.batches = new Batches(this.materials);
+    this.root.add(this.batches.group, this.lamps.group);
+  }
+
+  dispose(): void {
+    this.batches.clear();
+    this.materials.dispose();
+    this.textures.dispose();
+    for (const geometry of this.geometries.values()) geometry.dispose();
+  }
+
+  /// Each problem is told once.
+  private tell(text: string): void {
+    if (this.told.has(text)) return;
+    this.told.add(text);
+    this.options.problem(text);
+  }
+
+  setScene(scene: SceneMessage): void {
+    this.content = contentOf(scene);
+    this.meshes.retry();
+    this.places.set(this.content.places);
+    this.lamps.setAmbient(scene.ambient);
+    this.lamps.set(this.content.lights, (id) => this.places.shown(id) ?? noPlacement());
+    this.setSurroundings(scene);
+    this.restyle();
+  }
+
+  private setSurroundings(scene: SceneMessage): void {
+    // without a word on it, Fortress's grey
+    const [red, green, blue] = scene.background === undefined ? [0.7, 0.7, 0.7] : rgbOf(scene.background);
+    const background = new Color().setRGB(red, green, blue, SRGBColorSpace);
+    this.root.background = background;
+    if (this.sky) this.root.remove(this.sky);
+    this.sky?.geometry.dispose();
+    this.sky = scene.sky === undefined ? null : skyDome(scene.sky);
+    mirroredSky.value.copy(scene.sky === undefined ? background : skyColors(scene.sky).horizon);
+    if (this.sky) this.root.add(this.sky);
+  }
+
+  /// Draws all visuals anew, as their styles are now.
+  restyle(): void {
+    ++this.generation;
+    this.batches.clear();
+    for (const visual of this.content.visuals) this.addVisual(visual);
+    this.options.changed();
+  }
+
+  private addVisual(visual: Visual): void {
+    const wanted = visual.material && paintOf(visual.material, visual.transparency);
+    const { generation } = this;
+    const add = (parts: Part[]) => {
+      if (generation !== this.generation) return;
+      parts.forEach((part, i) => this.addPart(visual, part, i, wanted ?? fromFile(part.paint, visual.transparency)));
+    };
+    this.withParts(visual, `visual '${visual.name}'`, add, (form) => {
+      const geometry = this.geometryOf(form);
+      this.addItem(visual, geometry, form.key, form, wanted ?? fromFile(null, visual.transparency));
+    });
+  }
+
+  private addPart(visual: Visual, part: Part, index: number, paint: Paint): void {
+    const { mesh } = visual.geometry;
+    const scale = mesh?.scale === undefined ? new Vector3(1, 1, 1) : vectorOf(mesh.scale);
+    const isMirrored = scale.x * scale.y * scale.z < 0;
+    const key = `${fileKey(visual.geometry)}|${index}|${isMirrored}`;
+    let geometry = this.geometries.get(key);
+    if (geometry === undefined) {
+      geometry = isMirrored ? mirrored(part.geometry) : part.geometry;
+      this.geometries.set(key, geometry);
+    }
+    const isGround = visual.geometry.type === GeometryType.heightmap;
+    this.addItem(visual, geometry, key, { scale, X_ShapeForm: noPlacement(), isGround }, paint);
+  }
+
+  private addItem(
+    visual: Visual,
+    geometry: Mesh['geometry'],
+    geometryKey: string,
+    form: Pick<Form, 'scale' | 'X_ShapeForm' | 'isGround'>,
+    paint: Paint,
+  ): void {
+    const item: Item = {
+      visual,
+      geometry,
+      geometryKey,
+      paint,
+      M_PlaceForm: matrixOf(times(visual.X_PlaceShape, form.X_ShapeForm), form.scale),
+      isGround: form.isGround,
+      castsShadows: visual.castsShadows,
+    };
+    const matrix = this.places.matrix(visual.place);
+    if (matrix) this.batches.add(item, this.options.styleOf(visual.place), matrix);
+    this.options.changed();
+  }
+
+  private geometryOf(form: Form): Mesh['geometry'] {
+    let geometry = this.geometries.get(form.key);
+    if (geometry === undefined) {
+      geometry = form.make();
+      this.geometries.set(form.key, geometry);
+    }
+    return geometry;
+  }
+
+  /// Hands on what a shape looks like: at once where it is known, else when its file has come.
+  private withParts(shape: Shape, owner: string, add: (parts: Part[]) => void, addForm: (form: Form) => void): void {
+    const { geometry } = shape;
+    const form = formOf(geometry);
+    if (form !== null) {
+      addForm(form);
+      return;
+    }
+    const filename = geometry.mesh?.filename ?? geometry.heightmap?.filename ?? '';
+    if (filename === '') return;
+    const wish = meshWish(geometry);
+    const known = wish && this.meshes.known(wish);
+    if (known) {
+      add(known);
+      return;
+    }
+    (wish ? this.meshes.get(wish) : this.ground(geometry)).then(add, (error: unknown) => {
+      this.tell(`'${filename}' of ${owner} can't be shown: ${words(error)}`);
+    });
+  }
+
+  private ground(geometry: GeometryMessage): Promise<Part[]> {
+    const key = fileKey(geometry);
+    let known = this.grounds.get(key);
+    if (known === undefined) {
+      const { filename = '', size, origin } = geometry.heightmap ?? {};
+      known = this.options
+        .asset(filename)
+        .then(grayPictureOf)
+        .then((picture) => [{ geometry: groundGeometry(picture, vectorOf(size), vectorOf(origin)), paint: null }]);
+      this.grounds.set(key, known);
+    }
+    return known;
+  }
+
+  /// The geometry of a shape by itself, placed in its link: for what is shown over the scene.
+  withShape(shape: Shape, owner: string, add: (geometry: Mesh['geometry'], M_PlaceForm: Matrix4) => void): void {
+    const scale = shape.geometry.mesh?.scale;
+    const M_PlaceShape = matrixOf(shape.X_PlaceShape, scale === undefined ? undefined : vectorOf(scale));
+    const addAll = (parts: Part[]) => parts.forEach(({ geometry }) => add(geometry, M_PlaceShape));
+    this.withParts(shape, owner, addAll, (form) => {
+      add(this.geometryOf(form), matrixOf(times(shape.X_PlaceShape, form.X_ShapeForm), form.scale));
+    });
+  }
+
+  /// Puts what has moved where it is now.
+  /// @returns The ids of what has.
+  moveMoved(): number[] {
+    const ids = this.places.takeMoved();
+    for (const id of ids) {
+      const matrix = this.batches.has(id) ? this.places.matrix(id, this.matrix) : null;
+      if (matrix) this.batches.move(id, matrix);
+      const light = this.content.lights.has(id) ? this.places.shown(id) : null;
+      if (light) this.lamps.move(id, light);
+    }
+    return ids;
+  }
+
+  aimShadows(target: Vector3): void {
+    const casters = new Box3();
+    const box = new Box3();
+    for (const place of this.batches.places()) {
+      const inPlace = this.batches.castersInPlace(place);
+      const matrix = inPlace.isEmpty() ? null : this.places.matrix(place, this.matrix);
+      if (matrix) casters.union(box.copy(inPlace).applyMatrix4(matrix));
+    }
+    this.lamps.aimShadows(shadowRegion(casters, target));
+  }
+
+  /// Around all that is seen of an entity, in a frame; a small box where nothing is.
+  boundsOf(entity: number, X_WorldFrame = noPlacement()): Box3 {
+    const M_FrameWorld = matrixOf(X_WorldFrame).invert();
+    const box = new Box3();
+    for (const place of this.batches.places()) {
+      if (!isWithin(this.content.places, place, entity)) continue;
+      const matrix = this.places.matrix(place);
+      const inPlace = this.batches.boundsInPlace(place);
+      if (matrix && !inPlace.isEmpty()) box.union(inPlace.applyMatrix4(matrix.premultiply(M_FrameWorld)));
+    }
+    const position = this.places.position(entity)?.clone();
+    if (box.isEmpty() && position) {
+      box.setFromCenterAndSize(position.applyMatrix4(M_FrameWorld), new Vector3(0.2, 0.2, 0.2));
+    }
+    return box;
+  }
+}
+
+/// What a file says a surface looks like.
+function fromFile(paint: Paint | null, transparency: number): Paint {
+  const base = paint ?? greyPaint;
+  return { ...base, opacity: base.opacity * Math.min(Math.max(1 - transparency, 0), 1) };
+}
+
+function meshWish(geometry: GeometryMessage): { filename: string; submesh: string; isCentered: boolean } | null {
+  if (geometry.type !== GeometryType.mesh) return null;
+  const { filename = '', submesh = '', centerSubmesh = false } = geometry.mesh ?? {};
+  return { filename, submesh, isCentered: centerSubmesh };
+}
+
+/// What shapes of files share their geometry by.
+function fileKey(geometry: GeometryMessage): string {
+  const wish = meshWish(geometry);
+  return wish ? Meshes.key(wish) : JSON.stringify(geometry.heightmap);
+}

@@ -1,0 +1,54 @@
+import type { Placement } from '../maths/placement.ts';
+import type { Places } from '../scene/places.ts';
+
+// of a model that was let go a pose comes within that time, or never, as of a light [ms]
+const patience = 700;
+
+/// Shows a model where its handles have it, until the simulation has it there too.
+export class Drag {
+  private entity: number | null = null;
+  private isLeft = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly places: Places,
+    private readonly changed: () => void,
+  ) {}
+
+  /// @param left Settles when the simulation has answered; null: the model is still held.
+  move(entity: number, X_WorldModel: Placement, left: Promise<unknown> | null): void {
+    clearTimeout(this.timer);
+    this.entity = entity;
+    this.isLeft = false;
+    this.places.hold(entity, X_WorldModel);
+    this.changed();
+    if (left === null) return;
+    const refused = () => this.end(entity);
+    left.then(() => {
+      if (this.entity !== entity) return;
+      this.isLeft = true;
+      this.timer = setTimeout(() => {
+        this.places.settle();
+        this.end(entity);
+      }, patience);
+    }, refused);
+  }
+
+  /// Poses have come of these.
+  heard(ids: Uint32Array): void {
+    if (this.isLeft && this.entity !== null && ids.includes(this.entity)) this.end(this.entity);
+  }
+
+  private end(entity: number): void {
+    if (this.entity !== entity) return;
+    clearTimeout(this.timer);
+    this.entity = null;
+    this.isLeft = false;
+    this.places.hold(entity, null);
+    this.changed();
+  }
+
+  dispose(): void {
+    clearTimeout(this.timer);
+  }
+}

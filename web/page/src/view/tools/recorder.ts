@@ -1,0 +1,33 @@
+/// What browsers write, the best first.
+const kinds = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
+
+// pictures a second
+const rate = 30;
+
+/// Makes a video of a canvas.
+export class Recorder {
+  private readonly pieces: Blob[] = [];
+  private readonly recorder: MediaRecorder;
+
+  /// @throws Where this browser makes no video.
+  constructor(canvas: HTMLCanvasElement) {
+    const mimeType = kinds.find((kind) => typeof MediaRecorder !== 'undefined' && MediaRecorder.isTypeSupported(kind));
+    if (mimeType === undefined) throw new Error('this browser cannot record WebM videos');
+    this.recorder = new MediaRecorder(canvas.captureStream(rate), { mimeType });
+    this.recorder.addEventListener('dataavailable', ({ data }) => this.pieces.push(data));
+    // a piece a second, so that little is lost
+    this.recorder.start(1000);
+  }
+
+  /// @returns The video, a WebM file.
+  stop(): Promise<Blob> {
+    return new Promise((resolve) => {
+      const finish = () => {
+        for (const track of this.recorder.stream.getTracks()) track.stop();
+        resolve(new Blob(this.pieces, { type: 'video/webm' }));
+      };
+      this.recorder.addEventListener('stop', finish, { once: true });
+      this.recorder.stop();
+    });
+  }
+}

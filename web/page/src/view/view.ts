@@ -1,0 +1,478 @@
+import { PCFShadowMap, Sphere, type Vector3, WebGLRenderer } from 'three';
+
+import { Eye } from './camera/eye.ts';
+import { keyMove } from './camera/keys.ts';
+import type { Direction } from './camera/orbit.ts';
+import { Pace } from './camera/pace.ts';
+import { type Gesture, Pointer } from './camera/pointer.ts';
+import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
+import type { Message, ModelMessage, SceneMessage } from './messages.ts';
+import { Cloud } from './overlays/cloud.ts';
+import { Contacts } from './overlays/contacts.ts';
+import { type Theme, gridOf } from './overlays/grid.ts';
+import { Marked } from './overlays/marked.ts';
+import { Outline } from './overlays/outline.ts';
+import { Scan } from './overlays/scan.ts';
+import { Sensed } from './overlays/sensed.ts';
+import { Trail } from './overlays/trail.ts';
+import type { Frame } from './scene/places.ts';
+import { type Overlay, Shown } from './scene/shown.ts';
+import { Stage } from './scene/stage.ts';
+import { Drag } from './tools/drag.ts';
+import { Ghost, groundUnder } from './tools/ghost.ts';
+import { Handles, type Tool } from './tools/handles.ts';
+import { Recorder } from './tools/recorder.ts';
+
+export interface ViewOptions {
+  /// The bytes of a file that the scene names (mesh, texture, material) by its address.
+  asset(address: string): Promise<ArrayBuffer>;
+  /// Somebody picked the entity, or nothing (null).
+  onPick?(entity: number | null): void;
+  /// Handles have moved the model to a place; during: they are still held. What is returned at the end may be a promise:
+  /// until it settles, and its pose comes, the model is shown where it was left; at once where it was if it rejects.
+  onMove?(entity: number, pose: Pose, during: boolean): void | Promise<unknown>;
+  /// A place for what showGhost shows has been chosen (null: given up).
+  onPlace?(pose: Pose | null): void;
+  /// What can't be shown, in words for the user.
+  onProblem?(text: string): void;
+}
+
+// after the last change [ms]
+const restTime = 300;
+
+/// The 3D view. It draws only when something has changed.
+export class View {
+  readonly canvas: HTMLCanvasElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly eye = new Eye();
+  private readonly shown = new Shown();
+  private readonly stage: Stage;
+  private readonly marked: Marked;
+  private readonly outline = new Outline();
+  private readonly scans: Sensed;
+  private readonly clouds: Sensed;
+  private readonly contacts = new Map<string, Contacts>();
+  private readonly trails = new Map<number, Trail>();
+  private readonly handles: Handles;
+  private readonly drag: Drag;
+  private readonly pointer: Pointer;
+  private readonly end = new AbortController();
+  private readonly sizes: ResizeObserver;
+  private grid = gridOf('light');
+  private wantsGrid: boolean | null = null;
+  private wantsShadows = true;
+  private sceneShadows = true;
+  private selected: number | null = null;
+  private followed: { entity: number; last: Vector3 | null } | null = null;
+  private ghost: Ghost | null = null;
+  private recorder: Recorder | null = null;
+  private picture: number | null = null;
+  private readonly pace = new Pace();
+  private rest: ReturnType<typeof setTimeout> | undefined;
+  private needsShadows = true;
+
+  /// Whether this browser draws 3D (WebGL 2).
+  static supported(): boolean {
+    try {
+      View.tried ??= document.createElement('canvas');
+      return View.tried.getContext('webgl2') !== null;
+    } catch {
+      return false;
+    }
+  }
+
+  /// What that was seen on, for the next view: to begin with graphics takes a while.
+  private static tried: HTMLCanvasElement | undefined;
+
+  /// @throws Where this browser draws no 3D.
+  constructor(
+    parent: HTMLElement,
+    private readonly options: ViewOptions,
+  ) {
+    const canvas = View.tried;
+    View.tried = undefined;
+    this.renderer = new WebGLRenderer({ antialias: true, ...(canvas && { canvas }) });
+    this.canvas = this.renderer.domElement;
+    this.prepareCanvas(parent);
+    this.stage = new Stage({
+      asset: (address) => options.asset(address),
+      changed: () => this.sceneChanged(),
+      problem: (text) => options.onProblem?.(text),
+      styleOf: (place) => ({ wireframe: this.has('wireframe', place), transparent: this.has('transparent', place) }),
+    });
+    const invalidate = () => this.invalidate();
+    this.marked = new Marked(this.stage, this.shown, invalidate);
+    this.scans = new Sensed(this.stage, () => new Scan());
+    this.clouds = new Sensed(this.stage, () => new Cloud());
+    this.drag = new Drag(this.stage.places, invalidate);
+    this.handles = new Handles(this.eye.camera, this.canvas, this.stage.root, {
+      moved: (placement, during) => this.handlesMoved(poseOf(placement), during),
+      busy: (isBusy) => (this.pointer.isEnabled = !isBusy),
+      changed: invalidate,
+    });
+    this.pointer = new Pointer(this.canvas, {
+      begin: (gesture, x, y) => this.begin(gesture, x, y),
+      drag: (gesture, right, down) => this.dragged(gesture, right, down),
+      zoom: (factor, x, y) => this.moveEye(() => this.eye.zoom(factor, this.eye.rayThrough(x, y).ray.direction)),
+      click: (x, y) => this.clicked(x, y),
+      hover: (x, y) => this.hovered(x, y),
+    });
+    const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object];
+    this.stage.root.add(this.grid, ...over);
+    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes.observe(parent);
+    this.setScene({});
+    this.resize();
+  }
+
+  private prepareCanvas(parent: HTMLElement): void {
+    const { canvas, renderer } = this;
+    canvas.style.cssText = 'display:block;width:100%;height:100%';
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'img');
+    canvas.setAttribute('aria-label', '3D view of the world: Shift and arrows rotate, plus and minus zoom');
+    parent.append(canvas);
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = PCFShadowMap;
+    renderer.shadowMap.autoUpdate = false;
+    const { signal } = this.end;
+    const lost = () => this.options.onProblem?.('the browser has released the graphics context of the 3D view');
+    canvas.addEventListener('webglcontextlost', lost, { signal });
+    canvas.addEventListener('webglcontextrestored', () => this.sceneChanged(), { signal });
+    canvas.addEventListener('keydown', (event) => this.moveByKey(event), { signal });
+    window.addEventListener('keydown', (event) => this.giveUp(event), { signal });
+    canvas.addEventListener('pointermove', (event) => this.handles.setSnapping(event.ctrlKey), { signal });
+  }
+
+  private resize(): void {
+    const parent = this.canvas.parentElement;
+    const [width, height] = [parent?.clientWidth ?? 0, parent?.clientHeight ?? 0];
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height, false);
+    this.setScale(1);
+    this.eye.resize(width, height);
+    this.invalidate();
+  }
+
+  /// Draws that share of the width and height; the browser stretches it.
+  private setScale(scale: number): void {
+    const ratio = Math.min(window.devicePixelRatio, 2) * scale;
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
+  }
+
+  private has(overlay: Overlay, place: number): boolean {
+    return this.shown.has(overlay, place, this.stage.content.places);
+  }
+
+  private sceneChanged(): void {
+    this.needsShadows = true;
+    this.invalidate();
+  }
+
+  /// Has a picture drawn as soon as the browser shows one.
+  private invalidate(): void {
+    this.picture ??= requestAnimationFrame((now) => {
+      this.picture = null;
+      // a video has one size
+      const scale = this.recorder ? 1 : this.pace.next(now);
+      this.setScale(scale);
+      this.draw();
+      if (this.recorder) this.invalidate();
+      clearTimeout(this.rest);
+      if (scale < 1) this.rest = setTimeout(() => this.drawWhole(), restTime);
+    });
+  }
+
+  /// What stands still is worth its whole picture.
+  private drawWhole(): void {
+    this.setScale(1);
+    this.draw();
+  }
+
+  private draw(): void {
+    const moved = this.stage.moveMoved();
+    for (const id of moved) {
+      this.marked.move(id);
+      const trail = this.trails.get(id);
+      const position = trail && this.stage.places.position(id);
+      if (position) trail.add(position);
+    }
+    if (moved.length > 0) this.goAlong();
+    this.outline.update(this.stage, this.selected);
+    this.handles.put(this.movable === null ? null : this.stage.places.shown(this.movable));
+    if (moved.length > 0) {
+      this.scans.update();
+      this.clouds.update();
+    }
+    if (moved.length > 0 || this.needsShadows) this.renewShadows();
+    this.renderer.render(this.stage.root, this.eye.camera);
+  }
+
+  private renewShadows(): void {
+    this.needsShadows = false;
+    this.stage.aimShadows(this.eye.target);
+    this.renderer.shadowMap.needsUpdate = true;
+  }
+
+  /// An ignition.msgs.Scene, all of it; what stays the same keeps its place and is not loaded again.
+  setScene(scene: Message): void {
+    const message = scene as SceneMessage;
+    this.stage.setScene(message);
+    this.sceneShadows = message.shadows ?? true;
+    this.setShadows(this.wantsShadows);
+    this.grid.visible = this.wantsGrid ?? message.grid ?? true;
+    // nobody could take away those of what has gone
+    for (const id of [...this.trails.keys()]) if (!this.stage.content.places.has(id)) this.setTrail(id, false);
+    this.marked.rebuild();
+    this.sceneChanged();
+  }
+
+  applyFrame(frame: Frame): void {
+    const hasMoved = this.stage.places.apply(frame);
+    this.drag.heard(frame.ids);
+    if (hasMoved) this.invalidate();
+  }
+
+  select(entity: number | null): void {
+    this.selected = entity;
+    this.invalidate();
+  }
+
+  setTool(tool: Tool): void {
+    this.handles.setTool(tool);
+    this.invalidate();
+  }
+
+  /// What the handles move: a model of the world or a light of it.
+  private get movable(): number | null {
+    const place = this.stage.content.places.get(this.selected ?? 0);
+    return place !== undefined && place.parent === 0 ? place.id : null;
+  }
+
+  private handlesMoved(pose: Pose, during: boolean): void {
+    const entity = this.movable;
+    if (entity === null) return;
+    const answer = this.options.onMove?.(entity, pose, during);
+    this.drag.move(entity, placementOfPose(pose), during ? null : Promise.resolve(answer));
+  }
+
+  follow(entity: number | null): void {
+    this.followed = entity === null ? null : { entity, last: this.stage.places.position(entity)?.clone() ?? null };
+    if (this.followed?.last) this.moveEye(() => this.eye.shift(this.followed!.last!.clone().sub(this.eye.target)));
+  }
+
+  private goAlong(): void {
+    if (this.followed === null) return;
+    const now = this.stage.places.position(this.followed.entity)?.clone() ?? null;
+    const { last } = this.followed;
+    if (now && last) this.eye.shift(now.clone().sub(last));
+    this.followed.last = now;
+  }
+
+  private moveEye(move: () => void): void {
+    move();
+    // those of a wide scene are around what is looked at
+    this.sceneChanged();
+  }
+
+  /// Looks at the entity so that all of it is seen.
+  lookAt(entity: number): void {
+    const { center, radius } = this.stage.boundsOf(entity).getBoundingSphere(new Sphere());
+    if (radius > 0) this.moveEye(() => this.eye.lookAt(center, radius));
+  }
+
+  lookFrom(direction: Direction): void {
+    this.moveEye(() => this.eye.lookFrom(direction));
+  }
+
+  /// Where the eye is: looks along x, z is up.
+  setCamera(pose: Pose): void {
+    this.moveEye(() => (this.eye.placement = placementOfPose(pose)));
+  }
+
+  camera(): Pose {
+    return poseOf(this.eye.placement);
+  }
+
+  /// Of one entity and all in it, or of all.
+  setOverlay(overlay: Overlay, on: boolean, entity?: number): void {
+    this.shown.set(overlay, on, entity);
+    if (overlay === 'wireframe' || overlay === 'transparent') this.stage.restyle();
+    else if (overlay === 'contacts' && !on) for (const key of [...this.contacts.keys()]) this.setContacts(key, null);
+    else this.marked.rebuild();
+    this.sceneChanged();
+  }
+
+  setGrid(on: boolean): void {
+    this.wantsGrid = on;
+    this.grid.visible = on;
+    this.invalidate();
+  }
+
+  setShadows(on: boolean): void {
+    this.wantsShadows = on;
+    this.stage.lamps.setShadows(on && this.sceneShadows);
+    this.sceneChanged();
+  }
+
+  setTheme(theme: Theme): void {
+    const grid = gridOf(theme);
+    grid.visible = this.grid.visible;
+    this.stage.root.remove(this.grid);
+    this.grid.geometry.dispose();
+    this.grid = grid;
+    this.stage.root.add(grid);
+    this.invalidate();
+  }
+
+  /// An ignition.msgs.LaserScan (null: no longer shown) under a key, as its topic. Without an entity (a link or sensor) it
+  /// is in the frame that it names.
+  setLidar(key: string, scan: Message | null, entity?: number): void {
+    this.scans.set(key, scan, entity);
+    this.invalidate();
+  }
+
+  /// An ignition.msgs.PointCloudPacked, in the frame of the entity (a link or sensor), or in the one that it names.
+  setPointCloud(key: string, cloud: Message | null, entity?: number): void {
+    this.clouds.set(key, cloud, entity);
+    this.invalidate();
+  }
+
+  /// An ignition.msgs.Contacts.
+  setContacts(key: string, contacts: Message | null): void {
+    let shape = this.contacts.get(key);
+    if (contacts === null) {
+      if (shape) this.stage.root.remove(shape.object);
+      shape?.dispose();
+      this.contacts.delete(key);
+    } else {
+      if (shape === undefined) {
+        shape = new Contacts();
+        this.contacts.set(key, shape);
+        this.stage.root.add(shape.object);
+      }
+      shape.set(contacts);
+    }
+    this.invalidate();
+  }
+
+  setTrail(entity: number, on: boolean): void {
+    const before = this.trails.get(entity);
+    if (on === (before !== undefined)) return;
+    if (before) {
+      this.stage.root.remove(before.object);
+      before.dispose();
+      this.trails.delete(entity);
+    } else {
+      const trail = new Trail(entity);
+      this.trails.set(entity, trail);
+      const position = this.stage.places.position(entity);
+      if (position) trail.add(position);
+      this.stage.root.add(trail.object);
+    }
+    this.invalidate();
+  }
+
+  /// What follows the pointer until a click chooses its place: a message of a model or a light; null ends it.
+  showGhost(model: Message | null): void {
+    if (this.ghost) this.stage.root.remove(this.ghost.object);
+    this.ghost?.dispose();
+    this.ghost = model === null ? null : new Ghost(this.stage, model as ModelMessage, () => this.invalidate());
+    if (this.ghost) this.stage.root.add(this.ghost.object);
+    this.canvas.style.cursor = this.ghost ? 'copy' : '';
+    this.invalidate();
+  }
+
+  private begin(gesture: Gesture, x: number, y: number): void {
+    if (gesture !== 'turn') return;
+    const met = this.stage.batches.meet(this.eye.rayThrough(x, y))[0];
+    if (met && met.hit.distance < 200) this.eye.turnAround(met.hit.distance);
+  }
+
+  private dragged(gesture: Gesture, right: number, down: number): void {
+    this.moveEye(() => {
+      if (gesture === 'turn') this.eye.turn(right, down);
+      else if (gesture === 'pan') this.eye.pan(right, down);
+      else this.eye.zoom(Math.exp(3 * down), null);
+    });
+  }
+
+  private hovered(x: number, y: number): void {
+    if (this.ghost === null) return;
+    const ray = this.eye.rayThrough(x, y);
+    this.ghost.put(groundUnder(ray, this.stage.batches.meet(ray)[0]?.hit.point ?? null));
+    this.invalidate();
+  }
+
+  private clicked(x: number, y: number): void {
+    if (this.ghost) {
+      this.hovered(x, y);
+      const { placement } = this.ghost;
+      if (placement === null) return;
+      this.showGhost(null);
+      this.options.onPlace?.(poseOf(placement));
+      return;
+    }
+    const met = this.stage.batches.meet(this.eye.rayThrough(x, y))[0];
+    const place = met && this.stage.content.places.get(met.item.visual.place);
+    this.options.onPick?.(place ? place.model : null);
+  }
+
+  private moveByKey(event: KeyboardEvent): void {
+    const move = keyMove(event);
+    if (move === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.moveEye(() => ('turn' in move ? this.eye.turn(...move.turn) : this.eye.zoom(move.zoom, null)));
+  }
+
+  private giveUp(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || this.ghost === null) return;
+    this.showGhost(null);
+    this.options.onPlace?.(null);
+  }
+
+  /// How many things the last picture was drawn of, shadows included.
+  get drawCalls(): number {
+    return this.renderer.info.render.calls;
+  }
+
+  /// A PNG file of what is seen.
+  screenshot(): Promise<Blob> {
+    this.drawWhole();
+    return new Promise((resolve, reject) => {
+      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the browser cannot take a picture'))), 'image/png');
+    });
+  }
+
+  /// @throws Where this browser makes no video.
+  startVideo(): void {
+    this.recorder ??= new Recorder(this.canvas);
+    this.invalidate();
+  }
+
+  /// A WebM file.
+  async stopVideo(): Promise<Blob> {
+    const { recorder } = this;
+    if (recorder === null) throw new Error('no video is being recorded');
+    this.recorder = null;
+    return await recorder.stop();
+  }
+
+  dispose(): void {
+    clearTimeout(this.rest);
+    if (this.picture !== null) cancelAnimationFrame(this.picture);
+    this.end.abort();
+    this.sizes.disconnect();
+    this.pointer.dispose();
+    this.drag.dispose();
+    this.handles.dispose();
+    this.scans.clear();
+    this.clouds.clear();
+    for (const key of [...this.contacts.keys()]) this.setContacts(key, null);
+    this.stage.dispose();
+    this.renderer.dispose();
+    this.canvas.remove();
+    if (this.picture !== null) cancelAnimationFrame(this.picture);
+  }
+}

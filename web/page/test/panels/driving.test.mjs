@@ -1,0 +1,52 @@
+// The tutorial of the moving robot, by mouse and keyboard: open the Key publisher, play, drive with the arrows.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { choose, openPage, openPanel, panel, repository, shownPose, until } from './page.mjs';
+
+let page;
+before(async () => (page = await openPage(`${repository}worlds/pong_world.sdf`)));
+after(() => page.close());
+
+test('the robot drives with the arrows', async () => {
+  const { tab } = page;
+  await openPanel(tab, 'Key publisher');
+  await choose(tab, 'pong_bot');
+  const [x, y] = await until(() => shownPose(tab), (pose) => pose.length === 6, 'a pose');
+  await tab.getByRole('button', { name: 'Play' }).click();
+  await tab.getByRole('button', { name: 'Pause' }).waitFor();
+  await tab.locator('body').press('ArrowUp');
+  assert.equal(await tab.locator('.last-key').textContent(), 'ArrowUp (16777235)');
+  await until(() => shownPose(tab), ([x2, y2]) => Math.hypot(x2 - x, y2 - y) > 0.3, 'it drives');
+  const before = (await shownPose(tab))[5];
+  await tab.locator('body').press('ArrowLeft');
+  await until(() => shownPose(tab), (pose) => Math.abs(pose[5] - before) > 0.2, 'it turns');
+  // the space bar stops the robot, and not the world
+  await tab.locator('body').press('Space');
+  await tab.getByRole('button', { name: 'Pause' }).waitFor();
+  assert.equal(await tab.locator('.last-key').textContent(), '  (32)');
+});
+
+test('sliders drive it, too', async () => {
+  const { tab } = page;
+  await panel(tab, 'Key publisher').getByRole('button', { name: 'Close Key publisher' }).click();
+  const teleop = await openPanel(tab, 'Teleop');
+  const [x, y] = await shownPose(tab);
+  await teleop.getByRole('button', { name: 'Forward' }).click();
+  await until(() => shownPose(tab), ([x2, y2]) => Math.hypot(x2 - x, y2 - y) > 0.3, 'it drives');
+  await teleop.getByRole('button', { name: 'Stop' }).click();
+});
+
+test('a message by a form made from its type drives it', async () => {
+  const { tab } = page;
+  const publisher = await openPanel(tab, 'Publisher');
+  await publisher.locator('summary', { hasText: /^angular$/ }).click();
+  await publisher.locator('details', { has: tab.locator('summary', { hasText: /^angular$/ }) }).getByLabel('z').fill('0.8');
+  const before = (await shownPose(tab))[5];
+  await publisher.getByRole('button', { name: 'Publish', exact: true }).click();
+  await until(() => shownPose(tab), (pose) => Math.abs(pose[5] - before) > 0.3, 'it turns');
+  await publisher.getByLabel('Type').fill('ignition.msgs.NoSuch');
+  await publisher.getByLabel('Type').blur();
+  await publisher.getByText('The message type ignition.msgs.NoSuch is unknown').waitFor();
+});
+
+test('nothing has gone wrong in the page', () => assert.deepEqual(page.errors, []));

@@ -1,0 +1,388 @@
+#include "web/server/server.hh"
+
+#include <arpa/inet.h>
+#include <libwebsockets.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "web/server/connection.hh"
+#include "web/server/http.hh"
+#include "web/server/media_type.hh"
+
+namespace pongsim::web {
+
+namespace {
+
+// So much that the other side has not asked for yet may wait in the kernel: the rest waits in the outbox, where what is
+// newer takes its place.
+constexpr int kUnsent = 64 << 10;
+// The library keeps tables for all files that a process may have open. In containers that may be 2^30, for which it has
+// no memory: beyond this it gets as many as it needs, and searches in them.
+constexpr long kMostFilesInTables = 65536;
+// Besides the connections: addresses, and what the library has for itself.
+constexpr unsigned kOtherFiles = 32;
+constexpr std::size_t kReadBuffer = std::size_t{16} << 10;
+constexpr const char* kNoSubprotocol = "pongsim.none";
+constexpr const char* kAssets = "/assets";
+constexpr std::size_t kMostReasons = 20;
+
+// What the page may do: nothing but what came with it.
+constexpr const char* kPolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; "
+    "font-src 'self'; connect-src 'self' blob: data:; worker-src 'self'; manifest-src 'self'; base-uri 'none'; "
+    "form-action 'none'; frame-ancestors 'none'";
+constexpr lws_protocol_vhost_options kOpener{nullptr, nullptr, "cross-origin-opener-policy:", "same-origin"};
+constexpr lws_protocol_vhost_options kReferrer{&kOpener, nullptr, "referrer-policy:", "no-referrer"};
+constexpr lws_protocol_vhost_options kSniff{&kReferrer, nullptr, "x-content-type-options:", "nosniff"};
+constexpr lws_protocol_vhost_options kHeaders{&kSniff, nullptr, "content-security-policy:", kPolicy};
+
+/// What the library has said last, of which there is one for a process.
+std::mutex errorMutex;
+std::string lastError;
+
+void keepError(int, const char* line) {
+  const std::lock_guard lock(errorMutex);
+  lastError = line;
+}
+
+/// @throws std::runtime_error where the address and port can't be had.
+void checkPort(const std::string& address, int port) {
+  if (port == 0) return;
+  const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const int on = 1;
+  setsockopt(probe, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(port));
+  inet_pton(AF_INET, address.c_str(), &place.sin_addr);
+  const bool isFree =
+      bind(probe, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 && listen(probe, 1) == 0;
+  const int error = errno;
+  ::close(probe);
+  if (isFree) return;
+  const std::string why = error == EADDRINUSE ? "another program uses it" : std::strerror(error);
+  throw std::runtime_error("port " + std::to_string(port) + " of " + address + " can't be opened: " + why +
+                           "; choose another with --web PORT or <port>");
+}
+
+void checkReadable(const std::filesystem::path& file, const char* what) {
+  std::ifstream stream(file);
+  if (!stream || stream.peek() == std::ifstream::traits_type::eof())
+    throw std::runtime_error(std::string("the ") + what + " " + file.string() + " can't be read");
+}
+
+}  // namespace
+
+class Server::Loop {
+ public:
+  Loop(ServerSettings settings, const Logger& log, const std::vector<Protocol*>& protocols)
+      : settings_(std::move(settings)), log_(log) {
+    listProtocols(protocols);
+    open();
+    waker_ = std::make_shared<Waker>(context_, log_);
+    thread_ = std::thread([this] { work(); });
+  }
+
+  ~Loop() {
+    mustEnd_ = true;
+    waker_->wake();
+    thread_.join();
+    waker_->end();
+    lws_context_destroy(context_);
+  }
+
+  int port() const { return port_; }
+  std::size_t clients() const { return clients_; }
+
+ private:
+  void listProtocols(const std::vector<Protocol*>& protocols) {
+    // the library takes the first one for plain HTTP, and for clients that name none
+    names_.emplace_back(kNoSubprotocol);
+    for (Protocol* const protocol : protocols) {
+      for (const std::string& name : protocol->names()) {
+        protocols_.emplace(name, protocol);
+        if (!name.empty()) names_.push_back(name);
+      }
+    }
+    for (const std::string& name : names_) {
+      table_.push_back({.name = name.c_str(),
+                        .callback = &Loop::call,
+                        .per_session_data_size = 0,
+                        .rx_buffer_size = kReadBuffer,
+                        .id = 0,
+                        .user = nullptr,
+                        .tx_packet_size = 0});
+    }
+    table_.push_back({});
+  }
+
+  lws_context_creation_info contextInfo() {
+    idle_.secs_since_valid_ping = static_cast<std::uint16_t>(settings_.limits.silence.count());
+    idle_.secs_since_valid_hangup =
+        static_cast<std::uint16_t>((settings_.limits.silence + settings_.limits.handshake).count());
+    lws_context_creation_info info{};
+    info.protocols = table_.data();
+    info.port = settings_.port;
+    info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_DISABLE_IPV6 |
+                   LWS_SERVER_OPTION_VALIDATE_UTF8 | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND;
+    info.user = this;
+    info.gid = info.uid = static_cast<decltype(info.gid)>(-1);
+    info.server_string = "pongsim";
+    info.headers = &kHeaders;
+    info.timeout_secs = static_cast<unsigned>(settings_.limits.handshake.count());
+    info.keepalive_timeout = static_cast<int>(settings_.limits.handshake.count());
+    info.retry_and_idle_policy = &idle_;
+    info.alpn = "http/1.1";
+    if (sysconf(_SC_OPEN_MAX) > kMostFilesInTables)
+      info.fd_limit_per_thread = static_cast<unsigned>(settings_.limits.connections) + kOtherFiles;
+    if (!settings_.certificate.empty()) {
+      info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
+      info.ssl_cert_filepath = settings_.certificate.c_str();
+      info.ssl_private_key_filepath = settings_.key.c_str();
+    }
+    return info;
+  }
+
+  void open() {
+    if (!settings_.certificate.empty()) {
+      checkReadable(settings_.certificate, "certificate");
+      checkReadable(settings_.key, "certificate's key");
+    }
+    for (const std::string& address : settings_.addresses) checkPort(address, settings_.port);
+    lws_set_log_level(LLL_ERR, &keepError);
+    lws_context_creation_info info = contextInfo();
+    context_ = lws_create_context(&info);
+    if (context_ == nullptr) throw std::runtime_error("the server can't be started: " + lastWords());
+    port_ = settings_.port;
+    for (const std::string& address : settings_.addresses) {
+      info.iface = address.c_str();
+      info.port = port_;
+      info.vhost_name = address.c_str();
+      lws_vhost* const host = lws_create_vhost(context_, &info);
+      if (host == nullptr) {
+        lws_context_destroy(context_);
+        throw std::runtime_error((settings_.certificate.empty()
+                                      ? "port " + std::to_string(port_) + " of " + address + " can't be opened: "
+                                      : "the certificate can't be used or does not match the key: ") +
+                                 lastWords());
+      }
+      port_ = lws_get_vhost_listen_port(host);
+    }
+  }
+
+  static std::string lastWords() {
+    const std::lock_guard lock(errorMutex);
+    std::string words = lastError;
+    while (!words.empty() && words.back() == '\n') words.pop_back();
+    return words.empty() ? "no reason given" : words;
+  }
+
+  void work() {
+    // those of the process are the simulation's business
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    pthread_setname_np(pthread_self(), "web");
+    while (!mustEnd_) {
+      if (lws_service(context_, 0) >= 0) continue;
+      log_.error("the server has failed and stopped");
+      return;
+    }
+  }
+
+  static int call(lws* socket, lws_callback_reasons reason, void* data, void* in, std::size_t length) {
+    auto* const loop = static_cast<Loop*>(lws_context_user(lws_get_context(socket)));
+    if (loop == nullptr) return 0;
+    // the library is in C
+    try {
+      return loop->handle(socket, reason, data, in, length);
+    } catch (const std::exception& error) {
+      loop->log_.warning(std::string("a connection was closed: ") + error.what());
+      return -1;
+    }
+  }
+
+  int handle(lws* socket, lws_callback_reasons reason, void* data, void* in, std::size_t length) {
+    switch (reason) {
+      case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
+        return sockets_.size() < static_cast<std::size_t>(settings_.limits.connections) ? 0 : 1;
+      case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
+        sockets_.insert(socket);
+        return 0;
+      case LWS_CALLBACK_WSI_DESTROY:
+        sockets_.erase(socket);
+        forget(socket);
+        return 0;
+      case LWS_CALLBACK_HTTP:
+        return serve(socket, {static_cast<const char*>(in), length});
+      case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE:
+        return admit(socket, static_cast<const char*>(in));
+      case LWS_CALLBACK_ESTABLISHED:
+        return begin(socket);
+      case LWS_CALLBACK_RECEIVE:
+        return receive(socket, {static_cast<const char*>(in), length});
+      case LWS_CALLBACK_SERVER_WRITEABLE:
+        return write(socket);
+      case LWS_CALLBACK_CLOSED:
+        forget(socket);
+        return 0;
+      case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
+        if (waker_) waker_->callAll();
+        return 0;
+      default:
+        return lws_callback_http_dummy(socket, reason, data, in, length);
+    }
+  }
+
+  static Visit visitOf(lws* socket) {
+    return {headerOf(socket, WSI_TOKEN_HOST), headerOf(socket, WSI_TOKEN_ORIGIN), tokenOf(socket)};
+  }
+
+  /// @return What the callback of a request is to return, which has had a text for its answer.
+  static int refuse(lws* socket, int status, const std::string& why) {
+    return !answerText(socket, status, why + "\n") || lws_http_transaction_completed(socket) != 0 ? -1 : 0;
+  }
+
+  int serve(lws* socket, std::string_view path) {
+    char* uri = nullptr;
+    int length = 0;
+    const int method = lws_http_get_uri_and_method(socket, &uri, &length);
+    // behind others there may be a body, which nobody reads
+    if (method != LWSHUMETH_GET && method != LWSHUMETH_HEAD) {
+      refuse(socket, HTTP_STATUS_METHOD_NOT_ALLOWED, "only GET is supported");
+      return -1;
+    }
+    const Visit visit = visitOf(socket);
+    const bool isAsset = path.starts_with(kAssets);
+    const Permission permission = isAsset ? judgeClient(settings_.access, visit) : judgePage(settings_.access, visit);
+    if (permission.kind == Permission::Kind::kRefused) return refuse(socket, permission.status, permission.why);
+    std::optional<std::filesystem::path> file;
+    if (!isAsset) {
+      file = pageFile(settings_.page, path);
+    } else if (settings_.findAsset) {
+      file = settings_.findAsset(path.substr(std::strlen(kAssets)));
+    }
+    if (!file || mediaType(*file).empty()) return refuse(socket, HTTP_STATUS_NOT_FOUND, "there is no such file");
+    return answerFile(socket, *file, isAsset ? visit.origin : std::string{});
+  }
+
+  /// @return Below 0: hang up; above: it was refused, and told; 0: it may come in.
+  int admit(lws* socket, std::string_view wanted) {
+    if (wanted != "websocket" && wanted != "WebSocket") return -1;
+    const auto say = [socket](int status, const std::string& why) { return answerText(socket, status, why) ? 1 : -1; };
+    const Permission permission = judgeClient(settings_.access, visitOf(socket));
+    if (permission.kind == Permission::Kind::kRefused) {
+      // each reason once: some clients try again and again
+      if (reasons_.size() < kMostReasons && reasons_.insert(permission.why).second)
+        log_.warning("a client was refused: " + permission.why);
+      return say(permission.status, permission.why + "\n");
+    }
+    if (connections_.size() >= static_cast<std::size_t>(settings_.limits.clients))
+      return say(HTTP_STATUS_SERVICE_UNAVAILABLE,
+                 "there are " + std::to_string(settings_.limits.clients) + " clients already\n");
+    admitted_[socket] = permission.kind == Permission::Kind::kWrite;
+    return 0;
+  }
+
+  int begin(lws* socket) {
+    const auto admitted = admitted_.find(socket);
+    if (admitted == admitted_.end()) return -1;
+    const bool mayWrite = admitted->second;
+    admitted_.erase(admitted);
+    std::string name = lws_get_protocol(socket)->name;
+    if (name == kNoSubprotocol) name.clear();
+    const auto protocol = protocols_.find(name);
+    auto connection = std::make_shared<Connection>(waker_, socket, settings_.limits, mayWrite);
+    if (protocol == protocols_.end()) {
+      connection->close(LWS_CLOSE_STATUS_PROTOCOL_ERR, "name a subprotocol: foxglove.websocket.v1");
+    } else {
+      const int descriptor = lws_get_socket_fd(socket);
+      setsockopt(descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kUnsent, sizeof kUnsent);
+      try {
+        connection->begin(protocol->second->open(name, connection));
+      } catch (const std::exception& error) {
+        log_.warning(std::string("a client can't be served: ") + error.what());
+        connection->close(LWS_CLOSE_STATUS_UNEXPECTED_CONDITION, "the server has failed");
+      }
+    }
+    connections_.emplace(socket, std::move(connection));
+    clients_ = connections_.size();
+    return 0;
+  }
+
+  int receive(lws* socket, std::string_view part) {
+    const auto found = connections_.find(socket);
+    if (found == connections_.end()) return -1;
+    const bool goesOn =
+        found->second->receive(part, lws_remaining_packet_payload(socket), lws_is_final_fragment(socket) != 0,
+                               lws_frame_is_binary(socket) != 0, log_);
+    return goesOn ? 0 : -1;
+  }
+
+  int write(lws* socket) {
+    const auto found = connections_.find(socket);
+    if (found == connections_.end()) return -1;
+    try {
+      return found->second->write(buffer_) ? 0 : -1;
+    } catch (const std::exception& error) {
+      log_.warning(std::string("a message for a client can't be made: ") + error.what());
+      return -1;
+    }
+  }
+
+  void forget(lws* socket) {
+    admitted_.erase(socket);
+    const auto found = connections_.find(socket);
+    if (found == connections_.end()) return;
+    found->second->ended();
+    connections_.erase(found);
+    clients_ = connections_.size();
+  }
+
+  const ServerSettings settings_;
+  const Logger& log_;
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, Protocol*> protocols_;
+  std::vector<lws_protocols> table_;
+  lws_retry_bo_t idle_{};
+  lws_context* context_ = nullptr;
+  int port_ = 0;
+  std::shared_ptr<Waker> waker_;
+  std::unordered_set<lws*> sockets_;
+  /// Why clients were refused so far.
+  std::unordered_set<std::string> reasons_;
+  /// Those that may come in, and whether they may write; until they are connections.
+  std::unordered_map<lws*, bool> admitted_;
+  std::unordered_map<lws*, std::shared_ptr<Connection>> connections_;
+  std::atomic<std::size_t> clients_ = 0;
+  std::vector<unsigned char> buffer_;
+  std::atomic<bool> mustEnd_ = false;
+  // begins last
+  std::thread thread_;
+};
+
+Server::Server(ServerSettings settings, const Logger& log, const std::vector<Protocol*>& protocols)
+    : loop_(std::make_unique<Loop>(std::move(settings), log, protocols)) {}
+
+Server::~Server() = default;
+
+int Server::port() const { return loop_->port(); }
+
+std::size_t Server::clients() const { return loop_->clients(); }
+
+}  // namespace pongsim::web

@@ -1,0 +1,129 @@
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pongsim/message.hh"
+#include "pongsim/scene.hh"
+#include "pongsim/system.hh"
+#include "web/assets/world_files.hh"
+#include "web/frames/pose_feed.hh"
+#include "web/system/hub.hh"
+#include "web/system/parameters.hh"
+#include "web/world/relay.hh"
+
+namespace pongsim::web {
+
+namespace {
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string{} : std::string(value);
+}
+
+/// Tells where the page is, however little else is said.
+void announce(const Hub& hub) {
+  if (logLevel() == LogLevel::kNone) return;
+  const std::string address = pageAddress(hub.settings(), hub.server().port());
+  std::fprintf(stderr, "in a browser: %s\n", address.c_str());
+}
+
+class Web final : public System {
+ public:
+  ~Web() override {
+    feed_.reset();
+    if (!hub_) return;
+    if (channel_) hub_->channels().remove(*channel_);
+    hub_->assets().remove(this);
+    relay_.reset();
+  }
+
+  void declare(Declaration& declaration) override {
+    declaration.is("Shows the world in browsers, and to clients of Foxglove and of ign-launch's WebSocket server.",
+                   Declaration::Place::kWorld);
+    parameters_.declare(declaration);
+  }
+
+  void configure(const SystemContext& context) override {
+    try {
+      parameters_.readRest(context.sdf);
+      ServerSettings settings = serverSettings(parameters_, variable("PONGSIM_NETWORK"), variable("PONGSIM_WEB_TOKEN"));
+      settings.page = installedPage();
+      hub_ = Hub::open(settings, parameters_.gz);
+    } catch (const std::exception& error) {
+      // the run does not begin
+      context.diagnostics.error(context.sdf.position, error.what());
+      return;
+    }
+    if (hub_->settings().page.empty()) context.log.warning("the page is not installed: other clients only");
+    world_.emplace(context.world);
+    const std::string name(context.world.name());
+    channel_ = std::make_shared<PoseChannel>(name, [waking = context.node]() mutable { waking.wake(); });
+    hub_->channels().add(channel_);
+    feed_.emplace(context.world, channel_);
+    relay_.emplace(hub_->worlds(), name, context.node, context.log);
+    mustAnnounce_ = hub_.use_count() == 1;
+  }
+
+  void preUpdate(const StepInfo& step) override {
+    if (!relay_) return;
+    // only here is it known that the run begins
+    if (std::exchange(mustAnnounce_, false)) announce(*hub_);
+    tellSettings(step);
+    relay_->update(step);
+    if (areFilesOld_ && hub_->server().clients() > 0) tellFiles();
+  }
+
+  void postUpdate(const StepInfo& step) override {
+    if (feed_) feed_->update(step);
+  }
+
+  void worldChanged() override {
+    areFilesOld_ = true;
+    if (feed_) feed_->worldChanged();
+  }
+
+ private:
+  void tellFiles() {
+    areFilesOld_ = false;
+    const MessagePointer scene = newMessage("ignition.msgs.Scene");
+    Scene(*world_).fillIn(*scene);
+    std::vector<std::string> skins;
+    for (const ActorPlace& actor : Scene(*world_).actors()) skins.push_back(actor.skin);
+    hub_->assets().set(this, WorldFiles(*scene, skins));
+  }
+
+  /// Before anybody asks, for clients do so when they come.
+  void tellSettings(const StepInfo& step) {
+    // none while it is paused
+    if (step.dt > Time(0)) stepSize_ = toSeconds(step.dt);
+    const Vector3 gravity = world_->gravity();
+    relay_->tell({.isPaused = step.paused,
+                  .realTimeFactor = world_->realTimeFactor(),
+                  .stepSize = stepSize_,
+                  .gravity = {gravity.x(), gravity.y(), gravity.z()}});
+  }
+
+  WebParameters parameters_;
+  std::shared_ptr<Hub> hub_;
+  std::optional<World> world_;
+  std::shared_ptr<PoseChannel> channel_;
+  std::optional<PoseFeed> feed_;
+  std::optional<Relay> relay_;
+  /// Of the last step [s].
+  std::optional<double> stepSize_;
+  bool areFilesOld_ = true;
+  bool mustAnnounce_ = false;
+};
+
+}  // namespace
+
+}  // namespace pongsim::web
+
+PONGSIM_EXPORT_SYSTEM(pongsim::web::Web, "pongsim::systems::Web", "gz::sim::systems::WebsocketServer",
+                      "gz::launch::WebsocketServer", "ignition::launch::WebsocketServer",
+                      "ignition::launch::v5::WebsocketServer");

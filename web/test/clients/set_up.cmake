@@ -1,0 +1,16 @@
+# Installs the packages of package.json into CLIENTS, and makes of gzweb's sources what node takes. Leaves CLIENTS/why where
+# that can't be, for the tests to say.
+file(REMOVE ${CLIENTS}/why)
+execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error WORKING_DIRECTORY ${CLIENTS}
+                RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
+if(NOT failed)
+  execute_process(COMMAND node_modules/.bin/esbuild gzweb.mjs --bundle --preserve-symlinks --platform=node --format=esm
+                          --log-level=error --outfile=gzweb_bundle.mjs
+                          "--banner:js=import { createRequire } from 'module'; const require = createRequire(import.meta.url);"
+                  WORKING_DIRECTORY ${CLIENTS} RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
+endif()
+if(failed)
+  file(WRITE ${CLIENTS}/why "${why}")
+  message(WARNING "the tests with clients of others are skipped: ${why}")
+endif()
+file(TOUCH ${CLIENTS}/tried)

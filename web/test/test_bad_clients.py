@@ -1,0 +1,135 @@
+"""Clients that mean no good, or can't help it: the world goes on as if they were not there."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from web_world import ROOT, Connection, running
+
+WORLD = ROOT / "worlds/pong_world.sdf"
+MEGABYTE = 1 << 20
+
+
+def memory(pid):
+    """Resident bytes of a process."""
+    pages = int(pathlib.Path(f"/proc/{pid}/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE")
+
+
+def until(condition, what):
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        if condition():
+            return
+        time.sleep(0.02)
+    raise AssertionError(f"waited in vain for {what}")
+
+
+def listen(connection, topics):
+    """Opens the connection and subscribes to those of the topics."""
+    assert connection.open() == 101
+    found = {}
+    while not set(topics) <= set(found):
+        opcode, payload = connection.next()
+        message = json.loads(payload) if opcode == 1 else {}
+        found |= {channel["topic"]: channel["id"] for channel in message.get("channels", [])}
+    connection.send(json.dumps({"op": "subscribe", "subscriptions": [
+        {"id": number, "channelId": found[topic]} for number, topic in enumerate(topics)]}))
+
+
+def next_data(connection):
+    """Subscription and payload of the next message of a topic."""
+    while True:
+        opcode, payload = connection.next()
+        if opcode == 2 and payload[0] == 1:
+            return int.from_bytes(payload[1:5], "little"), payload[13:]
+
+
+class BadClients(unittest.TestCase):
+    def setUp(self):
+        context = running(WORLD, "--web", "0")
+        self.simulation = context.__enter__()
+        self.addCleanup(context.__exit__, None, None, None)
+        self.host, self.port, _ = self.simulation.address()
+
+    def connect(self):
+        connection = Connection(self.host, self.port)
+        self.addCleanup(connection.__exit__, None, None, None)
+        return connection
+
+    def check_that_it_goes_on(self):
+        connection = self.connect()
+        listen(connection, ["/clock"])
+        for _ in range(3):
+            next_data(connection)
+
+    def test_rubbish(self):
+        rubbish = [b"\0" * 10, b"\xff" * 1000, os.urandom(5000), b"{", b"[]", b"{\"op\": 7}", b"{\"op\": \"fly\"}",
+                   b"[" * 100_000, b"{\"op\": \"subscribe\", \"subscriptions\": {}}", b"sub,,,", b",,,,,,", b""]
+        for protocol in ("foxglove.websocket.v1", "pongsim.web.v1", None):
+            for bytes_ in rubbish:
+                for opcode in (1, 2):
+                    connection = self.connect()
+                    self.assertEqual(connection.open(protocol=protocol), 101)
+                    connection.send(bytes_, opcode)
+        connection = self.connect()
+        connection.socket.sendall(os.urandom(100_000))
+        self.check_that_it_goes_on()
+        self.assertIsNone(self.simulation.process.poll())
+
+    def test_a_message_that_is_too_large(self):
+        connection = self.connect()
+        self.assertEqual(connection.open(), 101)
+        connection.socket.sendall(b"\x81\xff" + (1 << 40).to_bytes(8, "big") + bytes(4) + b"x" * 1000)
+        with self.assertRaises((EOFError, OSError)):
+            while True:
+                opcode, payload = connection.next()
+                if opcode == 8:
+                    self.assertEqual(int.from_bytes(payload[:2], "big"), 1009)
+                    raise EOFError
+        self.check_that_it_goes_on()
+
+    def test_clients_that_never_read_cost_a_bounded_memory(self):
+        self.check_that_it_goes_on()
+        before = memory(self.simulation.process.pid)
+        for _ in range(20):
+            listen(self.connect(), ["/clock", "/world/pong_world/stats", "/world/pong_world/state"])
+        witness = self.connect()
+        listen(witness, ["/clock"])
+        begin = time.monotonic()
+        while time.monotonic() < begin + 5:
+            next_data(witness)
+        self.assertLess(memory(self.simulation.process.pid) - before, 100 * MEGABYTE)
+
+    def test_twenty_killed_clients_leave_nothing_behind(self):
+        self.check_that_it_goes_on()
+        before = memory(self.simulation.process.pid)
+        program = ("import sys; sys.path.insert(0, sys.argv[1])\n"
+                   "from test_bad_clients import Connection, listen, next_data\n"
+                   "connection = Connection(sys.argv[2], int(sys.argv[3]))\n"
+                   "listen(connection, ['/clock', '/world/pong_world/stats'])\n"
+                   "print('listens', flush=True)\n"
+                   "while True: next_data(connection)\n")
+        here = str(pathlib.Path(__file__).parent)
+        clients = [subprocess.Popen([sys.executable, "-c", program, here, self.host, str(self.port)],
+                                    stdout=subprocess.PIPE) for _ in range(20)]
+        for client in clients:
+            self.assertEqual(client.stdout.readline(), b"listens\n")
+        for client in clients:
+            client.send_signal(signal.SIGKILL)
+            client.wait()
+            client.stdout.close()
+        sockets = pathlib.Path(f"/proc/{self.simulation.process.pid}/fd")
+        quiet = len(list(sockets.iterdir()))
+        self.check_that_it_goes_on()
+        until(lambda: len(list(sockets.iterdir())) <= quiet, "the end of the sockets")
+        self.assertLess(memory(self.simulation.process.pid) - before, 40 * MEGABYTE)
+
+
+if __name__ == "__main__":
+    unittest.main()

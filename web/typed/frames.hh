@@ -1,0 +1,40 @@
+#pragma once
+
+#include <foxglove/transforms.pb.h>
+#include <ignition/msgs/pose_v.pb.h>
+#include <ignition/msgs/scene.pb.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pongsim::web::typed {
+
+/// The frames of a scene: "rover", "rover::chassis", "rover::chassis::lidar", each in that of what holds it, models in
+/// "world".
+class Frames {
+ public:
+  explicit Frames(const ignition::msgs::Scene& scene);
+
+  /// @param poses Of models and links by their ids, each in the frame of what holds it, as a world tells them.
+  /// @return The frames of these, and those of all sensors, which stay where they are on their links.
+  ::foxglove::FrameTransforms transforms(const ignition::msgs::Pose_V& poses, std::uint64_t timeNs) const;
+
+ private:
+  struct Frame {
+    std::string name;
+    std::string parent;
+  };
+  struct Fixed {
+    Frame frame;
+    ignition::msgs::Pose pose;
+  };
+
+  void add(const ignition::msgs::Model& model, const Frame& frame);
+
+  std::map<std::uint32_t, Frame> moving_;
+  std::vector<Fixed> fixed_;
+};
+
+}  // namespace pongsim::web::typed

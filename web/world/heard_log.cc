@@ -1,0 +1,39 @@
+#include "web/world/heard_log.hh"
+
+#include <string_view>
+#include <utility>
+
+namespace pongsim::web {
+
+namespace {
+
+/// @return The text, or its beginning, which does not end within a letter of UTF-8.
+std::string_view cut(std::string_view text) {
+  if (text.size() <= HeardLog::kLongest) return text;
+  std::size_t end = HeardLog::kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
+  return text.substr(0, end);
+}
+
+}  // namespace
+
+std::shared_ptr<void> HeardLog::watch(Heard heard) {
+  const auto shared = std::make_shared<const Heard>(std::move(heard));
+  const std::lock_guard lock(mutex_);
+  for (const Entry& entry : kept_) (*shared)(entry);
+  watches_.push_back(shared);
+  return {this, [this, shared](void*) {
+            const std::lock_guard ending(mutex_);
+            std::erase(watches_, shared);
+          }};
+}
+
+void HeardLog::hear(const LogRecord& record) {
+  const std::lock_guard lock(mutex_);
+  kept_.push_back(
+      {std::chrono::system_clock::now(), record.level, std::string(record.speaker), std::string(cut(record.message))});
+  if (kept_.size() > kKept) kept_.pop_front();
+  for (const auto& watch : watches_) (*watch)(kept_.back());
+}
+
+}  // namespace pongsim::web

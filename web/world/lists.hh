@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pongsim/service.hh"
+
+namespace pongsim::web {
+
+/// A topic of a world, as clients are told of it.
+struct Topic {
+  std::string name;
+  /// Full name of the message type.
+  std::string type;
+  /// Publishers of the world, of who relays to it and of clients.
+  int publishers = 0;
+  /// Subscriptions of the world; what clients listen to is not among them.
+  int subscribers = 0;
+  /// Whether the last message is kept for who comes later.
+  bool isLatched = false;
+  bool operator==(const Topic&) const = default;
+};
+
+/// What there is in a world.
+struct Lists {
+  /// Sorted by name, then by type.
+  std::vector<Topic> topics;
+  /// Sorted by name.
+  std::vector<OwnService> services;
+  bool operator==(const Lists&) const = default;
+};
+
+}  // namespace pongsim::web

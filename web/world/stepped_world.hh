@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "pongsim/log.hh"
+#include "pongsim/node.hh"
+#include "pongsim/system.hh"
+#include "web/world/relay.hh"
+
+namespace pongsim::web {
+
+/// A world of tests: topics and services without anything that is simulated, within this process.
+class SteppedWorld {
+ public:
+  explicit SteppedWorld(std::shared_ptr<Worlds> worlds, const std::string& name = "w")
+      : worlds_(std::move(worlds)), relay_(std::make_unique<Relay>(worlds_, name, transport_.node(), log_)) {}
+
+  Node node() { return transport_.node(); }
+
+  /// A step of a second, in which messages and requests are met first.
+  void step() {
+    transport_.dispatch();
+    info_.time += std::chrono::seconds(1);
+    ++info_.iteration;
+    relay_->update(info_);
+  }
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) step();
+  }
+  /// Steps until that is so, or 10 s are over.
+  template <class IsSo>
+  bool stepUntil(IsSo isSo) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (!isSo()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      step();
+    }
+    return true;
+  }
+
+  /// What can be set of it is so.
+  void tell(const WorldSettings& settings) { relay_->tell(settings); }
+
+  /// The world ends.
+  void end() { relay_.reset(); }
+
+ private:
+  Transport transport_{TransportOptions{.network = false, .domain = {}, .interface = {}}};
+  Logger log_{"web"};
+  StepInfo info_;
+  std::shared_ptr<Worlds> worlds_;
+  std::unique_ptr<Relay> relay_;
+};
+
+}  // namespace pongsim::web
