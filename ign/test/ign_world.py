@@ -56,6 +56,9 @@ def run(*words, environment=None):
     return result.stdout
 
 
+# How long a client of services waits [ms]: longer than a busy machine takes, shorter than the deadline.
+PATIENCE = ("--timeout", "60000")
+
 # What `ign topic` and `ign service` run. Debian 12's `ign` itself looks for them in another folder.
 CLIENTS = pathlib.Path("/usr/libexec/ignition/transport11")
 
@@ -74,6 +77,20 @@ def ign(name, *words):
     last = until(result, "an end without a crash")
     assert last.returncode == 0, f"{words}: {last.returncode}\n{last.stdout}{last.stderr}"
     return last.stdout
+
+
+def listed(what, names):
+    """What Fortress's client lists, once all of these are among it. It lists what it has been told of in a second."""
+    def there():
+        lines = ign(what, "-l").split()
+        return lines if names <= set(lines) else None
+
+    return until(there, f"the {what}s {', '.join(sorted(names))}")
+
+
+def described(what, option, name, pattern):
+    """Waits until Fortress's client says this of a topic or a service."""
+    until(lambda: re.search(pattern, ign(what, "-i", option, name)), f"'{pattern}' of {name}")
 
 
 class Running:

@@ -4,13 +4,13 @@ import pathlib
 import tempfile
 import unittest
 
-from ign_world import PEER, PONGSIM, ROOT, Running, ended, ign, needs_ign, running, until, world
+from ign_world import PATIENCE, PEER, PONGSIM, ROOT, Running, ended, ign, listed, needs_ign, running, world
 
 WORLD = ROOT / "worlds/pong_world.sdf"
 CLOCK = ("/clock", "ignition.msgs.Clock")
 PLUGIN = '<plugin filename="pongsim-ign-system" name="pongsim::systems::Ign"/>'
 CONTROL = ("-s", "/world/pong_world/control", "--reqtype", "ignition.msgs.WorldControl", "--reptype",
-           "ignition.msgs.Boolean", "--timeout", "10000", "--req", "pause: false")
+           "ignition.msgs.Boolean", *PATIENCE, "--req", "pause: false")
 
 
 class Settings(unittest.TestCase):
@@ -62,7 +62,7 @@ class Settings(unittest.TestCase):
     def test_a_password_is_not_wanted_of_services(self):
         known = {"IGN_TRANSPORT_USERNAME": "user", "IGN_TRANSPORT_PASSWORD": "secret"}
         with world(WORLD, environment=known):
-            until(lambda: CONTROL[1] in ign("service", "-l"), "the services")
+            listed("service", {CONTROL[1]})
             self.assertIn("data: true", ign("service", *CONTROL))
 
 

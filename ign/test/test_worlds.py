@@ -4,7 +4,8 @@ import re
 import signal
 import unittest
 
-from ign_world import DEADLINE, PEER, PONGSIM, ROOT, Running, client, ended, ign, needs_ign, run, until, world
+from ign_world import (DEADLINE, PATIENCE, PEER, PONGSIM, ROOT, Running, client, ended, ign, listed, needs_ign, run, until,
+                       world)
 
 WORLD = ROOT / "worlds/three_worlds.sdf"
 WORLDS = ("fine", "coarse", "fast")
@@ -45,29 +46,28 @@ class Worlds(unittest.TestCase):
     def test_services_are_there_once(self):
         with world(WORLD):
             names = [f"/world/{name}/control" for name in WORLDS]
-            services = until(lambda: (lines := ign("service", "-l").split()) and set(names) <= set(lines) and lines,
-                             "the services")
+            services = listed("service", set(names))
             for name in WORLDS:
                 self.assertEqual(services.count(f"/world/{name}/control"), 1)
                 answer = ign("service", "-s", f"/world/{name}/control", "--reqtype", "ignition.msgs.WorldControl",
-                             "--reptype", "ignition.msgs.Boolean", "--timeout", "10000", "--req", "pause: true")
+                             "--reptype", "ignition.msgs.Boolean", *PATIENCE, "--req", "pause: true")
                 self.assertIn("data: true", answer)
 
     @needs_ign
     def test_what_the_process_has_once_is_the_first_worlds(self):
         def ask(service, kinds, request):
-            return ign("service", "-s", service, "--reqtype", kinds[0], "--reptype", kinds[1], "--timeout", "10000",
+            return ign("service", "-s", service, "--reqtype", kinds[0], "--reptype", kinds[1], *PATIENCE,
                        "--req", request)
 
         with world(WORLD) as simulation:
-            services = until(lambda: (lines := ign("service", "-l").split()) and "/server_control" in lines and lines,
-                             "the services")
-            self.assertEqual([services.count(name) for name in ("/gazebo/worlds", "/server_control")], [1, 1])
+            names = ("/gazebo/worlds", "/server_control")
+            services = listed("service", set(names))
+            self.assertEqual([services.count(name) for name in names], [1, 1])
             answer = ask("/gazebo/worlds", ("ignition.msgs.Empty", "ignition.msgs.StringMsg_V"), "")
             self.assertEqual(re.findall(r'data: "(\w+)"', answer), list(WORLDS))
             # once only: a client that has fallen over after it was answered finds nobody to ask again
             stop = ended(client("service"), "-s", "/server_control", "--reqtype", "ignition.msgs.ServerControl",
-                         "--reptype", "ignition.msgs.Boolean", "--timeout", "30000", "--req", "stop: true")
+                         "--reptype", "ignition.msgs.Boolean", *PATIENCE, "--req", "stop: true")
             if stop.returncode != -signal.SIGSEGV:
                 self.assertIn("data: true", stop.stdout, stop.stderr)
             self.assertEqual(simulation.process.wait(DEADLINE), 0)
