@@ -4,8 +4,8 @@ import re
 import signal
 import unittest
 
-from ign_world import (DRIVER, PATIENCE, PONGSIM, TUTORIAL, client, described, ended, ign, listed, needs_ign, needs_tutorial, run,
-                       running, until, world)
+from ign_world import (DRIVER, PATIENCE, PONGSIM, TUTORIAL, client, described, ended, ign, listed, needs_ign, needs_tutorial,
+                       run, running, until, world)
 
 ODOMETRY = "/model/vehicle_blue/odometry"
 
@@ -66,8 +66,9 @@ class MovingRobot(unittest.TestCase):
             until(turned, "the Twist of a key")
 
     def test_a_program_for_fortress_drives_it(self):
-        # as far as it came before the driver, on a busy machine, was given time to stop it
-        self.assertRegex(run(DRIVER), r"went [1-9]\d*\.\d+ m")
+        # Farther, on a busy machine, where the driver is late to stop it. Where ign-transport has had no time to tell of
+        # itself for three seconds, others forget it, and the driver gives up after a minute.
+        until(lambda: re.search(r"went [1-9]\d*\.\d+ m", ended(DRIVER).stdout), "the robot to go a metre")
 
     def test_absurd_commands_are_refused(self):
         for kind, content, words in (
