@@ -138,6 +138,7 @@ class Bus {
   void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
   TrafficReport traffic();
+  void lookAround(std::chrono::nanoseconds timeout);
   Buffer* takeBuffer(std::size_t size);
   void collectArrivals(DispatchQueue& queue);
   void releaseArrivals(DispatchQueue& queue);
@@ -165,6 +166,8 @@ class Bus {
   BufferPool buffers_;
   std::vector<Buffer*> dropped_;
   std::uint64_t nextArrival_ = 0;
+  // once is enough for who looks around again and again
+  std::atomic<bool> saidIncomplete_ = false;
 
   ServiceServer server_;
   ServiceClient client_;

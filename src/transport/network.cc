@@ -49,8 +49,11 @@ constexpr std::uint32_t kSocketBuffer = 4 << 20;
 const Duration_t kLease{6, 0};
 const Duration_t kAnnouncementPeriod{2, 0};
 
-// A participant that is being made says nothing for some milliseconds, one on a busy machine for longer.
-constexpr std::chrono::milliseconds kSilence{500};
+// How long nothing new must come before those who have not answered are given up: a participant that is being made says
+// nothing for some milliseconds, one on a busy machine for a second. Of other machines nobody knows who should answer,
+// and this is how long each look around takes.
+constexpr std::chrono::milliseconds kSilence{2000};
+constexpr std::chrono::milliseconds kSilenceOfOthers{500};
 constexpr std::chrono::milliseconds kLookAgain{10};
 
 /// Settings that Fast DDS has once for the whole process.
@@ -221,7 +224,7 @@ void Network::changeCensus(int endpoints) {
   censusWriter_->write(bytes.size(), [&](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
 }
 
-void Network::discover(std::chrono::nanoseconds timeout) {
+bool Network::discover(std::chrono::nanoseconds timeout) {
   if (!censusReader_) {
     const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
       const auto message = messageInPayload(sample.bytes);
@@ -234,8 +237,9 @@ void Network::discover(std::chrono::nanoseconds timeout) {
   }
 
   const TimePoint deadline = deadlineAfter(timeout);
+  const auto silence = interface_ ? kSilenceOfOthers : kSilence;
   std::uint64_t version = directory_.version();
-  TimePoint silentUntil = deadlineAfter(kSilence);
+  TimePoint silentUntil = deadlineAfter(silence);
   for (TimePoint now = std::chrono::steady_clock::now(); now < std::min(deadline, silentUntil);
        now = std::chrono::steady_clock::now()) {
     // where nobody tells who is there, as for other machines, the silence alone must do
@@ -245,12 +249,14 @@ void Network::discover(std::chrono::nanoseconds timeout) {
     for (const OpenPort& each : open.value_or(std::vector<OpenPort>())) {
       if (each.isOnLoopbackAlone && each.port != ownPort_) ports.push_back(each.port);
     }
-    if (directory_.waitForAll(ports, std::min(deadline, now + kLookAgain))) return;
+    if (directory_.waitForAll(ports, std::min(deadline, now + kLookAgain))) return true;
     if (const std::uint64_t newVersion = directory_.version(); newVersion != version) {
       version = newVersion;
-      silentUntil = deadlineAfter(kSilence);
+      silentUntil = deadlineAfter(silence);
     }
   }
+  // of other machines nobody knows who should have answered, and who looks for so short a time will look again
+  return interface_ || timeout < silence;
 }
 
 void Network::watchTraffic(std::chrono::nanoseconds duration) {

@@ -54,7 +54,9 @@ class Network : private rtps::RTPSParticipantListener {
 
   /// Waits until all participants on this machine have announced their endpoints, at most `timeout`. A silent one (it
   /// may be suspended) is not waited for once the others have been silent for a while too.
-  void discover(std::chrono::nanoseconds timeout);
+  /// @return Whether all of them have; true where that can't be said: other machines take part, or the timeout is shorter
+  /// than a busy process may be silent.
+  bool discover(std::chrono::nanoseconds timeout);
 
   /// @param source Reports this process's traffic when others ask. It is not called any more after another one was set.
   void reportTraffic(std::function<TrafficReport()> source) { reporter_.setSource(std::move(source)); }

@@ -18,6 +18,7 @@
 #include "support/process.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim {
 
@@ -237,6 +238,22 @@ TEST_F(NodeTest, FindsEveryTopicOfEveryProcess) {
   const auto finder = peer({"discover"});
   EXPECT_EQ(finder->wait(), 0);
   EXPECT_EQ(finder->output(), "found 800\n");
+}
+
+TEST_F(NodeTest, SaysWhereAListMayBeIncomplete) {
+  const auto other = peer({"offer", "3", "0"});
+  ASSERT_TRUE(other->waitForOutput("ready"));
+  other->kill(SIGSTOP);
+  Transport newcomer;
+  testing::internal::CaptureStderr();
+  newcomer.discover(kDeadline);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("the list may be incomplete"), std::string::npos);
+  // said once
+  testing::internal::CaptureStderr();
+  newcomer.discover(kDeadline);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  other->kill(SIGCONT);
+  EXPECT_TRUE(test::waitUntil([&] { return newcomer.discover(kDeadline).size() == 3; }));
 }
 
 TEST_F(NodeTest, FindsEveryServiceOfEveryProcess) {
