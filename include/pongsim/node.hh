@@ -388,6 +388,11 @@ class PONGSIM_API Transport {
   /// @return All topics with a publisher or subscriber other than this `Transport`'s own, sorted by name.
   std::vector<TopicInfo> discover(std::chrono::nanoseconds timeout);
 
+  /// @return Whether all processes of this machine had answered when `discover` or `discoverServices` last returned:
+  /// false where one is stopped or too busy, and what was returned may lack what it offers. True before, and where
+  /// other machines take part, of which nobody knows who should answer.
+  bool heardAll() const;
+
   /// Waits until the topic has a publisher (or subscriber) in another process, up to `timeout`.
   /// @return The topic as known then.
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);

@@ -92,6 +92,7 @@ class Bus {
   void wake(DispatchQueue& queue);
 
   std::vector<TopicInfo> discover(std::chrono::nanoseconds timeout);
+  bool heardAll() const { return heardAll_; }
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);
   TopicInfo watchTopic(std::string_view topic, std::chrono::nanoseconds duration);
 
@@ -138,7 +139,6 @@ class Bus {
   void receive(Channel& channel, const ParticipantId& sender, Buffer& sample);
   void forgetLatched(Channel& channel, const std::function<bool(const ParticipantId& sender)>& isMeant);
   TrafficReport traffic();
-  void lookAround(std::chrono::nanoseconds timeout);
   Buffer* takeBuffer(std::size_t size);
   void collectArrivals(DispatchQueue& queue);
   void releaseArrivals(DispatchQueue& queue);
@@ -166,8 +166,7 @@ class Bus {
   BufferPool buffers_;
   std::vector<Buffer*> dropped_;
   std::uint64_t nextArrival_ = 0;
-  // once is enough for who looks around again and again
-  std::atomic<bool> saidIncomplete_ = false;
+  std::atomic<bool> heardAll_ = true;
 
   ServiceServer server_;
   ServiceClient client_;

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <tuple>
 
-#include "pongsim/log.hh"
 #include "transport/any_type.hh"
 #include "transport/bus.hh"
 #include "transport/deadline.hh"
@@ -14,15 +13,6 @@
 #include "transport/type_name.hh"
 
 namespace pongsim::transport {
-
-namespace {
-
-const Logger& lookLog() {
-  static const Logger logger("transport");
-  return logger;
-}
-
-}  // namespace
 
 std::vector<OwnTopic> Bus::ownTopics(const DispatchQueue& queue) {
   const std::lock_guard lock(setUp_);
@@ -80,15 +70,9 @@ TrafficReport Bus::traffic() {
   return report;
 }
 
-void Bus::lookAround(std::chrono::nanoseconds timeout) {
-  if (network_->discover(timeout) || saidIncomplete_.exchange(true)) return;
-  lookLog().warning(
-      "some process of this domain has not said what it offers, so the list may be incomplete; is one stopped?");
-}
-
 std::vector<TopicInfo> Bus::discover(std::chrono::nanoseconds timeout) {
   if (!network_) return {};
-  lookAround(timeout);
+  heardAll_ = network_->discover(timeout);
   return network_->directory().topics();
 }
 
@@ -109,7 +93,7 @@ TopicInfo Bus::watchTopic(std::string_view topic, std::chrono::nanoseconds durat
 
 std::vector<ServiceInfo> Bus::discoverServices(std::chrono::nanoseconds timeout) {
   if (!network_) return {};
-  lookAround(timeout);
+  heardAll_ = network_->discover(timeout);
   return network_->directory().services();
 }
 

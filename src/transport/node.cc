@@ -275,6 +275,8 @@ std::size_t Transport::dispatchFor(std::chrono::nanoseconds timeout) { return bu
 
 void Transport::wake() { bus_->wake(*queue_); }
 
+bool Transport::heardAll() const { return bus_->heardAll(); }
+
 std::vector<TopicInfo> Transport::discover(std::chrono::nanoseconds timeout) { return bus_->discover(timeout); }
 
 TopicInfo Transport::waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout) {

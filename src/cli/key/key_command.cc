@@ -14,6 +14,7 @@
 #include "cli/console.hh"
 #include "cli/key/key_reader.hh"
 #include "cli/key/key_terminal.hh"
+#include "cli/look_around.hh"
 #include "cli/network_option.hh"
 #include "cli/number_option.hh"
 #include "cli/secure_option.hh"
@@ -95,7 +96,7 @@ bool Keyboard::findListener(bool isTerminal) {
     say("no subscriber on " + options_.topic + " yet");
     return true;
   }
-  fail("no subscriber on " + options_.topic, nearestTopic(options_.topic, transport_.discover(kDiscoveryTime)));
+  fail("no subscriber on " + options_.topic, nearestTopic(options_.topic, topicsAround(transport_)));
   return false;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/console.hh"
+#include "cli/look_around.hh"
 #include "cli/message_option.hh"
 #include "cli/service/service_command.hh"
 #include "cli/service/service_name.hh"
@@ -52,7 +53,7 @@ std::optional<int> findTypes(Transport& transport, CallOptions& options) {
 
 int listServices(bool asJson) {
   Transport transport;
-  const std::vector<ServiceInfo> services = transport.discoverServices(kDiscoveryTime);
+  const std::vector<ServiceInfo> services = servicesAround(transport);
   if (asJson) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const ServiceInfo& service : services) list.push_back(jsonOf(service));
@@ -66,7 +67,7 @@ int listServices(bool asJson) {
 
 int showService(const std::string& name, bool asJson) {
   Transport transport;
-  const std::vector<ServiceInfo> services = transport.discoverServices(kDiscoveryTime);
+  const std::vector<ServiceInfo> services = servicesAround(transport);
   const auto service = std::ranges::find(services, name, &ServiceInfo::name);
   if (service == services.end()) return fail("no service " + name, nearestService(name, services));
 

@@ -4,7 +4,7 @@
 
 #include "base/nearest_word.hh"
 #include "cli/console.hh"
-#include "cli/topic/topic_command.hh"
+#include "cli/look_around.hh"
 #include "pongsim/node.hh"
 #include "transport/service_name.hh"
 
@@ -25,7 +25,7 @@ std::string nearestService(std::string_view name, const std::vector<ServiceInfo>
 }
 
 int failWithoutService(Transport& transport, const std::string& service) {
-  return fail("no service " + service, nearestService(service, transport.discoverServices(kDiscoveryTime)));
+  return fail("no service " + service, nearestService(service, servicesAround(transport)));
 }
 
 }  // namespace pongsim::cli

@@ -13,10 +13,6 @@
 
 namespace pongsim::cli {
 
-/// How long a look around waits for the other processes to tell of their topics. It ends when they have, or are silent:
-/// only many of them on a busy machine take as long.
-inline constexpr std::chrono::milliseconds kDiscoveryTime{30'000};
-
 /// How long to wait for somebody to come, where the user does not say.
 inline constexpr std::chrono::milliseconds kArrivalTime{1000};
 

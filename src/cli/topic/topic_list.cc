@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/console.hh"
+#include "cli/look_around.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/topic/topic_name.hh"
 #include "pongsim/node.hh"
@@ -91,7 +92,7 @@ std::string line(const TopicInfo& topic) {
 
 int listTopics(bool isVerbose, bool asJson) {
   Transport transport;
-  const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
+  const std::vector<TopicInfo> topics = topicsAround(transport);
   if (asJson) return print(jsonOf(topics)) ? kDone : kFailed;
   std::string text;
   for (const TopicInfo& topic : topics) {
@@ -107,7 +108,7 @@ int listTopics(bool isVerbose, bool asJson) {
 
 int showTopic(const std::string& name, bool asJson) {
   Transport transport;
-  const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
+  const std::vector<TopicInfo> topics = topicsAround(transport);
   const auto found =
       std::find_if(topics.begin(), topics.end(), [&name](const TopicInfo& each) { return each.name == name; });
   if (found == topics.end()) return fail("no publishers on " + name, nearestTopic(name, topics));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/console.hh"
+#include "cli/look_around.hh"
 #include "cli/stop_signal.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/topic/topic_name.hh"
@@ -15,7 +16,7 @@ namespace {
 
 /// @return The exit code after saying why nobody listens.
 int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
-  const std::vector<TopicInfo> topics = transport.discover(kDiscoveryTime);
+  const std::vector<TopicInfo> topics = topicsAround(transport);
   for (const TopicInfo& topic : topics) {
     if (topic.name != options.topic || topic.subscribers.empty()) continue;
     const std::string& theirs = topic.subscribers.front().type;

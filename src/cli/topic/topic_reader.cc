@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/console.hh"
+#include "cli/look_around.hh"
 #include "cli/topic/topic_command.hh"
 #include "cli/topic/topic_name.hh"
 
@@ -65,7 +66,7 @@ void TopicReader::findType() {
   }
   if (topic.publishers.empty()) {
     if (!isTimeOver()) return;
-    return fail("no publisher on " + options_.topic, nearestTopic(options_.topic, transport_.discover(kDiscoveryTime)));
+    return fail("no publisher on " + options_.topic, nearestTopic(options_.topic, topicsAround(transport_)));
   }
   const std::string& type = topic.publishers.front().type;
   for (const TopicInfo::Endpoint& publisher : topic.publishers) {
@@ -92,7 +93,7 @@ void TopicReader::refuseWrongType() {
 void TopicReader::sayWaiting() {
   if (saidWaiting_ || Clock::now() - start_ < kPatience) return;
   saidWaiting_ = true;
-  const std::string hint = nearestTopic(options_.topic, transport_.discover(kDiscoveryTime));
+  const std::string hint = nearestTopic(options_.topic, topicsAround(transport_));
   say("waiting for a publisher on " + options_.topic + (hint.empty() ? "" : "\n  hint: " + hint));
 }
 

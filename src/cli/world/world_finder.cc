@@ -6,8 +6,8 @@
 
 #include "base/nearest_word.hh"
 #include "cli/console.hh"
+#include "cli/look_around.hh"
 #include "cli/stop_signal.hh"
-#include "cli/topic/topic_command.hh"
 #include "msgs/control/control_messages.hh"
 #include "pongsim/message.hh"
 #include "pongsim/node.hh"
@@ -19,6 +19,8 @@ namespace {
 constexpr std::string_view kWorldPrefix = "/world/", kControlSuffix = "/control";
 /// From one look to the next.
 constexpr std::chrono::milliseconds kBetweenLooks{20};
+// Worlds that run answer within it.
+constexpr std::chrono::milliseconds kShortestLook{500};
 
 /// @return The names of the worlds that can be controlled, as they stand in topics.
 std::vector<std::string> worldsOf(const std::vector<ServiceInfo>& services) {
@@ -56,7 +58,8 @@ std::optional<std::string> findWorld(Transport& transport, const StopSignal& sig
   const Clock::time_point deadline = Clock::now() + timeout;
   std::vector<std::string> worlds;
   while (true) {
-    worlds = worldsOf(transport.discoverServices(kDiscoveryTime));
+    worlds = worldsOf(
+        transport.discoverServices(std::clamp<std::chrono::nanoseconds>(timeout, kShortestLook, kDiscoveryTime)));
     const bool found = name.empty() ? !worlds.empty() : std::ranges::count(worlds, name) > 0;
     if (found || signal.stopped() || Clock::now() >= deadline) break;
     transport.dispatchFor(kBetweenLooks);
