@@ -11,7 +11,7 @@ namespace pongsim::cli {
 void addSecureOption(CLI::App& command) {
   const auto secure = [](const std::string& place) {
     if (place.empty()) throw UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
-    // a mistake in it is one even where the command turns out to talk to nobody
+    // a mistake in it is an error even if the command ends up communicating with nobody
     readIdentity(identityFolder(place));
     secureBy(place);
   };
