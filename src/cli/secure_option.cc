@@ -17,8 +17,8 @@ void addSecureOption(CLI::App& command) {
   };
   command
       .add_option_function<std::string>("--secure", secure,
-                                        "Talk to none but identities of this keystore, as one of them, encrypted:\n"
-                                        "'pongsim security' makes it")
+                                        "Encrypt everything, and communicate only with identities of this keystore,\n"
+                                        "as one of them; 'pongsim security' creates keystores")
       ->type_name("KEYSTORE[/NAME]");
 }
 
