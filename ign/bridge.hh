@@ -17,19 +17,19 @@
 
 namespace pongsim::ign {
 
-/// Puts the topics and services of this transport on ign-transport, under their names: what its own publishers say goes
-/// there while somebody listens there, what is said there goes to its own subscriptions. For the simulation's thread,
-/// which calls nothing of the library's; must not outlive the transport.
+/// Bridges this transport's topics and services to ign-transport, under the same names. Messages of its own publishers
+/// are sent there while somebody subscribes there; messages published there go to its own subscriptions. For the
+/// simulation's thread, which never calls the library itself; must not outlive the transport.
 class Bridge {
  public:
   /// @param log Must outlive it.
-  /// @param address At which this process speaks ign-transport.
+  /// @param address The address at which this process uses ign-transport.
   Bridge(const Node& simulation, const Logger& log, const std::string& address);
   ~Bridge();
   Bridge(const Bridge&) = delete;
   Bridge& operator=(const Bridge&) = delete;
 
-  /// To be called in each step: follows topics, services and readers that have come or gone.
+  /// Call in each step: handles topics, services and subscribers that have been added or removed.
   void update();
 
  private:
@@ -51,12 +51,12 @@ class Bridge {
   std::uint64_t servicesVersion_;
   std::atomic<bool> haveReadersChanged_ = false;
   std::atomic<bool> haveTypesCome_ = false;
-  /// Of the courier's thread.
+  /// Only used on the courier's thread.
   std::unique_ptr<Services> offers_;
   Courier courier_;
   RemoteCalls calls_;
   Gateway gateway_;
-  /// By name and type.
+  /// Keyed by name and type.
   std::map<std::pair<std::string, std::string>, Out> outgoing_;
   std::map<std::string, std::shared_ptr<IncomingTopic>> incoming_;
   std::map<std::string, std::shared_ptr<OfferedService>> services_;

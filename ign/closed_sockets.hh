@@ -2,9 +2,9 @@
 
 namespace pongsim::ign {
 
-/// Has the kernel drop what other machines send to the discovery of ign-transport in this process, which listens at all
-/// addresses wherever it is told to speak.
-/// @return How many sockets there were.
+/// Makes the kernel drop packets from other machines to ign-transport's discovery in this process, which listens on all
+/// addresses regardless of where it is told to send.
+/// @return The number of sockets.
 int closeDiscoveryToOthers();
 
 }  // namespace pongsim::ign

@@ -19,30 +19,30 @@
 
 namespace pongsim::ign {
 
-/// The thread that speaks to ign-transport, whose locks others hold for 100 ms and more: the simulation never waits for
-/// it. What is beyond 10,000 messages or 64 MiB is dropped, the oldest first, with a warning.
+/// The thread that calls ign-transport, whose locks others hold for 100 ms and more: the simulation never waits for it.
+/// If more than 10,000 messages or 64 MiB are queued, the oldest are dropped, with a warning.
 class Courier {
  public:
-  /// @param heardChanged Called on the courier's thread when a topic has got its first reader or lost its last one.
-  /// @param address At which this process speaks.
+  /// @param heardChanged Called on the courier's thread when a topic has got its first subscriber or lost its last one.
+  /// @param address The address at which this process uses ign-transport.
   Courier(const Logger& log, const std::string& address, std::function<void()> heardChanged);
-  /// Does what it was asked to do, and ends.
+  /// Finishes the queued work first.
   ~Courier();
   Courier(const Courier&) = delete;
   Courier& operator=(const Courier&) = delete;
 
-  /// Has it done on the thread, in order. Returns at once.
+  /// Queues a task for the thread. Returns immediately.
   void post(std::function<void()> task);
 
-  /// Advertises the topic, and looks from then on for who listens.
+  /// Advertises the topic, and from then on checks for subscribers.
   void open(std::shared_ptr<OutgoingTopic> topic);
-  /// Ends it there, too, for that may wait for the library.
+  /// Also closes it on the courier's thread, because that may wait for the library.
   void close(std::shared_ptr<OutgoingTopic> topic);
 
-  /// Has a message sent. Returns at once.
+  /// Queues a message. Returns immediately.
   void send(const std::shared_ptr<OutgoingTopic>& topic, Payload payload);
 
-  /// @return Messages that were dropped so far, beside those that ZeroMQ drops for readers that are behind.
+  /// @return Number of messages dropped so far, not counting those that ZeroMQ drops for slow subscribers.
   std::uint64_t dropped() const { return dropped_; }
 
  private:
@@ -58,7 +58,7 @@ class Courier {
 
   const Logger& log_;
   std::function<void()> heardChanged_;
-  /// For the thread.
+  /// Only used on the courier's thread.
   std::vector<std::shared_ptr<OutgoingTopic>> topics_;
   Heartbeats heartbeats_;
 
@@ -71,7 +71,7 @@ class Courier {
   bool mustEnd_ = false;
   std::atomic<std::uint64_t> dropped_ = 0;
   std::int64_t nextWarning_ = 0;
-  // begins last
+  // starts last
   std::thread thread_;
 };
 

@@ -6,23 +6,23 @@
 
 namespace pongsim::ign {
 
-/// Who of the other processes still announces itself, as all do once a second. The library itself takes those that were
-/// killed for listeners forever. For one thread at a time.
+/// Tracks which other processes still announce themselves, as all do once a second. The library itself counts killed
+/// processes as subscribers for ever. For one thread at a time.
 class Heartbeats {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Listens where this process's discovery does.
-  /// @param address At which this process speaks.
+  /// Listens on the same port as this process's discovery.
+  /// @param address The address at which this process uses ign-transport.
   explicit Heartbeats(const std::string& address);
   ~Heartbeats();
   Heartbeats(const Heartbeats&) = delete;
   Heartbeats& operator=(const Heartbeats&) = delete;
 
-  /// Takes what has come. Never waits.
+  /// Reads what has arrived. Never blocks.
   void read();
 
-  /// @return Whether the process with that number has been heard in the last 10 s, or never at all.
+  /// @return Whether a process with this id was heard in the last 10 s, or never at all.
   bool isAlive(const std::string& process, Clock::time_point now = Clock::now()) const;
 
  private:

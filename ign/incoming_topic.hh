@@ -18,10 +18,10 @@
 
 namespace pongsim::ign {
 
-/// A topic that the world listens to, as ign-transport has it: what is published there goes to the world.
+/// A topic on ign-transport that the world subscribes to: messages published there are passed to the world.
 class IncomingTopic : public std::enable_shared_from_this<IncomingTopic> {
  public:
-  /// @param wake Called on a thread of ign-transport when `openNewTypes` has something to do.
+  /// @param wake Called on a thread of ign-transport when `openNewTypes` has work to do.
   IncomingTopic(std::string name, const Logger& log, std::function<void()> wake);
 
   const std::string name;
@@ -33,12 +33,12 @@ class IncomingTopic : public std::enable_shared_from_this<IncomingTopic> {
 
   // On the simulation's thread.
 
-  /// Says which types the world listens to.
-  /// @param takesAny Whether it takes all others, too.
+  /// Sets the types that the world subscribes to.
+  /// @param takesAny Whether it also takes all others.
   void listenTo(Node& simulation, const std::set<std::string>& types, bool takesAny);
-  /// Opens the types that have come where all are taken.
+  /// Opens newly seen types, if all types are taken.
   void openNewTypes(Node& simulation);
-  /// Ends it: nothing goes to the world from then on.
+  /// Ends the subscription: nothing reaches the world from then on.
   void end();
 
  private:
@@ -58,9 +58,9 @@ class IncomingTopic : public std::enable_shared_from_this<IncomingTopic> {
   bool hasEnded_ = false;
   bool takesAny_ = false;
   std::map<std::string, Publisher> publishers_;
-  /// What came before its type was opened.
+  /// Messages that arrived before their type was opened.
   std::deque<Early> early_;
-  /// Types that nobody listens to, complained of once each.
+  /// Types without a subscriber, each reported once.
   std::set<std::string> refused_;
 };
 

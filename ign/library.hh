@@ -4,9 +4,9 @@
 
 namespace pongsim::ign {
 
-/// What ign-transport has once for a process, which begins with the first call and is there to the end. All of this
-/// room takes it from here, before it makes a node: what the library leaves to fall over when the process ends is
-/// mended by then.
+/// ign-transport's state shared by all nodes of a process, which exists from the first call to the end. All of this
+/// component's code gets it here before it creates a node; by then, what makes the library fail when the process exits
+/// has been worked around.
 ignition::transport::NodeShared& library();
 
 }  // namespace pongsim::ign

@@ -6,11 +6,11 @@
 
 namespace pongsim::ign {
 
-/// What a service answers with that, by the rules of ign-transport, sends no answer.
+/// The reply type of services that send no reply, by the rules of ign-transport.
 inline constexpr std::string_view kNoReply = "ignition.msgs.Empty";
 
-/// @return The name that a topic or service has on the wire: "@/PARTITION@/clock", in this process's partition; nothing
-/// where it can't have one.
+/// @return The name of a topic or service on the wire, in this process's partition: "@/PARTITION@/clock"; nothing if it
+/// can't have one.
 std::optional<std::string> wireName(const std::string& name);
 
 }  // namespace pongsim::ign

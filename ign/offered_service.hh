@@ -11,8 +11,8 @@
 
 namespace pongsim::ign {
 
-/// Takes requests of ign-transport to a service of the world, whatever its types. The library calls it on its thread,
-/// which waits for the simulation to answer, as the threads of Fortress do.
+/// Handles ign-transport requests to a service of the world, whatever its types. The library calls it on its thread,
+/// which then waits for the simulation's answer, as Fortress's threads do.
 class OfferedService final : public ignition::transport::IRepHandler {
  public:
   /// @param simulation A copy of it is used on the library's thread.
@@ -20,8 +20,8 @@ class OfferedService final : public ignition::transport::IRepHandler {
 
   const OwnService& service() const { return service_; }
 
-  /// Lets go of who waits: the simulation does not answer any more. Returns when none is left. For the simulation's
-  /// thread.
+  /// Releases the waiting requests: the simulation will not answer any more. Returns when none is left. For the
+  /// simulation's thread.
   void end();
 
   bool RunLocalCallback(const ignition::transport::ProtoMsg& request, ignition::transport::ProtoMsg& reply) override;

@@ -10,27 +10,27 @@
 
 namespace pongsim::ign {
 
-/// A topic of the world as ign-transport has it. For the courier's thread, but where it says otherwise.
+/// A topic of the world on ign-transport. For the courier's thread, unless noted otherwise.
 class OutgoingTopic {
  public:
-  /// For any thread: does nothing yet.
+  /// For any thread: has no effect yet.
   OutgoingTopic(std::string name, std::string type);
 
   const std::string name;
   const std::string type;
 
-  /// Whether somebody listens, as `look` found. For any thread.
+  /// Whether there are subscribers, as of the last `look`. For any thread.
   std::atomic<bool> isHeard = false;
 
-  /// @return False, with words of the library's on stderr, where it can't be had.
+  /// @return False on failure; the library then prints an error on stderr.
   bool advertise();
   void unadvertise();
 
-  /// Sees who listens.
+  /// Checks for subscribers.
   /// @return Whether `isHeard` has changed.
   bool look(const Heartbeats& heartbeats);
 
-  /// Hands the bytes over, without a copy. Readers that are behind do without.
+  /// Sends the bytes without copying them. Subscribers that can't keep up miss messages.
   void send(Payload payload);
 
  private:

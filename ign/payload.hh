@@ -7,7 +7,7 @@
 
 namespace pongsim::ign {
 
-/// A message's bytes on the heap, in the form in which ZeroMQ takes them over without a copy.
+/// A serialized message on the heap, in a form that ZeroMQ can take over without copying.
 class Payload {
  public:
   /// @throws std::bad_alloc
@@ -23,12 +23,12 @@ class Payload {
   std::size_t size() const { return size_; }
   std::span<std::byte> bytes() const { return {static_cast<std::byte*>(data_), size_}; }
 
-  /// Gives the bytes away, to who calls `free` with them.
+  /// Releases ownership; the new owner must call `free`.
   char* release() { return static_cast<char*>(std::exchange(data_, nullptr)); }
-  /// As ZeroMQ wants it.
+  /// In the form required by ZeroMQ.
   static void free(void* data, void* hint);
 
-  /// @return The bytes of all payloads that are there, given away or not.
+  /// @return The total size of all existing payloads, released or not [bytes].
   static std::size_t total();
 
  private:

@@ -5,7 +5,7 @@
 
 namespace pongsim::ign {
 
-/// Where a process speaks ign-transport.
+/// Where a process can be reached by ign-transport.
 struct Place {
   /// IPv4 address of this machine.
   std::string address;
@@ -14,13 +14,13 @@ struct Place {
   std::string partition;
 };
 
-/// @return What IGN_IP says, else the address of the interface that PONGSIM_NETWORK names, else 127.0.0.1; the
-/// partition is IGN_PARTITION's, else HOST:USER.
-/// @throws std::invalid_argument where that is no address or no interface of this machine, or no partition.
+/// @return The address in IGN_IP, else that of the interface named in PONGSIM_NETWORK, else 127.0.0.1; the partition is
+/// IGN_PARTITION, else HOST:USER.
+/// @throws std::invalid_argument if that is not an address or interface of this machine, or not a valid partition.
 Place placeOfEnvironment();
 
-/// Has ign-transport speak there, by its environment variables. To be called before anything else of it.
-/// @param queueLength How many messages wait for each reader, unless IGN_TRANSPORT_SNDHWM says so.
+/// Sets the environment variables that make ign-transport use that place. Call before anything else of the library.
+/// @param queueLength Maximum number of messages queued for each subscriber, unless IGN_TRANSPORT_SNDHWM is set.
 void settle(const Place& place, int queueLength);
 
 }  // namespace pongsim::ign

@@ -11,21 +11,21 @@
 
 namespace pongsim::ign {
 
-/// Calls of the world to services that nodes of ign-transport offer. For any thread.
+/// Calls from the world to services offered by ign-transport nodes. For any thread.
 class RemoteCalls {
  public:
   RemoteCalls();
 
-  /// As `CallElsewhere`.
+  /// See `CallElsewhere`.
   std::optional<CallResult> call(const std::string& service, const Message& request, Message& reply,
                                  std::chrono::nanoseconds timeout);
 
-  /// Lets go of who waits.
+  /// Releases the waiting callers.
   void end();
 
  private:
   class Request;
-  /// What the library's thread may come to after all else has gone.
+  /// State that the library's thread may still use after everything else has been destroyed.
   struct Shared {
     std::mutex mutex;
     std::condition_variable changed;

@@ -12,7 +12,7 @@
 
 namespace pongsim::ign {
 
-/// The services that this process offers by ign-transport. For the courier's thread.
+/// The services that this process offers on ign-transport. For the courier's thread.
 class Services {
  public:
   Services();

@@ -7,12 +7,12 @@
 
 namespace pongsim::security {
 
-/// What the words behind an action say.
+/// The parsed arguments of an action.
 struct Options {
-  /// Empty: nobody has said where.
+  /// Empty: not given.
   std::string keystore;
   std::string name;
-  /// 0: as long as it is usual.
+  /// 0: the default.
   int days = 0;
   Permissions permissions;
   std::string permissionsFile;
@@ -21,7 +21,7 @@ struct Options {
 
 namespace actions {
 
-/// Each does its work, or throws why it can't.
+/// Each function runs one action, or throws why it failed.
 /// @return The exit code.
 int init(const Options& options);
 int add(const Options& options);

@@ -15,7 +15,7 @@ struct Free {
   void operator()(X509* certificate) const { X509_free(certificate); }
 };
 
-/// A private key, and the certificate that says whose it is.
+/// A private key and the certificate of its owner.
 struct Credentials {
   std::unique_ptr<EVP_PKEY, Free> key;
   std::unique_ptr<X509, Free> certificate;
@@ -26,21 +26,21 @@ struct Credentials {
   std::string certificateAsPem() const;
 };
 
-/// A new certificate authority: EC on P-256, signed by itself with SHA-256.
+/// Creates a certificate authority: EC on P-256, self-signed with SHA-256.
 /// @throws programs::Failure
 Credentials makeAuthority(int days);
 
-/// New credentials of a participant, "CN=/robot", that the authority signs, valid from a day ago for so many days, and
-/// no longer than the authority. That day is for clocks that differ, and for Fast DDS, which reads the times of
-/// permissions by the local time zone.
+/// Creates credentials of a participant, "CN=/robot", signed by the authority. They are valid for this many days,
+/// starting a day ago, and no longer than the authority. The day allows for clocks that differ, and for Fast DDS, which
+/// reads the times in permissions in the local time zone.
 /// @throws programs::Failure
 Credentials makeIdentity(const std::string& name, int days, const Credentials& authority);
 
-/// @throws KeystoreError where one of the files is missing, unreadable or no PEM, the key can be read by others or is
-/// not that of the certificate.
+/// @throws KeystoreError if a file is missing, unreadable or not PEM, or if the key can be read by others or does not
+/// match the certificate.
 Credentials readCredentials(const std::filesystem::path& certificate, const std::filesystem::path& key);
 
-/// @return The text, signed by S/MIME as DDS-Security wants it: legible, with the signature behind it.
+/// @return The text signed with S/MIME as DDS-Security requires: in clear text, followed by the signature.
 /// @throws programs::Failure
 std::string signedBy(const Credentials& authority, const std::string& text);
 

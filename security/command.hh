@@ -4,7 +4,7 @@
 
 namespace pongsim::security {
 
-/// Adds the actions of `pongsim security`. They stand in share/security.json, too, for help and completion.
+/// Adds the actions of `pongsim security`. They are also listed in share/security.json, for help and completion.
 void addActions(CLI::App& program, programs::Work& work);
 
 }  // namespace pongsim::security

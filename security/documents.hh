@@ -7,7 +7,7 @@
 
 namespace pongsim::security {
 
-/// What an identity is to be allowed, by patterns of topics and services ("/robot/*"); with none of them: everything.
+/// The permissions of an identity, as patterns of topics and services ("/robot/*"); without any, everything is allowed.
 struct Permissions {
   std::vector<std::string> publish;
   std::vector<std::string> subscribe;
@@ -17,15 +17,16 @@ struct Permissions {
   bool areAll() const { return publish.empty() && subscribe.empty() && call.empty() && offer.empty(); }
 };
 
-/// Topics by which participants know each other, which each identity may use.
+/// Topics through which participants discover each other; every identity may use them.
 bool isEverybodys(std::string_view topic);
 
-/// @return A governance document: in each domain none but identities take part, permissions count for each topic, and
-/// all that is sent is encrypted, from participant to participant.
+/// @return A governance document: in every domain only identities may participate, each topic is subject to
+/// permissions, and everything sent is encrypted from participant to participant.
 std::string governanceDocument();
 
-/// @return A permissions document of one grant, for all domains, in the order in which DDS-Security wants it.
-/// @param name That of the identity, "/robot"; its subject is "CN=/robot".
+/// @return A permissions document with one grant for all domains, with elements in the order that DDS-Security
+/// requires.
+/// @param name Name of the identity, "/robot"; its subject is "CN=/robot".
 std::string permissionsDocument(const std::string& name, std::time_t from, std::time_t until,
                                 const Permissions& permissions);
 

@@ -8,7 +8,7 @@ constexpr pongsim::programs::AddAction kActions[] = {pongsim::security::addActio
 
 constexpr pongsim::programs::Program kProgram{
     .name = "pongsim security",
-    .about = "Keystores by which topics and services are secured: who may take part, and do what",
+    .about = "Creates and lists keystores, which secure topics and services.",
     .actions = kActions,
     .footer =
         "Examples:\n"

@@ -12,7 +12,7 @@
 
 namespace pongsim::ign {
 
-/// Says something on 127.0.0.1 to the group of discovery, as other processes do.
+/// Sends a packet on 127.0.0.1 to the discovery group, as other processes do.
 /// @return Whether it was sent.
 inline bool sayToGroup(const std::string& packet, const std::string& group, int port) {
   const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
@@ -28,7 +28,7 @@ inline bool sayToGroup(const std::string& packet, const std::string& group, int 
   return sent == static_cast<ssize_t>(packet.size());
 }
 
-/// @return A packet of that process: one of discovery, with its length in front.
+/// @return A discovery packet of a process, preceded by its length.
 inline std::string packetOf(const std::string& process, ignition::msgs::Discovery::Type type) {
   ignition::msgs::Discovery message;
   message.set_version(10);

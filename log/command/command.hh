@@ -4,8 +4,8 @@
 
 namespace pongsim::log {
 
-// The actions of `pongsim log` (`programs::AddAction`). Each stands in the list in main.cc, too, and in share/log.json
-// for help and completion.
+// The actions of `pongsim log` (`programs::AddAction`). Each is also listed in main.cc, and in share/log.json for help
+// and completion.
 void addPlaybackAction(CLI::App& program, programs::Work& work);
 void addWorldAction(CLI::App& program, programs::Work& work);
 void addConvertAction(CLI::App& program, programs::Work& work);

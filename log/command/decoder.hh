@@ -9,16 +9,16 @@
 
 namespace pongsim::log {
 
-/// Reads the messages of one topic, whose type a file describes or this program knows.
+/// Decodes the messages of one topic, whose type is described in the file or known to this program.
 class Decoder {
  public:
   virtual ~Decoder() = default;
 
-  /// @return The message, there until the next call.
-  /// @throws Failure where the payload is none.
+  /// @return The message, valid until the next call.
+  /// @throws Failure if the payload is invalid.
   virtual const Message& decode(std::string_view payload) = 0;
 
-  /// An empty one, which tells the fields.
+  /// An empty message, for its list of fields.
   virtual const Message& prototype() const = 0;
 
   /// @return The message as one line of JSON.
@@ -26,7 +26,7 @@ class Decoder {
 };
 
 /// @param type Full name.
-/// @throws Failure where messages of that definition can't be read.
+/// @throws Failure if messages with this definition can't be decoded.
 std::unique_ptr<Decoder> makeDecoder(const Definition& definition, const std::string& type);
 
 }  // namespace pongsim::log

@@ -9,20 +9,20 @@
 
 namespace pongsim::log {
 
-/// @return The text as a value of RFC 4180: in quotes where it would be more than one otherwise.
+/// @return The text as a CSV field (RFC 4180), quoted if necessary.
 std::string csvValue(const std::string& text);
 
-/// The messages of one topic as lines, each with the time of its record [s] in front.
+/// Formats the messages of one topic as lines that start with the record's time [s].
 class ExportRows {
  public:
-  /// @param fields Paths of values; empty: the whole message, as CSV all single numbers, texts and booleans.
-  /// @throws Failure where one is not in the type.
+  /// @param fields Paths of values; empty: the whole message; for CSV, all single numbers, texts and booleans.
+  /// @throws Failure if the type does not have one of them.
   ExportRows(const Definition& definition, std::string topic, const std::string& type,
              const std::vector<std::string>& fields, bool asCsv);
 
-  /// @return The first line of a table.
+  /// @return The header line of a table.
   std::string csvHeader() const;
-  /// @throws Failure where the payload is no message of the type, naming the topic and the time.
+  /// @throws Failure, with the topic and time, if the payload is not a message of the type.
   std::string row(std::int64_t timeNs, std::string_view payload);
 
  private:

@@ -10,25 +10,25 @@
 
 namespace pongsim::log {
 
-/// @return A writer of the format that the file's name says.
-/// @param options For MCAP; whether a file may be overwritten for both.
-/// @throws Failure where the file is there already and is not to be overwritten, or can't be made; UsageError where its
-/// name says no format.
+/// @return A writer for the format given by the file's name.
+/// @param options For MCAP; whether a file may be overwritten applies to both formats.
+/// @throws Failure if the file exists and must not be overwritten, or can't be created; UsageError if its name gives no
+/// format.
 std::unique_ptr<Writer> newLog(const std::filesystem::path& file, const McapOptions& options,
                                const Definitions& definitions);
 
-/// @throws UsageError where the file's name is that of a tlog, which can't have messages of ROS.
+/// @throws UsageError if the file's name is that of a tlog, which can't contain ROS messages.
 void checkRos2Name(const std::filesystem::path& file);
 
-/// @return A writer of messages of ROS, which says what it leaves out.
-/// @throws As `newLog`, `checkRos2Name` and `ros2Encoder`.
+/// @return A writer for ROS messages, which reports what it leaves out.
+/// @throws Like `newLog`, `checkRos2Name` and `ros2Encoder`.
 std::unique_ptr<EncodedWriter> newRos2Log(const std::filesystem::path& file, const McapOptions& options,
                                           const Ros2Wish& wish);
 
-/// To be called at the end of such a log.
-/// @param hasLeftOut Whether there was something that is not in it.
-/// @param source What it is made of, for the message: "'run.tlog'".
-/// @throws Failure where there was something, and nothing is in the log.
+/// Call at the end of such a log.
+/// @param hasLeftOut Whether some messages were left out.
+/// @param source What it was made from, for the message: "'run.tlog'".
+/// @throws Failure if there were messages but the log contains none.
 void requireSomeOfRos2(const EncodedWriter& writer, bool hasLeftOut, const std::string& source);
 
 }  // namespace pongsim::log

@@ -16,26 +16,26 @@
 
 namespace pongsim::log {
 
-/// Records topics of other processes, by the clock of the wall, until it is told to end.
+/// Records topics of other processes, stamped with wall time, until it is stopped.
 class Recording {
  public:
-  /// Whether a topic of that type can be written.
+  /// Whether a topic of this type can be written.
   using CanWrite = std::function<bool(std::string_view topic, std::string_view type)>;
 
   /// @param transport, writer, choice Must outlive it.
-  /// @param canWrite Topics of which it takes no type are not listened to, but for those that are chosen by their
-  /// names. Null: it takes all.
+  /// @param canWrite Topics with only types that it rejects are not subscribed to, unless they were chosen by name.
+  /// Null: accepts all.
   Recording(Transport& transport, Writer& writer, const TopicChoice& choice, CanWrite canWrite = nullptr);
 
-  /// Takes what comes, for a while; looks for new topics now and then.
-  /// @throws Failure where it can't be written.
+  /// Processes incoming messages for a while; looks for new topics now and then.
+  /// @throws Failure if they can't be written.
   void goOn();
 
   std::uint64_t messages() const { return messages_; }
-  /// Those that have been heard.
+  /// Number of topics with at least one message.
   std::size_t topics() const { return heard_.size(); }
   bool hasHeard(const std::string& topic) const { return heard_.contains(topic); }
-  /// @return Messages that were lost, by topic, of those that lost some.
+  /// @return Number of lost messages for each topic that lost any.
   std::map<std::string, std::uint64_t> lost() const;
 
  private:
@@ -53,11 +53,11 @@ class Recording {
   Clock::time_point nextLook_ = Clock::now();
   std::uint64_t messages_ = 0;
   std::set<std::string> heard_;
-  /// Those that the identity may not subscribe to.
+  /// Topics that the identity is not allowed to subscribe to.
   std::set<std::string> refused_;
-  /// Why nothing more is written.
+  /// Why recording stopped.
   std::exception_ptr failure_;
-  // last: what it calls is there to the end
+  // last, so that what their callbacks use still exists
   std::map<std::string, Subscription> subscriptions_;
 };
 

@@ -12,20 +12,20 @@ class App;
 
 namespace pongsim::log {
 
-/// Whether a log is to have messages of ROS, and which.
+/// Whether a log should contain ROS messages, and which.
 struct Ros2Wish {
   bool isWanted = false;
-  /// As ros_gz_bridge takes it.
+  /// In the format of ros_gz_bridge.
   std::optional<std::string> configFile;
 };
 
 /// Adds `--ros2` and `--ros2-config` to an action.
-/// @param wish Gets what the user says. Must outlive the action.
+/// @param wish Gets the user's choice. Must outlive the action.
 void addRos2Options(CLI::App& action, Ros2Wish& wish);
 
-/// Says what is wrong with the configuration.
-/// @return What makes messages of ROS.
-/// @throws Failure where it is not installed, or the configuration has errors.
+/// Prints the diagnostics of the configuration.
+/// @return An encoder that makes ROS messages.
+/// @throws Failure if it is not installed, or the configuration has errors.
 std::unique_ptr<MessageEncoder> ros2Encoder(const Ros2Wish& wish);
 
 }  // namespace pongsim::log

@@ -6,15 +6,15 @@
 
 namespace pongsim::log {
 
-/// Which topics are recorded: names, and regular expressions (ECMAScript) of whole names.
+/// The topics to record: names, and regular expressions (ECMAScript) for whole names.
 class TopicChoice {
  public:
-  /// @param words A word that is a topic's name, with its slash, stands for that topic, another one is an expression.
-  /// None at all: every topic.
-  /// @throws UsageError where one is no expression.
+  /// @param words A word that is a topic name with its slash stands for that topic, any other is an expression. None at
+  /// all: every topic.
+  /// @throws UsageError if one is not a valid expression.
   explicit TopicChoice(const std::vector<std::string>& words);
 
-  /// Topics that are wanted whether they are there yet or not.
+  /// Topics to record whether or not they exist yet.
   const std::vector<std::string>& names() const { return names_; }
   bool has(const std::string& topic) const;
 

@@ -7,9 +7,9 @@
 
 namespace pongsim::log {
 
-// The numbers of MCAP are little endian, its texts have their length in front.
+// Numbers in MCAP are little endian, texts are preceded by their length.
 
-/// Appends to bytes.
+/// Appends to a byte string.
 class ByteWriter {
  public:
   explicit ByteWriter(std::string& bytes) : bytes_(bytes) {}
@@ -18,7 +18,7 @@ class ByteWriter {
   void number(Number value) {
     for (std::size_t i = 0; i < sizeof(Number); ++i) bytes_ += static_cast<char>(value >> (8 * i) & 0xffU);
   }
-  /// @throws Failure where it is longer than MCAP can say: 4 GiB.
+  /// @throws Failure if it is longer than MCAP allows: 4 GiB.
   void text(std::string_view value);
   void raw(std::string_view value) { bytes_ += value; }
 
@@ -26,11 +26,11 @@ class ByteWriter {
   std::string& bytes_;
 };
 
-/// Reads what may be damaged, or lie.
+/// Reads bytes that may be damaged or malicious.
 class ByteReader {
  public:
   /// @param bytes Must outlive it.
-  /// @param offset Where they stand in the file; @param what They are, as "chunk": both for errors.
+  /// @param offset Their offset in the file; @param what What they are, such as "chunk": both for errors.
   ByteReader(std::string_view bytes, std::uint64_t offset, std::string_view what)
       : bytes_(bytes), offset_(offset), what_(what) {}
 
@@ -44,19 +44,19 @@ class ByteReader {
     }
     return value;
   }
-  /// With its length in four bytes.
+  /// Preceded by its length in four bytes.
   std::string_view text();
-  /// @throws Failure where so many are not left.
+  /// @throws Failure if fewer are left.
   std::string_view raw(std::uint64_t size);
   std::string_view rest();
-  /// @return A reader of the next bytes, which passes them here.
+  /// @return A reader for the next bytes, which are skipped here.
   ByteReader part(std::uint64_t size);
 
   bool isAtEnd() const { return at_ == bytes_.size(); }
-  /// In the file.
+  /// Offset in the file.
   std::uint64_t offset() const { return offset_ + at_; }
   std::size_t position() const { return at_; }
-  /// @throws Failure that says where the reader is.
+  /// @throws Failure with the reader's position.
   [[noreturn]] void fail(const std::string& why) const;
 
  private:
@@ -66,7 +66,7 @@ class ByteReader {
   std::size_t at_ = 0;
 };
 
-/// @return "byte 1234: WHY", which an error says after the file's name.
+/// @return "byte 1234: WHY", printed in errors after the file's name.
 std::string atByte(std::uint64_t offset, const std::string& why);
 
 }  // namespace pongsim::log

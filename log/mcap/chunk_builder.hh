@@ -9,7 +9,7 @@
 
 namespace pongsim::log {
 
-/// A chunk that is being filled.
+/// A chunk being filled.
 class ChunkBuilder {
  public:
   void add(const mcap::Schema& schema) { appendRecord(schema, records_); }
@@ -17,12 +17,12 @@ class ChunkBuilder {
   void add(const mcap::Message& message);
 
   bool isEmpty() const { return records_.empty(); }
-  /// Its records, unpacked.
+  /// Its records, uncompressed.
   const std::string& records() const { return records_; }
-  /// Of the messages [ns]; 0 without any.
+  /// Time range of the messages [ns]; 0 without any.
   std::uint64_t startTime() const { return startTime_; }
   std::uint64_t endTime() const { return endTime_; }
-  /// One for each channel that has messages, by its id.
+  /// One for each channel with messages, by channel id.
   const std::map<std::uint16_t, mcap::MessageIndex>& indexes() const { return indexes_; }
 
  private:

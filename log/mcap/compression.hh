@@ -8,14 +8,14 @@
 
 namespace pongsim::log {
 
-/// How the chunks of an MCAP file are packed.
+/// How the chunks of an MCAP file are compressed.
 enum class Compression { kNone, kLz4, kZstd };
 
-/// @return As MCAP has it: "", "lz4", "zstd".
+/// @return MCAP's name: "", "lz4", "zstd".
 std::string_view compressionName(Compression compression);
 std::optional<Compression> compressionOf(std::string_view name);
 
-/// Packs one chunk after the other, with the memory of the first.
+/// Compresses chunks one after another, reusing memory.
 class Packer {
  public:
   explicit Packer(Compression compression);
@@ -23,8 +23,8 @@ class Packer {
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
 
-  /// @return The packed bytes, there until the next call.
-  /// @throws Failure where there is no memory for it.
+  /// @return The compressed bytes, valid until the next call.
+  /// @throws Failure if there is not enough memory.
   std::string_view pack(std::string_view bytes);
 
  private:
@@ -34,14 +34,14 @@ class Packer {
   std::string packed_;
 };
 
-/// As many bytes as one chunk may become, for a small file could claim any number.
+/// Maximum uncompressed size of a chunk, because a small file could claim any size.
 inline constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 29U;
 
-/// @param size What they must become, at most `kMostUnpacked`. So much memory is taken only as the bytes come to it.
-/// @throws Failure, without a place, where they become more, less or nothing.
+/// @param size The uncompressed size, at most `kMostUnpacked`. Memory is allocated only as data arrives.
+/// @throws Failure, without a position, if the result is longer or shorter, or the data is invalid.
 std::string unpack(Compression compression, std::string_view packed, std::uint64_t size);
 
-/// @return The sum of ISO 3309, as zlib has it; of bytes that follow those of `before`.
+/// @return The CRC-32 of ISO 3309, as in zlib; of bytes that follow those of `before`.
 std::uint32_t crc32Of(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace pongsim::log

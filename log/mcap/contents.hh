@@ -14,65 +14,65 @@
 
 namespace pongsim::log {
 
-/// A part of an MCAP file that is read in one go: a chunk, or records that stand in no chunk.
+/// A part of an MCAP file that is read at once: a chunk, or records outside of chunks.
 struct Block {
-  /// In the file [B], with the head of its record.
+  /// Offset in the file, of the record's head [B].
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
   bool isChunk = true;
-  /// Of its messages [ns].
+  /// Time range of its messages [ns].
   std::uint64_t startTime = 0, endTime = 0;
-  /// As the file has it, and bytes unpacked.
+  /// As given in the file, and the uncompressed size.
   std::string compression;
   std::uint64_t uncompressedSize = 0;
 };
 
-/// What an MCAP file has, and where.
+/// What an MCAP file contains, and where.
 struct Contents {
   mcap::Header header;
   std::map<std::uint16_t, mcap::Schema> schemas;
   std::map<std::uint16_t, mcap::Channel> channels;
-  /// In their order in the file.
+  /// In the order of the file.
   std::vector<Block> blocks;
-  /// Messages of each channel, and of all.
+  /// Number of messages of each channel, and in total.
   std::map<std::uint16_t, std::uint64_t> counts;
   std::uint64_t count = 0;
-  /// [ns]; 0 where there are no messages.
+  /// [ns]; 0 if there are no messages.
   std::uint64_t startTime = 0, endTime = 0;
-  /// What is missing, where something is.
+  /// What is missing, if anything.
   std::optional<std::string> torn;
 };
 
-/// Of one record: what it is, and where its content stands.
+/// A record's opcode and the position of its content.
 struct RecordPlace {
   mcap::Opcode opcode = mcap::Opcode::kHeader;
   std::string_view content;
-  /// Of the record's head, in the bytes it was read from.
+  /// Offset of the record's head, in the bytes that it was read from.
   std::uint64_t offset = 0;
 };
 
-/// Takes the next record of a row of them.
-/// @throws Failure where it is cut off.
+/// Reads the next of several consecutive records.
+/// @throws Failure if it is truncated.
 RecordPlace nextRecord(ByteReader& records);
 
-/// The records of a block, unpacked.
+/// The records of a block, uncompressed.
 struct UnpackedBlock {
   std::string records;
-  /// As the chunk has it.
+  /// As given in the chunk.
   std::string compression;
-  /// In the file [B]: of the records, or of the chunk where they are packed.
+  /// Offset in the file [B]: of the records, or of the chunk if they are compressed.
   std::uint64_t offset = 0;
 };
 
-/// @throws Failure where the block is damaged, or no chunk.
+/// @throws Failure if the block is damaged, or not a chunk.
 UnpackedBlock unpackBlock(const InputFile& file, const Block& block);
 
 /// Calls `visit` with each record and a reader of its content.
-/// @throws Failure, as one of `visit` does, with the place in the file where that is known.
+/// @throws Failure like `visit`, with the position in the file if known.
 void forEachRecord(const UnpackedBlock& block, const std::function<void(const RecordPlace&, ByteReader&)>& visit);
 
-/// @return What the file has, by its summary, or by all of it where there is none, or one that is damaged.
-/// @throws Failure where it is no MCAP file.
+/// @return The file's contents, from its summary, or by scanning the file if the summary is missing or damaged.
+/// @throws Failure if it is not an MCAP file.
 Contents contentsOf(const InputFile& file);
 
 }  // namespace pongsim::log

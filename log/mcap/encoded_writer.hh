@@ -16,32 +16,32 @@
 
 namespace pongsim::log {
 
-/// Writes MCAP in another encoding than protobuf's, in which records come. What has nothing in that encoding is left
-/// out.
+/// Writes MCAP in an encoding other than the records' protobuf. Messages without an equivalent in that encoding are
+/// left out.
 class EncodedWriter final : public Writer {
  public:
-  /// @param options Their profile is the encoder's.
-  /// @param warn Told what is left out and why, once for each topic.
-  /// @throws Failure where the file can't be made.
+  /// @param options The profile is set by the encoder.
+  /// @param warn Called once for each topic that is left out, with the reason.
+  /// @throws Failure if the file can't be created.
   EncodedWriter(const std::filesystem::path& path, McapOptions options, std::unique_ptr<MessageEncoder> encoder,
                 std::function<void(const std::string&)> warn);
 
-  /// @return Whether the topic is there in the other encoding; of one that is not is warned.
+  /// @return Whether the topic exists in the other encoding; warns if not.
   bool takes(std::string_view topic, std::string_view type);
 
   void write(const Record& record) override;
   void close() override { writer_.close(); }
 
-  /// Of the other encoding, written so far.
+  /// Number of messages written in the other encoding.
   std::uint64_t messages() const { return messages_; }
   std::size_t topics() const { return written_.size(); }
-  /// @return Whether there was something that is not in the file.
+  /// @return Whether anything was left out.
   bool hasLeftOut() const { return hasLeftOut_; }
 
  private:
-  /// Of one topic and type.
+  /// State of one topic and type.
   struct Entry {
-    /// Null where it is left out.
+    /// Null if it is left out.
     std::unique_ptr<TopicEncoder> encoder;
     bool isDamageSaid = false;
   };
@@ -52,7 +52,7 @@ class EncodedWriter final : public Writer {
   std::unique_ptr<MessageEncoder> encoder_;
   std::function<void(const std::string&)> warn_;
   std::map<std::tuple<std::string, std::string>, Entry, std::less<>> entries_;
-  /// What is being written.
+  /// The topic being written.
   const EncodedTopic* current_ = nullptr;
   std::set<std::string, std::less<>> written_;
   std::uint64_t messages_ = 0;

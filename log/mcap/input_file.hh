@@ -6,10 +6,10 @@
 
 namespace pongsim::log {
 
-/// A file that is read here and there. It is as long as it was when it was opened.
+/// A file opened for random access. Its size is that at the time of opening.
 class InputFile {
  public:
-  /// @throws Failure where it can't be read, or is no plain file.
+  /// @throws Failure if it can't be read, or is not a regular file.
   explicit InputFile(const std::filesystem::path& path);
   ~InputFile();
   InputFile(const InputFile&) = delete;
@@ -17,11 +17,11 @@ class InputFile {
 
   std::uint64_t size() const { return size_; }
 
-  /// @return So many bytes from `offset` on.
-  /// @throws Failure where they are not there, are more than can be meant (`kMostAtOnce`), or can't be read.
+  /// @return `length` bytes starting at `offset`.
+  /// @throws Failure if they are not there, are implausibly many (`kMostAtOnce`), or can't be read.
   std::string read(std::uint64_t offset, std::uint64_t length) const;
 
-  /// The largest chunk that is taken [B], and something for its head.
+  /// Size of the largest accepted chunk, plus room for its head [B].
   static constexpr std::uint64_t kMostAtOnce = (std::uint64_t{1} << 29U) + 4096;
 
  private:

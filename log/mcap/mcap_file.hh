@@ -11,18 +11,18 @@
 
 namespace pongsim::log {
 
-/// An MCAP file that is being written: its header, chunk after chunk with the indexes of their messages, the summary.
+/// An MCAP file being written: its header, each chunk with its message indexes, the summary.
 class McapFile {
  public:
   /// @param profile "", or "ros2".
-  /// @throws Failure where the file can't be made.
+  /// @throws Failure if the file can't be created.
   McapFile(const std::filesystem::path& path, bool overwrites, const std::string& profile, Compression compression);
 
-  /// @throws Failure where it can't be written. What is whole in the file by then can be read.
+  /// @throws Failure if it can't be written. What is complete by then can be read.
   void append(const ChunkBuilder& chunk);
 
-  /// Writes the summary, after which nothing comes.
-  /// @param schemas, channels All that the chunks have.
+  /// Writes the summary, which ends the file.
+  /// @param schemas, channels All that occur in chunks.
   void finish(const std::vector<mcap::Schema>& schemas, const std::vector<mcap::Channel>& channels);
 
   std::uint64_t size() const { return file_.size(); }

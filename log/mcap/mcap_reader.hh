@@ -13,20 +13,20 @@
 
 namespace pongsim::log {
 
-/// How the messages of a file are packed.
+/// How a file's messages are compressed.
 struct Packing {
-  /// "zstd", "lz4" or "none"; several with commas between them.
+  /// "zstd", "lz4" or "none"; several are separated by commas.
   std::string compression;
   std::uint64_t chunks = 0;
-  /// Of the chunks [B].
+  /// Total size of the chunks [B].
   std::uint64_t packed = 0, unpacked = 0;
 };
 
-/// Reads MCAP, by its index where it has one. Of a file that is cut off it reads what comes before that. A topic whose
-/// type the file does not tell has the type "".
+/// Reads MCAP, using its index if there is one. Of a truncated file it reads everything before the cut. A topic whose
+/// type the file does not give has the type "".
 class McapReader final : public Reader {
  public:
-  /// @throws Failure where it is no MCAP file.
+  /// @throws Failure if it is not an MCAP file.
   explicit McapReader(const std::filesystem::path& path);
 
   std::vector<Topic> topics() const override;
@@ -34,11 +34,11 @@ class McapReader final : public Reader {
   void forEach(const Selection& selection, const std::function<bool(const Record&)>& visit) const override;
   std::optional<std::string> torn() const override;
 
-  /// @return What the file says of a topic's messages.
+  /// @return What the file says about a topic's messages.
   Definition definition(std::string_view topic, std::string_view type) const;
-  /// @return "", "ros2" or what else its writer knows.
+  /// @return "", "ros2" or another profile of its writer.
   const std::string& profile() const { return contents_.header.profile; }
-  /// @return The program that has written it.
+  /// @return The program that wrote it.
   const std::string& library() const { return contents_.header.library; }
   Packing packing() const;
 

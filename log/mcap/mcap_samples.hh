@@ -17,7 +17,7 @@ inline Definition someDefinition(std::string_view, std::string_view type) {
   return {"protobuf", "description of " + std::string(type), "protobuf"};
 }
 
-/// A record that owns its words.
+/// A record that owns its data.
 struct Kept {
   std::int64_t timeNs = 0;
   std::string topic, type, payload;
@@ -25,7 +25,7 @@ struct Kept {
   bool operator==(const Kept&) const = default;
 };
 
-/// Of two topics, a hundred of each, in payloads of different lengths.
+/// A hundred records of each of two topics, with payloads of different lengths.
 inline std::vector<Kept> someRecords() {
   std::vector<Kept> records;
   for (int i = 0; i < 100; ++i) {
@@ -56,7 +56,7 @@ inline std::string bytesOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// @return What reading it throws, or "".
+/// @return The message of the exception thrown by reading it, or "".
 inline std::string failureOf(const std::filesystem::path& file) {
   try {
     readLog(McapReader(file));

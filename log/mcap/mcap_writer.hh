@@ -23,24 +23,24 @@
 namespace pongsim::log {
 
 struct McapOptions {
-  /// A file that is there already is overwritten, in place of being an error.
+  /// Whether an existing file is overwritten; if not, it is an error.
   bool overwrites = false;
   Compression compression = Compression::kZstd;
-  /// "", or "ros2" where all messages are those of ROS.
+  /// "", or "ros2" if all messages are ROS messages.
   std::string profile = {};
-  /// A chunk ends with the message that makes it as large as that [B], ...
+  /// A chunk ends with the message that brings it to this size [B], ...
   std::size_t chunkSize = std::size_t{4} << 20U;
-  /// ... or so long after its first message was written, by the clock of the wall.
+  /// ... or this long after its first message was written, in wall time.
   std::chrono::milliseconds chunkAge{500};
-  /// What is packed and written later than that [B] makes `write` wait.
+  /// `write` blocks while more than this is waiting to be compressed and written [B].
   std::size_t queueSize = std::size_t{64} << 20U;
 };
 
-/// Writes MCAP. Packing and writing is done on a thread of its own. Times before 0 are an error.
+/// Writes MCAP. Compression and writing happen on a thread of their own. Negative times are an error.
 class McapWriter final : public Writer {
  public:
-  /// @param definitions Asked once for each topic and type. A type without a name has no schema.
-  /// @throws Failure where the file can't be made.
+  /// @param definitions Called once for each topic and type. A type without a name has no schema.
+  /// @throws Failure if the file can't be created.
   McapWriter(const std::filesystem::path& path, McapOptions options, Definitions definitions);
   ~McapWriter() override;
   McapWriter(const McapWriter&) = delete;
@@ -63,8 +63,8 @@ class McapWriter final : public Writer {
   const Definitions definitions_;
   McapFile file_;
 
-  // of who writes
-  /// By topic and type.
+  // used by `write`, with the mutex held
+  // Keyed by topic and type.
   std::map<std::tuple<std::string, std::string>, std::uint16_t, std::less<>> channelIds_;
   std::vector<mcap::Schema> schemas_;
   std::vector<mcap::Channel> channels_;

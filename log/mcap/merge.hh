@@ -11,34 +11,34 @@
 
 namespace pongsim::log {
 
-/// The messages of a file in the order of time, whatever the order of its chunks. It keeps in memory what overlaps in
-/// time, and of that no more than some 512 MiB: then chunks are read again.
+/// Iterates over the messages of a file in time order, whatever the order of its chunks. Chunks that overlap in time
+/// are kept in memory, up to some 512 MiB; beyond that, chunks are read again.
 class Merge {
  public:
-  /// Says whether a message of that channel and time is wanted.
+  /// Whether a message with this channel and time is wanted.
   using IsWanted = std::function<bool(std::uint16_t channel, std::uint64_t time)>;
 
-  /// @param from, to Blocks that have nothing in between are not read [ns].
+  /// @param from, to Blocks without messages in this range are not read [ns].
   Merge(const InputFile& file, const std::vector<Block>& blocks, std::uint64_t from, std::uint64_t to,
         IsWanted isWanted);
 
-  /// @return The next one, there until the next call, or nothing at the end.
-  /// @throws Failure where the file is damaged there.
+  /// @return The next message, valid until the next call; nothing at the end.
+  /// @throws Failure if the file is damaged there.
   std::optional<mcap::Message> next();
 
  private:
   struct Entry {
     std::uint64_t time = 0;
-    /// In `blocks_`.
+    /// Index in `blocks_`.
     std::size_t block = 0;
-    /// In the block's unpacked records: of the record's content.
+    /// Offset of the record's content in the block's uncompressed records.
     std::uint64_t offset = 0;
     std::uint64_t length = 0;
     auto operator<=>(const Entry&) const = default;
   };
   struct Loaded {
     UnpackedBlock unpacked;
-    /// Entries that are still to come.
+    /// Number of entries not returned yet.
     std::size_t wanted = 0;
   };
 
@@ -49,13 +49,13 @@ class Merge {
   const InputFile& file_;
   const std::vector<Block>& blocks_;
   IsWanted isWanted_;
-  /// In the order of the blocks' first times.
+  /// Sorted by the blocks' start times.
   std::vector<std::size_t> order_;
   std::size_t nextBlock_ = 0;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> entries_;
   std::map<std::size_t, Loaded> loaded_;
   std::size_t loadedSize_ = 0;
-  /// Whose message was handed out last.
+  /// The block of the last returned message.
   std::optional<std::size_t> used_;
 };
 

@@ -7,19 +7,19 @@
 
 namespace pongsim::log {
 
-/// A new file that is written from front to back.
+/// A new file, written sequentially.
 class OutputFile {
  public:
-  /// @param overwrites A file that is there already; it is an error else.
-  /// @throws Failure where the file can't be made.
+  /// @param overwrites Whether an existing file is overwritten; if not, it is an error.
+  /// @throws Failure if the file can't be created.
   OutputFile(std::filesystem::path path, bool overwrites);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// @throws Failure where they can't be written, as where the disk is full.
+  /// @throws Failure if they can't be written, for example because the disk is full.
   void write(std::string_view bytes);
-  /// @return Bytes written so far.
+  /// @return Number of bytes written so far.
   std::uint64_t size() const { return size_; }
   const std::filesystem::path& path() const { return path_; }
 

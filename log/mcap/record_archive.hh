@@ -10,7 +10,7 @@
 #include "log/mcap/bytes.hh"
 #include "log/mcap/record_types.hh"
 
-/// Records from bytes and to bytes, by what their `visit` says.
+/// Converts records from and to bytes, following their `visit`.
 namespace pongsim::log::mcap {
 
 /// Fills the fields of a record.
@@ -20,9 +20,9 @@ class RecordReader {
   explicit RecordReader(ByteReader& from) : from_(from) {}
 
   void operator()(auto&... fields) { (take(fields), ...); }
-  /// All that is left.
+  /// Everything that is left.
   void rest(std::string_view& bytes) { bytes = from_.rest(); }
-  /// Bytes with their length in eight bytes.
+  /// Bytes preceded by their length in eight bytes.
   void block(std::string_view& bytes) { bytes = from_.raw(from_.number<std::uint64_t>()); }
 
  private:
@@ -42,7 +42,7 @@ class RecordReader {
         [&list](First& first, Second& second) { list.emplace_back(std::move(first), std::move(second)); });
   }
 
-  /// The pairs of a list, which has its length in bytes in front.
+  /// The pairs of a list, preceded by its size in bytes.
   template <class First, class Second>
   void takeEach(const auto& add) {
     ByteReader entries = from_.part(from_.number<std::uint32_t>());
@@ -61,7 +61,7 @@ class RecordReader {
 /// Writes the fields of a record.
 class RecordWriter {
  public:
-  /// @param bytes Get what is written, behind what they have; must outlive it.
+  /// @param bytes The output is appended to it; must outlive it.
   explicit RecordWriter(std::string& bytes) : to_(bytes) {}
 
   void operator()(const auto&... fields) { (put(fields), ...); }
@@ -96,8 +96,8 @@ class RecordWriter {
   ByteWriter to_;
 };
 
-/// @return The record; what a later version of the format may have added at its end is passed over.
-/// @throws Failure where the content is cut off or lies.
+/// @return The record; fields that a later version of the format may have added at its end are ignored.
+/// @throws Failure if the content is truncated or invalid.
 template <class Record>
 Record readRecord(ByteReader& from) {
   Record record;
@@ -106,7 +106,7 @@ Record readRecord(ByteReader& from) {
   return record;
 }
 
-/// Appends a record, head and all.
+/// Appends a whole record, including its head.
 template <class Record>
 void appendRecord(const Record& record, std::string& to) {
   const std::size_t start = to.size();

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-/// The records of which an MCAP file is made (https://mcap.dev/spec), as plain values. Times are in ns, offsets and
-/// lengths in bytes; offsets count from the start of the file unless it says otherwise. `visit` names the fields in
-/// their order, for reading and for writing (record_archive.hh).
+/// The records of an MCAP file (https://mcap.dev/spec), as plain values. Times are in ns, offsets and lengths in bytes;
+/// offsets count from the start of the file unless noted otherwise. `visit` lists the fields in their order, for
+/// reading and writing (record_archive.hh).
 namespace pongsim::log::mcap {
 
 inline constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
@@ -28,9 +28,9 @@ enum class Opcode : std::uint8_t {
   kDataEnd = 0x0f,
 };
 
-/// Bytes of a record's opcode and length.
+/// Size of a record's opcode and length.
 inline constexpr std::size_t kRecordHead = 9;
-/// Bytes of a footer, its head too.
+/// Size of a footer, including its opcode and length.
 inline constexpr std::size_t kFooterSize = kRecordHead + 8 + 8 + 4;
 
 struct Header {
@@ -42,20 +42,20 @@ struct Header {
 
 struct Footer {
   static constexpr Opcode kOpcode = Opcode::kFooter;
-  /// 0 where there is no summary.
+  /// 0 if there is no summary.
   std::uint64_t summaryStart = 0;
   std::uint64_t summaryOffsetStart = 0;
-  /// 0 where there is none.
+  /// 0 if there is none.
   std::uint32_t summaryCrc = 0;
   static void visit(auto& self, auto& fields) { fields(self.summaryStart, self.summaryOffsetStart, self.summaryCrc); }
 };
 
 struct Schema {
   static constexpr Opcode kOpcode = Opcode::kSchema;
-  /// Above 0.
+  /// Positive.
   std::uint16_t id = 0;
   std::string name;
-  /// "protobuf", "ros2msg", or "" where nothing is known but the name.
+  /// "protobuf", "ros2msg", or "" if nothing but the name is known.
   std::string encoding;
   std::string data;
   static void visit(auto& self, auto& fields) { fields(self.id, self.name, self.encoding, self.data); }
@@ -65,7 +65,7 @@ struct Schema {
 struct Channel {
   static constexpr Opcode kOpcode = Opcode::kChannel;
   std::uint16_t id = 0;
-  /// 0 where it has none.
+  /// 0 if it has none.
   std::uint16_t schemaId = 0;
   std::string topic;
   /// "protobuf", "cdr", ...
@@ -91,13 +91,13 @@ struct Message {
   }
 };
 
-/// The records in it are not copied.
+/// The records inside are not copied.
 struct Chunk {
   static constexpr Opcode kOpcode = Opcode::kChunk;
   std::uint64_t startTime = 0;
   std::uint64_t endTime = 0;
   std::uint64_t uncompressedSize = 0;
-  /// 0 where there is none.
+  /// 0 if there is none.
   std::uint32_t uncompressedCrc = 0;
   std::string compression;
   std::string_view records;
@@ -107,11 +107,11 @@ struct Chunk {
   }
 };
 
-/// Where the messages of a channel are in the chunk before it.
+/// Where a channel's messages are in the preceding chunk.
 struct MessageIndex {
   static constexpr Opcode kOpcode = Opcode::kMessageIndex;
   std::uint16_t channelId = 0;
-  /// Time, and offset in the unpacked chunk.
+  /// Time, and offset in the uncompressed chunk.
   std::vector<std::pair<std::uint64_t, std::uint64_t>> entries;
   static void visit(auto& self, auto& fields) { fields(self.channelId, self.entries); }
 };
@@ -160,7 +160,7 @@ struct SummaryOffset {
 
 struct DataEnd {
   static constexpr Opcode kOpcode = Opcode::kDataEnd;
-  /// Of all before it; 0 where there is none.
+  /// Of everything before it; 0 if there is none.
   std::uint32_t crc = 0;
   static void visit(auto& self, auto& fields) { fields(self.crc); }
 };

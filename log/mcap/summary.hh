@@ -7,8 +7,8 @@
 
 namespace pongsim::log {
 
-/// @return What the summary at the file's end says, but for the header; nothing where there is none that can be used,
-/// and `why` says why where that is a fault.
+/// @return The contents given by the summary at the file's end, except for the header; nothing if there is no usable
+/// summary. If that is a fault, `why` gets the reason.
 std::optional<Contents> contentsBySummary(const InputFile& file, std::string& why);
 
 }  // namespace pongsim::log

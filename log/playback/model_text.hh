@@ -8,10 +8,10 @@
 
 namespace pongsim::log {
 
-/// @param model Of the top level.
-/// @return It in SDF, where it is in that state: as its recorder told it in one piece, else made of its components,
-/// which have links, joints, shapes and materials.
-/// @throws Failure where what its recorder told is no XML, or models are nested more than 100 deep.
+/// @param model A top-level model.
+/// @return The model in SDF, as in that state: either the text that its recorder wrote, or built from its components,
+/// which cover links, joints, shapes and materials.
+/// @throws Failure if the recorder's text is not XML, or models are nested more than 100 deep.
 std::string modelText(const RecordedState& state, std::uint64_t model, const PlayedFiles& files);
 
 }  // namespace pongsim::log

@@ -5,13 +5,13 @@
 
 namespace pongsim::log {
 
-/// The files of a recording that is played: a folder, a zip file of one, or a tlog file alone.
+/// The files of a recording to play: a folder, a zip file of one, or a single tlog file.
 class PlayedFiles {
  public:
-  /// Unpacks a zip file into a folder of its own among the temporary ones.
-  /// @throws Failure where there is no recording.
+  /// Unpacks a zip file into a temporary folder of its own.
+  /// @throws Failure if there is no recording.
   explicit PlayedFiles(const std::filesystem::path& path);
-  /// What was unpacked goes.
+  /// Deletes what was unpacked.
   ~PlayedFiles();
   PlayedFiles(const PlayedFiles&) = delete;
   PlayedFiles& operator=(const PlayedFiles&) = delete;
@@ -19,12 +19,12 @@ class PlayedFiles {
   /// The log.
   const std::filesystem::path& stateFile() const { return stateFile_; }
 
-  /// @param address Of a file, as a recording has it.
-  /// @return The file in the recording, where it has a copy of it; else the address as it is.
+  /// @param address Address of a file in the recording.
+  /// @return The recording's copy of the file; if it has none, the unchanged address.
   std::string placeOf(const std::string& address) const;
 
  private:
-  /// @param named What the user calls it.
+  /// @param named The path as given by the user.
   void find(const std::filesystem::path& folder, const std::filesystem::path& named);
 
   std::filesystem::path folder_, stateFile_, unpacked_;

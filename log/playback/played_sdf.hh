@@ -7,17 +7,17 @@
 
 namespace pongsim::log {
 
-/// Makes of a recorded world or model one to be played: without the systems that would act, or tell of what a log does
-/// not have, and with the recording's copies of files.
-/// @param sdf A `<sdf>`, `<world>` or `<model>`, of any text around it.
-/// @param world Of a file's several worlds the one to be played, by its name as topics have it; where there is none of
-/// that name, all stay.
-/// @return It as a whole file of SDF.
-/// @throws Failure where it is no XML.
+/// Converts a recorded world or model for playback: removes systems that would act on it or publish what a log does not
+/// contain, and uses the recording's copies of files.
+/// @param sdf An `<sdf>`, `<world>` or `<model>`, with any text around it.
+/// @param world If the file has several worlds, the name of the one to play, as used in topics; if none has this name,
+/// all are kept.
+/// @return A complete SDF file.
+/// @throws Failure if it is not XML.
 std::string playedSdf(const std::string& sdf, const PlayedFiles& files, std::string_view world = {});
 
-/// @param filename Of a `<plugin>`.
-/// @return Whether a system of that name only looks at what a log has, as SceneBroadcaster and cameras do.
+/// @param filename From a `<plugin>`.
+/// @return Whether a system with this name only reads what a log contains, like SceneBroadcaster and cameras.
 bool isOfUseInPlayback(std::string_view filename);
 
 }  // namespace pongsim::log

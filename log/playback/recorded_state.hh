@@ -17,35 +17,35 @@ class SerializedComponent;
 
 namespace pongsim::log {
 
-/// The state that a log tells of, as far as it has been read. Entities have the ids of the recording.
+/// The state in a log, as far as it has been read. Entities have the recording's ids.
 class RecordedState {
  public:
   void clear();
 
-  /// Takes what has changed, an ignition.msgs.SerializedStateMap or SerializedState in protobuf's binary form.
-  /// @return Whether it could be read; if not, it is left out.
+  /// Applies a change, an ignition.msgs.SerializedStateMap or SerializedState in protobuf's binary format.
+  /// @return Whether it could be parsed; if not, it is ignored.
   bool apply(std::string_view type, std::string_view payload);
 
-  /// @return Whether somebody has come or gone since this was asked last.
+  /// @return Whether entities have been added or removed since the last call.
   bool takeNews();
-  /// @return Who has changed since this was asked last.
+  /// @return Entities that have changed since the last call.
   std::unordered_set<std::uint64_t> takeChanged();
 
-  /// @return The ids of the entities with that component, in ascending order.
+  /// @return The ids of the entities with this component, in ascending order.
   std::vector<std::uint64_t> entitiesWith(std::string_view component) const;
-  /// @return Those with that component that an entity holds.
+  /// @return The children of an entity with this component.
   std::vector<std::uint64_t> childrenWith(std::uint64_t parent, std::string_view component) const;
 
-  /// @return A component's bytes; null where the entity has it not.
+  /// @return A component's bytes; null if the entity does not have it.
   const std::string* find(std::uint64_t entity, std::string_view component) const;
-  /// @return Its text; empty where the entity has it not.
+  /// @return The component as text; empty if the entity does not have it.
   std::string text(std::uint64_t entity, std::string_view component) const;
   std::uint64_t parentOf(std::uint64_t entity) const;
-  /// @return In the frame of what holds it; that frame itself where none is told.
+  /// @return The pose in the parent's frame; the identity if none is recorded.
   Pose poseOf(std::uint64_t entity) const;
   /// @return Numbers of an ignition.msgs.Double_V.
   std::vector<double> numbersOf(std::uint64_t entity, std::string_view component) const;
-  /// @return Its name with those of the models that hold it: "outer::inner".
+  /// @return Its name with those of the enclosing models: "outer::inner".
   std::string scopedName(std::uint64_t entity) const;
 
  private:

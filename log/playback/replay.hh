@@ -15,23 +15,24 @@
 
 namespace pongsim::log {
 
-/// Lets a world be what a log says of a time. Models that the log has and the world has not are inserted, those that
-/// the log has not are removed; all links and joints are put where it has them.
+/// Makes a world match a log at a given time. Inserts models that are only in the log, removes models that are only in
+/// the world, and places all links and joints.
 class Replay {
  public:
   /// All references must outlive it.
   Replay(const TlogReader& reader, const PlayedFiles& files, const SystemContext& context);
 
-  /// @return Of the log's states; nothing where it has none.
+  /// @return Time range of the log's states; nothing if it has none.
   const std::optional<TimeRange>& range() const { return range_; }
 
-  /// Reads on to a time, or all anew where that lies behind, and asks for models to come and go.
+  /// Reads on to a time, or from the start again if the time has passed, and requests the insertion and removal of
+  /// models.
   void goTo(Time time);
 
-  /// Puts what has changed since the last call where the log has it.
+  /// Moves everything that has changed since the last call to its pose in the log.
   void place();
 
-  /// Models have come or gone: all is put where the log has it with the next call.
+  /// Call when models have been added or removed: the next call places everything again.
   void worldChanged() { isMatched_ = false; }
 
  private:
@@ -50,10 +51,10 @@ class Replay {
   std::optional<TimeRange> range_;
 
   RecordedState state_;
-  /// Up to which it has been read.
+  /// The time up to which the log has been read.
   std::optional<std::int64_t> readTo_;
   bool isMatched_ = false;
-  /// By the ids of the recording.
+  /// Keyed by the recording's ids.
   std::unordered_map<std::uint64_t, Link> links_;
   std::unordered_map<std::uint64_t, Joint> joints_;
   struct Axes {

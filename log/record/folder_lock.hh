@@ -5,11 +5,12 @@
 
 namespace pongsim::log {
 
-/// Keeps a folder for one recording: of this process or any other on the machine. It ends with its process, too.
+/// Reserves a folder for one recording, among all processes on the machine. Released at the latest when the process
+/// ends.
 class FolderLock {
  public:
-  /// @param folder Is there.
-  /// @return Nothing where somebody else has it.
+  /// @param folder Must exist.
+  /// @return Nothing if it is already locked.
   static std::optional<FolderLock> take(const std::filesystem::path& folder);
 
   ~FolderLock();
@@ -19,7 +20,7 @@ class FolderLock {
  private:
   explicit FolderLock(int file) : file_(file) {}
 
-  /// -1: none, of a file system that has no locks, or one that was moved away.
+  /// -1: none, because the file system has no locks, or because this object was moved from.
   int file_;
 };
 

@@ -8,34 +8,34 @@
 
 namespace pongsim::log {
 
-/// The file of a recording in its folder, as Fortress names it.
+/// The recording's file in its folder, with Fortress's name.
 inline constexpr const char* kStateFile = "state.tlog";
 
-/// Where a recording goes.
+/// Where a recording is stored.
 struct RecordFolder {
   std::filesystem::path folder;
-  /// Into which it is packed at the end, if at all.
+  /// The zip file made at the end, if any.
   std::filesystem::path zip;
-  /// While it is recorded into.
+  /// Held during the recording.
   std::optional<FolderLock> lock = {};
 };
 
-/// What is done where there is such a folder or zip file already.
+/// What to do if the folder or zip file already exists.
 enum class WhereTaken {
-  /// The files in it that a recording has are replaced, as Fortress does where the world names the folder.
+  /// Replace the files that a recording consists of, as Fortress does if the world names the folder.
   kReplaceFiles,
-  /// PATH(1), PATH(2) and so on is taken, as Fortress does where the command line names it.
+  /// Use PATH(1), PATH(2) and so on, as Fortress does if the command line names it.
   kTakeAnother,
-  /// Both are deleted.
+  /// Delete both.
   kDelete,
 };
 
-/// @return HOME/.ignition/gazebo/log/TIME, as Fortress has it.
+/// @return Fortress's default: HOME/.ignition/gazebo/log/TIME.
 std::filesystem::path defaultRecordFolder();
 
-/// Makes the folder.
+/// Creates the folder.
 /// @param zip Empty: the folder's name with ".zip".
-/// @throws Failure where it can't be made, or another recording has it.
+/// @throws Failure if it can't be created, or another recording uses it.
 RecordFolder makeRecordFolder(std::filesystem::path folder, const std::filesystem::path& zip, WhereTaken where);
 
 }  // namespace pongsim::log

@@ -11,24 +11,24 @@
 
 namespace pongsim::log {
 
-/// Finds the file that an address names, as "model://box/box.dae".
+/// Resolves the address of a file, such as "model://box/box.dae".
 using Resolve = std::function<std::optional<std::filesystem::path>(const std::string&)>;
 
-/// Calls `visit` with the address of each file that a text of SDF names in an element of its own, and puts what it
-/// returns in the address's place. What is in comments is taken, too.
+/// Calls `visit` with the address of each file that an element of an SDF text consists of, and replaces the address by
+/// the result. Also finds addresses in comments.
 std::string withAddresses(std::string_view sdf, const std::function<std::string(const std::string&)>& visit);
 
-/// Copies the files that models are made of into a recording, each below the recording's folder under its whole path,
-/// as Fortress does: of a model's folder all of it, for meshes name their textures themselves.
+/// Copies the files of models into a recording, each under its full path below the recording's folder, as Fortress
+/// does. Copies the whole folder of a model, because meshes refer to their textures.
 class ResourceCopies {
  public:
   explicit ResourceCopies(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Copies a file, unless it has been.
-  /// @throws Failure where it can't be.
+  /// Copies a file, unless it has been copied before.
+  /// @throws Failure if that fails.
   void add(const std::filesystem::path& file);
 
-  /// Copies the meshes and pictures that a state names.
+  /// Copies the meshes and textures named in a state.
   /// @param step An ignition.msgs.SerializedStepMap.
   void addAllOf(const Message& step);
 

@@ -18,27 +18,28 @@
 
 namespace pongsim::log {
 
-/// Writes the state of a world step by step. The simulation's thread copies what moves; a thread of its own makes
-/// messages of that, and hands them to the writer.
+/// Records the state of a world step by step. The simulation's thread copies what moves; a thread of its own serializes
+/// it and passes it to the writer.
 class StateRecorder {
  public:
-  /// @param writer Must outlive it; others may write to it, too.
-  /// @param topic Of the states, "/world/W/changed_state".
-  /// @param cameOrWent Called on its thread with each state in which somebody has, an ignition.msgs.SerializedStepMap.
+  /// @param writer Must outlive it; others can write to it too.
+  /// @param topic Topic of the states, "/world/W/changed_state".
+  /// @param cameOrWent Called on its thread with each state that adds or removes entities, an
+  /// ignition.msgs.SerializedStepMap.
   StateRecorder(const Scene& scene, Writer& writer, std::string topic, std::function<void(const Message&)> cameOrWent);
   ~StateRecorder();
   StateRecorder(const StateRecorder&) = delete;
   StateRecorder& operator=(const StateRecorder&) = delete;
 
-  /// @return Whether somebody has come or gone since the last state that was recorded.
+  /// @return Whether entities have been added or removed since the last recorded state.
   bool hasNews() const { return watch_.hasNews(); }
 
-  /// Records the state that is now. Waits only where the writer is 64 states behind.
-  /// @throws Failure where the writer does.
+  /// Records the current state. Blocks only if the writer is 64 states behind.
+  /// @throws Failure if the writer has failed.
   void record();
 
-  /// Waits until all has been handed to the writer.
-  /// @throws Failure likewise.
+  /// Waits until everything has been passed to the writer.
+  /// @throws Failure if the writer has failed.
   void finish();
 
  private:
@@ -50,7 +51,7 @@ class StateRecorder {
   const std::function<void(const Message&)> cameOrWent_;
   std::mutex mutex_;
   std::condition_variable given_, taken_;
-  /// Those that wait, and those that may be filled.
+  /// Snapshots waiting to be written, and free ones.
   std::deque<std::unique_ptr<StateSnapshot>> waiting_;
   std::vector<std::unique_ptr<StateSnapshot>> free_;
   bool isFinishing_ = false;

@@ -13,17 +13,17 @@
 
 namespace pongsim::log {
 
-/// Writes the messages of topics: those that are named, and those of the simulation whose names expressions match.
+/// Records topics: those given by name, and those of the simulation whose names match an expression.
 class TopicRecorder {
  public:
-  /// @param topics Names; one with any of * ? [ ] ( ) . is a regular expression for all of a name, as Fortress has it.
-  /// @param failed Told why the writer takes no more.
-  /// @throws std::invalid_argument for what is neither, with a sentence that says so.
+  /// @param topics Names; a name with any of * ? [ ] ( ) . is a regular expression for the whole name, as in Fortress.
+  /// @param failed Called with the reason when the writer stops accepting records.
+  /// @throws std::invalid_argument with a sentence if one is neither a name nor an expression.
   TopicRecorder(const Node& node, const std::vector<std::string>& topics, Writer& writer,
                 std::function<void(const std::exception&)> failed);
 
-  /// Before each step: looks whether there are new topics.
-  /// @param now What stands as the time of messages from here on.
+  /// Call before each step: looks for new topics.
+  /// @param now Time stamp of messages from here on.
   void update(Time now);
 
  private:

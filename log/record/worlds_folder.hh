@@ -9,22 +9,21 @@
 
 namespace pongsim::log {
 
-/// The folder of a recording of several worlds that run beside each other: each records into a folder of its own in it.
-/// May be used by any thread.
+/// The folder of a recording of several worlds that run in parallel: each has its own subfolder. Can be used by any
+/// thread.
 class WorldsFolder {
  public:
   /// @param wanted Empty: the default folder.
-  /// @return The one that others of this process record into now and asked for by the same words; else one that is
-  /// made.
-  /// @throws Failure as `makeRecordFolder` does.
+  /// @return The folder that others in this process are recording into after the same request; else a new one.
+  /// @throws Failure like `makeRecordFolder`.
   static std::shared_ptr<WorldsFolder> join(const std::string& wanted, const std::string& zip, WhereTaken where);
 
-  /// Makes a world's folder, under its name.
-  /// @throws Failure where it can't be made, or another recording has it.
+  /// Creates a world's subfolder, with the world's name.
+  /// @throws Failure if it can't be created, or another recording uses it.
   RecordFolder folderOf(std::string_view world) const;
 
-  /// Gives it up. The last one who does packs it, where it is to be.
-  /// @throws Failure where it can't be packed.
+  /// Releases the folder. The last call packs it, if requested.
+  /// @throws Failure if it can't be packed.
   static void leave(std::shared_ptr<WorldsFolder> folder, bool mustPack);
 
  private:
@@ -34,7 +33,7 @@ class WorldsFolder {
 };
 
 /// Packs a recording into its zip file, and deletes its folder.
-/// @throws Failure where it can't be packed.
+/// @throws Failure if it can't be packed.
 void packRecording(const RecordFolder& recording);
 
 }  // namespace pongsim::log

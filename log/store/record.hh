@@ -5,16 +5,16 @@
 
 namespace pongsim::log {
 
-/// A message as a log has it. What the views name lives as long as who hands it over says.
+/// A message in a log. How long its data is valid depends on where it comes from.
 struct Record {
-  /// When it was recorded [ns]: since the start of the simulation, or since 1970 where it was recorded by the clock of
-  /// the wall. Of a log, either of the two.
+  /// Time of recording [ns]: since the start of the simulation, or since 1970 if recorded in wall time. All records of
+  /// a log use the same one.
   std::int64_t timeNs = 0;
   /// With its leading slash.
   std::string_view topic;
-  /// Full name of its type: "ignition.msgs.Twist"; of ROS "geometry_msgs/msg/Twist".
+  /// Full name of its type: "ignition.msgs.Twist", or for ROS "geometry_msgs/msg/Twist".
   std::string_view type;
-  /// In protobuf's binary form; of a type of ROS in CDR, with its header of four bytes.
+  /// In protobuf's binary format; for ROS types in CDR, with its four-byte header.
   std::string_view payload;
 };
 

@@ -4,20 +4,20 @@
 
 namespace pongsim::log {
 
-/// Writes a log. What `write` has taken is in the file a second later, whatever becomes of the process.
+/// Writes a log. A record passed to `write` is in the file a second later, whatever happens to the process.
 class Writer {
  public:
   virtual ~Writer() = default;
 
-  /// Takes a record. The times of records need not ascend.
-  /// @param record What its views name is copied before this returns.
-  /// @throws Failure where this or an earlier record can't be written, as where the disk is full. What has been written
-  /// by then stays readable, and all calls to come throw the same.
+  /// Writes a record. Times need not be in order.
+  /// @param record Its data is copied before this returns.
+  /// @throws Failure if this or an earlier record can't be written, for example because the disk is full. What was
+  /// written by then stays readable, and all further calls throw the same.
   virtual void write(const Record& record) = 0;
 
-  /// Waits until all is in the file, and ends it. A second call does nothing; a writer that is destroyed does it too,
-  /// and keeps what fails to itself.
-  /// @throws Failure as `write` does.
+  /// Waits until everything is in the file, and closes it. A second call does nothing. The destructor does the same,
+  /// and ignores failures.
+  /// @throws Failure like `write`.
   virtual void close() = 0;
 };
 

@@ -4,14 +4,14 @@
 
 namespace pongsim::log {
 
-/// Packs a folder with all files in it into a zip file, in which its own name stands in front of theirs.
-/// @param zip Replaced where it is there.
-/// @throws Failure where it can't; then there is no file.
+/// Packs a folder with all its files into a zip file, in which their paths start with the folder's name.
+/// @param zip Replaced if it exists.
+/// @throws Failure if that fails; then there is no file.
 void packFolder(const std::filesystem::path& folder, const std::filesystem::path& zip);
 
-/// Unpacks a zip file into an empty folder: plain files and folders.
-/// @throws Failure where it is no zip file or damaged, where a name leads out of the folder, or the disk has no room.
-/// What has been unpacked by then stays.
+/// Unpacks a zip file with regular files and folders into an empty folder.
+/// @throws Failure if it is not a zip file or is damaged, if a name leads out of the folder, or if the disk is full.
+/// Files unpacked by then stay.
 void unpackZip(const std::filesystem::path& zip, const std::filesystem::path& folder);
 
 }  // namespace pongsim::log

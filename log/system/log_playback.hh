@@ -11,7 +11,7 @@
 
 namespace pongsim::log {
 
-/// Fortress's LogPlayback: puts all where a recording has it, in place of physics.
+/// Fortress's LogPlayback: moves everything to its recorded pose, instead of physics.
 class PlaybackSystem final : public System {
  public:
   void declare(Declaration& declaration) override;
@@ -34,7 +34,7 @@ class PlaybackSystem final : public System {
   std::unique_ptr<PlayedFiles> files_;
   std::unique_ptr<TlogReader> reader_;
   std::unique_ptr<Replay> replay_;
-  /// The time that the replay is at.
+  /// Current time of the replay.
   Time at_{0};
   PendingRequest pause_;
 };

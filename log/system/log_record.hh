@@ -19,7 +19,7 @@
 
 namespace pongsim::log {
 
-/// Fortress's LogRecord: writes the world, its state step by step, and topics into a folder.
+/// Fortress's LogRecord: records the world, its state step by step, and topics into a folder.
 class RecordSystem final : public System {
  public:
   ~RecordSystem() override;
@@ -35,7 +35,7 @@ class RecordSystem final : public System {
   std::string worldText(const SystemContext& context);
   void publishClock(Time time);
   void finish();
-  /// Says why it ends, and records nothing more.
+  /// Reports why it ends, and stops recording.
   void fail(const std::exception& why);
 
   std::string path_, zipPath_;
@@ -44,11 +44,11 @@ class RecordSystem final : public System {
   double period_ = 0;
 
   const Logger* log_ = nullptr;
-  /// Where other worlds are recorded beside this one.
+  /// Set if other worlds are recorded in parallel.
   std::shared_ptr<WorldsFolder> worlds_;
   RecordFolder folder_;
   std::string sdfTopic_;
-  /// Until it has been written, an ignition.msgs.StringMsg.
+  /// An ignition.msgs.StringMsg, until it has been written.
   std::string sdf_;
   std::ofstream console_;
   std::mutex consoleMutex_;

@@ -16,14 +16,14 @@ inline std::string plugin(const std::string& className, const std::string& param
          parameters + "</plugin>";
 }
 
-/// @return A world "w" with physics, and what is given, in SDF.
+/// @return A world "w" in SDF, with physics and the given content.
 inline std::string worldText(const std::string& content) {
   return "<sdf version='1.9'><world name='w'><plugin filename='ignition-gazebo-physics-system' "
          "name='ignition::gazebo::systems::Physics'/>" +
          content + "</world></sdf>";
 }
 
-/// @return A model of a link with a box, of which another hangs on a hinge.
+/// @return A model with a box link, from which another link hangs on a hinge.
 inline std::string pendulum(const std::string& name, const std::string& pose) {
   const std::string shape =
       "<inertial><mass>1</mass></inertial><collision name='c'><geometry><box><size>0.1 0.1 0.1</size></box></geometry>"
@@ -36,7 +36,7 @@ inline std::string pendulum(const std::string& name, const std::string& pose) {
          "</joint></model>";
 }
 
-/// @param options With what else there is to say of the run.
+/// @param options Further options of the run.
 inline std::unique_ptr<Simulation> load(const std::filesystem::path& file, const SimulationOptions& options = {}) {
   Diagnostics diagnostics;
   std::unique_ptr<Simulation> simulation = Simulation::fromFile(file, options, diagnostics);

@@ -10,14 +10,14 @@ struct sqlite3_stmt;
 
 namespace pongsim::log {
 
-/// A file of SQLite, which closes itself.
+/// An SQLite file, closed on destruction.
 class Database {
  public:
   enum class Access { kCreate, kRead };
 
-  /// @param uri Of the file, with SQLite's parameters behind a '?', or a plain path.
-  /// @param file For what is said of it.
-  /// @throws Failure where it can't be opened.
+  /// @param uri URI of the file, with SQLite's parameters after a '?', or a plain path.
+  /// @param file Its name in messages.
+  /// @throws Failure if it can't be opened.
   Database(const std::string& uri, std::filesystem::path file, Access access);
   ~Database();
   Database(const Database&) = delete;
@@ -26,11 +26,11 @@ class Database {
   const std::filesystem::path& file() const { return file_; }
   sqlite3* handle() const { return handle_; }
 
-  /// Carries statements out, whose rows nobody wants.
-  /// @throws Failure where it can't.
+  /// Executes statements and discards their rows.
+  /// @throws Failure if that fails.
   void run(const char* statements) const;
-  /// @return What SQLite says of a failure, or that it can't read or write, as "'state.tlog' can't be written: database
-  /// or disk is full".
+  /// @throws Failure with SQLite's error, or that the file can't be read or written, as in "'state.tlog' can't be
+  /// written: database or disk is full".
   [[noreturn]] void fail() const;
 
  private:
@@ -39,28 +39,28 @@ class Database {
   sqlite3* handle_ = nullptr;
 };
 
-/// A statement that is carried out as often as one likes.
+/// A prepared statement, which can be executed any number of times.
 class Statement {
  public:
-  /// @throws Failure where the file has not what it is about.
+  /// @throws Failure if the file lacks what it refers to.
   Statement(const Database& database, const char* text);
   ~Statement();
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  // Parameters count from 1. What is bound must live until the next `reset`.
+  // Parameters count from 1. Bound values must live until the next `reset`.
   void bind(int parameter, std::int64_t value);
   void bindText(int parameter, std::string_view text);
   void bindBytes(int parameter, std::string_view bytes);
 
-  /// @return Whether there is a row; false where there is none any more.
-  /// @throws Failure where the file can't be read or written, or is damaged.
+  /// @return Whether there is another row.
+  /// @throws Failure if the file can't be read or written, or is damaged.
   bool step();
-  /// As `step`; a damaged file ends the rows.
+  /// Like `step`; in a damaged file the rows end.
   bool stepWhole(bool& isDamaged);
   void reset();
 
-  // Columns count from 0; texts live until the next step.
+  // Columns count from 0; texts are valid until the next step.
   std::int64_t number(int column) const;
   std::string_view text(int column) const;
 

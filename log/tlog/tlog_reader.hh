@@ -8,16 +8,16 @@
 
 namespace pongsim::log {
 
-/// Reads Fortress's log files, its own and those of `TlogWriter`. Of a file that is cut off it reads what is there.
+/// Reads Fortress's log files, written by Fortress or by `TlogWriter`. Of a truncated file it reads what is there.
 class TlogReader final : public Reader {
  public:
-  /// @throws Failure where the file can't be opened, or is no such log.
+  /// @throws Failure if the file can't be opened, or is not such a log.
   explicit TlogReader(const std::filesystem::path& file);
   ~TlogReader() override;
 
-  /// As `Reader::topics`. The first call counts: it goes through all of the file.
+  /// See `Reader::topics`. The first call reads the whole file to count.
   std::vector<Topic> topics() const override;
-  /// @return The names of the topics with messages of a type, which is known without counting.
+  /// @return The names of the topics with messages of a type; needs no counting.
   std::vector<std::string> topicsOf(std::string_view type) const;
   std::optional<TimeRange> timeRange() const override;
   void forEach(const Selection& selection, const std::function<bool(const Record&)>& visit) const override;

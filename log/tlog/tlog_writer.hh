@@ -7,16 +7,16 @@
 
 namespace pongsim::log {
 
-/// Writes Fortress's log files: a database of SQLite, by schema 0.1.0 of ignition-transport's logs. A thread of its own
-/// does so, half a second's records in each transaction. While it is written a file NAME-wal belongs to it.
+/// Writes Fortress's log files: an SQLite database with schema 0.1.0 of ignition-transport's logs. Writing happens on a
+/// thread of its own, with half a second of records in each transaction. Meanwhile a file NAME-wal belongs to the log.
 class TlogWriter final : public Writer {
  public:
-  /// @param file Replaced where it is there.
-  /// @throws Failure where it can't be made.
+  /// @param file Replaced if it exists.
+  /// @throws Failure if it can't be created.
   explicit TlogWriter(const std::filesystem::path& file);
   ~TlogWriter() override;
 
-  /// As `Writer::write`. Waits where 64 MiB wait to be written.
+  /// See `Writer::write`. Blocks while 64 MiB are waiting to be written.
   void write(const Record& record) override;
   void close() override;
 

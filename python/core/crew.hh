@@ -11,18 +11,18 @@
 
 namespace pongsim::python {
 
-/// Threads that share out pieces of work. Which of them does which piece is left to chance.
+/// A thread pool. Which thread does which piece of work is unspecified.
 class Crew {
  public:
-  /// @param threads How many work at a time, the caller of `run` among them; from 1 on. The others begin with the first
-  /// `run` that needs them.
+  /// @param threads Number of threads, including the caller of `run`; at least 1. The others start with the first `run`
+  /// that needs them.
   explicit Crew(std::size_t threads) : wanted_(threads) {}
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
-  /// Calls `work` with each number below `count`, once, and returns when all calls have. `work` must not throw.
-  /// @throws std::runtime_error in a process that was forked off, to which the threads did not come along.
+  /// Calls `work` once with each number below `count`, and returns after all calls. `work` must not throw.
+  /// @throws std::runtime_error in a forked process, which does not inherit the threads.
   void run(std::size_t count, const std::function<void(std::size_t)>& work);
 
  private:
@@ -33,14 +33,14 @@ class Crew {
   void takeAll();
 
   std::size_t wanted_;
-  /// Where the threads are.
+  /// The process that has the threads.
   pid_t process_ = 0;
   std::vector<std::thread> threads_;
   const std::function<void(std::size_t)>* work_ = nullptr;
   std::size_t count_ = 0;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<std::uint32_t> round_ = 0;
-  /// How many threads beside the caller's are at it, and whether more may come.
+  /// Number of threads other than the caller's that are inside, and whether more may enter.
   std::atomic<std::uint32_t> inside_ = 0;
   std::atomic<bool> ends_ = false;
 };

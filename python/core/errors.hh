@@ -17,16 +17,16 @@ py::object errorClass(const char* name);
 /// Raises one of these.
 [[noreturn]] void raise(const char* name, const std::string& text);
 
-/// Raises a LoadError that has all of them.
+/// Raises a LoadError with all these diagnostics.
 [[noreturn]] void raiseLoadError(const std::vector<Diagnostic>& found);
 
-/// Tells of each as a Python warning.
+/// Issues a Python warning for each.
 void warnOf(const std::vector<Diagnostic>& found);
 
 /// @return "ValueError: too far (judge.py:12)".
 std::string describe(const py::error_already_set& error);
 
-/// What C++ throws becomes exceptions of errors.py.
+/// Translates C++ exceptions into those of errors.py.
 void translateErrors();
 
 }  // namespace pongsim::python

@@ -11,12 +11,12 @@ class FieldDescriptor;
 
 namespace pongsim::python {
 
-/// One number inside the messages of a type, to be set: "linear.x".
+/// Sets a number inside messages of a type: "linear.x".
 class FieldSetter {
  public:
-  /// Raises ValueError where the type has no such number, or it is in a list.
+  /// Raises ValueError if the type has no such number, or it is in a list.
   FieldSetter(const std::string& type, const std::string& path);
-  /// @param number Whole numbers are rounded to; a boolean is true from 0.5 on.
+  /// @param number Rounded for integer fields; a boolean is true from 0.5 on.
   void set(Message& message, double number) const;
 
  private:

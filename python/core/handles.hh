@@ -11,7 +11,7 @@ using PyModel = Handle<Model>;
 using PyLink = Handle<Link>;
 using PyJoint = Handle<Joint>;
 
-/// Adds models, links and joints.
+/// Binds models, links and joints.
 void bindHandles(py::module_& module);
 
 }  // namespace pongsim::python

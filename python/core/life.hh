@@ -19,8 +19,8 @@ namespace pongsim::python {
 
 namespace py = pybind11;
 
-/// A Python object that C++ calls. The garbage collector sees it by the simulation that it belongs to
-/// (`Life::traverse`), so that a callback that knows its own simulation keeps nothing alive.
+/// A Python object that C++ calls. The garbage collector reaches it through the simulation that it belongs to
+/// (`Life::traverse`), so a callback that refers to its own simulation keeps nothing alive.
 class Kept {
  public:
   explicit Kept(py::object object) : object_(object.release().ptr()) {}
@@ -35,21 +35,21 @@ class Kept {
   PyObject* object_;
 };
 
-/// Ends a subscription, for which a dispatch on another thread must end first, which may want the GIL.
+/// Ends a subscription. This waits for a dispatch on another thread to finish, which may need the GIL.
 inline void end(Subscription& subscription) {
   if (!subscription) return;
   const py::gil_scoped_release released;
   subscription = Subscription();
 }
 
-/// What is said on a topic: a publisher for each topic and type that was published on.
+/// One publisher for each topic and type that has been published on.
 using Publishers = std::map<std::pair<std::string, std::string>, Publisher>;
 
-/// What all Python objects of one simulation share; it outlives the simulation, so that they can say that it is gone.
-/// Its functions want the GIL, with which all of it is guarded but for what a step in progress does.
+/// The state shared by all Python objects of one simulation. It outlives the simulation, so that they can report that
+/// it is gone. Its functions require the GIL, which guards everything except what a running step does.
 class Life {
  public:
-  /// Told when the simulation ends: what holds on to it lets go.
+  /// Notified when the simulation ends, to release what depends on it.
   class Pending {
    public:
     virtual ~Pending() = default;
@@ -61,57 +61,57 @@ class Life {
       : transport_(std::move(transport)), simulation_(std::move(simulation)) {}
   ~Life() { close(); }
 
-  /// @return The simulation, to look at or to command: also within a step.
-  /// @throws Gone where it is closed, Busy where another thread steps it.
+  /// @return The simulation, for reading or commanding, also during a step.
+  /// @throws Gone if it is closed, Busy if another thread is stepping it.
   Simulation& use() const;
-  /// @return The simulation, to change between two steps: `what` that is, for the message.
+  /// @return The simulation, for changes between steps; `what` names the change in the message.
   Simulation& edit(const char* what) const;
-  /// Whether it speaks with other processes.
+  /// Whether it communicates with other processes.
   bool isOnNetwork() const { return transport_ != nullptr; }
   bool isClosed() const { return simulation_ == nullptr; }
   bool isStepping() const { return stepper_ != 0; }
 
-  /// Ends the simulation; whatever leads to it raises Gone from then on.
+  /// Ends the simulation; any access raises Gone from then on.
   void close();
 
   /// Keeps an object for C++ to call.
   std::shared_ptr<Kept> keep(py::object object);
-  /// Shows the collector what is kept.
+  /// Reports what is kept to the garbage collector.
   int traverse(visitproc visit, void* arg) const;
 
-  /// Runs `work`, which takes steps, with the GIL released. Raises what a callback has raised meanwhile.
+  /// Runs `work`, which takes steps, with the GIL released. Raises what a callback raised meanwhile.
   template <class Work>
   void stepping(Work work);
 
-  /// As `stepping`, for several simulations of which `work` takes steps on threads of its own, each of which says
-  /// `takeOver` to a simulation before it steps it. What callbacks of several have raised counts of the first one.
+  /// Like `stepping`, for several simulations. `work` steps them on threads of its own, which must call a simulation's
+  /// `takeOver` before they step it. If callbacks of several raised exceptions, the first simulation's counts.
   template <class Work>
   static void steppingAll(std::span<const std::shared_ptr<Life>> lives, Work work);
-  /// The calling thread steps it from now on, within `steppingAll`. Without the GIL.
+  /// Makes the calling thread the one that steps it, within `steppingAll`. Without the GIL.
   void takeOver() { stepper_ = PyThread_get_thread_ident(); }
 
-  /// Raises what a step has thrown: SystemFailed, with the exception of the system in Python that has failed.
+  /// Raises what a step has thrown: SystemFailed, with the exception of the Python system that failed.
   [[noreturn]] void raiseFailure(const char* what) const;
 
-  /// Whether the steps are to end, since a callback has raised something or a signal has come. Without the GIL, in a
-  /// step.
+  /// Whether the steps should end because a callback raised an exception or a signal arrived. Called in a step, without
+  /// the GIL.
   bool mustStop();
 
-  /// Keeps what a callback has raised, to be raised by the step in which it was called.
+  /// Records an exception from a callback, to be raised by the step that called it.
   void noteError(py::error_already_set& error);
-  /// Keeps what a system has raised, as the cause of what a strict step raises.
+  /// Records an exception from a system, as the cause of what a strict step raises.
   void noteFailure(py::object exception) { failure_ = std::make_shared<Kept>(std::move(exception)); }
   py::object failure() const { return failure_ ? failure_->get() : py::none(); }
 
-  /// Lets it know when the simulation ends, if it is there then.
+  /// Notifies it when the simulation ends, if it still exists.
   void tell(const std::weak_ptr<Pending>& pending);
-  /// As `tell`, and keeps it until it is dropped.
+  /// Like `tell`, and keeps it until it is dropped.
   void hold(std::shared_ptr<Pending> pending) { held_.push_back(std::move(pending)); }
   void drop(const Pending& pending) {
     std::erase_if(held_, [&](const std::shared_ptr<Pending>& each) { return each.get() == &pending; });
   }
 
-  /// Of the simulation; they go before it.
+  /// Publishers of the simulation, destroyed before it.
   Publishers publishers;
 
  private:
@@ -121,14 +121,14 @@ class Life {
   void raiseNoted();
   void forgetNoted();
 
-  // the simulation, which speaks by it, goes first
+  // the simulation, which uses it, is destroyed first
   std::unique_ptr<Transport> transport_;
   std::unique_ptr<Simulation> simulation_;
   std::vector<std::weak_ptr<Kept>> kept_;
   std::size_t sweepAt_ = 64;
-  /// What must go before the simulation does.
+  /// Must be destroyed before the simulation.
   std::shared_ptr<Kept> failure_;
-  /// The thread that takes steps, as Python numbers it, or 0.
+  /// Python's id of the thread that takes steps, or 0.
   std::atomic<unsigned long> stepper_ = 0;
   std::int64_t nextLook_ = 0;
   bool hasError_ = false;
@@ -179,13 +179,13 @@ void Life::steppingAll(std::span<const std::shared_ptr<Life>> lives, Work work) 
   }
 }
 
-/// A handle of the simulation's, as Python has it.
+/// A handle of the simulation in Python.
 template <class Inner>
 struct Handle {
   std::shared_ptr<Life> life;
   Inner inner;
 
-  /// @throws Gone, Busy as `Life::use`.
+  /// @throws Gone, Busy like `Life::use`.
   Inner& use() {
     life->use();
     return inner;

@@ -5,7 +5,7 @@
 
 namespace pongsim::python {
 
-/// Bytes that NumPy looks at where they are. They stay where they are for as long as anybody looks.
+/// Bytes that NumPy arrays refer to. They stay in place as long as an array uses them.
 struct Memory {
   explicit Memory(std::size_t size, bool writable = false) : bytes(size), isWritable(writable) {}
   std::vector<std::byte> bytes;

@@ -9,7 +9,7 @@
 
 namespace pongsim::python {
 
-/// What Python's Simulation holds: when it goes, the simulation goes.
+/// Held by Python's Simulation: the simulation is destroyed with it.
 struct Owner {
   explicit Owner(std::shared_ptr<Life> owned) : life(std::move(owned)) {}
   Owner(Owner&&) = default;

@@ -4,7 +4,8 @@
 
 namespace pongsim::python {
 
-/// Adds what draws a world from a place, without a camera in it. After the simulation, whose Python objects it takes.
+/// Binds functions that draw a world from any viewpoint, without a camera in it. Call after binding the simulation,
+/// whose Python types it uses.
 void bindPictures(pybind11::module_& module);
 
 }  // namespace pongsim::python

@@ -18,55 +18,56 @@
 
 namespace pongsim::python {
 
-/// Worlds that are stepped together, on several threads: from rows of an action each to rows of what was read of each,
-/// with nothing of Python's between. What a world does is its own, so that the results do not depend on the threads.
+/// Worlds that are stepped together on several threads, without Python in between: from rows of actions, one for each
+/// world, to rows of readings. Worlds are independent, so the results do not depend on the threads.
 ///
-/// First readings and steerings are added, to each world the same ones in the same order; then `seal` makes the arrays.
+/// First add readings and steerings, the same ones in the same order to each world; then `seal` creates the arrays.
 class Pool {
  public:
   Pool(std::vector<std::shared_ptr<Life>> lives, std::size_t threads);
 
   void addReading(std::size_t world, Reading reading);
   void addSteering(std::size_t world, Steering steering);
-  /// Limits what an action's number may say; in the order of the numbers, for all worlds.
+  /// Sets the limits of the next number of the action, for all worlds.
   void limitAction(double low, double high) {
     checkOpen();
     actionLimits_.push_back({low, high});
   }
-  /// Takes a number that was read into what is observed, within limits; for all worlds.
+  /// Includes a number from the readings in the observation, with limits, for all worlds.
   void observe(std::size_t column, double low, double high) {
     checkOpen();
     observed_.push_back({column, {low, high}});
   }
-  /// Makes the arrays.
-  /// Raises ValueError where worlds differ in what is read or steered.
+  /// Creates the arrays.
+  /// Raises ValueError if worlds differ in their readings or steerings.
   void seal();
 
-  /// Takes the steps that `steps` says, with the actions where `commanded` says so, and reads.
-  /// Raises ValueError for an action that is not finite, and what steps raise.
+  /// Runs as many steps as `steps` says, applying the actions of worlds with `commanded` set, and reads.
+  /// Raises ValueError for an action that is not finite, and any exception raised in a step.
   void step();
-  /// Keeps the state of a world, with what was read of it, for `restore`.
+  /// Saves a world's state and its readings, for `restore`.
   void save(std::size_t world);
-  /// Puts the worlds for which `restored` is set back to where they were saved, and reads. Raises Refused.
+  /// Restores the worlds with `restored` set to their saved states, and reads. Raises Refused.
   void restore();
-  /// Hands over what waits in a world and forgets what was heard of it: before it is set back to its start.
+  /// Delivers the messages waiting in a world and forgets what was received: called before it is reset.
   void forget(std::size_t world);
-  /// @return What has not been heard in a world yet; empty where all has.
+  /// @return The name of a reading that a world has not received yet; empty if it has all.
   std::string missing(std::size_t world) const;
 
   std::size_t count() const { return worlds_.size(); }
   std::size_t actionSize() const { return actionLimits_.size(); }
   std::size_t valueSize() const { return valueSize_; }
 
-  /// Rows of doubles: what each world is told, is to be read now, and was read before the last step.
+  /// Rows of doubles, one for each world: actions, current readings, and the readings before the last step.
   std::shared_ptr<Memory> actions, values, before;
-  /// Rows of floats: what is observed.
+  /// Rows of floats: the observations.
   std::shared_ptr<Memory> observations;
-  /// Of each world: physics steps to take (64-bit integers), whether it is commanded, whether it is restored (bytes).
+  /// For each world: number of physics steps (64-bit integers), whether it is commanded, whether it is restored
+  /// (bytes).
   std::shared_ptr<Memory> steps, commanded, restored;
 
  private:
-  /// One of them.
+  /// One of the worlds.
   class Place final : public Life::Pending {
    public:
     explicit Place(std::shared_ptr<Life> ofWhom) : life(std::move(ofWhom)) {}
@@ -89,11 +90,11 @@ class Pool {
   template <class Number>
   static std::span<Number> rowOf(const std::shared_ptr<Memory>& memory, std::size_t row, std::size_t width);
   Place& placeOf(std::size_t world);
-  /// Raises ValueError where the arrays are made already.
+  /// Raises ValueError if the arrays have been created already.
   void checkOpen() const {
     if (isSealed_) throw py::value_error("the pool is sealed");
   }
-  /// Calls `work` for each world on the crew's threads, without the GIL, and raises what one throws.
+  /// Calls `work` for each world on the crew's threads, without the GIL, and raises an exception thrown by one.
   template <class Work>
   void forAll(const char* what, Work work);
   void raiseThrown(const std::vector<std::exception_ptr>& thrown) const;
@@ -111,7 +112,7 @@ class Pool {
   bool isSealed_ = false;
 };
 
-/// Adds the pool. After the simulation, whose Python objects it takes.
+/// Binds the pool. Call after binding the simulation, whose Python types it uses.
 void bindPool(py::module_& module);
 
 }  // namespace pongsim::python

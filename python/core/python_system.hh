@@ -10,11 +10,10 @@
 
 namespace pongsim::python {
 
-/// A system in Python among those of the world. A function that its class does not have is not called, and costs
-/// nothing.
+/// A system written in Python. Functions that its class does not define are not called, and cost nothing.
 class PythonSystem final : public System {
  public:
-  /// @param system Of a class derived from pongsim.System. It knows its simulation already.
+  /// @param system Instance of a class derived from pongsim.System. It already knows its simulation.
   PythonSystem(Life& life, py::object system);
   ~PythonSystem() override;
 
@@ -30,7 +29,7 @@ class PythonSystem final : public System {
  private:
   using Method = std::shared_ptr<Kept>;
 
-  /// @return The bound function; null where the class does not have its own.
+  /// @return The bound method; null if the class does not define it.
   Method own(const char* name) const;
   void call(const Method& method, const StepInfo* info);
   template <class Work>
@@ -47,7 +46,7 @@ class PythonSystem final : public System {
   Method restore_;
 };
 
-/// Adds the class of what a system is told of a step.
+/// Binds the class for step information passed to systems.
 void bindSystems(py::module_& module);
 
 }  // namespace pongsim::python

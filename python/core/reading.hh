@@ -12,22 +12,22 @@
 
 namespace pongsim::python {
 
-/// Numbers that come by a topic, as they came last.
+/// The latest numbers received from a topic.
 class Heard {
  public:
-  /// Writes what of a message counts.
+  /// Extracts the numbers from a message.
   using Take = std::function<void(const Message&, std::vector<double>&)>;
 
   Heard(Life& life, std::string name, const std::string& topic, const std::string& type, std::size_t size, Take take);
   ~Heard() { end(subscription_); }
 
-  /// What it is, for messages.
+  /// Its name in messages.
   const std::string& name() const { return name_; }
   const std::vector<double>& numbers() const { return now_.numbers; }
-  /// Whether a message has come since `forget`.
+  /// Whether a message has arrived since `forget`.
   bool isThere() const { return now_.isThere; }
   void forget() { now_ = {std::vector<double>(now_.numbers.size(), 0.0), false}; }
-  /// Keeps what is known, for `restore`.
+  /// Saves the current numbers, for `restore`.
   void save() { saved_ = now_; }
   void restore() { now_ = saved_; }
 
@@ -42,12 +42,12 @@ class Heard {
   Subscription subscription_;
 };
 
-/// What of a world becomes numbers after each step of an environment.
+/// Values of a world that are read after each step of an environment.
 struct Reading {
   std::size_t size = 0;
-  /// Writes what is there now. Without the GIL.
+  /// Writes the current values. Called without the GIL.
   std::function<void(double*)> sample;
-  /// Null where it is read from the world itself.
+  /// Null if the values are read directly from the world.
   std::shared_ptr<Heard> heard;
 };
 
@@ -58,12 +58,12 @@ struct LidarLimits {
   double nearest = 0;
   double farthest = 0;
 };
-/// @return Those of a lidar. Raises ValueError for another sensor.
+/// @return The limits of a lidar. Raises ValueError for other sensors.
 LidarLimits lidarLimits(PySensor& sensor);
 
 /// @return The ranges of a lidar [m].
 Reading rangesOf(PySensor& sensor);
-/// @return Fields of the last message on a topic. Raises ValueError where they are no numbers of that type.
+/// @return Fields of the last message on a topic. Raises ValueError if they are not numeric fields of its type.
 Reading fieldsOf(const std::shared_ptr<Life>& life, const std::string& topic, const std::string& type,
                  const std::vector<std::string>& paths);
 /// @return Position and rotation of a model in the world frame: x, y, z [m], and a quaternion x, y, z, w.

@@ -14,7 +14,7 @@
 
 namespace pongsim::python {
 
-/// One kind of reading of a sensor, as it comes: its numbers are written to where NumPy looks at them.
+/// One kind of reading of a sensor. Each new reading is written to the memory that NumPy arrays refer to.
 class Stream final : public Life::Pending {
  public:
   /// @param kind "ranges", "points", "image", "depth" or "message".
@@ -22,24 +22,24 @@ class Stream final : public Life::Pending {
   ~Stream() override { end(subscription_); }
   void letGo() override { end(subscription_); }
 
-  /// @return Itself, where no other thread steps, so that nothing is written meanwhile.
-  /// Raises Gone, Busy as `Life::use`.
+  /// @return Itself, if no other thread is stepping and might write meanwhile.
+  /// Raises Gone, Busy like `Life::use`.
   const Stream& use() const;
 
   std::string kind;
-  /// Rows, columns and, of points, numbers of a point.
+  /// Rows, columns and, for points, numbers for each point.
   std::vector<std::size_t> shape;
-  /// As NumPy names it: "f8".
+  /// NumPy's name for it: "f8".
   std::string format;
-  /// In whole nanoseconds of simulated time; of the reading that is in the memory.
+  /// Simulated time of the reading in memory [ns].
   std::int64_t time = 0;
   std::uint64_t count = 0;
   std::shared_ptr<Memory> memory;
-  /// Of scans, in a memory of their own.
+  /// Scans only, in separate memory.
   std::shared_ptr<Memory> intensities;
-  /// Where the sensor itself wrote last: pixels and points without anything between.
+  /// Where the sensor last wrote pixels or points without gaps.
   const void* written = nullptr;
-  /// The whole message in binary form; of kinds that are no arrays.
+  /// The whole message in binary form; for kinds that are not arrays.
   std::string message;
   std::string type;
 
@@ -53,7 +53,7 @@ class Stream final : public Life::Pending {
   Subscription subscription_;
 };
 
-/// A sensor, with what was heard of it so far.
+/// A sensor and its streams.
 struct PySensor {
   std::shared_ptr<Life> life;
   Sensor inner;
@@ -63,17 +63,17 @@ struct PySensor {
     life->use();
     return inner;
   }
-  /// Begins to listen where nothing does yet.
-  /// Raises ValueError for what the sensor does not have.
+  /// Starts listening, unless it already does.
+  /// Raises ValueError for a kind that the sensor does not have.
   Stream& listen(const std::string& kind);
 };
 
-/// @return The sensor of that scoped name, "model::link::sensor", or of a name that only one has. Raises KeyError.
+/// @return The sensor with this scoped name, "model::link::sensor", or with this name if it is unique. Raises KeyError.
 PySensor findSensor(const std::shared_ptr<Life>& life, const std::string& name);
-/// @return The scoped names of all.
+/// @return The scoped names of all sensors.
 std::vector<std::string> sensorNames(Life& life);
 
-/// Adds sensors and their memory.
+/// Binds sensors and their memory.
 void bindSensors(py::module_& module);
 
 }  // namespace pongsim::python

@@ -4,7 +4,7 @@
 
 namespace pongsim::python {
 
-/// Adds the simulation and what it tells of a file.
+/// Binds the simulation and the diagnostics of a file.
 void bindSimulation(pybind11::module_& module);
 
 }  // namespace pongsim::python

@@ -9,13 +9,13 @@
 
 namespace pongsim::python {
 
-/// What hears a topic for Python, until it is closed or the simulation is.
+/// A subscription to a topic in Python, until it or the simulation is closed.
 class Ear final : public Life::Pending {
  public:
-  /// @param type As `messageAs` takes it.
+  /// @param type See `messageAs`.
   static std::shared_ptr<Ear> open(const std::shared_ptr<Life>& life, const std::string& topic, py::object callback,
                                    py::object type, std::size_t length);
-  /// Hears nothing any more.
+  /// Ends the subscription.
   void close();
   void letGo() override;
   std::uint64_t received() const { return subscription_.received(); }
@@ -33,18 +33,18 @@ class Ear final : public Life::Pending {
   Subscription subscription_;
 };
 
-/// @return The full name of a message type, or where none is given that which the topic has in this simulation. Raises
-/// ValueError where there is none, or several.
+/// @return The full name of a message type, or if none is given, the topic's type in this simulation. Raises ValueError
+/// if there is none, or more than one.
 std::string typeFor(Life& life, const std::string& topic, const std::string& type);
 
-/// Publishes a message, of the type that is asked for, that of its class, or that which the topic has.
+/// Publishes a message of the requested type, else of its class's type, else of the topic's type.
 void publish(Life& life, const std::string& topic, py::handle message, const std::string& type);
 
-/// Asks a service and waits for the answer.
+/// Calls a service and waits for the reply.
 py::object request(const std::shared_ptr<Life>& life, const std::string& service, py::handle message,
                    const std::string& requestType, py::handle replyType, double timeout);
 
-/// Adds what has to do with topics and services.
+/// Binds topics and services.
 void bindTopics(py::module_& module);
 
 }  // namespace pongsim::python

@@ -14,17 +14,17 @@ namespace py = pybind11;
 /// @return (x, y, z)
 inline py::tuple tupleOf(const Vector3& vector) { return py::make_tuple(vector.x(), vector.y(), vector.z()); }
 
-/// @param what What it is, for the message: "force".
-/// Raises TypeError or ValueError where it is not three finite numbers.
+/// @param what Its name in the message: "force".
+/// Raises TypeError or ValueError unless it is three finite numbers.
 Vector3 vectorOf(py::handle three, const char* what);
 
 /// @return A pongsim.Pose.
 py::object poseOf(const Pose& pose);
 
-/// @param from A pongsim.Pose; x, y, z; or x, y, z, roll, pitch, yaw as SDF has it.
+/// @param from A pongsim.Pose; x, y, z; or x, y, z, roll, pitch, yaw as in SDF.
 Pose poseFrom(py::handle from);
 
-/// Raises Refused where a change was.
+/// Raises Refused if a change was refused.
 void checkRefusal(const std::optional<std::string>& refusal);
 
 }  // namespace pongsim::python

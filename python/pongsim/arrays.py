@@ -1,4 +1,4 @@
-"""Memory of C++ as arrays."""
+"""NumPy arrays that refer to C++ memory."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from ._core import Memory
 
 
 def view(memory: Memory, kind: str, shape: tuple[int, ...]) -> NDArray[Any]:
-    """An array that looks at the memory and keeps it; to be written to where that is. `kind` is as NumPy names it: "f8"."""
+    """Returns an array that refers to the memory, keeps it alive, and is writable if the memory is. `kind` is
+    NumPy's type: "f8"."""
     array: NDArray[Any] = np.frombuffer(memoryview(memory), np.dtype(kind)).reshape(shape)
     return array

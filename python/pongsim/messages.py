@@ -28,7 +28,7 @@ def message_class(name: str) -> Any:
     except ImportError as missing:
         raise ImportError("message classes need Google's protobuf package; use dicts without it") from missing
     if _pool is None:
-        # of its own, so that classes of the same names from elsewhere do not clash with these
+        # a separate pool, so that other classes with the same names do not clash with these
         _pool = descriptor_pool.DescriptorPool()
     for data in _core.message_files(full):
         file = descriptor_pb2.FileDescriptorProto.FromString(data)

@@ -1,4 +1,4 @@
-"""The program `pongsim` of a wheel, in which it lies beside this file."""
+"""Starts the program `pongsim` of a wheel, which is installed next to this file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ import sys
 
 
 def main() -> int:
-    """Becomes the program. What of it is in Python, as `pongsim sweep`, is run by this Python."""
+    """Replaces this process by the program. Parts written in Python, such as `pongsim sweep`, use this Python
+    interpreter."""
     program = pathlib.Path(__file__).parent / "bin/pongsim"
     if not program.exists():
         print(f"pongsim: error: there is no {program}: this package is not a wheel", file=sys.stderr)

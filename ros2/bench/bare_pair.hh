@@ -10,13 +10,13 @@
 
 namespace pongsim::ros2 {
 
-/// Fast DDS as its users have it, with the bytes of a payload for a type: what the bridge is measured beside.
+/// Fast DDS as its users have it, with raw bytes as a type: the reference that the bridge is measured against.
 class BarePeer {
  public:
   enum class Way {
-    /// As it comes: shared memory, and UDP on all interfaces.
+    /// The default: shared memory, and UDP on all interfaces.
     kDefault,
-    /// By UDP alone, as the simulation, with room for a picture in its sockets, which the system's default has not.
+    /// UDP only, like the simulation, with socket buffers large enough for an image, which the system's default is not.
     kUdp
   };
   explicit BarePeer(int domain, Way way);
@@ -24,13 +24,13 @@ class BarePeer {
   BarePeer(const BarePeer&) = delete;
   BarePeer& operator=(const BarePeer&) = delete;
 
-  /// Listens on a topic of the wire, reliably.
+  /// Subscribes to a topic on the wire, reliably.
   void read(const std::string& topic, const std::string& type,
             std::function<void(std::span<const std::byte>)> received);
-  /// Begins to write on one.
+  /// Creates a writer for one.
   void openWriter(const std::string& topic, const std::string& type);
   void write(std::span<const std::byte> payload);
-  /// @return How many endpoints the others have for ours.
+  /// @return The number of matched endpoints.
   int matched() const { return matched_; }
 
  private:

@@ -16,16 +16,16 @@
 
 namespace pongsim::ros2 {
 
-/// Carries messages between the topics of the simulation and those of ROS: the ones that rules name as they say, all
-/// others that have a pair under their own names, each in the directions in which the simulation uses it. Nothing is
-/// listened to in the simulation before a node of ROS listens, so that nothing is made for nobody, unless a rule says
-/// otherwise.
+/// Passes messages between the topics of the simulation and those of ROS. Topics named in rules follow those, all
+/// others that have a pair keep their names and are bridged in the directions in which the simulation uses them. Unless
+/// a rule says otherwise, the simulation's topics are subscribed to only while a ROS node subscribes, so that nothing
+/// is made for nobody.
 ///
-/// Messages to ROS are written to the wire from within the simulation's `publish`; those from ROS are read on DDS's
-/// thread and published from there. It is otherwise for the simulation's thread, and must not outlive the nodes.
+/// Messages to ROS are written to the wire inside the simulation's `publish`; those from ROS are read on DDS's thread
+/// and published from there. Everything else is for the simulation's thread. Must not outlive the nodes.
 class Bridge {
  public:
-  /// What is bridged, for who asks.
+  /// What is bridged, for the service that lists it.
   struct Topic {
     std::string ros;
     std::string ignition;
@@ -45,21 +45,21 @@ class Bridge {
   Bridge(const Bridge&) = delete;
   Bridge& operator=(const Bridge&) = delete;
 
-  /// A name of ROS that somebody else serves, so that no topic of the simulation is bridged to it unless a rule says
-  /// so.
+  /// Reserves a ROS name used by somebody else, so that no topic of the simulation is bridged to it unless a rule asks
+  /// for it.
   void reserve(const std::string& rosName) { reserved_.insert(rosName); }
 
-  /// To be called in each step: follows topics and readers that have come or gone, and warns of nodes that never meet
-  /// what is bridged.
+  /// Call in each step: handles added and removed topics and readers, and warns about nodes that can't connect to a
+  /// bridged topic.
   void update();
 
   std::vector<Topic> topics() const;
 
-  // Settings that may change while it runs, from the next `update` on.
+  // Settings that can change at run time, effective from the next `update` on.
 
   /// Whether topics without a rule are bridged.
   void setBridgesAll(bool all);
-  /// Whether messages to ROS are stamped with the time of the wall. What is latched is told again.
+  /// Whether messages to ROS are stamped with wall time. Latched messages are sent again.
   void setWallTime(bool isUsed);
 
  private:
@@ -89,12 +89,12 @@ class Bridge {
   RosNode& ros_;
   Settings settings_;
   std::set<std::string> reserved_;
-  /// Complained of once.
+  /// Names already warned about.
   std::set<std::string> refusedNames_;
   std::uint64_t topicsVersion_ = 0;
   std::atomic<std::uint64_t> readersVersion_ = 1;
   std::uint64_t knownReaders_ = 0;
-  /// Whether topics of ROS are read only while somebody listens in the simulation.
+  /// Whether ROS topics are read only while somebody in the simulation subscribes.
   bool hasLazyReaders_ = false;
   std::list<Entry> entries_;
   Mismatches mismatches_;

@@ -13,32 +13,31 @@
 
 namespace pongsim::ros2 {
 
-/// A topic of ROS as it is bridged here.
+/// A bridged ROS topic.
 struct Offer {
   /// "/scan"
   std::string ros;
-  /// The simulation's: "/lidar".
+  /// Name in the simulation: "/lidar".
   std::string ignition;
   const Pair* pair = nullptr;
-  /// Of the writer and the reader that are here, if they are.
+  /// Of our writer and reader, if they exist.
   std::optional<Qos> writer = std::nullopt;
   std::optional<Qos> reader = std::nullopt;
 };
 
-/// @return Why another node's endpoint never meets the offer, though it is of the same topic: another type, or a
-/// quality of service that does not match the one here. Nothing where they meet, or have nothing to do with each
-/// other.
+/// @return Why another node's endpoint can't connect to the offer although it has the same topic: another type, or an
+/// incompatible quality of service. Nothing if they connect, or are unrelated.
 std::optional<std::string> mismatch(const Offer& offer, const Graph::Endpoint& theirs);
 
-/// Warns of endpoints that other nodes have on bridged topics and that never meet: DDS itself says nothing. Once for
-/// each endpoint. For the simulation's thread.
+/// Warns about other nodes' endpoints on bridged topics that can't connect, because DDS itself reports nothing. Once
+/// for each endpoint. For the simulation's thread.
 class Mismatches {
  public:
   explicit Mismatches(RosNode& ros) : ros_(ros) {}
 
-  /// To be called in each step; cheap where nothing has changed.
-  /// @param offersVersion A number that is another one when the offers are others.
-  /// @param offers Asked for only where something has changed.
+  /// Call in each step; cheap if nothing has changed.
+  /// @param offersVersion A number that changes when the offers change.
+  /// @param offers Only called if something has changed.
   void update(std::uint64_t offersVersion, const std::function<std::vector<Offer>()>& offers);
 
  private:

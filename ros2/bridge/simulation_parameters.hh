@@ -11,17 +11,17 @@
 
 namespace pongsim::ros2 {
 
-/// The parameters of the simulation's node: what may be changed while it runs, and, read-only, what it was started
-/// with.
+/// The parameters of the simulation's node: settings that can be changed at run time, and, read-only, those it was
+/// started with.
 class SimulationParameters {
  public:
-  /// @param settings As the bridge was made with.
+  /// @param settings Those that the bridge was created with.
   SimulationParameters(RosNode& node, const World& world, Bridge& bridge, const Settings& settings);
 
-  /// To be called in each step before the mailbox is dispatched, with the simulated time.
+  /// Call in each step before the mailbox is dispatched, with the simulated time.
   void preUpdate(Time time);
 
-  /// For who has parameters of his own.
+  /// For adding further parameters.
   Parameters& parameters() { return parameters_; }
 
  private:

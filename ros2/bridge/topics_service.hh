@@ -8,19 +8,19 @@
 
 namespace pongsim::ros2 {
 
-/// @return The name of the service that tells what is bridged: "/world/pong/ros2/topics".
+/// @return The name of the service that lists bridged topics: "/world/pong/ros2/topics".
 std::string topicsServiceOf(std::string_view world);
 
-/// Tells who asks what is bridged: ignition.msgs.Empty is answered with an ignition.msgs.Param_V, of which each Param
+/// Lists bridged topics on request: answers an ignition.msgs.Empty with an ignition.msgs.Param_V, in which each Param
 /// is a topic with
-/// - texts `ros`, `ros_type`, `ignition`, `ignition_type`;
+/// - strings `ros`, `ros_type`, `ignition`, `ignition_type`;
 /// - booleans `to_ros`, `from_ros`;
-/// - numbers (doubles) `readers` and `writers`, those in ROS that it is matched with; `sent` to and `received` from ROS
-///   so far; `dropped`, what some reader did not get; `refused`, what came and was no such message.
+/// - numbers (doubles) `readers` and `writers`, the matched ones in ROS; `sent` to and `received` from ROS so far;
+/// `dropped`, what some reader did not receive; `refused`, what arrived and was not valid.
 class TopicsService {
  public:
   /// @param bridge Must outlive this.
-  /// @throws std::invalid_argument where the name is taken.
+  /// @throws std::invalid_argument if the name is taken.
   TopicsService(Node& simulation, std::string_view world, const Bridge& bridge);
 
  private:

@@ -6,12 +6,12 @@
 
 namespace pongsim::ros2 {
 
-/// Adds an action, as those in `command.hh`.
+/// Adds an action, like those in `command.hh`.
 using AddAction = void (*)(CLI::App& program, Work& work);
 
-/// Reads a whole command line of `pongsim ros2`, of which the program's name is the first word, and does what it says.
-/// @param actions Those that it may name.
-/// @return The program's exit code: 0 done, 1 the work failed, 2 the command line was wrong.
+/// Parses a whole command line of `pongsim ros2`, including the program's name, and runs it.
+/// @param actions The available actions.
+/// @return The program's exit code: 0 success, 1 the work failed, 2 the command line was wrong.
 int run(int argc, char** argv, std::span<const AddAction> actions);
 
 }  // namespace pongsim::ros2

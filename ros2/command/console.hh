@@ -6,12 +6,12 @@
 
 namespace pongsim::ros2 {
 
-// Exit codes, and how pongsim speaks to who sits at a terminal.
+// Exit codes, and output for users at a terminal.
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUsage = 2;
 
-/// The command line is wrong; ends the program with `kWrongUsage`.
+/// The command line is wrong; the program exits with `kWrongUsage`.
 class UsageError : public std::runtime_error {
  public:
   /// @param hint One line of help, or empty.
@@ -23,17 +23,17 @@ class UsageError : public std::runtime_error {
   std::string hint_;
 };
 
-/// Says on stderr "pongsim: error: MESSAGE", and the hint, if there is one, on a second line.
+/// Prints "pongsim: error: MESSAGE" on stderr, and the hint, if any, on a second line.
 void sayError(std::string_view message, std::string_view hint = {});
 
-/// As `sayError`, for work that could not be done.
+/// Like `sayError`, for work that failed.
 /// @return `kFailed`.
 int fail(std::string_view message, std::string_view hint = {});
 
-/// Says "pongsim: MESSAGE" on stderr.
+/// Prints "pongsim: MESSAGE" on stderr.
 void say(std::string_view message);
 
-/// Writes to stdout, and at once. Says why where it can't, unless the reader has gone away.
+/// Writes to stdout and flushes it. Reports a failure, unless the reader has closed the pipe.
 /// @return `kDone` or `kFailed`.
 int print(std::string_view data);
 

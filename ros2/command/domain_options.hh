@@ -12,22 +12,22 @@ class App;
 
 namespace pongsim::ros2 {
 
-/// Where the nodes are that an action talks with, as the user says it.
+/// The user's options for reaching the nodes that an action communicates with.
 struct DomainOptions {
   std::optional<std::string> domain;
   std::optional<std::string> distro;
   std::optional<std::string> network;
 
-  /// @return With what the environment says where these do not.
-  /// @throws UsageError for a domain, distribution or interface that is none.
+  /// @return The options, completed from the environment.
+  /// @throws UsageError for an invalid domain, distribution or interface.
   ParticipantOptions participant() const;
 };
 
-/// Takes the value of `--secure`: this process is to be an identity of that keystore.
-/// @throws UsageError for an empty one, which would mean that nothing is secured.
+/// Handles the value of `--secure`: this process uses an identity of that keystore.
+/// @throws UsageError if it is empty, which would mean no security.
 void takeKeystore(const std::string& place);
 
-/// Gives an action the options `--domain`, `--distro` and `--network`.
+/// Adds the options `--domain`, `--distro` and `--network` to an action.
 void addDomainOptions(CLI::App& action, const std::shared_ptr<DomainOptions>& given);
 
 }  // namespace pongsim::ros2

@@ -5,7 +5,7 @@
 
 namespace pongsim::ros2 {
 
-/// @return A line each row, its columns below each other, two spaces between them and none at the end.
+/// @return One line for each row, with aligned columns separated by two spaces and no trailing spaces.
 std::string alignedRows(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace pongsim::ros2

@@ -10,20 +10,19 @@
 
 namespace pongsim::ros2 {
 
-/// The parameters of the system, as elements of its `<plugin>` or options of `pongsim run`.
+/// The system's parameters, as elements of its `<plugin>` or options of `pongsim run`.
 class SettingsElements {
  public:
   /// Binds the parameters to members of this, which must outlive the declaration.
   void declare(Declaration& declaration);
 
-  /// Puts the world's name behind that of the node, unless the world's own `<plugin>` names it: other worlds of the
-  /// process are nodes, too.
+  /// Appends the world's name to that of the node, unless the world's own `<plugin>` sets it, because other worlds in
+  /// the process are nodes too.
   void nameAfter(std::string_view world, const Element& plugin);
 
-  /// @param plugin The `<plugin>` element, for positions. A file is named from the folder of the file that it stands
-  /// in.
-  /// @return The settings that they make with what the environment says; nothing where something is wrong, and
-  /// `diagnostics` has the errors.
+  /// @param plugin The `<plugin>` element, for positions. File paths are relative to the folder of the file that
+  /// contains it.
+  /// @return The settings, combined with the environment; nothing, with errors in `diagnostics`, if something is wrong.
   std::optional<Settings> read(const Element& plugin, Diagnostics& diagnostics) const;
 
  private:

@@ -9,14 +9,14 @@
 
 namespace pongsim::ros2 {
 
-/// @return What a distribution's name means on the wire; nothing for a name that none has.
+/// @return The wire format of a distribution; nothing for an unknown name.
 std::optional<Distro> distroNamed(std::string_view name);
 
-/// @return All names that `distroNamed` knows.
+/// @return All names known to `distroNamed`.
 std::span<const std::string_view> distroNames();
 
-/// @return What ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY, ROS_DISTRO and PONGSIM_NETWORK say.
-/// @throws std::invalid_argument for a domain that is none from 0 to 232.
+/// @return The options set by ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY, ROS_DISTRO and PONGSIM_NETWORK.
+/// @throws std::invalid_argument for a domain that is not between 0 and 232.
 ParticipantOptions participantOptionsOfEnvironment();
 
 }  // namespace pongsim::ros2

@@ -5,18 +5,18 @@
 
 namespace pongsim::ros2 {
 
-/// @param isLatched Whether the simulation keeps the topic's last message for who comes late.
-/// @return The quality with which messages go to ROS: what the rule says, else what users expect of the topic.
+/// @param isLatched Whether the simulation keeps the topic's last message for late subscribers.
+/// @return The quality of service for messages to ROS: from the rule, else what users expect of the topic.
 Qos writerQos(const TopicRule& rule, bool isLatched);
 
-/// @return The quality with which messages of ROS are read.
+/// @return The quality of service for messages from ROS.
 Qos readerQos(const TopicRule& rule);
 
-/// @return Whether the simulation's topic is listened to only while a node of ROS listens: not where late nodes are to
-/// get what was said before they came, unless the rule says so.
+/// @return Whether the simulation's topic is subscribed to only while a ROS node subscribes: unless the rule sets it,
+/// false for topics where late nodes should get earlier messages.
 bool isLazyToRos(const TopicRule& rule, bool isLatched);
 
-/// @return Whether the topic of ROS is read only while somebody listens in the simulation.
+/// @return Whether the ROS topic is read only while somebody in the simulation subscribes.
 bool isLazyFromRos(const TopicRule& rule);
 
 }  // namespace pongsim::ros2

@@ -8,24 +8,23 @@
 
 namespace pongsim::ros2 {
 
-/// A word of the user's, and where he wrote it.
+/// A word from the user, and its position.
 struct Said {
   std::string text;
   SourcePosition position;
 };
 
-/// What a user says of one topic or one service, in a file, an element or an option, before anybody has looked whether
-/// there is such a thing.
+/// What a user writes about one topic or service, in a file, an element or an option, before it is validated.
 struct RuleText {
   SourcePosition position;
   bool isService = false;
-  /// Of the topic or the service.
+  /// For topics and services.
   std::optional<Said> ros = std::nullopt;
   std::optional<Said> ignition = std::nullopt;
   std::optional<Said> rosType = std::nullopt;
-  /// Of a topic.
+  /// For topics.
   std::optional<Said> ignitionType = std::nullopt;
-  /// Of a service.
+  /// For services.
   std::optional<Said> requestType = std::nullopt;
   std::optional<Said> replyType = std::nullopt;
   Direction direction = Direction::kBoth;

@@ -6,11 +6,11 @@
 
 namespace pongsim::ros2 {
 
-/// A service of the simulation that somebody wants in ROS under a name of his choice.
+/// A service of the simulation that gets another name in ROS.
 struct ServiceRule {
-  /// "/world/pong/control", in full.
+  /// Absolute name, "/world/pong/control".
   std::string ros;
-  /// The simulation's: "/world/pong/control".
+  /// Name in the simulation: "/world/pong/control".
   std::string ignition;
   /// "ros_gz_interfaces/srv/ControlWorld"
   std::string type;

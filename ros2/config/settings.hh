@@ -10,21 +10,21 @@
 
 namespace pongsim::ros2 {
 
-/// All that can be said of how a simulation talks to ROS: from the elements of the `<plugin>`, the options of `pongsim
-/// run`, the file, the environment.
+/// All settings of the connection to ROS, from the elements of the `<plugin>`, the options of `pongsim run`, the
+/// configuration file, and the environment.
 struct Settings {
   ParticipantOptions participant;
   std::string nodeName = "pongsim";
-  /// "/" or "/robot": of the node, and of the topics without a rule.
+  /// "/" or "/robot": for the node, and for topics without a rule.
   std::string nameSpace = "/";
   Frames frames;
   /// Whether topics without a rule are bridged under their own names.
   bool bridgesAll = true;
-  /// Topics that are bridged in a way of their own, or (without a pair) not at all.
+  /// Topics that are bridged in a particular way, or (without a pair) not at all.
   std::vector<TopicRule> rules;
-  /// Services of the simulation that have another name in ROS.
+  /// Services of the simulation with another name in ROS.
   std::vector<ServiceRule> services;
-  /// The file that rules came from, as it was named; empty: none.
+  /// The file that the rules came from, as named by the user; empty: none.
   std::string configFile;
 };
 

@@ -11,35 +11,35 @@ namespace pongsim::ros2 {
 
 enum class Direction { kBoth, kToRos, kFromRos };
 
-/// What somebody wishes of one way of a topic. Unset: as usual for what it is.
+/// Options for one direction of a topic. Unset: the default for its type.
 struct WayRule {
-  /// To ROS: so many messages the writer keeps for its readers, 1 or more. What comes from ROS is handed on at once, so
-  /// that there it means nothing.
+  /// To ROS: how many messages the writer keeps for its readers, at least 1. Has no effect from ROS, because messages
+  /// are passed on immediately.
   std::optional<std::size_t> depth = std::nullopt;
-  /// To ROS: whether the simulation's topic is listened to only while a node of ROS listens in turn; one that is not
-  /// lazy is listened to from the start. From ROS: whether the topic of ROS is read only while somebody in the
-  /// simulation, or another process, listens.
+  /// To ROS: whether the simulation's topic is subscribed to only while a ROS node subscribes; if not lazy, it is
+  /// subscribed to from the start. From ROS: whether the ROS topic is read only while somebody in the simulation, or
+  /// another process, subscribes.
   std::optional<bool> isLazy = std::nullopt;
   std::optional<bool> isReliable = std::nullopt;
   std::optional<bool> isTransientLocal = std::nullopt;
   bool operator==(const WayRule&) const = default;
 };
 
-/// One topic that is bridged because somebody said so.
+/// A topic that is bridged by a rule.
 struct TopicRule {
-  /// "/scan", in full.
+  /// Absolute name, "/scan".
   std::string ros;
-  /// The simulation's: "/lidar".
+  /// Name in the simulation: "/lidar".
   std::string ignition;
   const Pair* pair = nullptr;
   Direction direction = Direction::kBoth;
   WayRule toRos;
   WayRule fromRos;
-  /// What the names of frames become; unset: as those of the whole bridge.
+  /// Prefix for frame names; unset: that of the whole bridge.
   std::optional<std::string> framePrefix = std::nullopt;
-  /// The frame of all messages to ROS, as it is, where it is not empty.
+  /// If not empty, the frame of all messages to ROS, used unchanged.
   std::string frameId;
-  /// Where the rule was said, for messages; without a file where nobody said it.
+  /// Where the rule was given, for messages; has no file if there is no such place.
   SourcePosition position = {};
 
   bool goesToRos() const { return direction != Direction::kFromRos; }

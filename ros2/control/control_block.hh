@@ -9,7 +9,7 @@
 
 namespace pongsim::ros2 {
 
-/// A `<joint>` of a `<ros2_control>`: how it can be commanded, and where it begins.
+/// A `<joint>` of a `<ros2_control>`: its command interfaces and initial values.
 struct ControlledJoint {
   struct Mimic {
     std::string joint;
@@ -22,7 +22,7 @@ struct ControlledJoint {
   bool takesPosition = false;
   bool takesVelocity = false;
   bool takesEffort = false;
-  /// Which joint it follows; it then takes no commands.
+  /// The joint that it mimics; it then accepts no commands.
   std::optional<Mimic> mimic;
   /// [rad or m], [rad/s or m/s]
   std::optional<double> initialPosition;
@@ -31,16 +31,16 @@ struct ControlledJoint {
   bool isCommanded() const { return takesPosition || takesVelocity || takesEffort; }
 };
 
-/// What the `<ros2_control>` blocks of a robot list. Blocks that speak on the same topics are one.
+/// The content of a robot's `<ros2_control>` blocks. Blocks that use the same topics are merged.
 struct ControlBlock {
-  /// As `<param>`s of `<hardware>` say; empty where they say nothing.
+  /// From the `<param>`s of `<hardware>`; empty if missing.
   std::string commandsTopic;
   std::string statesTopic;
   std::vector<ControlledJoint> joints;
 };
 
-/// @param holder A `<robot>`, whose `<joint>`s may have a `<mimic>`, or another element that has the blocks below it.
-/// @param diagnostics Warnings about what has no effect, errors about numbers that are none; what is wrong is left out.
+/// @param holder A `<robot>`, whose `<joint>`s can have a `<mimic>`, or another parent of the blocks.
+/// @param diagnostics Warnings about elements without effect, errors about invalid numbers; invalid parts are left out.
 std::vector<ControlBlock> controlBlocks(const Element& holder, Diagnostics& diagnostics);
 
 }  // namespace pongsim::ros2

@@ -6,7 +6,7 @@
 
 namespace pongsim::ros2 {
 
-/// What the parameter file of a controller manager says of how joints are driven.
+/// Settings for driving joints from the parameter file of a controller manager.
 struct ControllerFile {
   /// `update_rate` of controller_manager [Hz].
   std::optional<double> updateRate;
@@ -17,7 +17,7 @@ struct ControllerFile {
   std::string error;
 };
 
-/// Reads a file of parameters, YAML as ROS has it: nodes, in namespaces or not, each with `ros__parameters`.
+/// Reads a ROS parameter file in YAML: nodes, with or without namespaces, each with `ros__parameters`.
 ControllerFile readControllerFile(const std::filesystem::path& file);
 
 }  // namespace pongsim::ros2

@@ -11,25 +11,25 @@
 
 namespace pongsim::ros2 {
 
-/// What a message commands one joint; not what it says nothing of.
+/// The commands in a message for one joint; unset values are not commanded.
 struct JointCommand {
   std::optional<double> position = std::nullopt;
   std::optional<double> velocity = std::nullopt;
   std::optional<double> effort = std::nullopt;
 };
 
-/// Reads a message of commands, an ignition.msgs.Model that was made of a sensor_msgs/JointState: what that said
-/// nothing of is not a number in it.
+/// Reads a message of commands, an ignition.msgs.Model converted from a sensor_msgs/JointState, in which missing values
+/// are NaN.
 ///
-/// topic_based_ros2_control leaves out of each of the three lists the joints that have no such interface, so that its
-/// numbers are not those of the names. A list that has as many numbers as there are names goes by the names; one that
-/// has as many as there are joints with the interface among the names goes by those; else it goes by the first names.
+/// topic_based_ros2_control leaves joints without the respective interface out of each of the three lists, so that
+/// values and names have different indices. A list with as many values as names follows the names. A list with as many
+/// values as there are named joints with the interface follows those. Otherwise it follows the first names.
 /// @param joints In the order of the result.
-/// @param unknown Replaced by the names that are none of the joints'.
+/// @param unknown Replaced by the names that do not belong to any of the joints.
 std::vector<JointCommand> readCommands(const ignition::msgs::Model& message, std::span<const ControlledJoint> joints,
                                        std::vector<std::string>& unknown);
 
-/// @return The one of the names that is spelt most alike, of those that are spelt at all alike; empty where none is.
+/// @return The most similar name, if any is similar at all; else empty.
 std::string nearestName(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace pongsim::ros2

@@ -13,15 +13,15 @@
 
 namespace pongsim::ros2 {
 
-/// Drives joints as gz_ros2_control does: to a position by a velocity that is proportional to what is left of the way,
-/// at a velocity, or with a force; those that follow another one after it. Of several ways the one counts whose command
-/// changed last. What nobody has commanded yet is held in its place.
+/// Drives joints like gz_ros2_control: to a position, with a velocity proportional to the remaining distance; at a
+/// velocity; or with a force. Joints that mimic another follow it. If a joint has several commands, the one that
+/// changed last counts. Joints without a command so far hold their position.
 class JointDriver {
  public:
   struct Settings {
-    /// Of the controllers [Hz].
+    /// Update rate of the controllers [Hz].
     double updateRate = 100;
-    /// Share of the way that is left that is made up for in each of their periods.
+    /// Fraction of the remaining distance that is covered in each of their periods.
     double positionGain = 0.1;
     bool holdsJoints = true;
   };
@@ -35,13 +35,13 @@ class JointDriver {
   /// @param commands One for each joint.
   void command(const std::vector<JointCommand>& commands);
 
-  /// Puts the joints to where they begin; to be called between two steps.
-  /// @return Why one can't be put there.
+  /// Moves the joints to their initial positions; call between two steps.
+  /// @return Why a joint can't be moved there, for each that can't.
   std::vector<std::string> begin();
-  /// In each step before the physics.
+  /// Call in each step before the physics.
   /// @param dt Length of the step.
   void drive(Time dt);
-  /// Forgets what was commanded.
+  /// Clears all commands.
   void reset();
   void transfer(StateArchive& archive);
 
@@ -49,7 +49,7 @@ class JointDriver {
   enum class Way { kNone, kPosition, kVelocity, kEffort };
   struct Driven {
     Joint joint;
-    /// The one that it follows.
+    /// The joint that it mimics.
     std::optional<std::size_t> leader = std::nullopt;
     Way way = Way::kNone;
     std::optional<double> position = std::nullopt;

@@ -15,8 +15,8 @@
 
 namespace pongsim::ros2 {
 
-/// Offers an action for as long as it lives: its three services and two topics, with the quality of service that rcl
-/// gives them. Who executes goals is told of them, and says how they go on. For one thread, that of the node's mailbox.
+/// Offers an action for the lifetime of this object: its three services and two topics, with rcl's quality of service.
+/// The executor is told of goals, and reports their progress. For one thread, that of the node's mailbox.
 template <ActionType Action>
 class ActionServer {
  public:
@@ -27,16 +27,16 @@ class ActionServer {
   using Status = action_msgs::GoalStatus;
 
   struct Handlers {
-    /// @return Whether to take that goal; empty: each is taken. One whose id was used already is not asked for.
+    /// @return Whether to accept the goal; empty: accept all. Not called for an id that was used before.
     std::function<bool(const Goal&)> accepts;
-    /// Called with each goal that was taken, after its client has been told so. It ends with `end`, now or later.
+    /// Called with each accepted goal, after its client has been told. The goal ends with `end`, now or later.
     std::function<void(const Id&, const Goal&)> execute;
-    /// @return Whether to cancel the goal; empty: none is. The goal goes on until `end` says that it is cancelled, or
-    /// what else has become of it meanwhile.
+    /// @return Whether to cancel the goal; empty: never. The goal goes on until `end` reports that it was cancelled, or
+    /// another outcome.
     std::function<bool(const Id&)> cancels;
   };
 
-  /// @param now What goals and cancelling are timed with.
+  /// @param now Time source for goals and cancelling.
   /// @throws std::invalid_argument for a bad name.
   ActionServer(RosNode& node, const std::string& name, std::function<builtin_interfaces::Time()> now, Handlers handlers)
       : now_(std::move(now)), handlers_(std::move(handlers)) {
@@ -56,15 +56,15 @@ class ActionServer {
   ActionServer(const ActionServer&) = delete;
   ActionServer& operator=(const ActionServer&) = delete;
 
-  /// @return Whether somebody has asked for the goal to be cancelled, and it was agreed to.
+  /// @return Whether cancelling the goal was requested and agreed to.
   bool isCanceling(const Id& id) const { return goals_.status(id) == Status::kStatusCanceling; }
 
-  /// Tells how far a goal has come, if anybody listens.
+  /// Publishes feedback on a goal, if anybody subscribes.
   void tell(const Id& id, const Feedback& feedback) {
     if (feedback_->hasReaders()) feedback_->publish(FeedbackMessage<Action>{id, feedback});
   }
 
-  /// Ends a goal. Nothing where it has ended.
+  /// Ends a goal. Does nothing if it has ended.
   /// @param status kStatusSucceeded, kStatusCanceled or kStatusAborted.
   void end(const Id& id, std::int8_t status, const Result& result) {
     const auto found = records_.find(id.uuid);
@@ -72,7 +72,7 @@ class ActionServer {
     goals_.end(id, status, Goals::Clock::now());
     found->second.isOver = true;
     found->second.result = result;
-    // what waits is taken out first: for many a goal there is none who asks later
+    // answer pending result requests first: for many goals nobody asks later
     for (const auto& each : std::exchange(found->second.waiting, {})) each.answer({status, result});
     tellStatus();
   }

@@ -12,7 +12,8 @@
 
 namespace pongsim::ros2 {
 
-/// Lets one complaint a second through, so that a flood of bad messages is no flood of words. Any thread may use it.
+/// Lets one warning a second pass, so that a flood of bad messages does not become a flood of warnings. Any thread may
+/// use it.
 class Complaints {
  public:
   void warn(const Logger& log, std::string_view what) {

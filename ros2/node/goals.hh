@@ -8,8 +8,8 @@
 
 namespace pongsim::ros2 {
 
-/// The goals that an action server has taken, and what became of them: the states of action_msgs/msg/GoalStatus. Those
-/// that have ended are kept for a while, for who asks for the result. For one thread.
+/// The goals accepted by an action server, and their states from action_msgs/msg/GoalStatus. Finished goals are kept
+/// for a while, for clients that ask for the result. For one thread.
 class Goals {
  public:
   using Id = unique_identifier_msgs::UUID;
@@ -17,38 +17,38 @@ class Goals {
   using Status = action_msgs::GoalStatus;
   using Clock = std::chrono::steady_clock;
 
-  /// As rcl_action keeps results, and no more than so many of them.
+  /// How long, and how many of, the results are kept, as in rcl_action.
   static constexpr std::chrono::minutes kKept{15};
   static constexpr std::size_t kMostKept = 1000;
 
-  /// Takes a goal, which executes from now on.
-  /// @return Whether it did; not where there is one of that id.
+  /// Accepts a goal, which executes from now on.
+  /// @return Whether it was accepted; false if a goal with this id exists.
   bool accept(const Id& id, const Time& stamp);
 
-  /// @return One of `Status::kStatus...`; unknown where there is none of that id.
+  /// @return One of `Status::kStatus...`; unknown if there is no goal with this id.
   std::int8_t status(const Id& id) const;
-  /// @return When it was accepted; zeros where there is none of that id.
+  /// @return When it was accepted; zeros if there is no goal with this id.
   Time stamp(const Id& id) const;
 
-  /// An executing goal is to be cancelled.
+  /// Marks an executing goal as being cancelled.
   void startCanceling(const Id& id);
   /// @param status kStatusSucceeded, kStatusCanceled or kStatusAborted.
   void end(const Id& id, std::int8_t status, Clock::time_point now);
 
-  /// Which goals a request to cancel means, as action_msgs/srv/CancelGoal defines it: without id and time all, with an
-  /// id that one, with a time those that were accepted then or before; with both, those of either.
+  /// The goals that a cancel request selects, as defined by action_msgs/srv/CancelGoal: without id and time, all; with
+  /// an id, that goal; with a time, those accepted at or before that time; with both, those that match either.
   struct ToCancel {
-    /// `CancelGoal::Response::kError...`, as far as it is known before anybody was asked.
+    /// `CancelGoal::Response::kError...`, as far as known before the action is asked.
     std::int8_t code = 0;
     std::vector<action_msgs::GoalInfo> goals;
   };
   ToCancel toCancel(const action_msgs::GoalInfo& asked) const;
 
-  /// Forgets what has ended long ago.
-  /// @return Of what it was.
+  /// Removes goals that ended long ago.
+  /// @return Their ids.
   std::vector<Id> forget(Clock::time_point now);
 
-  /// @return All, in the order in which they came.
+  /// @return All, in order of arrival.
   action_msgs::GoalStatusArray statuses() const;
 
  private:

@@ -10,19 +10,19 @@
 
 namespace pongsim::ros2 {
 
-/// What waits for the simulation's thread. Any thread may post; one dispatches.
+/// Work queued for the simulation's thread. Any thread may post; one dispatches.
 class Mailbox {
  public:
   explicit Mailbox(std::size_t most = 1000) : most_(most) {}
 
-  /// @param posted Called by who posts, behind each call that will be done. To be set before anybody posts.
+  /// @param posted Called by the posting thread after each accepted call. Set it before anybody posts.
   void whenPosted(std::function<void()> posted) { posted_ = std::move(posted); }
 
-  /// @return Whether it will be done; not, and it is counted, where too much waits already.
+  /// @return Whether it is queued; if the queue is full, it is dropped and counted.
   bool post(std::function<void()> call);
 
-  /// Does what waits, in order; cheap where nothing does.
-  /// @return How much it was.
+  /// Runs the queued calls in order; cheap if there are none.
+  /// @return The number of calls.
   std::size_t dispatch();
 
   std::uint64_t dropped() const { return dropped_; }

@@ -20,7 +20,7 @@ namespace pongsim::ros2 {
 
 class RosNode;
 
-/// A topic's way out. Ends when it is destroyed; must not outlive its node.
+/// A publisher on a topic. Ends when it is destroyed; must not outlive its node.
 class RosPublisher {
  public:
   RosPublisher(RosNode& node, const std::string& topic, const TypeInfo& type, const Qos& qos,
@@ -30,7 +30,7 @@ class RosPublisher {
   RosPublisher& operator=(const RosPublisher&) = delete;
 
   bool hasReaders() const { return writer_->hasReaders(); }
-  /// Sends a message of the publisher's type; never waits.
+  /// Sends a message of the publisher's type; never blocks.
   template <Structure Message>
   void publish(const Message& message) {
     writer_->write(cdrSize(message), [&message](std::span<std::byte> place) { writeCdr(message, place); });
@@ -43,7 +43,7 @@ class RosPublisher {
   std::unique_ptr<Writer> writer_;
 };
 
-/// A topic's way in. Ends when it is destroyed; must not outlive its node.
+/// A subscription to a topic. Ends when it is destroyed; must not outlive its node.
 class RosSubscription {
  public:
   /// @param received Called from a DDS thread with each payload.
@@ -60,7 +60,7 @@ class RosSubscription {
   std::unique_ptr<Reader> reader_;
 };
 
-/// One node of ROS: its publishers, subscriptions and services, and that others know that they are its.
+/// A ROS node: its publishers, subscriptions and services, and the announcement that they belong to it.
 class RosNode {
  public:
   struct Options {
@@ -69,7 +69,7 @@ class RosNode {
     std::string nameSpace = "/";
   };
 
-  /// @throws std::invalid_argument where the names can be none; std::runtime_error where DDS refuses.
+  /// @throws std::invalid_argument for invalid names; std::runtime_error if DDS fails.
   RosNode(Participant& participant, const Options& options);
   ~RosNode();
   RosNode(const RosNode&) = delete;
@@ -82,19 +82,19 @@ class RosNode {
   const Logger& log() const { return log_; }
   Complaints& complaints() { return complaints_; }
 
-  /// What waits for the thread that calls `mailbox().dispatch()`: requests to services, and what is posted.
+  /// Work queued for the thread that calls `mailbox().dispatch()`: service requests, and what is posted.
   Mailbox& mailbox() { return mailbox_; }
 
-  /// @param topic Relative names are within the node's namespace, and those that begin with "~/" within its own name;
-  /// likewise below.
-  /// @param readersChanged Called from a DDS thread when a reader comes or goes.
+  /// @param topic Relative names are inside the node's namespace, names that start with "~/" inside its own name; the
+  /// same below.
+  /// @param readersChanged Called from a DDS thread when a reader appears or disappears.
   template <Structure Message>
   std::unique_ptr<RosPublisher> advertise(const std::string& topic, const Qos& qos = kDefaultQos,
                                           std::function<void()> readersChanged = {}) {
     return std::make_unique<RosPublisher>(*this, topic, typeInfo<Message>(), qos, std::move(readersChanged));
   }
 
-  /// @param received Called from a DDS thread with each message. What is none is dropped with a warning.
+  /// @param received Called from a DDS thread with each message. Invalid payloads are dropped with a warning.
   template <Structure Message>
   std::unique_ptr<RosSubscription> subscribe(const std::string& topic, std::function<void(const Message&)> received,
                                              const Qos& qos = kAnyWriterQos) {
@@ -109,21 +109,21 @@ class RosNode {
         });
   }
 
-  /// A payload that came is none of its topic's type.
+  /// Reports a payload that is not of its topic's type.
   void complainOf(std::string_view topic, std::string_view error);
-  /// @return How many such there were.
+  /// @return The number of such payloads.
   std::uint64_t malformed() const { return malformed_; }
 
-  /// @return The name in full.
+  /// @return The absolute name.
   std::string resolve(std::string_view name) const;
 
-  /// Tells others of an endpoint, or that it has gone.
+  /// Announces that an endpoint has been added or removed.
   void addWriter(const Guid& id);
   void removeWriter(const Guid& id);
   void addReader(const Guid& id);
   void removeReader(const Guid& id);
 
-  /// While this lives nothing is told; then all at once. For who makes many endpoints.
+  /// Suspends announcements for its lifetime; then everything is announced at once. For creating many endpoints.
   class Quiet {
    public:
     explicit Quiet(RosNode& node);

@@ -16,7 +16,7 @@ struct NodeInfo {
   /// A topic, service or action: "/scan", "sensor_msgs/msg/LaserScan".
   struct Way {
     std::string name;
-    /// Empty where the type is none of ROS.
+    /// Empty if the type is not a ROS type.
     std::string type;
     auto operator<=>(const Way&) const = default;
   };
@@ -26,7 +26,7 @@ struct NodeInfo {
   std::string name;
   std::vector<Way> publishes;
   std::vector<Way> subscribes;
-  /// Without those of its actions, likewise below.
+  /// Without those of its actions; the same below.
   std::vector<Way> serves;
   std::vector<Way> calls;
   std::vector<Way> servesActions;
@@ -36,8 +36,8 @@ struct NodeInfo {
   std::string fullName() const;
 };
 
-/// Looks at the nodes of a domain, as their participants tell of them on `ros_discovery_info`. Any thread may use it;
-/// it must not outlive the participant.
+/// Watches the nodes of a domain, as announced by their participants on `ros_discovery_info`. Any thread may use it;
+/// must not outlive the participant.
 class NodeWatch {
  public:
   explicit NodeWatch(Participant& participant);
@@ -45,10 +45,10 @@ class NodeWatch {
   NodeWatch(const NodeWatch&) = delete;
   NodeWatch& operator=(const NodeWatch&) = delete;
 
-  /// Waits until nobody has told of anything new for a while, up to `timeout`.
+  /// Waits until no news has arrived for a while, up to `timeout`.
   void settle(std::chrono::nanoseconds timeout) const;
 
-  /// @return The nodes of the other participants, sorted by their full names.
+  /// @return The nodes of the other participants, sorted by full name.
   std::vector<NodeInfo> nodes() const;
 
  private:
@@ -62,7 +62,7 @@ class NodeWatch {
 
   Participant& participant_;
   mutable std::mutex mutex_;
-  /// What each participant has told last.
+  /// The last announcement of each participant.
   std::map<Guid, std::vector<Told>> told_;
   std::uint64_t version_ = 0;
   std::unique_ptr<Reader> reader_;

@@ -14,49 +14,49 @@
 
 namespace pongsim::ros2 {
 
-// Values of parameters, with their types.
+// Parameter values, with their types.
 rcl_interfaces::ParameterValue parameterOf(bool value);
 rcl_interfaces::ParameterValue parameterOf(std::int64_t value);
 rcl_interfaces::ParameterValue parameterOf(double value);
 rcl_interfaces::ParameterValue parameterOf(const std::string& value);
 
-/// The parameters of a node: the six services that every node of ROS has, and the topic /parameter_events. What is
-/// refused is refused in the words of rclcpp. For one thread, that of the node's mailbox.
+/// The parameters of a node: the six services of every ROS node, and the topic /parameter_events. Refusals use rclcpp's
+/// wording. For one thread, that of the node's mailbox.
 class Parameters {
  public:
   using Value = rcl_interfaces::ParameterValue;
   /// Name, description, range and so on; the type is that of the value.
   using Descriptor = rcl_interfaces::ParameterDescriptor;
-  /// Lets a value of the right type, within its range, take effect.
-  /// @return Why not, or nothing.
+  /// Applies a value of the right type and within its range.
+  /// @return Why it is refused, or nothing.
   using Setter = std::function<std::optional<std::string>(const Value&)>;
 
-  /// @param now What the events are stamped with.
+  /// @param now Time stamp of the events.
   Parameters(RosNode& node, std::function<builtin_interfaces::Time()> now);
   Parameters(const Parameters&) = delete;
   Parameters& operator=(const Parameters&) = delete;
 
   /// Adds a parameter.
-  /// @param setter Empty: it is read-only.
-  /// @throws std::invalid_argument for an empty name or one that is there, and for a value without a type.
+  /// @param setter Empty: read-only.
+  /// @throws std::invalid_argument for an empty or existing name, and for a value without a type.
   void declare(Descriptor descriptor, const Value& value, Setter setter = {});
 
-  /// Tells of a value that was changed by others than these services. One that is as it was is not told.
-  /// @throws std::invalid_argument where there is no such parameter, or it is of another type.
+  /// Publishes a value that changed by other means than these services. Unchanged values are not published.
+  /// @throws std::invalid_argument if there is no such parameter, or it has another type.
   void update(const std::string& name, const Value& value);
 
-  // What the services do.
+  // Implementations of the services.
 
-  /// @return One result for each; those that can be set are.
+  /// @return One result for each; those that are valid are set.
   std::vector<rcl_interfaces::SetParametersResult> set(const std::vector<rcl_interfaces::Parameter>& asked);
-  /// Sets all, or none where one of them can't be.
+  /// Sets all, or none if one of them is refused.
   rcl_interfaces::SetParametersResult setAtomically(const std::vector<rcl_interfaces::Parameter>& asked);
-  /// @return Empty where one of them is not there, as rclcpp answers; likewise below.
+  /// @return Empty if one of them does not exist, as in rclcpp; the same below.
   std::vector<Value> get(const std::vector<std::string>& names) const;
   std::vector<std::uint8_t> types(const std::vector<std::string>& names) const;
   std::vector<Descriptor> describe(const std::vector<std::string>& names) const;
-  /// @param prefixes Empty: all are looked at; else those of that name, or below it ("a" has "a.b").
-  /// @param depth So many parts of a name may come behind the prefix; 0: any number.
+  /// @param prefixes Empty: all parameters; else those with this name or below it ("a" includes "a.b").
+  /// @param depth Maximum number of name parts after the prefix; 0: any number.
   rcl_interfaces::ListParametersResult list(const std::vector<std::string>& prefixes, std::uint64_t depth) const;
 
  private:
@@ -67,7 +67,7 @@ class Parameters {
   };
   std::optional<std::string> refusal(const rcl_interfaces::Parameter& asked) const;
   rcl_interfaces::SetParametersResult setAll(const std::vector<rcl_interfaces::Parameter>& asked);
-  /// Nothing where one of them is not there.
+  /// Nothing if one of them does not exist.
   template <class Result, class Of>
   std::vector<Result> ofEach(const std::vector<std::string>& names, const Of& of) const;
   void tell(rcl_interfaces::ParameterEvent event);

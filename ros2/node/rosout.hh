@@ -7,16 +7,16 @@
 
 namespace pongsim::ros2 {
 
-/// Tells on /rosout, for as long as it lives, what all loggers of the process warn of, with the quality of service that
-/// rcl gives it: who comes late gets the last thousand messages, unless they are older than ten seconds. A message
-/// names its logger as "pongsim.diff-drive of robot": the node, then who speaks. Stamps are wall time, as rcl's are.
+/// Publishes the process's warnings and errors on /rosout, with rcl's quality of service: late subscribers get the last
+/// thousand messages that are at most ten seconds old. A message names its logger as "pongsim.diff-drive of robot": the
+/// node, then the source. Stamps are wall time, as in rcl.
 class Rosout {
  public:
   explicit Rosout(RosNode& node);
 
  private:
   std::unique_ptr<RosPublisher> publisher_;
-  // ends first, for it calls the other
+  // destroyed first, because it calls the other
   std::unique_ptr<LogSink> sink_;
 };
 

@@ -16,7 +16,7 @@
 
 namespace pongsim::ros2 {
 
-/// A service of ROS is a struct with its name and two structs:
+/// A ROS service is a struct with its name and two structs:
 ///
 ///     struct ControlWorld {
 ///       static constexpr const char* kName = "ros_gz_interfaces/srv/ControlWorld";
@@ -28,7 +28,7 @@ concept ServiceType = Structure<typename Type::Request> && Structure<typename Ty
 
 namespace detail {
 
-/// The ends of a service on the wire, for any types.
+/// The endpoints of a service on the wire, for any types.
 class ServerEnds {
  public:
   struct Types {
@@ -42,9 +42,10 @@ class ServerEnds {
   ServerEnds& operator=(const ServerEnds&) = delete;
 
   const std::string& service() const { return service_; }
-  /// @return Who is to hear the reply to this request.
+  /// @return Who receives the reply to this request.
   static SampleId callerOf(const Sample& request);
-  /// Sends a reply. Where the caller's reader is not met yet, it waits for it a while, for the caller would never hear.
+  /// Sends a reply. If the caller's reader has not been discovered yet, waits a while for it, because the reply would
+  /// be lost.
   void reply(const SampleId& caller, std::vector<std::byte> payload);
 
  private:
@@ -66,13 +67,13 @@ class ServerEnds {
 
 }  // namespace detail
 
-/// A request that is to be answered, once, now or later, from any thread. One that is let go of is never answered.
+/// A request that is answered once, now or later, from any thread. If it is destroyed, it is never answered.
 template <ServiceType Service>
 class Responder {
  public:
   Responder(std::weak_ptr<detail::ServerEnds> ends, const SampleId& caller) : ends_(std::move(ends)), caller_(caller) {}
 
-  /// Does nothing where the service has ended.
+  /// Does nothing if the service has ended.
   void answer(const typename Service::Response& response) const {
     if (const auto ends = ends_.lock()) ends->reply(caller_, toCdr(response));
   }
@@ -82,7 +83,7 @@ class Responder {
   SampleId caller_;
 };
 
-/// A service that is offered for as long as this lives.
+/// A service offered for the lifetime of this object.
 class RosServer {
  public:
   explicit RosServer(std::shared_ptr<detail::ServerEnds> ends) : ends_(std::move(ends)) {}
@@ -93,7 +94,7 @@ class RosServer {
 };
 
 /// Offers a service.
-/// @param handler Called from `RosNode::mailbox().dispatch()` with each request, and with what answers it.
+/// @param handler Called from `RosNode::mailbox().dispatch()` with each request and the object for answering it.
 /// @throws std::invalid_argument for a bad name.
 template <ServiceType Service>
 std::unique_ptr<RosServer> serve(
@@ -119,7 +120,7 @@ std::unique_ptr<RosServer> serve(
   return std::make_unique<RosServer>(std::move(owned));
 }
 
-/// As above, for a handler that answers at once.
+/// As above, for a handler that answers immediately.
 template <ServiceType Service>
 std::unique_ptr<RosServer> serveAtOnce(
     RosNode& node, const std::string& service,
@@ -133,7 +134,7 @@ std::unique_ptr<RosServer> serveAtOnce(
 
 namespace detail {
 
-/// The ends of a client, for any types.
+/// The endpoints of a client, for any types.
 class ClientEnds {
  public:
   ClientEnds(RosNode& node, const std::string& service, const ServerEnds::Types& types);
@@ -159,7 +160,7 @@ class ClientEnds {
 
 }  // namespace detail
 
-/// Calls a service. For one thread at a time, and not the one that the server of the same process answers on.
+/// Calls a service. For one thread at a time, which must not be the one on which a server in this process answers.
 template <ServiceType Service>
 class RosClient {
  public:
@@ -167,7 +168,7 @@ class RosClient {
       : ends_(node, service, {typeInfo<typename Service::Request>(), typeInfo<typename Service::Response>()}) {}
 
   /// @param timeout For finding the service and for the answer.
-  /// @return The answer; nothing where none came in time.
+  /// @return The answer; nothing if none arrived in time.
   std::optional<typename Service::Response> call(const typename Service::Request& request,
                                                  std::chrono::nanoseconds timeout) {
     const auto payload = ends_.call(toCdr(request), timeout);

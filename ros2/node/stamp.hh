@@ -7,7 +7,7 @@
 
 namespace pongsim::ros2 {
 
-/// @return A time of the simulation as ROS has it.
+/// @return A simulated time as a ROS message.
 inline builtin_interfaces::Time stampOf(Time time) {
   const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
   return {static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((time - seconds).count())};

@@ -19,17 +19,17 @@
 #include "ros2/types/geometry_msgs.hh"
 #include "ros2/types/std_msgs.hh"
 
-/// Parts of messages, for the pairs that have them. Each replaces all of `to`.
+/// Conversions of the parts of messages. Each overwrites all of `to`.
 namespace pongsim::ros2 {
 
 void convert(const ignition::msgs::Time& from, builtin_interfaces::Time& to);
 void convert(const builtin_interfaces::Time& from, ignition::msgs::Time& to);
 
-/// The stamp, and `frame_id` of its data.
+/// The stamp, and `frame_id` from the header's data.
 void convert(const ignition::msgs::Header& from, std_msgs::Header& to, const Frames& frames);
 void convert(const std_msgs::Header& from, ignition::msgs::Header& to, const Frames& frames);
 
-/// `child_frame_id` of a header's data; empty where there is none.
+/// `child_frame_id` from the header's data; empty if there is none.
 void childFrame(const ignition::msgs::Header& from, std::string& to, const Frames& frames);
 /// Adds it to the header.
 void addChildFrame(const std::string& from, ignition::msgs::Header& to, const Frames& frames);
@@ -38,11 +38,11 @@ void convert(const ignition::msgs::Vector3d& from, geometry_msgs::Vector3& to);
 void convert(const geometry_msgs::Vector3& from, ignition::msgs::Vector3d& to);
 void convert(const ignition::msgs::Vector3d& from, geometry_msgs::Point& to);
 void convert(const geometry_msgs::Point& from, ignition::msgs::Vector3d& to);
-/// A quaternion that nobody has set (all zero) becomes the identity.
+/// An unset quaternion (all zeros) becomes the identity.
 void convert(const ignition::msgs::Quaternion& from, geometry_msgs::Quaternion& to);
 void convert(const geometry_msgs::Quaternion& from, ignition::msgs::Quaternion& to);
 
-// Of a pose, position and orientation only.
+// Only position and orientation of a pose.
 void convert(const ignition::msgs::Pose& from, geometry_msgs::Pose& to);
 void convert(const geometry_msgs::Pose& from, ignition::msgs::Pose& to);
 void convert(const ignition::msgs::Pose& from, geometry_msgs::Transform& to);
@@ -60,7 +60,7 @@ void convert(const geometry_msgs::Wrench& from, ignition::msgs::Wrench& to);
 void convert(const ignition::msgs::Color& from, std_msgs::ColorRGBA& to);
 void convert(const std_msgs::ColorRGBA& from, ignition::msgs::Color& to);
 
-/// Copies a list of numbers into one of another type or kind.
+/// Copies a list of numbers to one of another type or kind.
 template <class From, class To>
 void copyNumbers(const From& from, To& to) {
   to.clear();
@@ -68,14 +68,14 @@ void copyNumbers(const From& from, To& to) {
   for (const auto value : from) to.push_back(static_cast<typename To::value_type>(value));
 }
 
-/// Adds numbers to a list of a message.
+/// Appends numbers to a list in a message.
 template <class From, class To>
 void addNumbers(const From& from, To* to) {
   to->Reserve(to->size() + static_cast<int>(from.size()));
   for (const auto value : from) to->Add(value);
 }
 
-/// Fills an array where the message has as many numbers, else with zeros.
+/// Fills an array if the message has as many numbers, else with zeros.
 template <class From, class To>
 void copyToArray(const From& from, To& to) {
   if (static_cast<std::size_t>(from.size()) == to.size()) {

@@ -7,8 +7,8 @@
 
 namespace pongsim::ros2 {
 
-// The 36 numbers of a covariance are row by row of (x, y, z, about x, y, z) on both sides; a message with another
-// number of them has none, which is all zeros for ROS.
+// The 36 numbers of a covariance matrix are row by row of (x, y, z, about x, y, z) on both sides; a message with
+// another number of them has none, which ROS represents by zeros.
 
 void convert(const ignition::msgs::PoseWithCovariance& from, geometry_msgs::PoseWithCovariance& to);
 void convert(const geometry_msgs::PoseWithCovariance& from, ignition::msgs::PoseWithCovariance& to);

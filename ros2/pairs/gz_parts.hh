@@ -14,7 +14,7 @@
 #include "ros2/pairs/frames.hh"
 #include "ros2/types/ros_gz_interfaces.hh"
 
-/// Parts of messages of ros_gz_interfaces, and of its services. Each replaces all of `to`.
+/// Conversions of the parts of ros_gz_interfaces' messages and services. Each overwrites all of `to`.
 namespace pongsim::ros2 {
 
 // Both number the types of entities alike.
@@ -33,17 +33,17 @@ void convert(const ros_gz_interfaces::TrackVisual& from, ignition::msgs::TrackVi
 void convert(const ignition::msgs::Light& from, ros_gz_interfaces::Light& to, const Frames& frames);
 void convert(const ros_gz_interfaces::Light& from, ignition::msgs::Light& to, const Frames& frames);
 
-/// A reset and a time to run to are there only where something of them is asked for.
+/// A reset and a time to run to are set only if requested.
 void convert(const ignition::msgs::WorldControl& from, ros_gz_interfaces::WorldControl& to);
 void convert(const ros_gz_interfaces::WorldControl& from, ignition::msgs::WorldControl& to);
 
-/// Adds the parameters in the order of their names, then those of the children, "child_0/NAME".
-/// @param prefix In front of each name.
+/// Adds the parameters sorted by name, then those of the children, "child_0/NAME".
+/// @param prefix Of each name.
 void addParameters(const ignition::msgs::Param& from, const std::string& prefix,
                    std::vector<rcl_interfaces::Parameter>& to);
 void convert(const ros_gz_interfaces::ParamVec& from, ignition::msgs::Param& to, const Frames& frames);
 
-/// Of lists whose elements go into each other.
+/// For lists whose elements convert to each other.
 template <class From, class To>
 void convertList(const From& from, std::vector<To>& to, const Frames& frames) {
   to.resize(static_cast<std::size_t>(from.size()));

@@ -18,40 +18,40 @@
 
 namespace pongsim::ros2 {
 
-/// Takes a payload of so many bytes, and has them written to their place at once.
+/// Takes a payload's size, and has the payload written to its destination immediately.
 using Sink = std::function<void(std::size_t size, const Fill& fill)>;
 
-/// Turns the messages of one topic into payloads of ROS. It keeps what it works with, so that a steady flow allocates
-/// nothing; for one thread at a time.
-/// @param bulk What the message's field of bytes is to have, where it is not in there; else null.
+/// Converts messages of a topic to ROS payloads. Reuses its memory, so that a steady stream allocates nothing; for one
+/// thread at a time.
+/// @param bulk Content of the message's bytes field if it is stored separately; else null.
 using ToRos = std::function<void(const Message& from, const Bulk* bulk, const Sink& to)>;
 
-/// Turns payloads of ROS into messages.
-/// @return The message, there until the next call; null where the payload is none, and `error` says why.
+/// Converts ROS payloads to messages.
+/// @return The message, valid until the next call; null, with the reason in `error`, if the payload is invalid.
 using ToIgnition = std::function<const Message*(std::span<const std::byte> payload, std::string& error)>;
 
-/// Two types that go into each other.
+/// Two types that convert to each other.
 struct Pair {
   /// "sensor_msgs/msg/LaserScan"
   std::string_view ros;
   /// "ignition.msgs.LaserScan"
   std::string ignition;
-  /// Whether a topic of this ignition type is bridged as this pair where nobody says as which.
+  /// Whether topics of this ignition type are bridged with this pair by default.
   bool isDefault;
-  /// Whether messages of the type of ROS have a header of their own, with a frame.
+  /// Whether messages of the ROS type have their own header, with a frame.
   bool hasHeader;
   TypeInfo (*type)();
-  /// The type of ROS, in the language of .msg files.
+  /// The ROS type's definition, in the .msg language.
   std::string (*definition)();
   ToRos (*toRos)(const Frames& frames);
   ToIgnition (*toIgnition)(const Frames& frames);
 };
 
-/// Whether the pair is what topics of its ignition type get where nobody chooses. One of those with the same ignition
-/// type is.
+/// Whether topics of the ignition type use this pair by default. One of the pairs for each ignition type is the
+/// default.
 enum class Choice { kDefault, kOnRequest };
 
-/// A pair is a struct of two functions, which replace all of `to`:
+/// A pair is a struct with two functions, each of which overwrites all of `to`:
 ///
 ///     struct TwistPair {
 ///       using Ros = geometry_msgs::Twist;
@@ -61,8 +61,9 @@ enum class Choice { kDefault, kOnRequest };
 ///       static void convert(const Ros& from, Ignition& to, const Frames& frames);
 ///     };
 ///
-/// and a line in its file's list: `pairOf<TwistPair>(Choice::kDefault)`. One with bulk bytes has `RosOut` too, the type
-/// with `BulkBytes` in a member `data`, and converts into that in place of `Ros`; the message's field is `data`, too.
+/// and a line in its file's list: `pairOf<TwistPair>(Choice::kDefault)`. A pair with bulk bytes also has `RosOut`, the
+/// type with `BulkBytes` in a member `data`, and converts to that instead of `Ros`; the message's field is also named
+/// `data`.
 template <class P>
 concept HasBulk = requires {
   typename P::RosOut;

@@ -9,7 +9,7 @@
 
 namespace pongsim::ros2 {
 
-// A list for each file of pairs.
+// One list for each file of pairs.
 std::vector<Pair> basicPairs();
 std::vector<Pair> geometryPairs();
 std::vector<Pair> gzPairs();
@@ -18,13 +18,14 @@ std::vector<Pair> motionPairs();
 std::vector<Pair> sensorPairs();
 std::vector<Pair> visionPairs();
 
-/// @return All pairs there are.
+/// @return All existing pairs.
 std::span<const Pair> allPairs();
 
-/// @param ros "sensor_msgs/msg/LaserScan"; @param ignition "ignition.msgs.LaserScan", or as `messageTypeName` takes it.
+/// @param ros "sensor_msgs/msg/LaserScan"; @param ignition "ignition.msgs.LaserScan", or any form that
+/// `messageTypeName` accepts.
 /// @return The pair, or null.
 const Pair* findPair(std::string_view ros, std::string_view ignition);
-/// @return The pair that a topic of this ignition type gets where nobody chooses, or null.
+/// @return The default pair for topics of this ignition type, or null.
 const Pair* defaultPair(std::string_view ignition);
 
 }  // namespace pongsim::ros2

@@ -6,10 +6,9 @@
 
 namespace pongsim::ros2 {
 
-/// A value that a parameter can't have (a colour, a pose) becomes one that is not set.
+/// A value that a parameter can't have (a colour, a pose) becomes unset.
 void convert(const ignition::msgs::Any& from, rcl_interfaces::ParameterValue& to);
-/// A whole number that does not fit into 32 bits becomes the nearest that does; a list becomes nothing, as ros_gz has
-/// it.
+/// An integer that does not fit into 32 bits becomes the nearest that does; a list becomes unset, as in ros_gz.
 void convert(const rcl_interfaces::ParameterValue& from, ignition::msgs::Any& to);
 
 }  // namespace pongsim::ros2

@@ -7,7 +7,7 @@
 
 namespace pongsim::ros2 {
 
-/// A pair of two types that go into each other as parts of messages do: by a `convert` of the headers above.
+/// A pair of two types that convert like parts of messages, with a `convert` from the headers above.
 template <class RosType, class IgnitionType>
 struct PartPair {
   using Ros = RosType;
@@ -26,7 +26,7 @@ struct PartPair {
   }
 };
 
-/// The same of commands, in which all numbers must be finite.
+/// The same for commands, in which all numbers must be finite.
 template <class RosType, class IgnitionType>
 struct CommandPair : PartPair<RosType, IgnitionType> {
   static constexpr bool kMustBeFinite = true;

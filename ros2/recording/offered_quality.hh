@@ -6,8 +6,8 @@
 
 namespace pongsim::ros2 {
 
-/// @return A quality of service as bags have it with a topic ("offered_qos_profiles"): a list of one in YAML, with the
-/// numbers of rmw, which all distributions read; the names that came with Jazzy older ones do not.
+/// @return A quality of service in the form that bags store with a topic ("offered_qos_profiles"): a YAML list of one,
+/// with rmw's numbers, which all distributions can read; older ones can't read the names introduced in Jazzy.
 std::string offeredQuality(const Qos& qos);
 
 }  // namespace pongsim::ros2

@@ -12,12 +12,11 @@
 
 namespace pongsim::ros2 {
 
-/// Turns topics of the simulation into those that nodes of ROS see of it: by the rules that name them, the others under
-/// their own names in the type of their default pair. The odometry of robots, which on the wire is on /tf, is there
-/// too.
+/// Converts topics of the simulation to what ROS nodes would receive: by the rules that name them, all others under
+/// their own names with their default pair. Also covers the robots' odometry, which on the wire is part of /tf.
 class Ros2Encoder final : public MessageEncoder {
  public:
-  /// @param settings "config_file": a configuration of ros_gz_bridge; its directions do not count here.
+  /// @param settings "config_file": a configuration of ros_gz_bridge, whose directions are ignored here.
   static std::unique_ptr<MessageEncoder> make(const EncoderSettings& settings, Diagnostics& diagnostics);
 
   explicit Ros2Encoder(std::vector<TopicRule> rules) : rules_(std::move(rules)) {}
@@ -31,7 +30,7 @@ class Ros2Encoder final : public MessageEncoder {
   std::string takenBy(const TopicRule& rule) const;
 
   std::vector<TopicRule> rules_;
-  /// Who has a name in ROS.
+  /// The topic that uses each ROS name.
   std::map<std::string, TopicRule> taken_;
 };
 

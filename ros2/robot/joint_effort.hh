@@ -4,12 +4,12 @@
 
 namespace pongsim::ros2 {
 
-/// @return The force or torque about the axis that the joint has put on its child in the last step, positive where it
-/// makes the velocity larger: of motor, commands, friction, damping and limits together [N m or N]. Measured from the
+/// @return The force or torque about the axis that the joint exerted on its child in the last step, positive if it
+/// increases the velocity: the total of motor, commands, friction, damping and limits [N m or N]. Measured from the
 /// first call on, which returns zero.
 inline double jointEffort(const Joint& joint, int axis = 0) {
   const std::optional<Link> parent = joint.parent();
-  // the first of two axes turns with the parent, and the only one lies the same in both
+  // the first of two axes turns with the parent; a single one has the same direction in both frames
   const Pose X_WorldJoint = axis == 0 && joint.axisCount() > 1
                                 ? (parent ? parent->pose() : Pose()) * joint.poseInParent()
                                 : joint.child().pose() * joint.poseInChild();

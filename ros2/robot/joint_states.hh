@@ -14,25 +14,25 @@
 
 namespace pongsim::ros2 {
 
-/// Tells on topics how the joints of robots stand: those with an axis that are in the URDF, in its order, with
-/// positions, velocities and efforts (`jointEffort`). For the simulation's thread.
+/// Publishes the joint states of robots: for joints with an axis that are in the URDF, in its order, with positions,
+/// velocities and efforts (`jointEffort`). For the simulation's thread.
 class JointStates {
  public:
   JointStates(RosNode& ros, const Frames& frames, double rate)
       : ros_(ros), frames_(frames), schedule_(periodOf(rate)) {}
 
-  /// What one topic tells of.
+  /// The part of a topic's messages that describes one robot.
   struct Part {
     const Robot* robot = nullptr;
-    /// In front of the joints' names.
+    /// Prefix for the joints' names.
     std::string prefix = {};
   };
-  /// Forgets all topics; to be called, with `add` after it, when robots have come or gone.
+  /// Forgets all topics; call it, followed by `add`, when robots have been added or removed.
   void clear() { told_.clear(); }
   void add(const std::string& topic, const std::vector<Part>& parts);
 
   void postUpdate(Time now);
-  /// Time begins anew.
+  /// Call when time starts again.
   void reset() { schedule_.reset(); }
 
  private:

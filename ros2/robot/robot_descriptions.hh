@@ -13,29 +13,29 @@
 
 namespace pongsim::ros2 {
 
-/// @return A robot in URDF: its own text, where it came as that, else one that is written of it.
-/// @param warnings What of it URDF can't say.
+/// @return The URDF of a robot: its own text if it was loaded from URDF, else one generated from the model.
+/// @param warnings Properties that URDF can't express.
 std::string descriptionOf(const World& world, const Robot& robot, std::vector<std::string>& warnings);
 
-/// Tells on topics how robots are made, as std_msgs/String that late readers get too. A text is made when the first
-/// reader is there. For the simulation's thread.
+/// Publishes robot descriptions on topics, as std_msgs/String that late subscribers receive too. A text is generated
+/// for its first subscriber. For the simulation's thread.
 class RobotDescriptions {
  public:
   RobotDescriptions(const World& world, RosNode& ros) : world_(world), ros_(ros) {}
 
-  /// Says which topics there are now; those that stay keep their readers.
+  /// Sets the current topics; existing ones keep their subscribers.
   struct Topic {
     std::string name;
     const Robot* robot = nullptr;
   };
   void follow(const std::vector<Topic>& topics);
-  /// In each step: tells who has come.
+  /// Call in each step: sends the descriptions to new subscribers.
   void preUpdate();
 
  private:
   struct Told {
     Topic topic;
-    /// The robot of which was told, for its place may become another's.
+    /// The robot that was published, because its place in memory may be reused for another.
     ModelId model;
     bool isTold = false;
     std::unique_ptr<RosPublisher> publisher;

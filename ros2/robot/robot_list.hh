@@ -15,41 +15,41 @@
 
 namespace pongsim::ros2 {
 
-/// The frame in which a sensor's messages are.
+/// The frame of a sensor's messages.
 struct SensorFrame {
   std::string frame;
   std::string parent;
   Pose X_ParentSensor;
 };
 
-/// A model that is described to ROS.
+/// A model that is published to ROS.
 struct Robot {
   Model model;
   std::string name;
   KinematicTree tree;
-  /// Those that are not links of the tree.
+  /// Sensors with a frame that is not a link of the tree.
   std::vector<SensorFrame> sensors;
 };
 
 /// A static model with sensors.
 struct Fixture {
   Model model;
-  /// With the links between the world and them.
+  /// Including the links between the world and the sensors.
   std::vector<SensorFrame> frames;
 };
 
-/// @return Whether a model looks like a robot: it is not static, and it or one that is nested in it has a joint that
-/// moves, a system or a sensor.
+/// @return Whether a model looks like a robot: it is not static, and it or a nested model has a movable joint, a system
+/// or a sensor.
 bool isRobot(const Model& model);
 
-/// The robots of a world, and what else has sensors, as they come and go.
+/// The robots of a world, and other models with sensors, kept up to date.
 class RobotList {
  public:
   RobotList(const World& world, const Frames& frames, const RobotSettings& settings)
       : world_(world), frames_(frames), settings_(settings) {}
 
-  /// Looks which models have come and gone; those that stayed are not looked into.
-  /// @return Whether a robot or a fixture has.
+  /// Checks which models have been added or removed; existing ones are not examined again.
+  /// @return Whether a robot or a fixture was added or removed.
   bool update();
 
   const std::list<Robot>& robots() const { return robots_; }
@@ -64,7 +64,7 @@ class RobotList {
   Frames frames_;
   RobotSettings settings_;
   Logger log_{"ros2"};
-  /// All models of the top level that were looked into.
+  /// All top-level models that have been examined.
   std::set<ModelId> known_;
   std::list<Robot> robots_;
   std::list<Fixture> fixtures_;

@@ -8,23 +8,24 @@
 
 namespace pongsim::ros2 {
 
-/// What a user says of robots: which models are, and what is told of them.
+/// The user's settings for robots: which models count, and what is published about them.
 struct RobotSettings {
-  /// Names of models of the top level. Empty: those that look like one (`isRobot`).
+  /// Names of top-level models. Empty: those that look like a robot (`isRobot`).
   std::vector<std::string> robots;
   bool tellsDescription = true;
   bool tellsTransforms = true;
   bool tellsJointStates = true;
-  /// Messages a simulated second; 0: one every step.
+  /// Messages per simulated second; 0: one every step.
   double transformRate = 50;
   double jointStateRate = 50;
-  /// Frame of the world, without a prefix.
+  /// Name of the world's frame, without a prefix.
   std::string worldFrame = "world";
-  /// When the world's frame is the parent of a robot's topmost one: "auto", where no odometry tells of the robot;
-  /// "always", then that of its odometry; "never".
+  /// When the world's frame is the parent of a robot's root frame: "auto": unless odometry publishes the robot's pose;
+  /// "always": then it is the parent of the odometry's frame; "never".
   std::string groundTruth = "auto";
 
-  /// Where nothing is in ROS but what is named, so are these: what no element of the `<plugin>` asks for is not told.
+  /// If only named topics are bridged, the same applies here: what no element of the `<plugin>` asks for is not
+  /// published.
   void leaveOutUnnamed(const Element& plugin) {
     tellsDescription = tellsDescription && plugin.child("robot_description") != nullptr;
     tellsTransforms = tellsTransforms && plugin.child("tf") != nullptr;

@@ -12,7 +12,7 @@
 
 namespace pongsim::test {
 
-/// A world without systems, from a text in SDF or URDF or from a file.
+/// A world without systems, from SDF or URDF text or from a file.
 inline std::unique_ptr<Simulation> worldOf(const std::string& text) {
   Diagnostics diagnostics;
   auto simulation = Simulation::fromText(text, "world.sdf", {.loadSystems = false}, diagnostics);

@@ -18,23 +18,23 @@
 
 namespace pongsim::ros2 {
 
-/// All that is told of robots without being asked for: /robot_description, /joint_states, /tf, /tf_static.
+/// Publishes what ROS expects of robots by default: /robot_description, /joint_states, /tf, /tf_static.
 ///
-/// A world with one robot has the plain names, as all of ROS expects them. With several, each has its own: /M/
-/// robot_description and /M/joint_states, and /joint_states has the joints of all, as "M/joint". Topics that a rule
-/// brings to one of these names stay as the rule says, and nothing else is told there.
+/// In a world with one robot the names are these, as all of ROS expects. With several, each has its own
+/// /M/robot_description and /M/joint_states, and /joint_states contains the joints of all, as "M/joint". If a rule
+/// bridges a topic to one of these names, only that topic is published there.
 ///
-/// For the simulation's thread. Must not outlive what it is given.
+/// For the simulation's thread. Must not outlive its arguments.
 class Robots {
  public:
   Robots(const World& world, const Node& simulation, RosNode& ros, Bridge& bridge, const Settings& settings,
          const RobotSettings& robotSettings);
 
-  /// Models have come or gone.
+  /// Call when models have been added or removed.
   void worldChanged() { hasChanged_ = true; }
   void preUpdate(Time now);
   void postUpdate(Time now);
-  /// Time begins anew.
+  /// Call when time starts again.
   void reset();
 
  private:
@@ -49,7 +49,7 @@ class Robots {
   Settings settings_;
   RobotSettings robotSettings_;
   bool hasChanged_ = true;
-  /// Of looks for other nodes that describe robots, until one has been found.
+  /// Times to look for other nodes that describe robots, until one has been found.
   Schedule looks_{std::chrono::milliseconds(200)};
   std::uint64_t knownGraph_ = 0;
   bool hasFoundOthers_ = false;

@@ -8,7 +8,7 @@
 
 namespace pongsim::ros2 {
 
-/// @return The stamp of what was at that simulated time; the wall's time where the user wants that.
+/// @return The stamp for this simulated time; wall time if the user wants that.
 inline builtin_interfaces::Time stampOf(Time now, const Frames& frames) {
   std::chrono::nanoseconds time = now;
   if (frames.usesWallTime) time = std::chrono::system_clock::now().time_since_epoch();

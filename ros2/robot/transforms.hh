@@ -23,59 +23,59 @@
 
 namespace pongsim::ros2 {
 
-/// Tells /tf and /tf_static where the frames of robots and sensors are. Each frame has one parent:
+/// Publishes the frames of robots and sensors on /tf and /tf_static. Each frame has one parent:
 ///
-/// - of a robot's topmost frame that of its odometry, else the world;
-/// - of a link what its joint hangs on, by the joint's position;
-/// - of a sensor its link.
+/// - the root frame of a robot: the frame of its odometry, else the world;
+/// - a link: the link that its joint connects it to, using the joint's position;
+/// - a sensor: its link.
 ///
-/// Frames that topics of the simulation bring to /tf because a rule says so are left to those. Nothing is worked out
-/// where nobody reads. For the simulation's thread.
+/// Frames that a rule bridges to /tf from a topic of the simulation are left to that topic. Nothing is computed while
+/// nobody subscribes. For the simulation's thread.
 class Transforms {
  public:
   Transforms(const Node& simulation, RosNode& ros, const Settings& settings, const RobotSettings& robotSettings);
 
-  /// Follows robots that have come or gone. `robots` must be there until the next call.
+  /// Handles added and removed robots. `robots` must exist until the next call.
   void follow(std::list<Robot>& robots, const std::list<Fixture>& fixtures);
-  /// In each step before the physics: follows topics and readers, and tells the static frames to who has come.
+  /// Call in each step before the physics: handles topics and subscribers, and sends static frames to new subscribers.
   void preUpdate(Time now);
-  /// In each step after the physics.
+  /// Call in each step after the physics.
   void postUpdate(Time now);
-  /// Time begins anew.
+  /// Call when time starts again.
   void reset() { schedule_.reset(); }
 
  private:
   using Message = ignition::msgs::Pose_V;
-  /// What a robot's odometry has told.
+  /// What is known from a robot's odometry.
   struct RobotFrames {
     Robot* robot = nullptr;
-    /// In the simulation; empty where there is none.
+    /// Topic in the simulation; empty if there is none.
     std::string odometry;
-    /// Whether a rule brings that topic to /tf by itself.
+    /// Whether a rule already bridges that topic to /tf.
     bool isElsewhere = false;
-    /// Where its odometry says that it starts; empty as long as it has said nothing.
+    /// The frame in which its odometry is given; empty until it has published.
     std::string odometryFrame;
-    /// What its odometry calls it, where no link has that name.
+    /// The odometry's name for the robot's frame, if no link has that name.
     std::string alias;
     tf2_msgs::TFMessage message;
     Subscription heard;
   };
-  /// A transform of /tf that is made anew each time.
+  /// A transform on /tf that is computed each time.
   struct Moving {
     RobotFrames* frames = nullptr;
-    /// TreeLink::kNone: of the root in the world.
+    /// TreeLink::kNone: the root's pose in the world.
     std::size_t link = 0;
   };
-  /// What others bring to /tf.
+  /// Transforms that other sources provide on /tf.
   struct Foreign {
     std::string topic;
     bool isStatic = false;
-    /// Whether it is told here, and not by a rule.
+    /// Whether it is published here, and not by a rule.
     bool isTold = false;
     Subscription heard;
   };
 
-  /// A topic of ROS.
+  /// A ROS topic.
   struct Way {
     std::unique_ptr<RosPublisher> publisher;
     tf2_msgs::TFMessage message;
@@ -111,13 +111,13 @@ class Transforms {
   std::list<RobotFrames> robots_;
   const std::list<Fixture>* fixtures_ = nullptr;
   std::list<Foreign> foreign_;
-  /// Frames whose parent others tell.
+  /// Frames whose parent is published by others.
   std::set<std::string> foreignChildren_;
   /// Frames that have a parent.
   std::set<std::string> children_;
   std::map<std::string, geometry_msgs::TransformStamped> foreignStatic_;
   std::vector<Moving> movingFrames_;
-  /// The simulation's.
+  /// The simulation's thread.
   std::thread::id thread_;
   Schedule schedule_;
 };

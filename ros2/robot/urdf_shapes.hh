@@ -12,22 +12,22 @@
 
 namespace pongsim::ros2 {
 
-/// What URDF can say of a shape: one of its own shapes, or several that together are it.
+/// A shape that URDF can express: one of its own shapes, or one of several that together form the original.
 struct UrdfShape {
   enum class Kind { kBox, kSphere, kCylinder, kMesh };
   Kind kind = Kind::kBox;
-  /// Of this shape in the frame of the whole.
+  /// Pose of this part in the frame of the whole shape.
   Pose X_ShapePart = {};
-  /// Of a box: full lengths [m]; of a mesh: its scale.
+  /// For boxes: full side lengths [m]; for meshes: the scale.
   Vector3 size = Vector3::Ones();
   /// [m]
   double radius = 0;
   double length = 0;
-  /// Of a mesh: its address, "file:///...".
+  /// For meshes: the address, "file:///...".
   std::string address = {};
 };
 
-/// @param warning Set where it is not quite the shape, or nothing: "is an ellipsoid: ...".
+/// @param warning Set if the result is only similar to the shape, or empty: "is an ellipsoid: ...".
 std::vector<UrdfShape> urdfShapesOf(const ignition::msgs::Geometry& geometry, std::string& warning);
 std::vector<UrdfShape> urdfShapesOf(const Collision& collision, std::string& warning);
 

@@ -12,17 +12,17 @@ namespace pongsim::ros2 {
 class XmlWriter {
  public:
   XmlWriter& open(std::string_view element);
-  /// Adds an attribute to the element that was opened last, before anything is in it.
+  /// Adds an attribute to the last opened element, before it has content.
   XmlWriter& with(std::string_view attribute, std::string_view value);
-  /// A number reads as the same bits; one that is not finite is written as the largest of its sign that URDF's readers
-  /// take for a number of use, 1e9.
+  /// Numbers are written so that they read as the same bits; an infinite or NaN value becomes 1e9 with its sign, the
+  /// largest value that URDF readers handle sensibly.
   XmlWriter& with(std::string_view attribute, double value);
   XmlWriter& with(std::string_view attribute, const Vector3& vector);
   XmlWriter& close();
   /// An `<origin>`.
   XmlWriter& origin(const Pose& pose);
 
-  /// @return All, with everything closed.
+  /// @return The whole text, with all elements closed.
   std::string take();
 
  private:
@@ -31,8 +31,8 @@ class XmlWriter {
   bool isTagOpen_ = false;
 };
 
-/// @return Roll, pitch, yaw [rad] from which `fromRollPitchYaw` makes this rotation, to the last bits at a pitch of a
-/// quarter turn too: there `rollPitchYawOf`, which takes the arcus sine of what is nearly 1, has lost half of them.
+/// @return Roll, pitch, yaw [rad] from which `fromRollPitchYaw` reproduces this rotation, to the last bits even at a
+/// pitch of 90 degrees. There, `rollPitchYawOf` loses half of the digits, because it takes the arcsine of nearly 1.
 Vector3 exactRollPitchYawOf(const Quaternion& rotation);
 
 }  // namespace pongsim::ros2

@@ -11,20 +11,19 @@
 
 namespace pongsim::ros2 {
 
-/// @return The smallest box around all collisions of the model and of those nested in it, along the axes of its
-/// canonical link and in that frame, as simulation_interfaces has it; empty where it has a plane, which has no end.
-/// An error where it has no collision.
+/// @return The bounding box of all collisions of the model and its nested models, in the frame of its canonical link,
+/// as defined by simulation_interfaces; empty if it has a plane, which is infinite. An error if it has no collision.
 Outcome<simulation_interfaces::Bounds> boundsOf(const Model& model);
 
-/// A part of the world that a filter names.
+/// The part of the world that a filter selects.
 class Region {
  public:
   /// @param bounds In the world frame. Not empty.
   /// @return The region, or what is wrong with the bounds.
   static Outcome<Region> from(const simulation_interfaces::Bounds& bounds);
 
-  /// @return Whether a collision of the model, or of one nested in it, has a point in common with it; of a mesh, its
-  /// surface and what that encloses. Of a model without collisions the origin counts.
+  /// @return Whether a collision of the model or of a nested one has a common point with it; meshes count with their
+  /// surface and inside. A model without collisions counts with its origin.
   bool overlaps(const Model& model) const;
 
  private:

@@ -10,25 +10,25 @@
 
 namespace pongsim::ros2 {
 
-/// A convex part of space, told by its farthest point in each direction.
+/// A convex body, given by its support function: its farthest point in each direction.
 struct Convex {
-  /// Any point within.
+  /// Any interior point.
   Vector3 center = Vector3::Zero();
-  /// @param direction Not zero; of any length.
+  /// @param direction Not zero; need not be normalized.
   std::function<Vector3(const Vector3& direction)> farthest;
 };
 
-/// @return A shape of a collision, in the frame in which `X` places it; nothing for those that are not convex, have no
-/// end or are nothing (triangles, planes, `NoShape`).
+/// @return The shape of a collision placed at `X`; nothing for shapes that are not convex, infinite or empty
+/// (triangles, planes, `NoShape`).
 std::optional<Convex> convexOf(const Shape& shape, const Pose& X);
 
-/// @return The convex hull of points, of which there is at least one.
+/// @return The convex hull of at least one point.
 Convex convexHull(std::vector<Vector3> points);
 
-/// @return The smallest box around it along the axes.
+/// @return Its axis-aligned bounding box.
 Eigen::AlignedBox3d boxAround(const Convex& convex);
 
-/// @return Whether both have a point in common; what touches within some 1e-6 m may be either.
+/// @return Whether they have a common point; either answer is possible for a gap or depth of some 1e-6 m.
 bool overlap(const Convex& one, const Convex& other);
 
 }  // namespace pongsim::ros2

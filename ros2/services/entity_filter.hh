@@ -13,11 +13,11 @@ class RE2;
 
 namespace pongsim::ros2 {
 
-/// Which entities a request means.
+/// Selects entities as a request asks.
 class EntityFilter {
  public:
-  /// @param asked All of it must apply.
-  /// @param result Why there is none: an expression that is none, bounds that make no sense or are of an unknown type.
+  /// @param asked An entity must match all of it.
+  /// @param result Why there is no filter: an invalid expression, or bounds that are invalid or of an unknown type.
   static std::optional<EntityFilter> from(const simulation_interfaces::EntityFilters& asked, Result& result);
 
   EntityFilter(EntityFilter&&) noexcept;
@@ -28,7 +28,7 @@ class EntityFilter {
  private:
   EntityFilter();
   simulation_interfaces::EntityFilters asked_;
-  /// Searched for in names; null: all are taken.
+  /// Matched anywhere in names; null: all match.
   std::unique_ptr<re2::RE2> names_;
   std::optional<Region> region_;
 };

@@ -11,7 +11,7 @@
 
 namespace pongsim::ros2 {
 
-/// A frame and how it moves, seen from the world.
+/// A frame and its motion relative to the world.
 struct MovingFrame {
   /// In the world frame.
   Pose pose;
@@ -24,21 +24,21 @@ struct MovingFrame {
 /// @return The model's frame.
 MovingFrame movingFrame(const Model& model);
 
-/// Finds by name what services speak of: entities, which are models, and frames.
+/// Finds what services refer to by name: entities, which are models, and frames.
 class EntityFinder {
  public:
   EntityFinder(const World& world, Frames frames) : world_(world), frames_(std::move(frames)) {}
 
-  /// @return The models at the top level that have a link, in them or in those nested in them.
+  /// @return The top-level models that have a link, directly or in a nested model.
   std::vector<Model> entities() const;
-  /// @return The others: they are poses with a name.
+  /// @return The other top-level models: they are named poses.
   std::vector<Model> poses() const;
 
-  /// @param name A model's; one that is nested is "outer::inner".
+  /// @param name Name of a model; nested ones as "outer::inner".
   Outcome<Model> find(const std::string& name) const;
 
-  /// @param id Of a frame as ROS has it: empty or "world", a model, a link as "model/link", or a `<frame>` of the
-  /// world. With the prefix of all frames or without.
+  /// @param id A frame in ROS: empty or "world", a model, a link as "model/link", or a `<frame>` of the world. With or
+  /// without the prefix of all frames.
   Outcome<MovingFrame> frame(const std::string& id) const;
 
   const World& world() const { return world_; }

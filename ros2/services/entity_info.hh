@@ -11,26 +11,27 @@
 
 namespace pongsim::ros2 {
 
-/// What is said of entities beside their state: category, description and tags.
+/// Information about entities beside their state: category, description and tags.
 class EntityInfos {
  public:
-  /// @return What was set. Before that: a static model is a static object, one with a joint that moves or with a sensor
-  /// a robot, all others are objects, without a description or tags.
+  /// @return What was set. The default category is static object for static models, robot for models with a movable
+  /// joint or a sensor, and object for all others, without a description or tags.
   simulation_interfaces::EntityInfo of(const Model& model) const;
 
-  /// @return Why not (an unknown category), or that it is set. It stays until the model goes or the world is reset.
+  /// @return Why it is refused (an unknown category), or success. The information stays until the model is removed or
+  /// the world is reset.
   Result set(const Model& model, const simulation_interfaces::EntityInfo& info);
 
-  /// Lets go of what is said of models that are not there any more.
+  /// Deletes information about removed models.
   void sweep(const World& world);
-  /// The world was reset.
+  /// Call after a reset of the world.
   void forget() { set_.clear(); }
 
  private:
   std::unordered_map<std::uint64_t, simulation_interfaces::EntityInfo> set_;
 };
 
-/// @return Whether `tags` are such as a filter wants; all are where it names none.
+/// @return Whether `tags` match a filter; all do if it names none.
 bool matches(const simulation_interfaces::TagsFilter& filter, const std::vector<std::string>& tags);
 
 /// @return What is wrong with a filter, or nothing.

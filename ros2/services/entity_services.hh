@@ -11,17 +11,17 @@
 
 namespace pongsim::ros2 {
 
-/// The services of simulation_interfaces about entities, named poses and what can be spawned.
+/// The services of simulation_interfaces for entities, named poses and spawnables.
 class EntityServices {
  public:
   /// @param node, context Must outlive it.
   EntityServices(RosNode& node, const SystemContext& context, const ServiceNames& names, const Frames& frames);
 
-  /// To be called in each step, first and last.
+  /// Call first and last in each step.
   void preUpdate(const StepInfo& info) { now_ = info.time; }
   void postUpdate(const StepInfo& info) { accelerations_.stepped(finder_.world(), info); }
   void worldChanged() { infos_.sweep(finder_.world()); }
-  /// The world was reset.
+  /// Call after a reset of the world.
   void worldReset();
 
   Spawner& spawner() { return spawner_; }

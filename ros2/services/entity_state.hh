@@ -10,8 +10,8 @@
 
 namespace pongsim::ros2 {
 
-/// Accelerations of models: by how much their velocities changed in the last step. That of a model is measured from the
-/// first time on that somebody asks for it, so that nobody else pays for it; the first answer is zero.
+/// Accelerations of models: the change of their velocities in the last step. A model's acceleration is measured from
+/// the first request on, so that it costs nothing otherwise; the first answer is zero.
 class Accelerations {
  public:
   /// World frame [m/s^2, rad/s^2].
@@ -22,9 +22,9 @@ class Accelerations {
 
   Acceleration of(const Model& model);
 
-  /// To be called behind each step.
+  /// Call after each step.
   void stepped(const World& world, const StepInfo& info);
-  /// The world was reset.
+  /// Call after a reset of the world.
   void forget() { known_.clear(); }
 
  private:
@@ -38,8 +38,8 @@ class Accelerations {
 /// @return Pose, velocities and acceleration in the world frame.
 simulation_interfaces::EntityState stateOf(const Model& model, Time now, Accelerations& accelerations);
 
-/// Sets what the request says of a state, which may be given in any frame: velocities are then relative to that frame,
-/// along its axes. All or nothing.
+/// Applies the requested state, which can be given in any frame: velocities are then relative to that frame, along its
+/// axes. All or nothing.
 Result setState(const EntityFinder& finder, const simulation_interfaces::srv::SetEntityState::Request& request);
 
 }  // namespace pongsim::ros2

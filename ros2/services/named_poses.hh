@@ -7,11 +7,11 @@
 
 namespace pongsim::ros2 {
 
-/// @return The `<frame>`s of the world and its models without links, where they are now. None has tags.
+/// @return The current poses of the world's `<frame>`s and of its models without links. None has tags.
 simulation_interfaces::srv::GetNamedPoses::Response namedPoses(const EntityFinder& finder,
                                                                const simulation_interfaces::TagsFilter& tags);
 
-/// @return Empty bounds, for a frame has none, where there is such a pose.
+/// @return Empty bounds if the pose exists, because a frame has no extent.
 simulation_interfaces::srv::GetNamedPoseBounds::Response namedPoseBounds(const EntityFinder& finder,
                                                                          const std::string& name);
 

@@ -12,14 +12,14 @@
 
 namespace pongsim::ros2 {
 
-/// Services that are offered for as long as this lives. A handler that throws has failed, which its caller is told, and
-/// the simulation goes on.
+/// Offers services for the lifetime of this object. If a handler throws, its caller gets a failure, and the simulation
+/// goes on.
 class Offers {
  public:
   /// @param node Must outlive it.
   explicit Offers(RosNode& node) : node_(node) {}
 
-  /// @param service As `RosNode` resolves it. One that ROS does not allow is not offered, with a warning.
+  /// @param service Resolved by `RosNode`. A name that ROS does not allow is not offered, with a warning.
   template <ServiceType Service>
   void add(const std::string& service,
            std::function<void(const typename Service::Request&, const Responder<Service>&)> handler) {
@@ -42,7 +42,7 @@ class Offers {
     }
   }
 
-  /// As above, for a handler that answers at once.
+  /// As above, for a handler that answers immediately.
   template <ServiceType Service>
   void addAtOnce(const std::string& service,
                  std::function<typename Service::Response(const typename Service::Request&)> handler) {

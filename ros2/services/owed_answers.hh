@@ -7,22 +7,22 @@
 
 namespace pongsim::ros2 {
 
-/// Answers that wait for what is done later, and which a reset of the world may forget: nobody who asks is left without
-/// one.
+/// Pending answers to requests that are completed later. A reset of the world may drop the requests, but every caller
+/// gets an answer.
 class OwedAnswers {
  public:
-  /// @param forgotten Called where it will never be done.
+  /// @param forgotten Called if it will never be completed.
   /// @return Its number, for `settle`.
   std::uint64_t owe(std::function<void()> forgotten) {
     owed_.emplace(next_, std::move(forgotten));
     return next_++;
   }
 
-  /// To be called when it is done.
-  /// @return Whether the answer is owed still.
+  /// Call on completion.
+  /// @return Whether the answer is still pending.
   bool settle(std::uint64_t number) { return owed_.erase(number) > 0; }
 
-  /// The world was reset: calls all functions.
+  /// Call after a reset of the world: calls all functions.
   void forget() {
     const auto owed = std::exchange(owed_, {});
     for (const auto& [number, forgotten] : owed) forgotten();

@@ -10,13 +10,13 @@
 
 namespace pongsim::ros2 {
 
-/// Requests to services of the simulation itself, which are met before the next step.
+/// Requests to the simulation's own services, which are handled before the next step.
 class Requests {
  public:
   explicit Requests(Node node) : node_(std::move(node)) {}
 
-  /// @param answered Told what went wrong, in a line; empty where it is done.
-  /// @return Whether there is such a service; else nobody is told.
+  /// @param answered Called with the error in one line; empty on success.
+  /// @return Whether there is such a service; if not, `answered` is not called.
   bool send(const std::string& service, const Message& request, const std::string& replyType,
             std::function<void(const std::string& error)> answered) {
     const auto isDone = std::make_shared<bool>(false);
@@ -31,7 +31,7 @@ class Requests {
     return true;
   }
 
-  /// To be called now and then: lets go of what was answered.
+  /// Call now and then: deletes answered requests.
   void sweep() {
     pending_.remove_if([](const Pending& each) { return *each.isDone; });
   }

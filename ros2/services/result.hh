@@ -13,7 +13,7 @@
 #include "ros2/types/geometry_msgs.hh"
 #include "ros2/types/simulation_interfaces.hh"
 
-/// What the services of simulation_interfaces answer with.
+/// Answers of the services of simulation_interfaces.
 namespace pongsim::ros2 {
 
 using simulation_interfaces::Result;
@@ -39,10 +39,10 @@ inline geometry_msgs::Pose poseMessage(const Pose& pose) {
   return message;
 }
 
-/// How far a quaternion's length may be from one; it is made one then.
+/// Allowed deviation of a quaternion's length from one; it is then normalized.
 inline constexpr double kLooseLength = 0.01;
 
-/// @return What is wrong with a pose that a service is given, or nothing.
+/// @return What is wrong with a pose in a request, or nothing.
 inline std::optional<std::string> poseError(const geometry_msgs::Pose& pose) {
   if (!isFinite(pose)) return "the pose is not finite";
   if (!(vectorOf(pose.position).cwiseAbs().maxCoeff() <= kLargestCommand)) {
@@ -55,7 +55,7 @@ inline std::optional<std::string> poseError(const geometry_msgs::Pose& pose) {
   return std::nullopt;
 }
 
-/// @param pose Without an error.
+/// @param pose Already checked.
 inline Pose poseOf(const geometry_msgs::Pose& pose) {
   const auto& q = pose.orientation;
   return {vectorOf(pose.position), Quaternion(q.w, q.x, q.y, q.z).normalized()};

@@ -16,17 +16,17 @@
 
 namespace pongsim::ros2 {
 
-/// The services of ros_gz_interfaces, which are those of the simulation under the same names: `control`, `create`,
-/// `remove` and `set_pose` of the world. As with ros_gz_bridge the answer is whether it was done; a warning, at most
-/// one a second for each, says why it was not.
+/// The services of ros_gz_interfaces, which correspond to the simulation's services with the same names: `control`,
+/// `create`, `remove` and `set_pose` of the world. As with ros_gz_bridge, the answer is whether it succeeded; a
+/// warning, at most one a second for each service, gives the reason for a failure.
 class RosGzServices {
  public:
-  /// @param rules Which of them have other names.
+  /// @param rules Other names for some of them.
   /// @param node, finder Must outlive it.
   RosGzServices(RosNode& node, const Node& simulation, const ServiceNames& names, std::span<const ServiceRule> rules,
                 const EntityFinder& finder);
 
-  /// To be called in each step.
+  /// Call in each step.
   void preUpdate() { requests_.sweep(); }
 
  private:

@@ -13,12 +13,12 @@
 
 namespace pongsim::ros2 {
 
-/// Pauses, steps, resets and ends a run as simulation_interfaces has it, by the services that the run itself offers.
-/// The simulation's state is
+/// Pauses, steps, resets and ends a run for simulation_interfaces, through the run's own services. The simulation's
+/// state is
 ///
 /// - stopped: paused at the very start, or after a reset;
-/// - paused: paused after a step, or since "paused" was asked for;
-/// - playing: all else, the steps of a step request too.
+/// - paused: paused after a step, or since "paused" was requested;
+/// - playing: otherwise, including during the steps of a step request.
 class RunRequests {
  public:
   using Done = std::function<void(const Result&)>;
@@ -26,23 +26,23 @@ class RunRequests {
 
   RunRequests(const Node& simulation, const ServiceNames& names);
 
-  /// @return Whether somebody runs the simulation who can be asked; not where a program steps it by itself.
+  /// @return Whether the simulation is run by something that accepts requests; false if a program steps it itself.
   bool canBeAsked();
 
-  /// To be called first in each step.
+  /// Call first in each step.
   void preUpdate(const StepInfo& info);
-  /// The world was reset.
+  /// Call after a reset of the world.
   void worldReset();
 
   std::uint8_t state() const;
 
   /// @param target One of `State`'s.
-  /// @param done Called once, maybe at once, likewise below.
+  /// @param done Called once, possibly before this returns; the same below.
   void setState(std::uint8_t target, Done done);
-  /// Makes so many steps where the run is paused. One request at a time.
+  /// Runs a number of steps if the run is paused. One request at a time.
   void step(std::uint64_t count, Done done);
-  /// Sets the whole world back to its start. It goes on, or not, as before.
-  /// @param isStepped Whether somebody else makes steps of a paused run now, which it is again then.
+  /// Resets the whole world. The run continues, or stays paused, as before.
+  /// @param isStepped Whether something else is stepping the paused run, which is then paused again.
   void resetAll(bool isStepped, Done done);
 
  private:

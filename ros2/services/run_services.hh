@@ -11,17 +11,17 @@
 
 namespace pongsim::ros2 {
 
-/// The services of simulation_interfaces about the simulation itself: what it can do, its state, steps, reset, world.
+/// The services of simulation_interfaces for the simulation itself: its features, state, steps, reset, world.
 class RunServices {
  public:
-  /// @param spawner Takes away what was spawned. All references must outlive it.
-  /// @param isStepped Says whether steps of a paused run are made for a goal of an action.
+  /// @param spawner Removes what was spawned. All references must outlive it.
+  /// @param isStepped Returns whether a paused run is executing the steps of an action's goal.
   RunServices(RosNode& node, const SystemContext& context, const ServiceNames& names, Spawner& spawner,
               std::function<bool()> isStepped);
 
-  /// To be called first in each step.
+  /// Call first in each step.
   void preUpdate(const StepInfo& info) { run_.preUpdate(info); }
-  /// The world was reset.
+  /// Call after a reset of the world.
   void worldReset() { run_.worldReset(); }
 
  private:

@@ -18,11 +18,11 @@ namespace pongsim::ros2::test {
 
 using namespace pongsim::test;
 
-/// A simulation that `pongsim run` runs as a node of ROS, and a node of another process that calls its services.
+/// A simulation that `pongsim run` runs as a ROS node, and a node in another process that calls its services.
 class ServedWorld {
  public:
-  /// @param content Of the world "w", beside the physics.
-  /// @param options Of `pongsim run`.
+  /// @param content Of the world "w", in addition to the physics.
+  /// @param options For `pongsim run`.
   explicit ServedWorld(const std::string& content, const std::vector<std::string>& options = {},
                        const std::string& parameters = "") {
     file_ = folder_.write("world.sdf",
@@ -47,7 +47,7 @@ class ServedWorld {
   RosNode& node() { return node_; }
   Process& process() { return *process_; }
 
-  /// @param service "~/get_entities", of the simulation's node; or an absolute name.
+  /// @param service "~/get_entities" for the simulation's node; or an absolute name.
   template <ServiceType Service>
   typename Service::Response call(const std::string& service, const typename Service::Request& request = {}) {
     RosClient<Service> client(node_, service.starts_with("~") ? "/pongsim" + service.substr(1) : service);

@@ -5,10 +5,10 @@
 
 namespace pongsim::ros2 {
 
-/// Under which names services are offered.
+/// The names under which services are offered.
 class ServiceNames {
  public:
-  /// @param prefix In front of the services of simulation_interfaces: "~" for the node's own name, "/gzserver", or "/".
+  /// @param prefix For the services of simulation_interfaces: "~" for the node's own name, "/gzserver", or "/".
   /// @param world Name of the world.
   ServiceNames(std::string prefix, std::string_view world);
 
@@ -17,11 +17,11 @@ class ServiceNames {
   std::string ofSimulator(std::string_view name) const;
 
   /// @param name "control"
-  /// @return "world/W/control", for `RosNode::resolve`: as the service of the simulation, with what ROS does not allow
-  /// in a name made '_'.
+  /// @return "world/W/control", for `RosNode::resolve`: the name of the simulation's service, with characters that ROS
+  /// does not allow replaced by '_'.
   std::string ofWorld(std::string_view name) const;
 
-  /// @return "/world/W/control", as the simulation has it.
+  /// @return The simulation's name, "/world/W/control".
   std::string inSimulation(std::string_view name) const;
 
  private:

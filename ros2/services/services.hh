@@ -13,12 +13,12 @@
 
 namespace pongsim::ros2 {
 
-/// All services by which nodes of ROS command the simulation. A request is met in the `preUpdate` in which
-/// `RosNode::mailbox` is dispatched, as messages are: what comes from outside is in no run's seed, all that follows
+/// All services with which ROS nodes command the simulation. Requests are handled in the `preUpdate` that dispatches
+/// `RosNode::mailbox`, like messages: external input is not determined by a run's seed, but everything that follows
 /// from it is.
 class Services {
  public:
-  /// @param prefix As `ServiceNames` has it.
+  /// @param prefix See `ServiceNames`.
   /// @param node, context Must outlive it.
   Services(RosNode& node, const SystemContext& context, const std::string& prefix, const Settings& settings)
       : names_(prefix, context.world.name()),
@@ -27,7 +27,7 @@ class Services {
         steps_(context.node, names_.inSimulation("control"), node, names_.ofSimulator("simulate_steps")),
         rosGz_(node, context.node, names_, settings.services, entities_.finder()) {}
 
-  /// As the system's; `preUpdate` before the mailbox is dispatched.
+  /// Call like a system's functions; `preUpdate` before the mailbox is dispatched.
   void preUpdate(const StepInfo& info) {
     entities_.preUpdate(info);
     run_.preUpdate(info);

@@ -11,22 +11,22 @@
 
 namespace pongsim::ros2 {
 
-/// The action SimulateSteps of simulation_interfaces: a paused simulation makes so many steps, with feedback after
-/// each, and is paused again. It asks the run for them by the service `/world/W/control`, as anybody would. One goal at
-/// a time: a second one finds the simulation not paused.
+/// The action SimulateSteps of simulation_interfaces: makes a paused simulation run a number of steps, with feedback
+/// after each, and pauses it again. Uses the run's own service `/world/W/control`. Only one goal at a time: a second
+/// one finds the simulation not paused.
 class SimulateSteps {
  public:
   using Action = simulation_interfaces::action::SimulateSteps;
 
-  /// @param simulation Must have the world's services in its transport.
+  /// @param simulation Must have access to the world's services.
   /// @param control The service that steps the world: "/world/W/control".
   /// @param name Of the action: "~/simulate_steps".
   SimulateSteps(const Node& simulation, const std::string& control, RosNode& ros, const std::string& name);
 
-  /// @return Whether a goal makes its steps.
+  /// @return Whether a goal is executing.
   bool isRunning() const { return running_.has_value(); }
 
-  /// As the system's; `preUpdate` before the mailbox is dispatched.
+  /// Call like a system's functions; `preUpdate` before the mailbox is dispatched.
   void preUpdate(const StepInfo& info);
   void postUpdate(const StepInfo& info);
   void reset();
@@ -35,12 +35,12 @@ class SimulateSteps {
   struct Running {
     Goals::Id id;
     std::uint64_t steps = 0;
-    /// Steps made before.
+    /// Number of steps before the goal.
     std::uint64_t first = 0;
     std::uint64_t completed = 0;
-    /// Steps asked for so far, `first` not counted.
+    /// Number of steps requested so far, not counting `first`.
     std::uint64_t asked = 0;
-    /// Whether the run has taken what was asked for: from then on a pause is an end.
+    /// Whether the run has accepted the request: from then on a pause means the end.
     bool isTaken = false;
     bool isStopping = false;
   };
@@ -48,7 +48,7 @@ class SimulateSteps {
   void start(const Goals::Id& id, std::uint64_t steps);
   void askForSteps();
   void stop();
-  /// Ends the goal that runs.
+  /// Ends the executing goal.
   void end(std::int8_t status, std::uint8_t code, const std::string& message);
   std::string progress() const;
 
@@ -57,7 +57,7 @@ class SimulateSteps {
   StepInfo info_;
   ActionServer<Action> server_;
   std::optional<Running> running_;
-  // ends first, for its answer goes to the rest
+  // destroyed first, because its answer uses the other members
   PendingRequest request_;
 };
 

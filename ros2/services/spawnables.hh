@@ -10,10 +10,10 @@
 
 namespace pongsim::ros2 {
 
-/// @param folders Where models are looked for: those in them are named "model://NAME".
-/// @param sources More folders, whose models are named by their paths; a source may be a model's folder itself. What is
-/// no such folder is named in the error's text.
-/// @param resolve From an address to its file or folder.
+/// @param folders Where to look for models: those inside are named "model://NAME".
+/// @param sources Further folders, whose models are named by their paths; a source can also be a model's own folder.
+/// Sources that are not such folders are named in the error.
+/// @param resolve Converts an address to its file or folder.
 /// @return All folders with a `model.config`, sorted by address, each once.
 simulation_interfaces::srv::GetSpawnables::Response spawnables(
     const std::vector<std::filesystem::path>& folders, const std::vector<std::string>& sources,

@@ -14,7 +14,7 @@
 
 namespace pongsim::ros2 {
 
-/// Inserts and removes entities as simulation_interfaces has it: the models are read at once, and come or go at the
+/// Inserts and removes entities for simulation_interfaces: models are loaded immediately, and added or removed at the
 /// end of the step.
 class Spawner {
  public:
@@ -23,16 +23,16 @@ class Spawner {
   /// All references must outlive it.
   Spawner(const EntityFinder& finder, WorldEdits& edits) : finder_(finder), edits_(edits) {}
 
-  /// @param spawned Called once, maybe at once.
+  /// @param spawned Called once, possibly before this returns.
   void spawn(const simulation_interfaces::SpawnEntity& asked, Spawned spawned);
 
-  /// @param name Of a model at the top level.
-  /// @param done Called once, maybe at once.
+  /// @param name Of a top-level model.
+  /// @param done Called once, possibly before this returns.
   void remove(const std::string& name, std::function<void(const Result&)> done);
-  /// Removes all that came since the start.
+  /// Removes everything added since the start.
   void removeInserted(std::function<void(const Result&)> done);
 
-  /// The world was reset: what was to be done is not.
+  /// Call after a reset of the world: pending changes are dropped.
   void forget() { owed_.forget(); }
 
   /// [bytes]
@@ -49,11 +49,11 @@ class Spawner {
   OwedAnswers owed_;
 };
 
-/// @return Why a name can't be that of an entity, or nothing.
+/// @return What is wrong with the name of an entity, or nothing.
 std::optional<std::string> entityNameError(const std::string& name);
 
 /// @param nameSpace "robot1" or "/robot1".
-/// @return Why it can be no namespace of ROS, or nothing.
+/// @return What is wrong with it as a ROS namespace, or nothing.
 std::optional<std::string> nameSpaceError(const std::string& nameSpace);
 
 }  // namespace pongsim::ros2

@@ -78,7 +78,7 @@ using Services =
 using Actions = TypeList<simulation_interfaces::action::SimulateSteps>;
 
 /// Calls `each.template operator()<Type>()` with all messages, with the requests and responses of all services, and
-/// with what goes over the wire for all actions.
+/// with the wire types of all actions.
 void forAllTypes(auto&& each) {
   Messages::forEach(each);
   Services::forEach([&each]<class Service>() {

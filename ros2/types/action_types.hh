@@ -9,7 +9,7 @@
 
 namespace pongsim::ros2 {
 
-/// An action of ROS is a struct with its name and three structs, of which rosidl makes what goes over the wire:
+/// A ROS action is a struct with its name and three structs, from which rosidl derives the types on the wire:
 ///
 ///     struct SimulateSteps {
 ///       static constexpr const char* kName = "simulation_interfaces/action/SimulateSteps";

@@ -7,11 +7,11 @@
 
 namespace pongsim::ros2 {
 
-/// Writes bytes to their place, all of it.
+/// Writes bytes, filling all of the memory.
 using Fill = std::function<void(std::span<std::byte>)>;
 
-/// Stands in a type for its `uint8[]` where the bytes are elsewhere yet: whoever writes the type to the wire has them
-/// written to their place there. It is for writing only.
+/// Replaces a `uint8[]` in a type if the bytes are still elsewhere: when the type is written to the wire, they are
+/// written there directly. Only for writing.
 struct BulkBytes {
   std::size_t size = 0;
   Fill fill = {};

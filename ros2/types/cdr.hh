@@ -13,14 +13,14 @@
 #include "ros2/types/bulk.hh"
 #include "ros2/types/reflection.hh"
 
-/// Plain CDR, as ROS 2 has it on the wire: four bytes that name the encoding, then the fields, each number at a
-/// multiple of its own size counted from behind those four (OMG DDS-XTypes 1.3, 7.4.1, encoding version 1).
+/// Plain CDR, ROS 2's wire format: four bytes that name the encoding, then the fields. Each number is aligned to its
+/// own size, counted from after those four bytes (OMG DDS-XTypes 1.3, 7.4.1, encoding version 1).
 namespace pongsim::ros2 {
 
-/// Of the encoding's name.
+/// Size of the encoding's name.
 inline constexpr std::size_t kEncapsulation = 4;
 
-/// Counts the bytes that a value takes, from behind the encapsulation.
+/// Counts the bytes of a value, without the encapsulation.
 class CdrSize {
  public:
   void operator()(const char*, const auto& value) { add(value); }
@@ -70,7 +70,7 @@ class CdrSize {
   std::size_t size_ = 0;
 };
 
-/// @return Bytes of the whole payload, the encapsulation too.
+/// @return Size of the whole payload, including the encapsulation.
 template <Structure Value>
 std::size_t cdrSize(const Value& value) {
   CdrSize size;
@@ -78,14 +78,14 @@ std::size_t cdrSize(const Value& value) {
   return kEncapsulation + size.size();
 }
 
-/// Writes fields to a place that is large enough; this machine's byte order must be little endian.
+/// Writes fields to memory that is large enough; the machine's byte order must be little endian.
 class CdrWriter {
  public:
-  /// @param place Of `cdrSize` bytes or more, encapsulation and all.
+  /// @param place At least `cdrSize` bytes, including the encapsulation.
   explicit CdrWriter(std::span<std::byte> place);
 
   void operator()(const char*, const auto& value) { write(value); }
-  /// @return What has been written, encapsulation and all.
+  /// @return Number of bytes written, including the encapsulation.
   std::size_t size() const { return kEncapsulation + at_; }
 
   template <class Value>
@@ -133,12 +133,12 @@ class CdrWriter {
     while (at_ % to != 0) place_[at_++] = std::byte(0);
   }
 
-  /// Behind the encapsulation.
+  /// Without the encapsulation.
   std::span<std::byte> place_;
   std::size_t at_ = 0;
 };
 
-/// Writes a value's payload to a place of `cdrSize` bytes.
+/// Writes a value's payload to `cdrSize` bytes of memory.
 template <Structure Value>
 void writeCdr(const Value& value, std::span<std::byte> place) {
   CdrWriter writer(place);
@@ -151,7 +151,7 @@ std::vector<std::byte> toCdr(const Value& value) {
   return bytes;
 }
 
-/// @return Bytes that a value of the type takes at least, wherever it stands.
+/// @return Minimum size of a value of the type, at any alignment.
 template <class Value>
 std::size_t leastCdrSize() {
   if constexpr (Structure<Value>) {
@@ -171,11 +171,11 @@ std::size_t leastCdrSize() {
   }
 }
 
-/// Reads fields from bytes that anybody may have sent. The first thing that is wrong ends the reading: what comes then
-/// stays as it was. It takes no more memory than a small multiple of the bytes.
+/// Reads fields from untrusted bytes. Reading stops at the first error; later fields stay unchanged. Uses no more
+/// memory than a small multiple of the input.
 class CdrReader {
  public:
-  /// @param payload Encapsulation and all; either byte order, the plain encodings of both versions.
+  /// @param payload Including the encapsulation; in either byte order and the plain encodings of both versions.
   explicit CdrReader(std::span<const std::byte> payload);
 
   template <class Value>
@@ -187,7 +187,7 @@ class CdrReader {
     if (!error_) field_ = outer;
   }
 
-  /// @return What is wrong ("field 'ranges' claims 4000000000 elements, but 12 bytes are left"), or nothing.
+  /// @return The error ("field 'ranges' claims 4000000000 elements, but 12 bytes are left"), or nothing.
   const std::optional<std::string>& error() const { return error_; }
 
   template <class Value>
@@ -196,7 +196,7 @@ class CdrReader {
     if constexpr (std::is_same_v<Value, bool>) {
       std::uint8_t byte = 0;
       read(byte);
-      // what is neither is taken for true, as other readers do
+      // other values count as true, as in other readers
       value = byte != 0;
     } else if constexpr (Primitive<Value>) {
       readNumbers(&value, 1);
@@ -260,7 +260,7 @@ class CdrReader {
   std::optional<std::string> error_;
 };
 
-/// Replaces `value` by what the payload says.
+/// Replaces `value` by the decoded payload.
 /// @return What is wrong with it, or nothing.
 template <Structure Value>
 std::optional<std::string> readCdr(std::span<const std::byte> payload, Value& value) {

@@ -6,7 +6,7 @@
 
 namespace pongsim::ros2 {
 
-/// @return Whether all numbers in it are.
+/// @return Whether all numbers in it are finite.
 template <class Value>
 bool isFinite(const Value& value) {
   if constexpr (std::is_floating_point_v<Value>) {

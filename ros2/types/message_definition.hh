@@ -7,22 +7,22 @@
 #include "ros2/types/bulk.hh"
 #include "ros2/types/reflection.hh"
 
-/// A type in the language of .msg files, as bags have it with their messages. Comments, constants and defaults, which
-/// nobody needs to read messages, are not in it.
+/// Message definitions in the .msg language, as stored in bags. They contain no comments, constants and defaults, which
+/// are not needed for reading messages.
 namespace pongsim::ros2 {
 
-/// The fields of types, a line each, by the names of the types.
+/// The fields of each type, one per line, keyed by type name.
 using FieldLists = std::map<std::string, std::string>;
 
 namespace detail {
 
-/// @return Of "std_msgs/msg/Header" "std_msgs/Header", as .msg files write it.
+/// @return The name as written in .msg files: "std_msgs/Header" for "std_msgs/msg/Header".
 std::string nameInMsg(std::string_view name);
 
-/// @return "geometry_msgs/Twist"'s own fields, then those of all others with their names.
+/// @return The fields of "geometry_msgs/Twist", followed by those of all other types with their names.
 std::string joinFieldLists(const std::string& name, const FieldLists& all);
 
-/// @return The word for a type that is not a list.
+/// @return The .msg keyword for a type that is not a list.
 template <class Type>
 std::string wordInMsg() {
   if constexpr (Structure<Type>) return nameInMsg(nameOf<Type>());
@@ -38,7 +38,7 @@ std::string wordInMsg() {
 
 }  // namespace detail
 
-/// Adds the type and all types in it.
+/// Adds the type and all types inside it.
 template <Structure Type>
 void listFields(FieldLists& all) {
   const std::string name = nameOf<Type>();
@@ -67,7 +67,7 @@ void listFields(FieldLists& all) {
   all[name] = fields;
 }
 
-/// @return The type's fields, and behind them those of all types in it, as MCAP's "ros2msg" has them
+/// @return The type's fields, followed by those of all types inside it, in MCAP's "ros2msg" format
 /// (https://mcap.dev/spec/registry).
 template <Structure Type>
 std::string messageDefinition() {

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-/// How a type of ROS 2 is told of: a plain struct with a name and one function that names its fields in their order.
+/// How to describe a ROS 2 type: a plain struct with a name and one function that lists its fields in order.
 ///
 ///     struct Quaternion {
 ///       static constexpr const char* kName = "geometry_msgs/msg/Quaternion";
@@ -22,18 +22,18 @@
 ///       bool operator==(const Quaternion&) const = default;
 ///     };
 ///
-/// From that come reading and writing in CDR (cdr.hh), and the hash of the type (type_hash.hh). The field types are
-/// bool, the fixed-width integers, float, double, `std::byte` for `byte`, `std::uint8_t` for `char`, `std::string`,
-/// `std::vector` for `T[]`, `std::array` for `T[N]`, `Bounded` for `T[<=N]` and `string<=N`, and other such structs. A
-/// type whose name is made of others has `static std::string name()` in place of `kName`.
+/// Reading and writing in CDR (cdr.hh) and the type's hash (type_hash.hh) follow from that. Field types are bool, the
+/// fixed-width integers, float, double, `std::byte` for `byte`, `std::uint8_t` for `char`, `std::string`, `std::vector`
+/// for `T[]`, `std::array` for `T[N]`, `Bounded` for `T[<=N]` and `string<=N`, and other such structs. A type with a
+/// composed name has `static std::string name()` instead of `kName`.
 namespace pongsim::ros2 {
 
-/// A text or a list of which at most N letters or elements are taken.
+/// A string or list of at most N characters or elements.
 template <class Container, std::size_t N>
 struct Bounded : Container {
   using Container::Container;
   using Container::operator=;
-  // implicit, as a plain container goes into one
+  // implicit, so that a plain container converts to it
   Bounded(Container container) : Container(std::move(container)) {}
   static constexpr std::size_t kMost = N;
 };
@@ -68,7 +68,7 @@ struct CountFields {
 };
 }  // namespace detail
 
-/// @return Whether the type has no field of its own. On the wire it has one then, which IDL wants.
+/// @return Whether the type has no fields. On the wire it then has a dummy field, as IDL requires.
 template <Structure Type>
 bool isEmpty() {
   static const bool empty = [] {
@@ -81,7 +81,7 @@ bool isEmpty() {
 }
 inline constexpr const char* kFieldOfEmpty = "structure_needs_at_least_one_member";
 
-/// Calls `field(name, member)` with each field in the order of the wire, that of an empty type too.
+/// Calls `field(name, member)` with each field in wire order, including the dummy field of an empty type.
 template <class Value, class Field>
 void visitFields(Value& value, Field&& field) {
   using Type = std::remove_const_t<Value>;
@@ -106,7 +106,7 @@ inline constexpr std::size_t kBoundOf = 0;
 template <class Container, std::size_t N>
 inline constexpr std::size_t kBoundOf<Bounded<Container, N>> = N;
 
-/// What lies in a row on the wire as it does in memory.
+/// Types whose arrays have the same layout on the wire and in memory.
 template <class Type>
 concept Primitive = (std::is_arithmetic_v<Type> && !std::is_same_v<Type, bool>) || std::is_same_v<Type, std::byte>;
 template <class Type>

@@ -7,7 +7,7 @@
 
 #include "ros2/types/reflection.hh"
 
-/// Who is there. `GidSize` is 24 up to Humble and 16 from Iron on.
+/// The node graph. `GidSize` is 24 up to Humble and 16 from Iron on.
 namespace pongsim::ros2::rmw_dds_common {
 
 template <std::size_t GidSize>

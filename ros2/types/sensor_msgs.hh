@@ -130,7 +130,7 @@ struct FluidPressure {
   bool operator==(const FluidPressure&) const = default;
 };
 
-/// @param Bytes `BulkBytes` where the bytes go to the wire from where they are.
+/// @param Bytes `BulkBytes` if the bytes are written to the wire directly from where they are.
 template <class Bytes>
 struct BasicImage {
   static constexpr const char* kName = "sensor_msgs/msg/Image";
@@ -312,7 +312,7 @@ struct PointField {
   bool operator==(const PointField&) const = default;
 };
 
-/// @param Bytes `BulkBytes` where the bytes go to the wire from where they are.
+/// @param Bytes `BulkBytes` if the bytes are written to the wire directly from where they are.
 template <class Bytes>
 struct BasicPointCloud2 {
   static constexpr const char* kName = "sensor_msgs/msg/PointCloud2";

@@ -9,22 +9,22 @@
 #include "ros2/types/bulk.hh"
 #include "ros2/types/reflection.hh"
 
-/// The hash by which Jazzy and later tell whether two types are the same (REP 2016): SHA-256 of a description of the
-/// type and of all that it has in it, in JSON.
+/// The hash by which Jazzy and later identify types (REP 2016): the SHA-256 of a JSON description of the type and of
+/// all types inside it.
 namespace pongsim::ros2 {
 
-/// Descriptions by the names of the types: "{\"type_name\": ..., \"fields\": [...]}".
+/// Descriptions keyed by type name: "{\"type_name\": ..., \"fields\": [...]}".
 using Descriptions = std::map<std::string, std::string>;
 
 namespace detail {
 
-/// One field, as the message type_description_interfaces/msg/FieldType has it.
+/// A field, as in the message type_description_interfaces/msg/FieldType.
 std::string describeField(std::string_view name, int typeId, std::size_t capacity, std::size_t stringCapacity,
                           std::string_view nested);
 std::string describeType(std::string_view name, const std::string& fields);
 std::string hashOf(const std::string& name, const Descriptions& all);
 
-/// @return The number of a type that is not a list (FieldType.msg).
+/// @return The id of a type that is not a list (FieldType.msg).
 template <class Type>
 constexpr int singleTypeId() {
   if constexpr (Structure<Type>) return 1;
@@ -43,12 +43,12 @@ constexpr int singleTypeId() {
   if constexpr (Text<Type>) return kBoundOf<Type> > 0 ? 21 : 17;
 }
 
-/// What is added to the number for T[N], T[<=N] and T[].
+/// Offsets added to the id for T[N], T[<=N] and T[].
 inline constexpr int kArrayId = 48, kBoundedListId = 96, kListId = 144;
 
 }  // namespace detail
 
-/// Adds the type and all types in it.
+/// Adds the type and all types inside it.
 template <Structure Type>
 void describe(Descriptions& all) {
   const std::string name = nameOf<Type>();

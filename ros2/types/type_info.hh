@@ -7,7 +7,7 @@
 
 namespace pongsim::ros2 {
 
-/// What peers are told of a type.
+/// How a type is announced to peers.
 struct TypeInfo {
   /// "sensor_msgs/msg/LaserScan"
   std::string name;
@@ -23,7 +23,7 @@ TypeInfo typeInfo() {
 /// @return The name on the wire: "sensor_msgs::msg::dds_::LaserScan_".
 std::string ddsTypeName(std::string_view name);
 
-/// @return Of "sensor_msgs::msg::dds_::LaserScan_" "sensor_msgs/msg/LaserScan"; empty where it is no such name.
+/// @return "sensor_msgs/msg/LaserScan" for "sensor_msgs::msg::dds_::LaserScan_"; empty for other names.
 std::string rosTypeName(std::string_view ddsName);
 
 }  // namespace pongsim::ros2

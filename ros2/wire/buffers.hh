@@ -20,17 +20,17 @@ class Buffer {
   std::size_t capacity_ = 0;
 };
 
-/// Buffers that were used before, so that a steady flow of messages allocates nothing. Any thread may use it.
+/// A pool of buffers, so that a steady stream of messages allocates nothing. Any thread may use it.
 class Buffers {
  public:
-  /// @return A buffer of so many bytes, of no particular content, to be given back.
+  /// @return A buffer of this size with unspecified content, to be given back.
   Buffer* take(std::size_t size);
   void giveBack(Buffer* buffer);
 
  private:
   std::mutex mutex_;
   std::vector<std::unique_ptr<Buffer>> all_;
-  /// By the power of two that is their capacity.
+  /// Indexed by the power of two that is their capacity.
   std::array<std::vector<Buffer*>, 64> free_;
   std::size_t freeBytes_ = 0;
 };

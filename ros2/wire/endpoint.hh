@@ -10,23 +10,23 @@
 
 namespace pongsim::ros2 {
 
-/// What an endpoint tells its counterparts.
+/// What an endpoint announces to its counterparts.
 struct Contract {
   /// On the wire: "rt/scan".
   std::string topic;
   /// On the wire: "sensor_msgs::msg::dds_::LaserScan_".
   std::string type;
-  /// "RIHS01_...", told where the distribution has it.
+  /// "RIHS01_...", announced if the distribution uses it.
   std::string typeHash;
   Qos qos;
 };
 
-/// What has come.
+/// A received sample.
 struct Sample {
-  /// CDR, encapsulation and all. There during the call only.
+  /// CDR including the encapsulation. Only valid during the call.
   std::span<const std::byte> payload;
   SampleId id;
-  /// Of a request: its writer is where the reply goes to; of a reply: the request. Zeros where nothing is said.
+  /// For a request: its writer tells where the reply goes; for a reply: the request. Zeros if unknown.
   SampleId related;
 };
 

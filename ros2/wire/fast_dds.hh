@@ -10,7 +10,7 @@
 
 #include "ros2/wire/endpoint.hh"
 
-/// Between the types of Fast DDS and ours; for the sources of this folder.
+/// Conversions between types of Fast DDS and ours; only for the sources in this folder.
 namespace pongsim::ros2 {
 
 inline Guid guidOf(const eprosima::fastrtps::rtps::GUID_t& from) {
@@ -43,7 +43,7 @@ inline eprosima::fastrtps::TopicAttributes topicAttributesOf(const Contract& con
   return attributes;
 }
 
-/// As rmw_fastrtps does it: "typehash=RIHS01_...;", without a zero.
+/// In the form used by rmw_fastrtps: "typehash=RIHS01_...;", without a terminating zero.
 template <class EndpointQos>
 EndpointQos endpointQosOf(const Contract& contract, bool tellsHash) {
   namespace dds = eprosima::fastdds::dds;
@@ -68,8 +68,8 @@ inline eprosima::fastrtps::rtps::ReliabilityKind_t reliabilityOf(const Contract&
   return contract.qos.isReliable ? eprosima::fastrtps::rtps::RELIABLE : eprosima::fastrtps::rtps::BEST_EFFORT;
 }
 
-// Fast DDS has 3 s. Within a machine a packet is lost only where a socket of the receiver is full, as those with default
-// settings are of a picture, and is repaired at once.
+// Fast DDS's default is 3 s. On one machine a packet is lost only if a socket of the receiver is full, as happens with
+// images and default settings, and is then repaired immediately.
 inline const eprosima::fastrtps::Duration_t kHeartbeatPeriod{0, 3'000'000};
 inline const eprosima::fastrtps::Duration_t kAtOnce{0, 0};
 

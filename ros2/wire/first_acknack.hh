@@ -5,15 +5,16 @@
 
 namespace pongsim::ros2 {
 
-/// Makes requests for discovery data such that Fast DDS 2.9 answers them at once, in place.
+/// Modifies requests for discovery data so that Fast DDS 2.9 answers them immediately. Works in place.
 ///
-/// Who meets a participant asks what its writers of discovery have by an ACKNACK that acknowledges nothing and wants a
-/// heartbeat (RTPS 8.3.7.1). That of Cyclone DDS has the count 0, and Fast DDS drops what is not above the last one,
-/// which is 0 at first; and it asks from number 1 on, which Fast DDS answers with its next heartbeat, up to a second
-/// later. So the first request becomes one from 0 on, as Fast DDS sends it, and the counts of all are one more.
+/// A participant that discovers another one asks for the data of its discovery writers with an ACKNACK that
+/// acknowledges nothing and requests a heartbeat (RTPS 8.3.7.1). Cyclone DDS's first one has the count 0, and Fast DDS
+/// drops counts that do not exceed the last one, which is initially 0. It also asks from number 1 on, which Fast DDS
+/// answers only with its next heartbeat, up to a second later. So the first request is changed to ask from 0 on, as
+/// Fast DDS does, and all counts are increased by one.
 ///
-/// @param packet A message of RTPS, or any bytes.
-/// @return How many first requests there were.
+/// @param packet An RTPS message, or any bytes.
+/// @return The number of first requests found.
 std::size_t hastenFirstAcknacks(std::span<unsigned char> packet);
 
 }  // namespace pongsim::ros2

@@ -10,7 +10,7 @@
 
 namespace pongsim::ros2 {
 
-/// What the participants of the domain offer and want, as they tell it. Any thread may use it.
+/// The endpoints of the domain's participants, as they announce them. Any thread may use it.
 class Graph {
  public:
   enum class Role { kWriter, kReader };
@@ -24,12 +24,12 @@ class Graph {
   void add(const Endpoint& endpoint);
   void remove(const Guid& endpoint);
   void addParticipant(const Guid& participant);
-  /// With all its endpoints.
+  /// Including all its endpoints.
   void removeParticipant(const Guid& participant);
 
-  /// @return A number that is another one after each change.
+  /// @return A number that changes with every change.
   std::uint64_t version() const;
-  /// @return In the order of topics, then of ids.
+  /// @return Sorted by topic, then by id.
   std::vector<Endpoint> endpoints() const;
   std::vector<Guid> participants() const;
 

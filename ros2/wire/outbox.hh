@@ -13,17 +13,17 @@
 
 namespace pongsim::ros2 {
 
-/// Takes what is written to DDS on a thread of its own, in order, so that the simulation never waits for DDS, which
-/// holds a writer's lock while it sends. Any thread may use it.
+/// Passes samples to DDS on its own thread, in order, so that the simulation never waits for DDS, which holds a
+/// writer's lock while it sends. Any thread may use it.
 class Outbox {
  public:
-  /// Somewhere that samples go.
+  /// A destination of samples.
   class Target {
    public:
     virtual ~Target() = default;
-    /// Called from the outbox's thread. Takes the buffer.
+    /// Called from the outbox's thread. Takes ownership of the buffer.
     virtual void send(Buffer* buffer, const SampleId& related) = 0;
-    /// @return So many samples of it may wait; of more the oldest is dropped.
+    /// @return Maximum number of its samples in the queue; beyond that, the oldest is dropped.
     virtual std::size_t mostWaiting() const = 0;
 
    protected:
@@ -31,7 +31,7 @@ class Outbox {
 
    private:
     friend class Outbox;
-    /// Samples in the outbox. Guarded by the outbox's mutex, as is the next.
+    /// Samples in the outbox. Guarded by the outbox's mutex, like the next member.
     std::size_t waiting_ = 0;
     bool isSending_ = false;
     std::atomic<std::uint64_t> dropped_ = 0;
@@ -43,10 +43,10 @@ class Outbox {
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
 
-  /// Sends a buffer of `buffers()` after all that were added before it.
+  /// Sends a buffer of `buffers()` after all that were added before.
   void add(Target& target, Buffer* buffer, const SampleId& related);
   Buffers& buffers() { return buffers_; }
-  /// Waits until all that was added for the target has been sent.
+  /// Waits until everything added for the target has been sent.
   void flush(Target& target);
 
  private:

@@ -6,15 +6,15 @@
 
 namespace pongsim::ros2 {
 
-/// Quality of service of a writer or a reader, as far as ROS 2 speaks of it. History is always "keep last".
+/// Quality of service of a writer or a reader, as far as ROS 2 uses it. History is always "keep last".
 struct Qos {
-  /// Of a reader: whether it wants a reliable writer; a best-effort one takes what comes from either.
+  /// For readers: whether the writer must be reliable; a best-effort reader accepts either.
   bool isReliable = true;
-  /// Whether late readers get the last `depth` messages (transient local); of a reader: whether it asks for them.
+  /// Whether late readers get the last `depth` messages (transient local); for readers: whether it requests them.
   bool isTransientLocal = false;
-  /// So many messages are kept, at least 1.
+  /// Number of messages kept, at least 1.
   std::size_t depth = 10;
-  /// What is older is not sent any more to who comes late. Unset: for ever.
+  /// Older messages are no longer sent to late readers. Unset: no limit.
   std::optional<std::chrono::seconds> lifespan = std::nullopt;
   bool operator==(const Qos&) const = default;
 };
@@ -22,7 +22,7 @@ struct Qos {
 inline constexpr Qos kDefaultQos{};
 inline constexpr Qos kSensorQos{.isReliable = false, .depth = 5};
 inline constexpr Qos kLatchedQos{.isTransientLocal = true, .depth = 1};
-/// Takes messages of every writer.
+/// Accepts messages of every writer.
 inline constexpr Qos kAnyWriterQos{.isReliable = false, .depth = 10};
 
 }  // namespace pongsim::ros2

@@ -14,13 +14,13 @@ namespace pongsim::ros2 {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
-/// A topic's way in.
+/// A reader of a topic.
 class Reader final : private rtps::ReaderListener {
  public:
-  /// Called from a DDS thread with what other participants have sent, in order.
+  /// Called from a DDS thread with the samples of other participants, in order.
   using Received = std::function<void(const Sample&)>;
 
-  /// @throws std::runtime_error where DDS refuses.
+  /// @throws std::runtime_error if DDS fails.
   Reader(rtps::RTPSParticipant& participant, const Contract& contract, bool tellsHash, Received received);
   /// `received` is not called from then on.
   ~Reader() override;

@@ -9,16 +9,16 @@ namespace pongsim::ros2 {
 
 /// How nodes are secured.
 struct Security {
-  /// Unset: they are not.
+  /// Unset: not secured.
   std::optional<SecureIdentity> identity;
-  /// What the user should know about that, or empty.
+  /// A warning for the user, or empty.
   std::string warning;
 };
 
-/// @return What ROS_SECURITY_ENABLE, ROS_SECURITY_KEYSTORE, ROS_SECURITY_ENCLAVE_OVERRIDE and ROS_SECURITY_STRATEGY
-/// say, as rcl has it; where the first of them says nothing, what PONGSIM_SECURITY does.
-/// @param domain That of the nodes.
-/// @throws KeystoreError where they are to be secured and can't be.
+/// @return The security set by ROS_SECURITY_ENABLE, ROS_SECURITY_KEYSTORE, ROS_SECURITY_ENCLAVE_OVERRIDE and
+/// ROS_SECURITY_STRATEGY, with rcl's rules; if the first is not set, by PONGSIM_SECURITY.
+/// @param domain Domain of the nodes.
+/// @throws KeystoreError if nodes should be secured but can't be.
 Security securityOfEnvironment(int domain);
 
 }  // namespace pongsim::ros2

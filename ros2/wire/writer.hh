@@ -22,33 +22,33 @@ namespace pongsim::ros2 {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
-/// A topic's way out. A payload is written once, to the place from which DDS sends it to all readers. Whoever writes
-/// never waits: what a slow reader has not got is dropped as its depth says, and counted.
+/// A writer on a topic. A payload is written once, to the memory from which DDS sends it to all readers. Writing never
+/// blocks: samples that a slow reader has not received are dropped according to its depth, and counted.
 class Writer final : private rtps::WriterListener, private Outbox::Target {
  public:
-  /// @param readersChanged Called from a DDS thread when a reader comes or goes.
-  /// @param tellsHash Whether the type's hash is told.
-  /// @throws std::runtime_error where DDS refuses.
+  /// @param readersChanged Called from a DDS thread when a reader appears or disappears.
+  /// @param tellsHash Whether to announce the type's hash.
+  /// @throws std::runtime_error if DDS fails.
   Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contract& contract, bool tellsHash,
          std::function<void()> readersChanged);
-  /// Waits until DDS has all that was written.
+  /// Waits until DDS has everything that was written.
   ~Writer() override;
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
   const Guid& id() const { return id_; }
-  /// @return Whether anybody reads; cheap.
+  /// @return Whether there are readers; cheap.
   bool hasReaders() const { return readerCount_.load(std::memory_order_relaxed) > 0; }
   std::size_t readers() const { return readerCount_; }
   bool hasReader(const Guid& reader) const;
 
-  /// Sends a payload of so many bytes, which `fill` writes to its place.
-  /// @param related Of a reply: the request's; of a request: the reader of the reply.
+  /// Sends a payload of `size` bytes, which `fill` writes in place.
+  /// @param related For a reply: the request's; for a request: the reader of the reply.
   void write(std::size_t size, const Fill& fill, const SampleId& related = {});
 
-  /// @return Payloads written so far.
+  /// @return Number of payloads written so far.
   std::uint64_t sent() const { return sent_; }
-  /// @return Payloads that some reader did not get.
+  /// @return Number of payloads that some reader did not receive.
   std::uint64_t dropped() const { return dropped_ + droppedBeforeSending(); }
 
   /// Waits until all readers have acknowledged everything.

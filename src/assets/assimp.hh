@@ -6,8 +6,8 @@
 
 namespace pongsim::assets {
 
-/// What is used of Assimp's functions, by their names without `ai`. Its library is opened with the first mesh file:
-/// only worlds with meshes need it, and every command would wait for it.
+/// The functions of Assimp in use, without the prefix `ai`. The library is opened for the first mesh file: only worlds
+/// with meshes need it, and loading it would delay every command.
 struct Assimp {
   decltype(&aiCreatePropertyStore) createPropertyStore;
   decltype(&aiSetImportPropertyInteger) setImportPropertyInteger;
@@ -20,7 +20,7 @@ struct Assimp {
   decltype(&aiGetMaterialTexture) getMaterialTexture;
 };
 
-/// @throws std::runtime_error where its library can't be opened, saying what to install.
+/// @throws std::runtime_error if the library can't be opened, with what to install.
 const Assimp& assimp();
 
 }  // namespace pongsim::assets

@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".cache";
-/// A file is this, its content's length and hash in eight bytes each, the last one first, and the content.
+/// A file consists of this line, the content's length and hash in eight bytes each, least significant first, and the
+/// content.
 constexpr std::string_view kMagic = "pongsim cache 1\n";
 constexpr std::size_t kHeader = kMagic.size() + 16;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20U;
@@ -44,7 +45,7 @@ std::uint64_t hashOf(std::string_view bytes) {
   return hash.value();
 }
 
-/// A file descriptor that closes itself.
+/// A file descriptor, closed on destruction.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -55,7 +56,7 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
   int number() const { return number_; }
   bool isOpen() const { return number_ >= 0; }
-  /// @return Whether all that was written has arrived.
+  /// @return Whether everything was written successfully.
   bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
@@ -63,7 +64,7 @@ class Descriptor {
 };
 
 std::optional<std::string> readWhole(const fs::path& file) {
-  // no waiting for whoever might write to a pipe of that name
+  // do not block if the name is a pipe
   const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!open.isOpen() || ::fstat(open.number(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
@@ -79,7 +80,7 @@ std::optional<std::string> readWhole(const fs::path& file) {
   return bytes;
 }
 
-/// @return Why not; empty where all is written.
+/// @return Why it failed; empty on success.
 std::string writeWhole(const fs::path& file, std::string_view bytes) {
   Descriptor open(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   if (!open.isOpen()) return std::strerror(errno);
@@ -119,7 +120,7 @@ std::optional<std::string> FileCache::find(std::string_view name) const {
   const std::uint64_t hash = numberAt(*bytes, kMagic.size() + 8);
   bytes->erase(0, kHeader);
   if (hashOf(*bytes) != hash) return std::nullopt;
-  // what is used is not the oldest
+  // mark it as recently used
   std::error_code ignored;
   fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
   return bytes;
@@ -136,7 +137,7 @@ std::string FileCache::keep(std::string_view name, std::string_view bytes) const
   appendNumber(hashOf(bytes), whole);
   whole += bytes;
 
-  // a name of its own until all of it is there
+  // a unique name until it is complete
   static std::atomic<unsigned> count = 0;
   const fs::path file = folder_ / (std::string(name) + std::string(kEnding));
   fs::path draft = file;
@@ -164,7 +165,7 @@ void FileCache::prune() const {
   std::uintmax_t sum = 0;
   std::error_code error;
   for (fs::directory_iterator at(folder_, error), end; !error && at != end; at.increment(error)) {
-    // ours only; others may delete them meanwhile
+    // only our own files; other processes may delete them meanwhile
     if (at->path().filename().string().find(kEnding) == std::string::npos) continue;
     std::error_code gone;
     const Entry entry{at->last_write_time(gone), at->file_size(gone), at->path()};

@@ -8,26 +8,26 @@
 
 namespace pongsim::assets {
 
-/// What was worked out once and is kept for later runs, in files of a folder. Any number of processes may use the same
-/// folder at once, and anybody may empty it at any time.
+/// A folder of files that caches results for later runs. Any number of processes can share the folder, and anybody can
+/// empty it at any time.
 class FileCache {
  public:
-  /// @param folder Made when something is kept; empty: nothing is.
-  /// @param mostBytes When the files are more, the oldest ones go, down to three quarters of that.
+  /// @param folder Created when first needed; empty: nothing is cached.
+  /// @param mostBytes If the files exceed this, the oldest are deleted, down to three quarters of it.
   explicit FileCache(std::filesystem::path folder, std::uintmax_t mostBytes = std::uintmax_t{128} << 20U);
 
-  /// @return pongsim/meshes in $XDG_CACHE_HOME, or in ~/.cache where that is not an absolute path; empty where there is
-  /// neither.
+  /// @return pongsim/meshes in $XDG_CACHE_HOME, or in ~/.cache if that is not an absolute path; empty if neither
+  /// exists.
   static std::filesystem::path userFolder();
 
   const std::filesystem::path& folder() const { return folder_; }
 
   /// @param name Letters, digits, "-" and "_".
-  /// @return What was kept by that name; nothing where there is nothing, or where the file is not whole.
+  /// @return The content cached under the name; nothing if there is none, or if the file is incomplete.
   std::optional<std::string> find(std::string_view name) const;
 
-  /// Others see all of it or nothing.
-  /// @return Why it could not be kept; empty where it was.
+  /// Caches the content atomically: others see all of it or nothing.
+  /// @return Why it failed; empty on success.
   std::string keep(std::string_view name, std::string_view bytes) const;
 
  private:

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// More are told as a number.
+// Only the number of further ones is given.
 constexpr std::size_t kMostPlacesTold = 4;
 
 bool isThere(const fs::path& path) {
@@ -34,7 +34,7 @@ fs::path placeOf(const FuelAddress& address, const fs::path& cache) {
   return address.version ? folder / std::to_string(*address.version) : folder;
 }
 
-/// One search, in one place after the other.
+/// One search, through one place after the other.
 class Search {
  public:
   Search(std::string_view uri, const SourcePosition& position, Diagnostics& diagnostics)
@@ -64,7 +64,7 @@ class Search {
       fetch->bring({uri_});
       if (std::optional<fs::path> found = findInFuelCache(*address, cache)) return found;
     }
-    // a file of a model that is there: no download will bring it
+    // a missing file of a model that is in the cache: downloading will not help
     FuelAddress whole = *address;
     whole.file.clear();
     const std::optional<fs::path> model = address->file.empty() ? std::nullopt : findInFuelCache(whole, cache);
@@ -89,7 +89,7 @@ class Search {
   Diagnostics& diagnostics_;
 };
 
-/// @return Where `path` may be: in each of the folders, then in the current one.
+/// @return The possible locations of `path`: each of the folders, then the current one.
 std::vector<fs::path> candidates(const fs::path& path, const fs::path* first, const Places& places) {
   if (path.is_absolute()) return {path};
   std::vector<fs::path> all;

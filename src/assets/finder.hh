@@ -13,27 +13,27 @@
 
 namespace pongsim::assets {
 
-/// Finds what an address in a file names.
+/// Finds the file or folder that an address in a file refers to.
 ///
-/// The address is a path, absolute or relative to the folder of the file that it stands in, to one of the resource
-/// folders or to the current folder; "file://PATH"; "model://NAME" or "model://NAME/FILE", in the resource folders or
-/// the current one, where "package://", as URDF writes it, means the same; or that of a model or world on a Fuel
-/// server, which is looked for in the local cache, and downloaded into it where the finder may do that.
+/// An address is one of these: a path, either absolute or relative to the folder of the file with the address, to a
+/// resource folder, or to the current folder; "file://PATH"; "model://NAME" or "model://NAME/FILE", in the resource
+/// folders or the current one, with "package://", as URDF writes it, meaning the same; or the address of a model or
+/// world on a Fuel server, which is looked for in the local cache, and downloaded if the finder is allowed to.
 class Finder {
  public:
-  /// One that has no places to look in but paths and the current folder.
+  /// Only finds paths, and files in the current folder.
   Finder() = default;
   /// @param fetch Null: nothing is downloaded.
   explicit Finder(Places places, std::shared_ptr<FuelFetch> fetch = nullptr);
 
-  /// @param folder That of the file that the address stands in.
-  /// @param position Where the address stands.
-  /// @return The file or folder; nothing, and one error added, where there is none.
+  /// @param folder Folder of the file with the address.
+  /// @param position Position of the address in that file.
+  /// @return The file or folder; nothing, with one error, if there is none.
   std::optional<std::filesystem::path> operator()(std::string_view uri, const std::filesystem::path& folder,
                                                   const SourcePosition& position, Diagnostics& diagnostics) const;
 
-  /// Downloads at once what of these addresses is on a Fuel server and not in the cache, where the finder may: sooner
-  /// done side by side than one after the other.
+  /// Downloads those addresses that are on a Fuel server and not in the cache, if allowed. In parallel, this is faster
+  /// than one by one.
   void bring(const std::vector<std::string>& addresses) const;
 
  private:
@@ -41,10 +41,10 @@ class Finder {
   std::shared_ptr<FuelFetch> fetch_;
 };
 
-/// @return One that looks in these places, and downloads nothing.
+/// @return A finder for these places that downloads nothing.
 Finder finderIn(Places places);
 
-/// @return One that looks where the environment says now, and downloads what is on a Fuel server.
+/// @return A finder for the places set in the environment, which downloads from Fuel servers.
 Finder finderFromEnvironment();
 
 }  // namespace pongsim::assets

@@ -26,7 +26,7 @@ std::string lowerCase(std::string_view text) {
   return lower;
 }
 
-/// Turns "%20" into a space, and so on.
+/// Decodes "%20" to a space, and so on.
 std::string decoded(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -44,7 +44,7 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
-/// @return The parts between the slashes; nothing where one could lead out of the cache.
+/// @return The parts between the slashes; nothing if one could lead out of the cache.
 std::optional<std::vector<std::string>> partsOf(std::string_view path) {
   std::vector<std::string> parts;
   while (!path.empty()) {
@@ -60,7 +60,7 @@ std::optional<std::vector<std::string>> partsOf(std::string_view path) {
   return parts;
 }
 
-/// @return A version's number, from 1 up.
+/// @return The version number, at least 1.
 std::optional<int> versionFrom(std::string_view text) {
   const std::optional<long long> number = base::parseInteger(text);
   if (!number || *number < 1 || *number > 1'000'000) return std::nullopt;
@@ -76,13 +76,13 @@ bool isApiVersion(std::string_view text) {
   return dot != text.npos && isNumber(text.substr(0, dot)) && isNumber(text.substr(dot + 1));
 }
 
-/// @return Whether it is a server's name or number, with a port or without.
+/// @return Whether it is a server's name or IP address, with or without a port.
 bool isHost(std::string_view text) {
   return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-:[]_") == text.npos &&
          text != "." && text != "..";
 }
 
-/// Writes all but letters, digits and "-._~" as "%20" and so on: RFC 3986, 2.1.
+/// Encodes everything but letters, digits and "-._~" as "%20" and so on: RFC 3986, 2.1.
 std::string encoded(std::string_view text) {
   std::string safe;
   for (const char each : text) {

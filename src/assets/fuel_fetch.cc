@@ -24,10 +24,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// @return The program of this installation or build tree; empty where it is not installed.
+/// @return The program of this installation or build tree; empty if it is not installed.
 fs::path installedProgram() {
   std::error_code ignored;
-  // PREFIX/lib/libpongsim.so, PREFIX/lib/ARCHITECTURE/libpongsim.so or a program that holds the same
+  // PREFIX/lib/libpongsim.so, PREFIX/lib/ARCHITECTURE/libpongsim.so, or a program with the library built in
   fs::path folder = base::ownLibraryFile().parent_path();
   for (int up = 0; up < 3 && folder.has_relative_path(); ++up) {
     folder = folder.parent_path();
@@ -36,14 +36,14 @@ fs::path installedProgram() {
   return {};
 }
 
-/// @return The model or world that an address names something of, in a form that is the same for all its files.
+/// @return The model or world that an address belongs to, in a form that is the same for all its files.
 std::optional<std::string> resourceOf(const std::string& address) {
   const std::optional<FuelAddress> parsed = parseFuelAddress(address);
   if (!parsed) return std::nullopt;
   return parsed->url() + "/" + (parsed->version ? std::to_string(*parsed->version) : "tip");
 }
 
-/// A file descriptor that closes itself.
+/// A file descriptor, closed on destruction.
 class FuelPipeEnd {
  public:
   explicit FuelPipeEnd(int number) : number_(number) {}
@@ -60,7 +60,7 @@ class FuelPipeEnd {
   int number_;
 };
 
-/// Puts the text where a process can read it as its input, without anybody having to write while it does.
+/// Writes the text to a file that a process can then read as its input.
 bool fill(const FuelPipeEnd& file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(file.number(), text.data(), text.size());
@@ -81,8 +81,8 @@ std::string readAll(const FuelPipeEnd& file) {
   }
 }
 
-/// Starts a program with default signals: the caller may have blocked those that end it.
-/// @return 0, or what errno says.
+/// Starts a program with default signal handling, because the caller may have blocked the signals that end it.
+/// @return 0, or the value of errno.
 int spawn(const fs::path& program, int input, int output, ::pid_t& child) {
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;
@@ -98,7 +98,7 @@ int spawn(const fs::path& program, int input, int output, ::pid_t& child) {
   ::posix_spawnattr_setsigdefault(&attributes, &ending);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   std::string name = program.string(), action = "fetch", option = "-v";
-  // progress is for who wants to hear of anything
+  // progress is only shown to users who want log messages at all
   std::string level = logLevel() < LogLevel::kWarning ? "1" : "3";
   char* const arguments[] = {name.data(), action.data(), option.data(), level.data(), nullptr};
   const int error = ::posix_spawn(&child, name.c_str(), &files, &attributes, arguments, environ);
@@ -107,7 +107,7 @@ int spawn(const fs::path& program, int input, int output, ::pid_t& child) {
   return error;
 }
 
-/// @return What stands before the next tab, which is taken off.
+/// @return The text before the next tab, which is removed with it.
 std::string takeField(std::string_view& line) {
   const std::string_view field = line.substr(0, line.find('\t'));
   line.remove_prefix(std::min(field.size() + 1, line.size()));
@@ -152,7 +152,7 @@ void FuelFetch::run(const std::vector<std::string>& addresses) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  // a line for each that is settled: "ok ADDRESS" or "failed ADDRESS TAB WHY TAB ADVICE"
+  // one line for each finished address: "ok ADDRESS" or "failed ADDRESS TAB WHY TAB ADVICE"
   fail(WIFSIGNALED(status) ? "the download was interrupted" : "the download ended without a result");
   for (std::string_view rest = answer; !rest.empty();) {
     std::string_view line = rest.substr(0, rest.find('\n'));

@@ -11,19 +11,20 @@
 
 namespace pongsim::assets {
 
-/// Has a program download what is on Fuel servers and not in the local cache: pongsim-fuel, which is a package of its
-/// own, so that nothing else brings what a network needs. What it says of its progress goes to standard error.
+/// Downloads from Fuel servers what is missing in the local cache, by running pongsim-fuel. That program is a separate
+/// package, so that nothing else depends on network libraries. It reports progress on standard error.
 ///
-/// Each model is asked for once in the life of one of these.
+/// An object of this class requests each model only once.
 class FuelFetch {
  public:
   /// @param program Empty: that of this installation.
   explicit FuelFetch(Places places, std::filesystem::path program = {});
 
-  /// Downloads what of the addresses is not there, side by side. Those that are no Fuel addresses are passed over.
+  /// Downloads those addresses that are missing, in parallel. Ignores addresses that are not on Fuel.
   void bring(const std::vector<std::string>& addresses);
 
-  /// @return Why an address that is not in the cache could not be had: a sentence that begins with it, and advice.
+  /// @return Why an address that is not in the cache could not be downloaded: a sentence that starts with it, and
+  /// advice.
   Problem whyNot(const std::string& address) const;
 
  private:
@@ -31,7 +32,7 @@ class FuelFetch {
 
   Places places_;
   std::filesystem::path program_;
-  /// By model and version.
+  /// Keyed by model and version.
   std::set<std::string> asked_;
   std::map<std::string, Problem> failed_;
 };

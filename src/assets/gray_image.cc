@@ -8,7 +8,7 @@ namespace pongsim::assets {
 
 std::variant<GrayImage, Problem> readGrayImage(const std::filesystem::path& file) {
   PngImage png;
-  // 16 bits become 8 as they are, without a change of brightness
+  // 16 bits become 8 without a conversion of brightness
   auto read = readRgba(file, kMostPixels, PNG_IMAGE_FLAG_16BIT_sRGB, png);
   if (auto* problem = std::get_if<Problem>(&read)) return std::move(*problem);
   const auto& channels = std::get<0>(read);

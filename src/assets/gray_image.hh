@@ -10,7 +10,7 @@
 
 namespace pongsim::assets {
 
-/// The red channel of an image, which in a grey one is the grey.
+/// The red channel of an image; for a grey image, its brightness.
 struct GrayImage {
   std::size_t width = 0;
   std::size_t height = 0;

@@ -12,8 +12,8 @@ namespace {
 
 using description::TriangleMesh;
 
-/// The ground of an image as Fortress makes it: black at z = 0, the brightest pixel at the size's z, the image's top
-/// towards y. A pixel is as wide as the size divided by the number of pixels.
+/// The terrain of an image as Fortress makes it: black at z = 0, the brightest pixel at the size's z, the top of the
+/// image towards +y. A pixel's width is the size divided by the number of pixels.
 TriangleMesh groundOf(const GrayImage& image, const Vector3& size, const Vector3& position) {
   const double brightest = std::max<double>(1, *std::ranges::max_element(image.pixels));
   const double stepX = size.x() / static_cast<double>(image.width);

@@ -10,8 +10,8 @@
 namespace pongsim::assets {
 
 /// Reads the image of a heightmap, a PNG file.
-/// @param size Of the ground, from black to the brightest pixel [m].
-/// @param position Of its middle, at the height of black [m].
+/// @param size Size of the terrain; z is from black to the brightest pixel [m].
+/// @param position Position of its centre, at the height of black [m].
 std::variant<description::TriangleMesh, Problem> readGround(const std::filesystem::path& file, const Vector3& size,
                                                             const Vector3& position);
 

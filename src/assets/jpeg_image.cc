@@ -10,18 +10,18 @@
 
 #include <jpeglib.h>
 
-// behind the library's own header, which it needs
+// after the library's own header, which it requires
 #include <jerror.h>
 
 namespace pongsim::assets {
 
 namespace {
 
-// of a progressive file; real ones have a dozen. Each costs a pass over the picture
+// for progressive files; real ones have a dozen. Each takes a pass over the image
 constexpr int kMostScans = 100;
 
-/// One file that libjpeg reads. The library leaves by `longjmp` where something is wrong, to where one of the functions
-/// called it; these hold nothing that would have to be destroyed.
+/// A file being read by libjpeg. On errors the library jumps by `longjmp` to the member function that called it; these
+/// functions have no local objects with destructors.
 class JpegReader {
  public:
   explicit JpegReader(const std::filesystem::path& file) : file_(std::fopen(file.c_str(), "rb")) {
@@ -37,7 +37,7 @@ class JpegReader {
   JpegReader(const JpegReader&) = delete;
   JpegReader& operator=(const JpegReader&) = delete;
 
-  /// @return Whether it has one; else `said` tells why not, here and below.
+  /// @return Whether it has one; if not, `said` has the reason, here and below.
   bool readHeader() {
     if (file_ == nullptr) return false;
     if (setjmp(errors_.back) != 0) return false;
@@ -48,7 +48,7 @@ class JpegReader {
     return true;
   }
 
-  /// @param pixels Four bytes each: as `Picture` has them, or inks.
+  /// @param pixels Four bytes each: as in `Picture`, or inks.
   bool readPixels(std::span<std::uint8_t> pixels) {
     if (setjmp(errors_.back) != 0) return false;
     info_.out_color_space = isOfInks() ? JCS_CMYK : JCS_EXT_RGBA;
@@ -62,7 +62,7 @@ class JpegReader {
   }
 
   bool isOfInks() const { return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK; }
-  /// Adobe's programs write how much ink is missing rather than how much there is.
+  /// Adobe's programs store the missing amount of ink rather than the amount present.
   bool areInksInverted() const { return info_.saw_Adobe_marker != 0; }
   std::size_t width() const { return info_.image_width; }
   std::size_t height() const { return info_.image_height; }
@@ -76,13 +76,13 @@ class JpegReader {
   };
 
   [[noreturn]] static void leave(j_common_ptr info) {
-    // the manager is the first member, which is how the library means it to be extended
+    // the error manager is the first member, as the library intends for extensions
     auto& errors = *reinterpret_cast<Errors*>(info->err);
     errors.manager.format_message(info, errors.text.data());
     std::longjmp(errors.back, 1);
   }
 
-  /// Of damage the library warns only, and fills in grey. Two of its warnings are not about damage.
+  /// On damaged files the library only warns, and fills in grey. Two of its warnings are not about damage.
   static void judge(j_common_ptr info, int level) {
     const int code = info->err->msg_code;
     if (level < 0 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM) leave(info);
@@ -101,7 +101,7 @@ class JpegReader {
   jpeg_decompress_struct info_{};
 };
 
-/// Makes colours of inks: each takes its share of the light away, black all of them.
+/// Converts inks to colours: each ink removes its share of the light, black removes it from all colours.
 void makeColors(std::span<std::uint8_t> pixels, bool areInverted) {
   for (std::size_t i = 0; i < pixels.size(); i += 4) {
     if (!areInverted) {

@@ -9,9 +9,8 @@
 
 namespace pongsim::assets {
 
-/// Reads a JPEG file: of colours, grey or of inks (CMYK), whose colours are reckoned without a profile; progressive or
-/// not.
-/// @return The picture, opaque, or why it can't be had. A file that is cut off or spoiled is refused, not guessed at.
+/// Reads a JPEG file: colour, grey or inks (CMYK, converted without a colour profile), progressive or not.
+/// @return The picture, opaque, or why it can't be read. Truncated and damaged files are rejected, not guessed at.
 std::variant<Picture, Problem> readJpeg(const std::filesystem::path& file, std::size_t mostPixels);
 
 }  // namespace pongsim::assets

@@ -11,14 +11,14 @@ namespace pongsim::assets {
 
 namespace {
 
-/// Triangles and nothing else: no normals, colours, materials, animations.
+/// Keeps only triangles: no normals, colours, materials, animations.
 constexpr unsigned kSteps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
                             aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure;
 constexpr int kDropped = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
                          aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
                          aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS;
 
-/// Copies the meshes of a scene, as its nodes place them.
+/// Copies the meshes of a scene, placed by its nodes.
 class SceneCopier {
  public:
   explicit SceneCopier(const aiScene& scene) : scene_(scene) {}
@@ -38,7 +38,7 @@ class SceneCopier {
 
  private:
   void copyMesh(const aiMesh& from, const aiNode& node, const aiMatrix4x4& X_FileNode) {
-    // a node may place the same mesh many times
+    // a node can place the same mesh many times
     triangleCount_ += from.mNumFaces;
     isTooLarge_ = triangleCount_ > kMostTriangles;
     if (isTooLarge_) return;

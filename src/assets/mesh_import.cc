@@ -54,7 +54,7 @@ std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& fil
     return Problem{"is larger than " + std::to_string(kLargestMeshFile >> 20U) + " MiB, which is the limit", {}};
   }
   try {
-    // what went wrong Assimp keeps for the whole process
+    // Assimp keeps error messages for the whole process
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     const auto settings = importSettings(dropped);

@@ -14,12 +14,12 @@ struct ReleaseImport {
 };
 using ImportedScene = std::unique_ptr<const aiScene, ReleaseImport>;
 
-/// Nodes that are deeper in a file are left out.
+/// Nodes nested deeper than this are left out.
 inline constexpr int kDeepestNode = 500;
 
-/// Reads a mesh file of a kind that `readMeshFile` takes, and not larger than it allows.
-/// @param dropped What is not wanted of it, as Assimp's `aiComponent`.
-/// @param steps What Assimp is to do with it, as `aiPostProcessSteps`.
+/// Reads a mesh file of a kind and size that `readMeshFile` accepts.
+/// @param dropped What to drop, as Assimp's `aiComponent`.
+/// @param steps Assimp's processing steps, as `aiPostProcessSteps`.
 std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& file, int dropped, unsigned steps);
 
 }  // namespace pongsim::assets

@@ -30,8 +30,8 @@ description::Color colorOf(const aiMaterial& material, const char* key, const de
   return {color.r, color.g, color.b, 1};
 }
 
-/// @return The file of the picture that goes over it: beside the mesh, or where models have their pictures, as Fortress
-/// looks; nothing where there is none. Pictures within the mesh's own file are not read.
+/// @return The texture file: next to the mesh, or in the folder where models have their textures, as in Fortress;
+/// nothing if there is none. Textures embedded in the mesh file are not read.
 std::filesystem::path textureOf(const aiMaterial& material, const std::filesystem::path& folder) {
   for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
     aiString name;
@@ -50,7 +50,7 @@ std::filesystem::path textureOf(const aiMaterial& material, const std::filesyste
 std::optional<Material> materialOf(const aiMaterial& from, const std::filesystem::path& folder) {
   aiString name;
   assimp().getMaterialString(&from, "?mat.name", 0, 0, &name);
-  // what Assimp adds to files without materials
+  // Assimp's placeholder for files without materials
   if (name.C_Str() == std::string_view(AI_DEFAULT_MATERIAL_NAME)) return std::nullopt;
   Material material;
   material.diffuse = colorOf(from, "$clr.diffuse", {0.7F, 0.7F, 0.7F, 1});
@@ -66,7 +66,7 @@ std::optional<Material> materialOf(const aiMaterial& from, const std::filesystem
   return material;
 }
 
-/// Copies the wanted meshes of a scene, as its nodes place them.
+/// Copies the wanted meshes of a scene, placed by its nodes.
 class LookCopier {
  public:
   LookCopier(const aiScene& scene, const std::string& submesh, std::filesystem::path folder)
@@ -126,7 +126,7 @@ class LookCopier {
   bool isFinite_ = true;
 };
 
-/// Moves the middle of all to the origin.
+/// Moves the centre of everything to the origin.
 void center(std::vector<MeshLook>& looks) {
   Eigen::AlignedBox3f box;
   for (const MeshLook& look : looks) {

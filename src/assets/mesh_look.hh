@@ -13,29 +13,30 @@
 
 namespace pongsim::assets {
 
-/// A part of a mesh file as it is drawn, where the file places it [m].
+/// A part of a mesh file as it is drawn, placed as in the file [m].
 struct MeshLook {
   struct Corner {
     Eigen::Vector3f position;
-    /// Of length one.
+    /// Unit vector.
     Eigen::Vector3f normal;
-    /// In the texture: from the left and from the top, 1 being its size.
+    /// Texture coordinates, from the left and from the top; 1 is the full size.
     Eigen::Vector2f coordinates{0, 0};
   };
-  /// As `MeshPart`'s.
+  /// See `MeshPart`.
   std::string nodeName;
   std::string meshName;
   std::vector<Corner> corners;
-  /// Indices of corners, three for each triangle.
+  /// Vertex indices, three for each triangle.
   std::vector<std::uint32_t> triangles;
-  /// Nothing where the file gives none.
+  /// Nothing if the file has none.
   std::optional<description::Material> material;
 };
 
-/// Reads a mesh as `readMeshFile` does, with normals, which are made where it has none, with texture coordinates, and
-/// with its materials: their colours and the files of their textures.
-/// @param submesh Name of the one part that is wanted; empty: all.
-/// @param isCentered The part's bounding box gets its centre in the origin. Of no effect on the whole.
+/// Reads a mesh like `readMeshFile`, with normals (computed if the file has none), texture coordinates, and its
+/// materials: their colours and texture files.
+/// @param submesh Name of the part to read; empty: all.
+/// @param isCentered Whether to move the centre of the part's bounding box to the origin. Has no effect on the whole
+/// mesh.
 std::variant<std::vector<MeshLook>, Problem> readMeshLook(const std::filesystem::path& file, const std::string& submesh,
                                                           bool isCentered);
 

@@ -12,14 +12,15 @@
 
 namespace pongsim::assets {
 
-/// Meshes by their files, each of which is read once.
+/// Meshes by file, each read once.
 class MeshStore {
  public:
   using Found = std::variant<std::shared_ptr<const description::TriangleMesh>, Problem>;
 
-  /// @param submesh Name of the one part that is wanted; empty: all parts as one.
-  /// @param isCentered The part's bounding box gets its centre in the origin. Of no effect on the whole.
-  /// @return The same mesh for the same question.
+  /// @param submesh Name of the part to use; empty: all parts as one.
+  /// @param isCentered Whether to move the centre of the part's bounding box to the origin. Has no effect on the whole
+  /// mesh.
+  /// @return The same mesh for the same arguments.
   Found find(const std::filesystem::path& file, const std::string& submesh, bool isCentered);
 
  private:

@@ -12,11 +12,11 @@ namespace pongsim::assets {
 
 namespace {
 
-// what files begin with
+// signatures at the start of files
 constexpr std::string_view kPngStart = "\x89PNG";
 constexpr std::string_view kJpegStart = "\xFF\xD8\xFF";
 
-/// @return The first bytes of a file, as many as a start may have; fewer where it has no more.
+/// @return The first bytes of a file, enough for any signature; fewer if it is shorter.
 std::string startOf(const std::filesystem::path& file) {
   std::string start(4, '\0');
   std::ifstream stream(file, std::ios::binary);
@@ -28,7 +28,7 @@ std::string startOf(const std::filesystem::path& file) {
 }  // namespace
 
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file) {
-  // names lie: many a PNG of a model is called .jpg
+  // the signature counts, because many a model's PNG is called .jpg
   const std::string start = startOf(file);
   if (start.starts_with(kJpegStart)) return readJpeg(file, kMostPicturePixels);
   if (!start.starts_with(kPngStart)) {

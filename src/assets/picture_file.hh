@@ -12,7 +12,7 @@
 
 namespace pongsim::assets {
 
-/// An image in colours (sRGB).
+/// A colour image (sRGB).
 struct Picture {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -20,14 +20,14 @@ struct Picture {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Pictures with more pixels are refused.
+/// Images with more pixels are refused.
 inline constexpr std::size_t kMostPicturePixels = std::size_t{4096} * 4096;
 
-/// Reads a PNG or JPEG file, whatever it is called.
+/// Reads a PNG or JPEG file; its name does not matter.
 std::variant<Picture, Problem> readPicture(const std::filesystem::path& file);
 
-/// Writes a PNG file, in place of one that is there.
-/// @param pixels Red, green, blue: three times width times height, row by row from the top.
+/// Writes a PNG file, replacing an existing one.
+/// @param pixels Red, green, blue: 3 * width * height values, row by row from the top.
 /// @return Why it can't be written, or nothing.
 std::optional<Problem> writePicture(const std::filesystem::path& file, std::size_t width, std::size_t height,
                                     std::span<const std::uint8_t> pixels);

@@ -10,7 +10,7 @@ namespace pongsim::assets {
 
 namespace {
 
-// Fortress appends the resource paths to SDF_PATH, for what is included, and to IGN_FILE_PATH, for meshes and pictures.
+// Fortress appends its resource paths to SDF_PATH, for includes, and to IGN_FILE_PATH, for meshes and textures.
 constexpr const char* kVariables[] = {"PONGSIM_RESOURCE_PATH", "SDF_PATH", "IGN_GAZEBO_RESOURCE_PATH",
                                       "GZ_SIM_RESOURCE_PATH", "IGN_FILE_PATH"};
 

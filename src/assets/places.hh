@@ -5,15 +5,15 @@
 
 namespace pongsim::assets {
 
-/// Where files that others name are looked for.
+/// Where to look for the files that other files refer to.
 struct Places {
-  /// Folders that hold models and worlds, in the order of the search.
+  /// Folders that contain models and worlds, in search order.
   std::vector<std::filesystem::path> folders;
-  /// The local copy of Fuel's models: HOST/OWNER/models/NAME/VERSION. Empty: there is none.
+  /// The local cache of Fuel models: HOST/OWNER/models/NAME/VERSION. Empty: none.
   std::filesystem::path fuelCache;
 
-  /// Reads PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH and IGN_FILE_PATH, folders
-  /// with ":" between them, in this order; then IGN_FUEL_CACHE_PATH, in place of HOME/.ignition/fuel.
+  /// Reads PONGSIM_RESOURCE_PATH, SDF_PATH, IGN_GAZEBO_RESOURCE_PATH, GZ_SIM_RESOURCE_PATH and IGN_FILE_PATH in this
+  /// order, each a list of folders separated by ":"; then IGN_FUEL_CACHE_PATH, which replaces HOME/.ignition/fuel.
   static Places fromEnvironment();
 };
 

@@ -23,8 +23,8 @@ struct PngImage {
 };
 
 /// Reads a file into `png`.
-/// @param flags Of libpng's PNG_IMAGE_FLAG_*: how to take it.
-/// @return Its pixels row by row from the top, red, green, blue and opacity each.
+/// @param flags libpng's PNG_IMAGE_FLAG_*: how to read it.
+/// @return Its pixels row by row from the top: red, green, blue and opacity of each.
 std::variant<std::vector<std::uint8_t>, Problem> readRgba(const std::filesystem::path& file, std::size_t mostPixels,
                                                           png_uint_32 flags, PngImage& png);
 

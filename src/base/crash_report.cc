@@ -15,20 +15,20 @@ namespace pongsim::base {
 
 namespace {
 
-/// Who runs on a thread.
+/// What runs on a thread.
 struct Running {
-  /// 0: of no thread.
+  /// 0: the entry is free.
   std::atomic<long> thread = 0;
   std::atomic<const char*> name = nullptr;
   std::atomic<const char*> doing = nullptr;
 };
 
-// A handler of signals gets at nothing but this: a process has one set of them. More threads than that, and a crash of
-// one is put down to nobody.
+// Global, because a signal handler has access to nothing else, and a process has one set of handlers. If more threads
+// than this are running, a crash on one of the others names no part.
 constexpr std::size_t kMostThreads = 256;
 std::array<Running, kMostThreads> running;
 
-/// A thread's place among them, for as long as it lives.
+/// A thread's entry in the table, for the lifetime of this object.
 class Place {
  public:
   Place() {
@@ -71,7 +71,7 @@ std::array<Crash, 5> crashes = {{{SIGSEGV, "SIGSEGV", {}},
                                  {SIGILL, "SIGILL", {}},
                                  {SIGABRT, "SIGABRT", {}}}};
 
-/// One line, put together and written without anything that a handler of signals may not call.
+/// A line of output, assembled and written using only calls allowed in signal handlers.
 class Line {
  public:
   Line& operator<<(const char* text) {
@@ -103,7 +103,7 @@ void report(int signal) {
     line.write();
     sigaction(signal, &crash.before, nullptr);
   }
-  // comes when this function has returned, to whoever saw to it before
+  // delivered after this function returns, to whatever handled it before
   raise(signal);
 }
 
@@ -125,7 +125,7 @@ RunningPart::~RunningPart() {
 
 CrashStack::CrashStack() {
   stack_t there{};
-  // a sanitizer has one of its own
+  // a sanitizer has its own
   if (sigaltstack(nullptr, &there) != 0 || (there.ss_flags & SS_DISABLE) == 0) return;
   constexpr std::size_t kSize = 64 * 1024;
   memory_ = std::make_unique<std::byte[]>(kSize);
@@ -143,7 +143,7 @@ CrashStack::~CrashStack() {
 }
 
 void reportCrashes() {
-  // of the main thread, to the end of the process
+  // for the main thread, until the process ends
   static const CrashStack* const stack = new CrashStack;
   static_cast<void>(stack);
   for (Crash& crash : crashes) {

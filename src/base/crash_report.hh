@@ -5,14 +5,13 @@
 
 namespace pongsim::base {
 
-/// Tells who runs on this thread, so that a crash can be put down to somebody. A crash of a thread without one is put
-/// down to nobody.
+/// Records what runs on this thread, so that a crash report can name it. Without one, the report names no part.
 class RunningPart {
  public:
-  /// @param name Who runs: "the system my-system of robot". Must outlive this.
-  /// @param doing What: "in preUpdate".
+  /// @param name The part: "the system my-system of robot". Must outlive this.
+  /// @param doing What it does: "in preUpdate".
   RunningPart(const char* name, const char* doing);
-  /// Whoever ran before does so again.
+  /// Restores the part that ran before.
   ~RunningPart();
   RunningPart(const RunningPart&) = delete;
   RunningPart& operator=(const RunningPart&) = delete;
@@ -22,8 +21,8 @@ class RunningPart {
   const char* doing_;
 };
 
-/// A place for this thread to report a crash from, for an overflow of the stack leaves none on it. To end on the thread
-/// on which it was made.
+/// An alternate signal stack, from which this thread can report a crash after a stack overflow. Must be destroyed on
+/// the thread that created it.
 class CrashStack {
  public:
   CrashStack();
@@ -35,9 +34,9 @@ class CrashStack {
   std::unique_ptr<std::byte[]> memory_;
 };
 
-/// From now on a crash of the process (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) is said on stderr, in one line that
-/// names the part that runs. Then it goes on as it would have. Threads beside the main
-/// one need a `CrashStack` for overflows of their stacks.
+/// Makes crashes of the process (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) print one line on stderr with the part that
+/// was running; then the crash proceeds as usual. Threads other than the main one need a `CrashStack` to report stack
+/// overflows.
 void reportCrashes();
 
 }  // namespace pongsim::base

@@ -10,7 +10,7 @@ namespace pongsim {
 
 namespace {
 
-// Of forces [N] and torques [N m]: what a message may ask for, too (`kLargestForce` in pongsim/commands.hh).
+// Limit for forces [N] and torques [N m]; the same as for messages (`kLargestForce` in pongsim/commands.hh).
 constexpr double kLargestForce = 1e8;
 
 std::string textOf(double value) {
@@ -20,7 +20,7 @@ std::string textOf(double value) {
   return text;
 }
 
-/// @return What stands in the target at first, as text; empty where there is nothing.
+/// @return The target's initial value as text; empty if there is none.
 std::string defaultOf(const Parameter::Target& target) {
   struct Tell {
     std::string operator()(const double* value) const { return textOf(*value); }
@@ -119,7 +119,7 @@ void Parameter::read(const Element& plugin) const {
     if (std::holds_alternative<std::monostate>(target_)) {
       isGiven = true;
     } else if (!element.text.empty() && (!isGiven || isRepeated())) {
-      // as Fortress, of several where one is meant the first
+      // if one value is expected and there are several, the first counts, as in Fortress
       isGiven = true;
       readElement(element);
     }
@@ -218,10 +218,10 @@ bool Declaration::read(const Element& plugin, std::string_view system, Diagnosti
 }
 
 void Declaration::warnOfUnknown(const Element& plugin, std::string_view system, Diagnostics& diagnostics) const {
-  // a system that says nothing of itself may read what it likes
+  // a system without a declaration may read what it likes
   if (text_.empty() && parameters_.empty()) return;
   for (const Element& element : plugin.children) {
-    // a name with a prefix is an addition of somebody else's
+    // a name with a prefix is somebody else's extension
     if (std::ranges::find(parameters_, element.name, &Parameter::name) != parameters_.end() ||
         element.name.find(':') != std::string::npos) {
       continue;

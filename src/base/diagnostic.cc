@@ -7,11 +7,11 @@ namespace pongsim {
 
 namespace {
 
-// Of a longer line a part of this many letters is shown, half of them before the mark.
+// Of a longer line, this many characters are shown, half of them before the marker.
 constexpr std::size_t kWidest = 120;
 constexpr std::size_t kBeforeMark = 60;
 
-/// @return "world.sdf:41:9:", or nothing where there is no file.
+/// @return "world.sdf:41:9:"; empty if there is no file.
 std::string format(const SourcePosition& position) {
   if (!position.file) return {};
   std::string text = *position.file + ":";
@@ -20,7 +20,7 @@ std::string format(const SourcePosition& position) {
   return text;
 }
 
-// What makes a terminal write in bold, bold red, bold magenta, bold green, and as before.
+// Terminal escapes for bold, bold red, bold magenta, bold green, and reset.
 constexpr std::string_view kBold = "\x1b[1m";
 constexpr std::string_view kRed = "\x1b[1;31m";
 constexpr std::string_view kMagenta = "\x1b[1;35m";
@@ -52,7 +52,7 @@ std::string otherLines(const Diagnostic& diagnostic) {
 
 bool continuesLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80; }
 
-/// @return `text` with nothing in it that would move a terminal's cursor.
+/// @return `text` without characters that would move a terminal's cursor.
 std::string printable(std::string_view text) {
   std::string shown(text);
   for (char& byte : shown) {
@@ -61,8 +61,8 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
-/// @return The line and the mark under its letter number `wanted`, counted from 1; nothing where there is no such
-/// letter.
+/// @return The line, with the marker below its character number `wanted`, counted from 1; nothing if there is no such
+/// character.
 std::string marked(const SourceExcerpt& source, int wanted, bool hasColors) {
   const std::string_view line = source.text;
   if (wanted < source.firstColumn) return {};
@@ -72,7 +72,7 @@ std::string marked(const SourceExcerpt& source, int wanted, bool hasColors) {
     if (!continuesLetter(line[i])) letters.push_back(i);
   }
   if (column > letters.size()) return {};
-  // a part of a long line is shown as if the whole of it were there
+  // a section of a long line is shown as if it were the whole line
   const std::size_t first =
       static_cast<std::size_t>(wanted) > kWidest ? std::max(column, kBeforeMark + 1) - 1 - kBeforeMark : 0;
   const std::size_t last = std::min(letters.size(), first + kWidest);

@@ -8,7 +8,7 @@ namespace pongsim {
 
 namespace {
 
-// Below this turn [rad] a step is taken as straight.
+// Below this rotation [rad], a step counts as straight.
 constexpr double kStraightAhead = 1e-6;
 
 }  // namespace

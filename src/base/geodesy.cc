@@ -8,12 +8,12 @@ namespace pongsim {
 
 namespace {
 
-// WGS84: half the diameter at the equator [m], flattening, and the square of the first eccentricity that follows
+// WGS84: equatorial radius [m], flattening, and the square of the first eccentricity that follows from it
 constexpr double kRadius = 6378137.0;
 constexpr double kFlattening = 1 / 298.257223563;
 constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);
 
-/// Radius of curvature across the meridian [m].
+/// Radius of curvature in the prime vertical [m].
 double curvature(double latitude) {
   const double sine = math::sin(latitude);
   return kRadius / std::sqrt(1 - kEccentricity2 * sine * sine);
@@ -28,8 +28,8 @@ Vector3 toEarth(const GeodeticPosition& place) {
 
 GeodeticPosition fromEarth(const Vector3& position) {
   const double across = math::hypot(position.x(), position.y());
-  // each round is some 1/150 of the error before; Hofmann-Wellenhof, Lichtenegger, Collins: GPS, Theory and Practice,
-  // 10.2.1, with the height taken so that it is good at the poles, too
+  // each iteration reduces the error by a factor of about 150; Hofmann-Wellenhof, Lichtenegger, Collins: GPS, Theory
+  // and Practice, 10.2.1, with a formula for the height that also works at the poles
   double latitude = math::atan2(position.z(), across * (1 - kEccentricity2));
   for (int i = 0; i < 10; ++i) {
     latitude = math::atan2(position.z() + kEccentricity2 * curvature(latitude) * math::sin(latitude), across);

@@ -6,7 +6,7 @@
 
 namespace pongsim::base {
 
-/// FNV-1a with 64 bits (Fowler, Noll, Vo; RFC 9923): the same number on every machine.
+/// FNV-1a with 64 bits (Fowler, Noll, Vo; RFC 9923): gives the same number on every machine.
 class Hash {
  public:
   void add(std::uint64_t bits) {

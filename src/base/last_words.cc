@@ -13,17 +13,17 @@ namespace pongsim::base {
 
 namespace {
 
-// Some ends have no exception any more that tells.
+// In some cases no exception is left that would tell.
 std::atomic<bool> hasMemoryFailed = false;
 
-// The library's, which says of what exception it is and ends with SIGABRT.
+// The library's handler, which prints the exception and aborts with SIGABRT.
 std::terminate_handler endAsBefore = std::abort;
 
 void write(const char* text) {
   if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;
 }
 
-/// Nothing here takes memory.
+/// Allocates no memory.
 [[noreturn]] void endFor(const char* what) {
   write("pongsim: error: can't go on: ");
   write(what);

@@ -2,9 +2,9 @@
 
 namespace pongsim::base {
 
-/// From now on, where memory, threads or other resources run out within something that must not fail (a destructor, a
-/// function of a library), the process says so on stderr and ends with code 1. What else has no way out ends it as
-/// before, with SIGABRT. For the whole process.
+/// Installs a handler for memory, threads or other resources running out where failure is not allowed (in a destructor,
+/// in a library function): the process then says so on stderr and exits with code 1. Any other unhandled exception
+/// still ends it with SIGABRT. Applies to the whole process.
 void sayLastWords();
 
 }  // namespace pongsim::base

@@ -11,7 +11,7 @@ namespace pongsim {
 
 namespace {
 
-/// The process has one stderr, so it has one of these.
+/// Global, because the process has one stderr.
 spdlog::logger& standardError() {
   static spdlog::logger logger = [] {
     spdlog::logger made("pongsim", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());

@@ -16,18 +16,18 @@ struct LogSink::State {
 
 namespace {
 
-/// What a sink has, for this file, which may not name its private type.
+/// A sink's data in a form that this file can name; the sink's own type is private.
 struct Entry {
   const void* owner;
   LogLevel level;
   const LogSink::Heard* heard;
 };
 
-/// Loggers speak for the whole process, so it has one list of who hears them.
+/// All registered sinks; global, because loggers serve the whole process.
 struct Sinks {
   std::shared_mutex mutex;
   std::vector<Entry> entries;
-  /// Of all, so that what nobody hears costs a look.
+  /// The most verbose level of all sinks, so that a message nobody listens to costs only a check.
   std::atomic<LogLevel> level = LogLevel::kNone;
 
   void findLevel() {
@@ -37,7 +37,7 @@ struct Sinks {
   }
 };
 
-/// Never destroyed, for threads may speak while the process ends.
+/// Never destroyed, because threads may log while the process exits.
 Sinks& sinks() {
   static auto* all = new Sinks;
   return *all;
@@ -70,7 +70,7 @@ void tellSinks(const LogRecord& record) {
     try {
       (*entry.heard)(record);
     } catch (...) {
-      // who speaks is not to fail for who listens, and to speak of it would be heard again
+      // a failing listener must not make the logging code fail, and logging the failure would reach the listener again
     }
   }
   isTelling = false;

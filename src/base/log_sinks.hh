@@ -4,7 +4,7 @@
 
 namespace pongsim {
 
-/// Hands a message to the sinks that want it; next to nothing where there are none.
+/// Passes a message to the sinks that want it; costs almost nothing if there are none.
 void tellSinks(const LogRecord& record);
 
 }  // namespace pongsim

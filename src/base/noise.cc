@@ -18,8 +18,8 @@ void Noise::begin(Time time, double dt) {
   if (!stream_) return;
   draws_ = stream_->at(static_cast<std::uint64_t>(time.count()));
 
-  // Ornstein-Uhlenbeck, exact for any dt. Gillespie, Exact numerical simulation of the Ornstein-Uhlenbeck process and
-  // its integral, Phys. Rev. E 54, 1996; with the variance that Fortress gives it
+  // Ornstein-Uhlenbeck process, exact for any dt, with Fortress's variance. Gillespie, Exact numerical simulation of
+  // the Ornstein-Uhlenbeck process and its integral, Phys. Rev. E 54, 1996
   const double deviation = settings_.dynamicBiasStandardDeviation;
   const double tau = settings_.dynamicBiasCorrelationTime;
   if (deviation > 0 && tau > 0 && dt > 0) {

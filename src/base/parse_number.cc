@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
 }
 
-/// @return Whether the decimal number `digits`, out of a double's range, is so because it is too large.
+/// @return Whether the decimal number `digits`, which is out of a double's range, is too large rather than too small.
 bool isTooLarge(std::string_view digits) {
   const std::size_t exponent = digits.find_first_of("eE");
   if (exponent == std::string_view::npos) return digits.find_first_not_of("-0.") < digits.find('.');

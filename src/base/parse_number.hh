@@ -6,16 +6,16 @@
 
 namespace pongsim::base {
 
-/// Reads a number, whatever the locale says: "1.5", "+3", "-1.79769e+308", "inf", "-INF", "nan", " 2 ". A number too
-/// large becomes infinite, one too small zero.
-/// @return Nothing where the text, white space around it apart, is not one number.
+/// Parses a number, independently of the locale: "1.5", "+3", "-1.79769e+308", "inf", "-INF", "nan", " 2 ". Numbers
+/// that are too large become infinite, those that are too small zero.
+/// @return Nothing if the text, apart from surrounding white space, is not exactly one number.
 std::optional<double> parseDouble(std::string_view text);
 
-/// Reads a decimal integer, white space around it apart.
+/// Parses a decimal integer; ignores surrounding white space.
 std::optional<long long> parseInteger(std::string_view text);
 
-/// Reads numbers with white space between them.
-/// @return Nothing where one of them is not a number.
+/// Parses numbers separated by white space.
+/// @return Nothing if one of them is not a number.
 std::optional<std::vector<double>> parseDoubles(std::string_view text);
 
 }  // namespace pongsim::base

@@ -5,9 +5,9 @@
 
 namespace pongsim::base {
 
-/// Asks for an object's memory ahead of its use, and waits for nothing: for who goes through more of them than the
-/// processor's nearest caches hold.
-/// @param most No more of it than that [bytes].
+/// Prefetches an object's memory, without waiting: for loops over more objects than fit in the processor's nearest
+/// caches.
+/// @param most Maximum size to prefetch [bytes].
 template <class T>
 void prefetch(const T& object, std::size_t most = sizeof(T)) {
   constexpr std::uintptr_t kLine = 64;

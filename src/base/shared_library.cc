@@ -8,7 +8,7 @@
 namespace pongsim::base {
 
 std::variant<SharedLibrary, std::string> SharedLibrary::open(const std::string& name) {
-  // never closed: message types that came with a system can't be taken back, and not be added twice either
+  // never closed: message types registered by a system can't be unregistered, nor registered twice
   void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (handle == nullptr) return std::string(dlerror());
   return SharedLibrary(handle);

@@ -6,27 +6,27 @@
 
 namespace pongsim::base {
 
-/// A library that is opened while running, and stays in memory: of what some runs need only, or some installations
+/// A library opened at run time, which then stays loaded: for what only some runs need, or only some installations
 /// have.
 class SharedLibrary {
  public:
-  /// @param name A file, or a name such as "libembree3.so.3" that is looked for as those of linked libraries are.
-  /// @return The library, or why it can't be opened, as the system says it.
+  /// @param name A file, or a name such as "libembree3.so.3", which is looked up like a linked library.
+  /// @return The library, or the system's reason why it can't be opened.
   static std::variant<SharedLibrary, std::string> open(const std::string& name);
 
-  /// @param package Debian's, which holds it.
-  /// @throws std::runtime_error where it can't be opened, saying why and what to install.
+  /// @param package The Debian package that contains it.
+  /// @throws std::runtime_error if it can't be opened, with the reason and what to install.
   static SharedLibrary require(const std::string& name, const std::string& package);
 
-  /// @param Symbol Of the function or the variable, as its header declares it.
-  /// @return Null where there is none of that name.
+  /// @param Symbol Type of the function or variable, as declared in its header.
+  /// @return Null if there is no symbol with this name.
   template <class Symbol>
   Symbol* find(const char* name) const {
     return reinterpret_cast<Symbol*>(address(name));
   }
 
-  /// Lets `symbol` point to what is of that name.
-  /// @throws std::runtime_error where there is none.
+  /// Points `symbol` to the symbol with this name.
+  /// @throws std::runtime_error if there is none.
   template <class Symbol>
   void bind(Symbol*& symbol, const char* name) const {
     symbol = reinterpret_cast<Symbol*>(requiredAddress(name));
@@ -40,7 +40,8 @@ class SharedLibrary {
   void* handle_;
 };
 
-/// @return The file that this code came from: pongsim's library, or a program that holds the same. Empty if unknown.
+/// @return The file that contains this code: pongsim's library, or a program with the library built in. Empty if
+/// unknown.
 std::filesystem::path ownLibraryFile();
 
 }  // namespace pongsim::base

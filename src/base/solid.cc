@@ -14,13 +14,13 @@ namespace pongsim {
 
 namespace {
 
-/// Of a body that `scale` has made of another one.
+/// @return The moments of a body after scaling.
 VolumeMoments scaled(const VolumeMoments& part, const Vector3& scale) {
   const double size = std::abs(scale.prod());
   return {size * part.volume, size * scale.cwiseProduct(part.first)};
 }
 
-/// What of a body of size one, which `scale` makes the one that is meant, lies below a plane of the scaled frame.
+/// @return The part of a scaled body below a plane, computed from the part of the unscaled body.
 template <class Below>
 VolumeMoments scaledBelow(const Vector3& scale, const Vector3& up, double height, Below below) {
   const Vector3 slope = scale.cwiseProduct(up);
@@ -86,17 +86,17 @@ struct BoundsOf {
 struct VolumeOf {
   const Eigen::AlignedBox3d& bounds;
 
-  // all of it lies below a plane above it
+  // all of a body lies below a plane above it
   template <class Any>
   VolumeMoments operator()(const Any& shape) const {
     if (bounds.isEmpty()) return {};
     VolumeMoments all = BelowOf{Vector3::UnitZ(), bounds.max().z()}(shape);
-    // these have their middle in the origin, which rounding would miss
+    // these shapes are centred on the origin; avoids rounding errors
     all.first.setZero();
     return all;
   }
   VolumeMoments operator()(const TriangleShape& mesh) const {
-    // tetrahedra from the origin
+    // tetrahedra with apex at the origin
     VolumeMoments all;
     for (const auto& triangle : mesh.triangles) {
       const Vector3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
@@ -107,7 +107,7 @@ struct VolumeOf {
   }
 };
 
-/// Solids with sides along an axis, of which a plane may cut only these.
+/// Prisms, for planes that cut only their sides.
 struct PrismOf {
   template <class Any>
   Prism operator()(const Any&) const {
@@ -123,7 +123,7 @@ Volume volumeOf(const VolumeMoments& moments) {
   return {moments.volume, moments.first / moments.volume};
 }
 
-/// @return For each vertex the first one of the same place.
+/// @return For each vertex the first one in the same place.
 std::vector<std::uint32_t> weld(std::span<const Vector3> vertices) {
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -140,7 +140,7 @@ std::vector<std::uint32_t> weld(std::span<const Vector3> vertices) {
 
 bool isClosedSurface(const TriangleShape& mesh) {
   const std::vector<std::uint32_t> same = weld(mesh.vertices);
-  // both ends, the lower one first, and the way that the triangle goes
+  // the two ends, the lower one first, and the triangle's direction along the edge
   std::vector<std::pair<std::uint64_t, int>> edges;
   for (const auto& triangle : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {

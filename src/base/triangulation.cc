@@ -14,7 +14,7 @@ bool isBetween(const Point& point, const Point& a, const Point& b) {
   return (point.array() >= a.array().min(b.array())).all() && (point.array() <= a.array().max(b.array())).all();
 }
 
-/// Whichever way the triangle is wound; its edges are within.
+/// Works for both windings; edges count as inside.
 bool isWithin(const Point& point, const Point& a, const Point& b, const Point& c) {
   const double ab = twiceArea(a, b, point), bc = twiceArea(b, c, point), ca = twiceArea(c, a, point);
   return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
@@ -48,14 +48,14 @@ bool encloses(const std::vector<Point>& line, const Point& point) {
 void Triangulation::add(Loop loop, std::vector<Loop> holes) {
   const auto xOf = [this](Index index) { return at(index).x(); };
   for (Loop& hole : holes) std::ranges::rotate(hole, std::ranges::max_element(hole, {}, xOf));
-  // from the right to the left: a hole is joined with what lies to its right
+  // from right to left: a hole is joined with what lies to its right
   std::ranges::sort(holes, std::greater<>(), [&](const Loop& hole) { return xOf(hole.front()); });
   for (const Loop& hole : holes) join(loop, hole);
   cut(std::move(loop));
 }
 
-/// Makes one line of two, by a way there and back between two points that see each other: see D. Eberly,
-/// Triangulation by Ear Clipping, section 5. From the right end of a hole there is such a point to its right.
+/// Joins two loops into one, by an edge there and back between two points that see each other: see D. Eberly,
+/// Triangulation by Ear Clipping, section 5. There is such a point to the right of a hole's rightmost point.
 void Triangulation::join(Loop& loop, const Loop& hole) {
   const Point& eye = at(hole.front());
   std::vector<std::size_t> candidates;
@@ -75,8 +75,8 @@ void Triangulation::join(Loop& loop, const Loop& hole) {
   loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(*seen) + 1, added.begin(), added.end());
 }
 
-/// @return Whether the eye lies between the two edges of a corner, on the side that is filled. Of the corners in one
-/// place, where the line comes by on ways there and back, this is so for one.
+/// @return Whether the eye is between the two edges of a corner, on the filled side. If several corners are in one
+/// place, because the loop passes it along joining edges, this holds for only one of them.
 bool Triangulation::opensTo(const Loop& loop, std::size_t i, const Point& eye) const {
   const std::size_t count = loop.size();
   const Point &before = at(loop[(i + count - 1) % count]), &corner = at(loop[i]), &after = at(loop[(i + 1) % count]);
@@ -84,7 +84,7 @@ bool Triangulation::opensTo(const Loop& loop, std::size_t i, const Point& eye) c
   return twiceArea(before, corner, after) > 0 ? isLeftOfFirst && isLeftOfSecond : isLeftOfFirst || isLeftOfSecond;
 }
 
-/// @return Whether no edge stands between the point, which is one of the line's, and the eye.
+/// @return Whether no edge lies between a point of the loop and the eye.
 bool Triangulation::isSeen(const Loop& loop, const Point& point, const Point& eye) const {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point &a = at(loop[i]), &b = at(loop[(i + 1) % loop.size()]);
@@ -94,13 +94,13 @@ bool Triangulation::isSeen(const Loop& loop, const Point& point, const Point& ey
   return true;
 }
 
-/// Cuts off one corner after the other.
+/// Cuts off one corner after the other (ear clipping).
 void Triangulation::cut(Loop loop) {
   std::size_t i = 0, tries = 0;
   while (loop.size() > 2) {
     i %= loop.size();
     const std::size_t before = (i + loop.size() - 1) % loop.size(), after = (i + 1) % loop.size();
-    // a flat corner goes only where no other is left
+    // a flat corner is cut only if no other is left
     if (tries <= loop.size() && !isEar(loop, before, i, after)) {
       ++i;
       ++tries;

@@ -10,30 +10,30 @@
 
 namespace pongsim::base {
 
-/// Numbers of points, in the order of a closed line.
+/// Point numbers in the order of a closed line.
 using Loop = std::vector<std::uint32_t>;
 
-/// @return Twice the area of the triangle, positive where it is wound counter-clockwise.
+/// @return Twice the area of the triangle, positive if it is counter-clockwise.
 double twiceArea(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 
-/// @return Whether the lines from a to b and from c to d meet.
+/// @return Whether the segments from a to b and from c to d have a common point.
 bool haveCommonPoint(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
                      const Eigen::Vector2d& d);
 
-/// @return Whether a closed line encloses the point, which is not on it.
+/// @return Whether a closed line encloses the point, which must not be on it.
 bool encloses(const std::vector<Eigen::Vector2d>& line, const Eigen::Vector2d& point);
 
-/// Cuts the area within closed lines into triangles between their points, without new ones: each edge of a line is that
-/// of one triangle, though one between points on a straight line has no area.
+/// Triangulates the area inside closed lines without adding points. Each edge of a line is the edge of one triangle;
+/// triangles of points on a straight line have no area.
 class Triangulation {
  public:
   explicit Triangulation(const std::vector<Eigen::Vector2d>& points) : points_(points) {}
 
-  /// @param loop Wound counter-clockwise.
-  /// @param holes Within it, wound clockwise.
+  /// @param loop Counter-clockwise.
+  /// @param holes Inside it, clockwise.
   void add(Loop loop, std::vector<Loop> holes);
 
-  /// @return Whether all holes have been found to lie in their lines.
+  /// @return Whether all holes were found inside their loops.
   bool isComplete() const { return isComplete_; }
   std::vector<std::array<std::uint32_t, 3>> take() { return std::move(triangles_); }
 

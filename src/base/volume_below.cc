@@ -23,23 +23,23 @@ Segment segmentOf(double radius, double limit) {
   const double x = std::clamp(limit, -radius, radius);
   const double square = radius * radius;
   const double y = std::sqrt(std::max(0.0, square - x * x));
-  // from -radius
+  // starting at -radius
   const double angle = radius > 0 ? math::asin(x / radius) + kPi / 2 : 0;
   const double area = square * angle + x * y;
   return {area, (x * (2 * x * x - square) * y + square * square * angle) / 6 + square * area / 3};
 }
 
-/// Integral over u of the part of a ball's slice at u that lies in its upper half, where the edge of that half cuts the
-/// slices: |u| at most `radius * sine`. `sine` and `cosine` are those of the angle between `up` and z.
+/// Integral over u of the part of a ball's slice at u that lies in its upper half, where the boundary of that half cuts
+/// the slices: |u| at most `radius * sine`. `sine` and `cosine` are of the angle between `up` and z.
 double sliceIntegral(double radius, double sine, double cosine, double u) {
-  // minus zero would be the other way round
+  // minus zero would flip the sign
   const double k = (cosine + 0.0) / sine;
   const double stretch = 1 / (sine * sine);
   const double square = radius * radius;
-  // nothing at its ends, where rounding would leave a root of it, which the arctangent makes much of for a small k
+  // zero at the ends, where rounding would leave a small root that the arctangent magnifies for small k
   const double p = std::abs(u) < radius * sine ? std::sqrt(std::max(0.0, square - stretch * u * u)) : 0;
   const double rim = std::sqrt(std::max(0.0, square - u * u));
-  // how far the edge is from the middle of the slice, in radii
+  // distance of the boundary from the slice's centre, in radii
   double edge = (u < 0) == (k >= 0) ? 1 : -1;
   if (p > 0 && rim > 0) edge = std::clamp(-k * u / rim, -1.0, 1.0);
   return (square * u - u * u * u / 3) * math::acos(edge) + k * p * (square - p * p) / (3 * stretch) +
@@ -63,7 +63,7 @@ double halfBallVolume(double radius, double sine, double cosine, double height) 
   return volume;
 }
 
-/// Nodes in (0, 1) and weights of Gauss and Legendre, for twelve points symmetric about zero.
+/// Nodes in (0, 1) and weights of Gauss-Legendre quadrature with twelve points symmetric about zero.
 constexpr std::array<std::array<double, 2>, 6> kGauss{{{0.1252334085114689, 0.2491470458134028},
                                                        {0.3678314989981802, 0.2334925365383548},
                                                        {0.5873179542866175, 0.2031674267230659},
@@ -90,7 +90,7 @@ void addTetrahedron(const Vector3& apex, const Vector3& a, const Vector3& b, con
   sum.first += volume / 4 * (apex + a + b + c);
 }
 
-/// Adds what a triangle that the plane cuts has below it. The corner `a` is alone on its side.
+/// Adds the part below the plane of a triangle that the plane cuts. Corner `a` is alone on its side.
 void addCut(const Vector3& apex, const std::array<Vector3, 3>& corner, const std::array<double, 3>& above,
             VolumeMoments& sum) {
   const Vector3 ab = corner[0] + above[0] / (above[0] - above[1]) * (corner[1] - corner[0]);
@@ -114,12 +114,13 @@ VolumeMoments boxBelow(const Vector3& size, const Vector3& up, double height) {
   return trianglesBelow(corners, kBoxTriangles, up, height);
 }
 
-// The volume is the integral of the slices across `up`. The moments follow from Gauss's theorem: that of p is half the
-// integral of p^2 over the surface, on whose round part p^2 is constant, so that the two flat faces say it all.
+// The volume is the integral of the slices perpendicular to `up`. The moments follow from Gauss's theorem: the moment
+// of p is half the integral of p^2 over the surface. On the round part p^2 is constant, so only the two flat faces
+// matter.
 VolumeMoments halfBallBelow(double radius, const Vector3& up, double height) {
   const double sine = up.head<2>().norm();
   const double cosine = up.z();
-  // all of it, or nothing
+  // all or nothing
   if (height >= radius * (cosine >= 0 ? 1 : sine)) {
     return {2 * kPi / 3 * radius * radius * radius, Vector3(0, 0, kPi / 4 * (radius * radius) * (radius * radius))};
   }
@@ -128,7 +129,7 @@ VolumeMoments halfBallBelow(double radius, const Vector3& up, double height) {
   const double rim = std::sqrt(std::max(0.0, radius * radius - u * u));
   const bool isLevel = sine <= 1e-9;
   const double inBase = isLevel ? (u >= 0 ? radius : -radius) : u / sine;
-  // where both are one face, it counts once
+  // if the two faces coincide, count them once
   const bool isCutInside = u * cosine > 0 || (u == 0 && cosine > 0);
   const double inCut = isLevel ? (isCutInside ? rim : -rim) : u * cosine / sine;
   const Segment base = segmentOf(radius, inBase);
@@ -140,8 +141,8 @@ VolumeMoments halfBallBelow(double radius, const Vector3& up, double height) {
   return part;
 }
 
-// Strips along z, as long as the plane lets them be. With x = r sin(angle) along the plane's slope all that is summed
-// up is smooth, so that the points of Gauss are exact to rounding.
+// Strips along z, as far as the plane allows. With x = r sin(angle) along the plane's slope, the integrand is smooth,
+// so Gauss quadrature is exact up to rounding.
 VolumeMoments cylinderBelow(double radius, double length, const Vector3& up, double height) {
   const double slope = up.head<2>().norm();
   const double cosine = std::abs(up.z());
@@ -150,7 +151,7 @@ VolumeMoments cylinderBelow(double radius, double length, const Vector3& up, dou
     if (isLevel) return rise >= 0 ? radius : -radius;
     return std::clamp(rise / slope, -radius, radius);
   };
-  // up to `full` the strips are whole, beyond `none` there are none
+  // strips are complete up to `full`; there are none beyond `none`
   const double full = isLevel ? -radius : endOf(height - cosine * length / 2);
   const double none = isLevel ? radius : endOf(height + cosine * length / 2);
   const double square = radius * radius;
@@ -177,7 +178,7 @@ VolumeMoments cylinderBelow(double radius, double length, const Vector3& up, dou
   return part;
 }
 
-// Tetrahedra from a point of the plane to the triangles' parts below it: those to the cut itself are flat.
+// Tetrahedra from a point in the plane to the parts of the triangles below it; those to the cut itself are flat.
 VolumeMoments trianglesBelow(std::span<const Vector3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
                              const Vector3& up, double height) {
   const Vector3 apex = height * up;

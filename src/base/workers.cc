@@ -4,7 +4,7 @@ namespace pongsim::base {
 
 namespace {
 
-/// In `inside_`, beside the number of threads.
+/// Flag in `inside_`, beside the number of threads.
 constexpr std::uint32_t kOpen = 1U << 31U;
 
 void pause() {
@@ -37,10 +37,10 @@ void Workers::share(std::size_t count, Call call, void* context) {
   ++round_;
   round_.notify_all();
   take(0);
-  // all is taken; who sleeps needs not wake for it, but who is at it must end
+  // everything is taken: sleeping threads need not wake, but running ones must finish
   inside_.fetch_and(~kOpen);
   for (int i = 0; inside_ != 0; ++i) {
-    // on a busy machine, who is at it may have no core
+    // on a busy machine, a running thread may be waiting for a core
     if (i < looks_) {
       pause();
     } else {
@@ -52,7 +52,7 @@ void Workers::share(std::size_t count, Call call, void* context) {
 void Workers::take(int worker) {
   for (std::size_t turn = 0; turn < parts_.size(); ++turn) {
     Part& part = parts_[(static_cast<std::size_t>(worker) + turn) % parts_.size()];
-    // who only looks leaves the line where it is
+    // checking first avoids taking the cache line from its owner
     while (part.next.load(std::memory_order_relaxed) < part.end) {
       const std::size_t i = part.next.fetch_add(1, std::memory_order_relaxed);
       if (i < part.end) call_(context_, i, worker);

@@ -8,14 +8,14 @@
 
 namespace pongsim::base {
 
-/// Threads that share a piece of work which comes again and again, thousands of times a second: they wait awake for a
-/// moment before they sleep. Each begins with its own part, the same each time, so that what it needs is in its
-/// processor's caches, and then helps the others. Allocates nothing once made.
+/// A thread pool for a piece of work that recurs thousands of times a second: its threads spin for a moment before they
+/// sleep. Each starts with its own part, the same each time, so that its data stays in its processor's caches, and then
+/// helps the others. Allocates nothing after construction.
 class Workers {
  public:
-  /// @param threads How many work, the caller of `forEach` included; at least 1.
-  /// @param looks How often a thread looks for work before it sleeps. 2,000 are some tens of microseconds: what lies
-  /// between two pieces of work in a step.
+  /// @param threads Number of threads, including the caller of `forEach`; at least 1.
+  /// @param looks How often a thread checks for work before it sleeps. 2,000 checks take some tens of microseconds, as
+  /// long as the gap between two pieces of work in a step.
   explicit Workers(int threads, int looks = 2000);
   ~Workers();
   Workers(const Workers&) = delete;
@@ -23,9 +23,9 @@ class Workers {
 
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls `work(index, worker)` for each index below `count` and returns when all calls have; `worker` is below
-  /// `this->count()`, and no two calls at once have the same. Which worker does what is not said. The work must not
-  /// throw.
+  /// Calls `work(index, worker)` for each index below `count`, and returns after all calls. `worker` is below
+  /// `this->count()`, and concurrent calls have different workers. Which worker gets which index is unspecified. The
+  /// work must not throw.
   template <class Work>
   void forEach(std::size_t count, Work&& work) {
     if (threads_.empty() || count < 2) {
@@ -38,7 +38,7 @@ class Workers {
   }
 
  private:
-  /// What of the work is a thread's own, on a cache line of its own.
+  /// A thread's own part of the work, on a separate cache line.
   struct alignas(64) Part {
     std::atomic<std::size_t> next = 0;
     std::size_t end = 0;
@@ -48,19 +48,19 @@ class Workers {
   void share(std::size_t count, Call call, void* context);
   void help(int worker);
   void take(int worker);
-  /// Waits until there is another round than `last`.
+  /// Waits for a round other than `last`.
   std::uint32_t waitForRound(std::uint32_t last) const;
 
   const int looks_;
 
-  // the work; written only while nobody is in it
+  // the work; only written while no thread is inside
   std::vector<Part> parts_;
   Call call_ = nullptr;
   void* context_ = nullptr;
 
-  /// How many threads are in the work, and whether more may come in.
+  /// Number of threads inside, and whether more may enter.
   std::atomic<std::uint32_t> inside_ = 0;
-  /// Counts the pieces of work.
+  /// Number of pieces of work so far.
   std::atomic<std::uint32_t> round_ = 0;
   std::atomic<bool> ends_ = false;
   std::vector<std::thread> threads_;

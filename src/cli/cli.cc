@@ -18,7 +18,7 @@ constexpr AddCommand kCommands[] = {addVersionOption,    addRunCommand,   addTop
                                     addMsgCommand,       addSdfCommand,   addPluginCommand, addCompletionCommand,
                                     addExtensionCommands};
 
-/// What pongsim has whatever is installed beside it.
+/// Commands that do not depend on installed extensions.
 constexpr AddCommand kOwnCommands[] = {addVersionOption, addPlainRunCommand, addTopicCommand,  addServiceCommand,
                                        addModelCommand,  addWorldCommand,    addKeyCommand,    addViewCommand,
                                        addMsgCommand,    addSdfCommand,      addPluginCommand, addCompletionCommand};

@@ -8,16 +8,16 @@ class App;
 
 namespace pongsim::cli {
 
-/// What is to be done once the command line has been read.
+/// The work to do after the command line has been parsed.
 /// @return The exit code.
 using Work = std::function<int()>;
 
-/// Each adds its subcommand (the first an option) to `program`, which sets `work` where the user names it. Both must
-/// stay until the work is done.
+/// Each function adds its subcommand (the first one an option) to `program`. The subcommand sets `work` if the user
+/// names it. Both must outlive the work.
 void addVersionOption(CLI::App& program, Work& work);
-/// With what installed extensions add to it.
+/// With the options of installed extensions.
 void addRunCommand(CLI::App& program, Work& work);
-/// Without.
+/// Without them.
 void addPlainRunCommand(CLI::App& program, Work& work);
 void addSdfCommand(CLI::App& program, Work& work);
 void addCompletionCommand(CLI::App& program, Work& work);

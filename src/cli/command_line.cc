@@ -62,7 +62,7 @@ UsageError unknownCommand(const CLI::App& program, const std::string& name) {
   return UsageError("unknown command '" + name + "'", hint);
 }
 
-/// @return What the user took for a command, where there is none of that name.
+/// @return The word that the user meant as a command, if there is none with this name.
 std::optional<std::string> wrongCommand(const CLI::App& program) {
   if (!program.get_subcommands().empty()) return std::nullopt;
   for (const std::string& extra : program.remaining()) {
@@ -71,7 +71,7 @@ std::optional<std::string> wrongCommand(const CLI::App& program) {
   return std::nullopt;
 }
 
-/// Says in our words what CLI11 found wrong.
+/// Rewords CLI11's errors.
 UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
   if (const auto name = wrongCommand(program)) return unknownCommand(program, *name);
   const CLI::App& command = namedCommand(program);
@@ -102,10 +102,10 @@ IgnLine lineOf(int argc, char** argv) {
   return {std::move(arguments)};
 }
 
-/// @return The exit code, where the command line asks for nothing more than words.
+/// @return The exit code, if only text was asked for.
 int parse(CLI::App& program, std::vector<std::string> arguments) {
   try {
-    // CLI11 takes them from the back
+    // CLI11 consumes them from the back
     std::reverse(arguments.begin(), arguments.end());
     program.parse(std::move(arguments));
   } catch (const CLI::Success& success) {
@@ -125,7 +125,7 @@ std::unique_ptr<CLI::App> makeProgram(std::span<const AddCommand> commands, Work
   auto program =
       std::make_unique<CLI::App>("pongsim simulates the robots of a Gazebo Fortress world, headless.", "pongsim");
   program->set_help_flag("-h,--help", "Print this help and exit");
-  // behind a command its words are its own: "pongsim ros2 topic" is not "pongsim topic"
+  // words after a command belong to it: "pongsim ros2 topic" is not "pongsim topic"
   program->require_subcommand(0, 1);
   program->footer(
       "Examples:\n"
@@ -150,14 +150,14 @@ Work workOf(int argc, char** argv, std::span<const AddCommand> commands) {
   if (line.text) return [text = *line.text] { return print(text) ? kDone : kFailed; };
   if (line.arguments.empty()) throw UsageError("no command given", "pongsim --help lists the commands");
   const int done = parse(*program, withOptionalValuesLast(line.arguments, *program));
-  // what the commands have read stands in the program
+  // the parsed options are stored in the program
   return [program, work, done] { return *work ? (*work)() : done; };
 }
 
 int run(int argc, char** argv, std::span<const AddCommand> commands) {
-  // a reader that goes away is seen where the writing is done
+  // a closed pipe is noticed when writing
   std::signal(SIGPIPE, SIG_IGN);
-  // so is a file that may not grow
+  // and so is a file that reaches its size limit
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return workOf(argc, argv, commands)();

@@ -12,7 +12,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// What stands in the shell's function for every command alike; the rest is put in for the three marks.
+/// The part of the shell function that is the same for all commands; the three marks are replaced.
 constexpr const char* kBash = R"sh(# Completion of pongsim: source <(pongsim completion bash)
 # What packages installed beside pongsim add, asked for once.
 _pongsim_extensions() {
@@ -49,8 +49,8 @@ _pongsim() {
 complete -o filenames -F _pongsim pongsim
 )sh";
 
-/// Before and behind it for zsh, which takes the script from `source`, or as the function _pongsim of a file of that
-/// name in a folder of completions: that function then has to do what it was called for.
+/// Before and after it for zsh, which loads the script either with `source`, or as the function _pongsim from a file
+/// with that name in a completion folder: then the function must also do the completion it was called for.
 constexpr const char* kZsh = R"sh(#compdef pongsim
 if [[ ${funcstack[1]} != _pongsim ]]; then autoload -Uz +X compinit && compinit -u; fi
 autoload -Uz +X bashcompinit && bashcompinit
@@ -63,7 +63,7 @@ void replace(std::string& text, std::string_view mark, std::string_view by) {
   text.replace(text.find(mark), mark.size(), by);
 }
 
-/// What may stand in a command as a word of its own.
+/// Plain words that can follow a command.
 constexpr std::pair<std::string_view, std::string_view> kActionWords[] = {
     {"topic", "wait"}, {"world", "pause play step reset stats info"}, {"plugin", "new"}, {"completion", "bash zsh"}};
 
@@ -71,7 +71,7 @@ constexpr std::pair<std::string_view, std::string_view> kActionWords[] = {
 std::string wordsOf(const CLI::App& command) {
   std::string words;
   for (const CLI::Option* option : command.get_options()) {
-    // those without a group are in no help
+    // options without a group are hidden from the help
     if (option->get_group() == kExtensionGroup || option->get_group().empty()) continue;
     for (const std::string& name : option->get_snames()) words += " -" + name;
     for (const std::string& name : option->get_lnames()) words += " --" + name;
@@ -109,7 +109,7 @@ void addCompletionCommand(CLI::App& program, Work& work) {
       "  source <(pongsim completion bash)\n"
       "  pongsim completion zsh");
   command->callback([&program, shell, &work] {
-    // what the script asks for
+    // called by the script
     if (*shell == "words") {
       work = [] { return print(extensionWords()) ? kDone : kFailed; };
       return;

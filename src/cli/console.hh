@@ -10,7 +10,7 @@ inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUsage = 2;
 
-/// The command line is wrong; ends the program with `kWrongUsage`.
+/// The command line is wrong; the program exits with `kWrongUsage`.
 class UsageError : public std::runtime_error {
  public:
   /// @param hint One line of help, or empty.
@@ -21,25 +21,25 @@ class UsageError : public std::runtime_error {
   std::string hint_;
 };
 
-/// Says on stderr "pongsim: error: MESSAGE", and the hint, if there is one, on a second line.
+/// Prints "pongsim: error: MESSAGE" on stderr, and the hint, if any, on a second line.
 void sayError(std::string_view message, std::string_view hint = {});
 
-/// As `sayError`, for work that could not be done.
+/// Like `sayError`, for work that failed.
 /// @return `kFailed`.
 int fail(std::string_view message, std::string_view hint = {});
 
-/// Says "pongsim: MESSAGE" on stderr.
+/// Prints "pongsim: MESSAGE" on stderr.
 void say(std::string_view message);
 
-/// @return Whether what is said on stderr is to have colours: it is a terminal that knows them, and the user does not
-/// forbid them by the environment variable NO_COLOR.
+/// @return Whether to use colours on stderr: it is a terminal that supports them, and the environment variable NO_COLOR
+/// does not forbid them.
 bool errorsHaveColors();
 
-/// Writes data to stdout, and at once. Says why where it can't, unless the reader has gone away.
-/// @return Whether it could.
+/// Writes data to stdout and flushes it. Reports a failure, unless the reader has closed the pipe.
+/// @return Whether it succeeded.
 bool print(std::string_view data);
 
-/// @return Whether the other end of stdout is closed, as that of `| head -1` is after a line.
+/// @return Whether the other end of stdout is closed, as by `| head -1` after one line.
 bool outputIsClosed();
 
 }  // namespace pongsim::cli

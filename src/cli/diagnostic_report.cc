@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// A line of more bytes is long, and has a mark at each of so many letters.
+// A line with more bytes counts as long, and gets a mark every so many characters.
 constexpr std::size_t kLongLine = 4096;
 constexpr std::size_t kMarkEvery = 256;
 
@@ -33,7 +33,7 @@ std::vector<std::size_t> marksOf(std::string_view line) {
   return marks;
 }
 
-// With its members in the order in which they are added.
+// Keeps members in the order in which they are added.
 using Json = nlohmann::ordered_json;
 
 Json placeOf(const SourcePosition& position) {
@@ -56,12 +56,12 @@ SourceExcerpt SourceLines::at(const SourcePosition& position) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   if (line.size() <= kLongLine) return {.text = line};
 
-  // around the column, found without reading the line again for each position in it
+  // around the column, without scanning the line again for each position in it
   std::vector<std::size_t>& marks = file.marks[number];
   if (marks.empty()) marks = marksOf(line);
   const auto column = static_cast<std::size_t>(std::max(position.column, 1));
   const std::size_t first = std::min((column - 1) / kMarkEvery, marks.size() - 1);
-  // with enough letters before and behind it to fill what is shown
+  // with enough characters before and after it to fill the excerpt
   const std::size_t from = first - std::min<std::size_t>(first, 1);
   const bool isCutOff = first + 2 < marks.size();
   const std::size_t end = isCutOff ? marks[first + 2] : line.size();
@@ -74,7 +74,7 @@ SourceLines::File& SourceLines::fileNamed(const std::string& name) {
   const auto [entry, isNew] = files_.try_emplace(name);
   File& file = entry->second;
   std::error_code ignored;
-  // a pipe has been read already
+  // a pipe can be read only once
   if (!isNew || !std::filesystem::is_regular_file(name, ignored)) return file;
   std::ifstream stream(name, std::ios::binary);
   file.text.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
@@ -118,7 +118,7 @@ std::string jsonOf(const std::vector<Diagnostic>& diagnostics) {
     for (const SourcePosition& place : diagnostic.includedFrom) object["includedFrom"].push_back(placeOf(place));
     all.push_back(std::move(object));
   }
-  // JSON is UTF-8: what is not becomes U+FFFD
+  // JSON is UTF-8: invalid bytes become U+FFFD
   return all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Who brings a command.
+/// A command and the package that provides it.
 struct CommandOfPackage {
   std::string_view name;
   std::string_view package;
@@ -14,7 +14,7 @@ struct CommandOfPackage {
 constexpr CommandOfPackage kCommandPackages[] = {
     {"fuel", "pongsim-fuel"}, {"log", "pongsim-log"}, {"ros2", "pongsim-ros2"}};
 
-/// What options of `run` begin with, and who brings them.
+/// Prefixes of options of `run`, and the packages that provide them.
 constexpr CommandOfPackage kRunPackages[] = {
     {"--record", "pongsim-log"}, {"--playback", "pongsim-log"}, {"--log-", "pongsim-log"}, {"--ros2", "pongsim-ros2"}};
 
@@ -30,7 +30,7 @@ constexpr Answer kAbsentCommands[] = {
     {"gazebo", "'gazebo' is 'run' here", "pongsim run WORLD"},
     {"sim", "'sim' is 'run' here", "pongsim run WORLD"}};
 
-/// Those of the program `ign`, which a link of that name to pongsim has.
+/// Options of the program `ign`, which a link named `ign` to pongsim supports.
 constexpr Answer kOptionsOfIgn[] = {
     {"--version", "'--version' can't be combined with other options", "pongsim --version"},
     {"--versions", "there is one version of pongsim", "pongsim --version"},

@@ -12,10 +12,10 @@ namespace pongsim::cli {
 
 namespace {
 
-/// What `-v` alone means there.
+/// The level that `-v` alone means for `ign`.
 constexpr const char* kVerbose = "3";
 
-/// The commands, and of which version of their library Fortress has them.
+/// The commands, with the version of their library in Fortress.
 constexpr std::pair<std::string_view, std::string_view> kIgnCommands[] = {
     {"fuel", "7"},   {"gazebo", "6"}, {"log", "11"}, {"model", "6"},    {"msg", "8"},
     {"plugin", "1"}, {"sdf", "12"},   {"sim", "6"},  {"service", "11"}, {"topic", "11"}};
@@ -24,7 +24,7 @@ bool isNumber(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// @return The version of Fortress's command; empty where it is none that is done here.
+/// @return The version of Fortress's command; empty if the command is not supported here.
 std::string_view versionOf(std::string_view command) {
   const auto* found = std::ranges::find(kIgnCommands, command, &std::pair<std::string_view, std::string_view>::first);
   return found == std::end(kIgnCommands) ? std::string_view() : found->second;
@@ -38,7 +38,7 @@ void checkVersion(std::string_view command, std::string_view wanted) {
                    "it does the same as version " + std::string(version) + " of Fortress: leave out --force-version");
 }
 
-/// @return The flags that are joined in a word ("sr" of "-srv4"), and what stands behind them ("v4").
+/// @return The flags joined in a word ("sr" in "-srv4"), and what follows them ("v4").
 std::pair<std::string_view, std::string_view> joinedFlags(std::string_view word) {
   if (word.size() < 2 || word[0] != '-' || word[1] == '-') return {};
   const std::size_t end = std::min(word.find_first_not_of("srgh", 1), word.size());
@@ -53,7 +53,7 @@ std::string commandNames() {
 
 using Words = std::vector<std::string>;
 
-/// Takes `--force-version VERSION` out, after a look at it.
+/// Checks and removes `--force-version VERSION`.
 Words withoutForcedVersion(std::string_view command, std::span<const std::string> words) {
   constexpr std::string_view kOption = "--force-version";
   Words rest;
@@ -70,7 +70,7 @@ Words withoutForcedVersion(std::string_view command, std::span<const std::string
   return rest;
 }
 
-/// `ign gazebo` is `pongsim run`, but begins paused without `-r`, and `-v` needs no number.
+/// `ign gazebo` is `pongsim run`, but starts paused without `-r`, and its `-v` needs no number.
 Words runArguments(const Words& words) {
   Words result = {"run"};
   bool runs = false, isForHelp = false;
@@ -124,7 +124,7 @@ IgnLine fromIgnArguments(const std::vector<std::string>& arguments) {
 
   Words result = {command};
   result.insert(result.end(), words.begin(), words.end());
-  // `plugin` always tells all
+  // `plugin` is always verbose
   if (command == "plugin") std::erase_if(result, [](const auto& word) { return word == "-v" || word == "--verbose"; });
   if (command == "msg" || command == "model") result.emplace_back("--as-ign");
   return {result};

@@ -21,7 +21,7 @@ namespace {
 
 using pongsim::base::SharedLibrary;
 
-/// All other commands stand in the library, which is opened for them.
+/// All other commands are in the library, which is opened for them.
 int runWhole(int argc, char** argv) {
   const auto opened = SharedLibrary::open(PONGSIM_LIBRARY);
   if (const auto* why = std::get_if<std::string>(&opened)) {

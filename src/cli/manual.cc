@@ -14,7 +14,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// @return The text with what troff takes for its own made harmless.
+/// @return The text, escaped for troff.
 std::string troff(std::string_view text) {
   std::string result;
   bool isLineStart = true;
@@ -69,7 +69,7 @@ std::vector<const CLI::App*> commandsOf(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
-/// What stands below the options, in paragraphs that begin with "Examples:" or the like, as sections.
+/// Turns the paragraphs below the options, which begin with "Examples:" or the like, into sections.
 std::string sectionsOf(const std::string& footer) {
   std::istringstream lines(footer);
   std::string text;
@@ -88,7 +88,7 @@ std::string sectionsOf(const std::string& footer) {
   return isOpen ? text + ".fi\n" : text;
 }
 
-/// @param name As it is typed: "pongsim run".
+/// @param name As typed: "pongsim run".
 std::string page(const CLI::App& command, const std::string& name, const std::string& commands,
                  const std::string& seeAlso) {
   std::string title = name, capitals;
@@ -113,7 +113,7 @@ std::string page(const CLI::App& command, const std::string& name, const std::st
 
 std::string pageName(const std::string& command) { return bold("pongsim-" + command) + "(1)"; }
 
-/// Commands of a command, on its own page.
+/// The subcommands of a command, listed on its page.
 std::string nestedCommands(const CLI::App& command) {
   std::string text;
   for (const CLI::App* nested : commandsOf(command)) {

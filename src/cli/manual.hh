@@ -11,22 +11,22 @@ namespace pongsim::cli {
 
 struct Extension;
 
-/// A page for man(1), in troff.
+/// A manual page for man(1), in troff.
 struct ManualPage {
-  /// Of the file: "pongsim-run.1".
+  /// Name of its file: "pongsim-run.1".
   std::string file;
   std::string text;
 };
 
-/// @return A page for the program and one for each of its commands, of the words that `--help` prints.
+/// @return A page for the program and one for each of its commands, made from the texts of `--help`.
 std::vector<ManualPage> manualPages(const CLI::App& program);
 
-/// @return The page of what an extension adds, "pongsim-NAME.1": its command, and its options of `pongsim run`.
-/// @param name Of the extension.
+/// @return The page of an extension, "pongsim-NAME.1": its command, and its options of `pongsim run`.
+/// @param name Name of the extension.
 ManualPage extensionPage(const Extension& extension, const std::string& name);
 
 /// Writes pages into a folder.
-/// @return Whether it could.
+/// @return Whether it succeeded.
 bool writeManual(const std::vector<ManualPage>& pages, const std::string& folder);
 
 }  // namespace pongsim::cli

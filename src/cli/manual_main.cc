@@ -1,4 +1,4 @@
-// Writes the manual's pages while pongsim is built: pongsim-manual FOLDER, or that of what a package beside it adds:
+// Writes the manual's pages when pongsim is built: pongsim-manual FOLDER, or the page of an additional package:
 // pongsim-manual FOLDER DESCRIPTOR.
 #include "cli/cli.hh"
 

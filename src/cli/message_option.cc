@@ -8,12 +8,12 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Bytes of a line that are shown on either side of the place.
+/// Number of bytes of a line shown before and after the position.
 constexpr std::size_t kShownBefore = 60, kShownAfter = 40;
 
 bool continuesCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80; }
 
-/// @return The line of the text that the error is in, or the part of it around the place, with a caret below.
+/// @return The line of the text with the error, or the part of it around the position, with a caret below.
 std::string showPlace(std::string_view text, const MessageError& error) {
   for (int line = 1; line < error.line; ++line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   text = text.substr(0, text.find('\n'));

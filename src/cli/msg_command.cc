@@ -18,13 +18,13 @@ namespace pongsim::cli {
 
 namespace {
 
-/// The command line as it was given.
+/// The parsed command line.
 struct MsgCommandLine {
   bool list = false, json = false, asIgn = false;
   std::optional<std::string> infoType, templateType;
 };
 
-/// As `ign msg` names types.
+/// The type's name as written by `ign msg`.
 std::string ignName(const std::string& type) {
   constexpr std::string_view kPrefix = "ignition.msgs.";
   return type.starts_with(kPrefix) ? "ign_msgs." + type.substr(kPrefix.size()) : type;
@@ -47,7 +47,7 @@ Work workFor(const MsgCommandLine& given) {
   const std::string type = messageTypeOption(given.infoType ? *given.infoType : *given.templateType);
   const std::string head = given.asIgn ? "Name: " + type + "\nFile: " + msgs::definitionFile(type).value_or("") + "\n\n"
                                        : "// " + type + "\n";
-  // without the comments, as there
+  // without comments, like `ign`
   const auto comments = given.asIgn ? std::filesystem::path() : ownFolder() / "message_comments";
   const std::string text =
       given.infoType ? head + msgs::definition(type, comments).value_or("") : msgs::messageTemplate(type).value_or("");

@@ -6,8 +6,8 @@ class App;
 
 namespace pongsim::cli {
 
-/// Gives a command that talks to other processes the option `--network`. It stands for the environment variable
-/// PONGSIM_NETWORK, which it sets for all transports that the command makes.
+/// Adds the option `--network` to a command that communicates with other processes. The option sets the environment
+/// variable PONGSIM_NETWORK for all transports that the command creates.
 void addNetworkOption(CLI::App& command);
 
 }  // namespace pongsim::cli

@@ -18,7 +18,7 @@ namespace {
 }  // namespace
 
 std::uint64_t wholeNumber(std::string_view option, std::string_view text, std::uint64_t lowest, std::uint64_t highest) {
-  // not base::parseInteger: it ends at 2^63
+  // not base::parseInteger, which stops at 2^63
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, value);

@@ -7,8 +7,8 @@ class Option;
 
 namespace pongsim::cli {
 
-/// Gives a command that reads worlds the option `--offline`. It stands for the environment variable PONGSIM_OFFLINE,
-/// which it sets.
+/// Adds the option `--offline` to a command that reads worlds. The option sets the environment variable
+/// PONGSIM_OFFLINE.
 CLI::Option* addOfflineOption(CLI::App& command);
 
 }  // namespace pongsim::cli

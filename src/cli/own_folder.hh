@@ -4,7 +4,7 @@
 
 namespace pongsim::cli {
 
-/// @return What came with this program is there: PREFIX/share/pongsim; empty where it can't be told.
+/// @return The folder of this program's own files: PREFIX/share/pongsim; empty if unknown.
 std::filesystem::path ownFolder();
 
 }  // namespace pongsim::cli

@@ -11,14 +11,14 @@ namespace pongsim::cli {
 void addSecureOption(CLI::App& command) {
   const auto secure = [](const std::string& place) {
     if (place.empty()) throw UsageError("option '--secure' takes a keystore, or KEYSTORE/NAME, not ''");
-    // a mistake in it is one even where the command turns out to talk to nobody
+    // a mistake in it is an error even if the command ends up communicating with nobody
     readIdentity(identityFolder(place));
     secureBy(place);
   };
   command
       .add_option_function<std::string>("--secure", secure,
-                                        "Talk to none but identities of this keystore, as one of them, encrypted:\n"
-                                        "'pongsim security' makes it")
+                                        "Encrypt everything, and communicate only with identities of this keystore,\n"
+                                        "as one of them; 'pongsim security' creates keystores")
       ->type_name("KEYSTORE[/NAME]");
 }
 

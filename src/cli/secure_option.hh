@@ -6,8 +6,8 @@ class App;
 
 namespace pongsim::cli {
 
-/// Gives a command that talks to other processes the option `--secure`. It stands for the environment variable
-/// PONGSIM_SECURITY, which it sets for all transports that the command makes.
+/// Adds the option `--secure` to a command that communicates with other processes. The option sets the environment
+/// variable PONGSIM_SECURITY for all transports that the command creates.
 void addSecureOption(CLI::App& command);
 
 }  // namespace pongsim::cli

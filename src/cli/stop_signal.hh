@@ -7,8 +7,8 @@
 
 namespace pongsim::cli {
 
-/// Takes SIGINT and SIGTERM as a wish to end. Make it before other threads: they inherit that the two signals are
-/// blocked, so that this object's own thread gets them.
+/// Handles SIGINT and SIGTERM as requests to stop. Create it before other threads: they inherit that the two signals
+/// are blocked, so that this object's own thread gets them.
 class StopSignal {
  public:
   StopSignal();
@@ -16,11 +16,11 @@ class StopSignal {
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
 
-  /// @return Whether one has come.
+  /// @return Whether such a signal has arrived.
   bool stopped() const { return stopped_; }
 
-  /// Calls `notify` when one comes, on another thread, or at once where one has come; an empty function ends that.
-  /// A second signal ends the process, however long the work takes to stop.
+  /// Calls `notify` when a signal arrives, on another thread, or immediately if one has arrived already; an empty
+  /// function cancels this. A second signal ends the process, however long the work takes to stop.
   void onStop(std::function<void()> notify);
 
  private:

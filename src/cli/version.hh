@@ -4,7 +4,7 @@
 
 namespace pongsim::cli {
 
-/// @return pongsim's version, and on lines of their own those of the libraries that its results depend on.
+/// @return pongsim's version and, one per line, those of the libraries that its results depend on.
 std::string versionText();
 
 }  // namespace pongsim::cli

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// @return The file that a world's metadata.pbtxt names, else the first SDF file of its folder by name; nothing where
-/// there is none.
+/// @return The file named in a world's metadata.pbtxt, else the first SDF file in its folder by name; nothing if there
+/// is none.
 std::optional<fs::path> worldFileIn(const fs::path& folder) {
   std::ifstream stream(folder / "metadata.pbtxt");
   const std::string metadata{std::istreambuf_iterator<char>(stream), {}};

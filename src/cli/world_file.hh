@@ -8,14 +8,14 @@
 
 namespace pongsim::cli {
 
-/// Finds a world's file as Fortress does: as given, else in the resource folders that the environment names
+/// Finds a world's file as Fortress does: as given, else in the resource folders from the environment
 /// (`assets::Places`), else among the worlds that came with this program.
-/// @return Its path; `name` itself where there is no such file.
+/// @return Its path; `name` itself if there is no such file.
 std::filesystem::path findWorldFile(const std::string& name);
 
-/// As `findWorldFile`; the address of a world or model on a Fuel server is that of its SDF file in the local cache,
-/// into which it is downloaded.
-/// @return Nothing, and an error added, where a Fuel address leads to no file.
+/// Like `findWorldFile`; in addition, the address of a world or model on a Fuel server stands for its SDF file in the
+/// local cache, which is downloaded if necessary.
+/// @return Nothing, with an error, if a Fuel address leads to no file.
 std::optional<std::filesystem::path> fetchWorldFile(const std::string& name, Diagnostics& diagnostics);
 
 }  // namespace pongsim::cli

@@ -11,58 +11,58 @@
 
 namespace pongsim::description {
 
-/// A file that an actor is made of, `<skin>`, or moves by, `<animation>`.
+/// A file of an actor: its `<skin>` or an `<animation>`.
 struct ActorFile {
-  /// As it stands in the description's file; empty: none is named.
+  /// As written in the file; empty: none.
   std::string uri;
-  /// What it names; empty where that is not there.
+  /// The resolved path; empty if the file does not exist.
   std::filesystem::path file;
   double scale = 1;
   bool operator==(const ActorFile&) const = default;
 };
 
-/// `<animation>`: a movement of an actor's limbs.
+/// `<animation>`: motion of an actor's limbs.
 struct Animation {
   std::string name;
   ActorFile source;
-  /// The movement goes as fast as the actor goes along x.
+  /// The animation's speed follows the actor's speed along x.
   bool followsPath = false;
   bool operator==(const Animation&) const = default;
 };
 
 /// `<waypoint>`
 struct Waypoint {
-  /// Since the script began [s].
+  /// Time since the start of the script [s].
   double time = 0;
-  /// In the frame of the trajectory's actor.
+  /// In the frame of the actor.
   Pose X_ActorWaypoint;
   bool operator==(const Waypoint&) const = default;
 };
 
-/// `<trajectory>`: a way that an actor goes.
+/// `<trajectory>`: a path that an actor follows.
 struct Trajectory {
   long long id = 0;
-  /// Name of the animation that goes with it.
+  /// Name of the animation to play along it.
   std::string type;
-  /// Of the spline through the points: 0: Catmull-Rom, 1: straight lines.
+  /// Tension of the spline through the points: 0: Catmull-Rom, 1: straight lines.
   double tension = 0;
   /// In the order of the file.
   std::vector<Waypoint> waypoints;
   bool operator==(const Trajectory&) const = default;
 };
 
-/// What an `<actor>` says: a figure that moves as it is told, whatever it meets.
+/// An `<actor>`: an animated figure that moves by a script, regardless of what it hits.
 struct Actor {
   std::string name;
   SourcePosition position;
   Pose X_WorldActor;
   ActorFile skin;
-  /// Of its links, in the actor's frame (`X_LinkVisual`).
+  /// Visuals of its links, in the actor's frame (`X_LinkVisual`).
   std::vector<Visual> visuals;
   std::vector<Animation> animations;
-  /// `<script>`: it begins anew when it has ended.
+  /// `<script>`: whether it repeats after the end.
   bool loops = true;
-  /// Simulated seconds before the first beginning.
+  /// Simulated seconds before the first run.
   double startDelay = 0;
   bool startsByItself = true;
   std::vector<Trajectory> trajectories;
@@ -70,7 +70,7 @@ struct Actor {
   bool operator==(const Actor&) const = default;
 };
 
-/// @return All that is to be seen of an actor, in its frame: its skin, where it has one, and the visuals of its links.
+/// @return Everything visible of an actor, in its frame: its skin, if any, and the visuals of its links.
 std::vector<Visual> visualsOf(const Actor& actor);
 
 }  // namespace pongsim::description

@@ -2,12 +2,12 @@
 
 namespace pongsim::description {
 
-/// Shares of light, linear, 0 to 1; more than 1 in lights that are brighter than a picture can show.
+/// Linear components, 0 to 1; above 1 for lights brighter than an image can show.
 struct Color {
   float red = 0;
   float green = 0;
   float blue = 0;
-  /// 0: not to be seen, 1: not to be seen through.
+  /// 0: invisible, 1: opaque.
   float alpha = 1;
   bool operator==(const Color&) const = default;
 };

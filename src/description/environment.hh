@@ -6,7 +6,7 @@
 
 namespace pongsim::description {
 
-/// `<atmosphere>`: air at the height zero of the world, and how it changes above.
+/// `<atmosphere>`: air at height zero of the world, and how it changes with height.
 struct Atmosphere {
   /// [K]
   double temperature = 288.15;
@@ -19,21 +19,21 @@ struct Atmosphere {
 
 /// `<spherical_coordinates>`: where on a planet the world is.
 struct SphericalCoordinates {
-  /// Whether the file says it.
+  /// Whether the file specifies it.
   bool isGiven = false;
   std::string surfaceModel = "EARTH_WGS84";
   std::string worldFrameOrientation = "ENU";
-  /// Of the world's origin [rad].
+  /// Latitude of the world's origin [rad].
   double latitude = 0;
   double longitude = 0;
-  /// Of the world's origin above the surface [m].
+  /// Height of the world's origin above the surface [m].
   double elevation = 0;
-  /// Of the world frame, counter-clockwise from the orientation above [rad].
+  /// Rotation of the world frame, counter-clockwise from the orientation above [rad].
   double heading = 0;
   bool operator==(const SphericalCoordinates&) const = default;
 };
 
-/// What is around the bodies of a world.
+/// Surroundings that act on the bodies of a world.
 struct Environment {
   /// World frame [m/s].
   Vector3 wind = Vector3::Zero();

@@ -18,7 +18,7 @@ struct Empty {
   bool operator==(const Empty&) const = default;
 };
 
-/// Centred on its frame. Size: full lengths along x, y, z [m].
+/// Centred on its frame. Full side lengths along x, y, z [m].
 struct Box {
   Vector3 size{1, 1, 1};
   bool operator==(const Box&) const = default;
@@ -30,14 +30,14 @@ struct Sphere {
   bool operator==(const Sphere&) const = default;
 };
 
-/// Centred on its frame, its axis along z [m].
+/// Centred on its frame, with its axis along z [m].
 struct Cylinder {
   double radius = 1;
   double length = 1;
   bool operator==(const Cylinder&) const = default;
 };
 
-/// A cylinder of that length along z with half a ball on each end [m].
+/// A cylinder of this length along z with a hemisphere on each end [m].
 struct Capsule {
   double radius = 0.5;
   double length = 1;
@@ -50,16 +50,16 @@ struct Ellipsoid {
   bool operator==(const Ellipsoid&) const = default;
 };
 
-/// Through the origin of its frame. As a collision shape it has no end; `size` is that of its picture [m].
+/// Through the origin of its frame. As a collision shape it is infinite; `size` is that of its visual [m].
 struct Plane {
   Vector3 normal = Vector3::UnitZ();
   Eigen::Vector2d size{1, 1};
   bool operator==(const Plane&) const = default;
 };
 
-/// `<mesh optimization>`: what collides in place of the triangles.
+/// `<mesh optimization>`: the collision shape that replaces the triangles.
 enum class MeshOptimization {
-  /// Where the body moves, convex pieces, as many as the shape asks for.
+  /// For moving bodies, convex pieces, as many as the shape needs.
   kNone,
   kConvexHull,
   kConvexDecomposition,
@@ -67,26 +67,25 @@ enum class MeshOptimization {
 
 /// `<mesh>`: triangles from a file.
 struct Mesh {
-  /// As it stands in the description's file.
+  /// As written in the file.
   std::string uri;
-  /// What it names; empty where that is not there.
+  /// The resolved path; empty if the file does not exist.
   std::filesystem::path file;
-  /// The one part of the file that is meant; empty: all of it.
+  /// The part of the file to use; empty: all of it.
   std::string submesh;
-  /// The part's bounding box is moved to have its centre in the origin.
+  /// Whether the centre of the part's bounding box is moved to the origin.
   bool isCentered = false;
-  /// Along each axis; negative mirrors, never zero.
+  /// Along each axis; negative values mirror; never zero.
   Vector3 scale{1, 1, 1};
   MeshOptimization optimization = MeshOptimization::kNone;
-  /// `<convex_decomposition>`, of effect with that optimization only: how many pieces there may be, 1 to 1000, and how
-  /// many voxels the box of the mesh has, below whose edge nothing is looked at.
+  /// `<convex_decomposition>`, only used with that optimization: the maximum number of pieces, 1 to 1000, and the
+  /// number of voxels in the mesh's bounding box, which sets the resolution.
   std::uint32_t maxConvexHulls = 16;
   std::uint32_t voxelResolution = 200'000;
-  /// Before scaling, shared by all that show the same. Null where it could not be read, and for visuals, which are not
-  /// read.
+  /// Not scaled, shared by all uses of the same mesh. Null if it can't be read, and for visuals, which are not read.
   std::shared_ptr<const TriangleMesh> triangles;
 
-  /// @return Whether both show the same part of the same file in the same way.
+  /// @return Whether both use the same part of the same file in the same way.
   bool operator==(const Mesh& other) const {
     return file == other.file && submesh == other.submesh && isCentered == other.isCentered && scale == other.scale &&
            optimization == other.optimization && maxConvexHulls == other.maxConvexHulls &&
@@ -94,76 +93,76 @@ struct Mesh {
   }
 };
 
-/// `<texture>` of a heightmap. The first one is at the bottom.
+/// `<texture>` of a heightmap. The first one is the lowest.
 struct HeightmapTexture {
-  /// Edge of its picture on the ground [m].
+  /// Edge length of its image on the ground [m].
   double size = 10;
   Texture diffuse;
   Texture normal;
   bool operator==(const HeightmapTexture&) const = default;
 };
 
-/// `<blend>`: where one texture of a heightmap goes over into the next.
+/// `<blend>`: the transition from one texture of a heightmap to the next.
 struct HeightmapBlend {
-  /// Where it begins [m].
+  /// Height at which it starts [m].
   double minHeight = 0;
-  /// How far it takes [m].
+  /// Height over which it extends [m].
   double fadeDistance = 0;
   bool operator==(const HeightmapBlend&) const = default;
 };
 
-/// `<heightmap>`: ground whose height is the brightness of an image.
+/// `<heightmap>`: terrain whose height is the brightness of an image.
 struct Heightmap {
-  /// As it stands in the description's file.
+  /// As written in the file.
   std::string uri;
-  /// What it names; empty where that is not there.
+  /// The resolved path; empty if the file does not exist.
   std::filesystem::path file;
-  /// Of the whole, from the darkest that a pixel can be to the brightest that there is [m].
+  /// Total size; z is from black to the brightest pixel of the image [m].
   Vector3 size{1, 1, 1};
-  /// Of its middle, at the height of black [m].
+  /// Position of its centre, at the height of black [m].
   Vector3 position = Vector3::Zero();
-  /// Points that are drawn a pixel.
+  /// Points drawn for each pixel.
   std::uint32_t sampling = 1;
   bool usesPaging = false;
   std::vector<HeightmapTexture> textures;
   std::vector<HeightmapBlend> blends;
-  /// With size and position. Null where the image could not be read, and for visuals.
+  /// With size and position applied. Null if the image can't be read, and for visuals.
   std::shared_ptr<const TriangleMesh> triangles;
 
-  /// @return Whether both are the same image in the same size and place, and look the same.
+  /// @return Whether both use the same image with the same size, position and appearance.
   bool operator==(const Heightmap& other) const {
     return file == other.file && size == other.size && position == other.position && sampling == other.sampling &&
            usesPaging == other.usesPaging && textures == other.textures && blends == other.blends;
   }
 };
 
-/// `<polyline>`: what closed lines in the xy plane enclose, from z = 0 to `height`. What is within two of them is out
-/// again: the inner one is a hole.
+/// `<polyline>`: closed lines in the xy plane, extruded from z = 0 to `height`. Where two lines are nested, the inner
+/// one is a hole.
 struct Polyline {
-  /// Each without its first point at its end, three at least.
+  /// Each with at least three points; the first point is not repeated at the end.
   std::vector<std::vector<Eigen::Vector2d>> lines;
   /// [m]
   double height = 1;
-  /// Null where the lines cross.
+  /// Null if the lines cross.
   std::shared_ptr<const TriangleMesh> triangles;
 
-  /// @return Whether both enclose the same.
+  /// @return Whether both enclose the same volume.
   bool operator==(const Polyline& other) const { return lines == other.lines && height == other.height; }
 };
 
 /// `<image>`: boxes on the bright pixels of an image.
 struct Image {
-  /// As it stands in the description's file.
+  /// As written in the file.
   std::string uri;
-  /// What it names; empty where that is not there.
+  /// The resolved path; empty if the file does not exist.
   std::filesystem::path file;
-  /// Edge of a pixel [m].
+  /// Edge length of a pixel [m].
   double scale = 1;
-  /// From this brightness up there is a box, 0 to 255.
+  /// Minimum brightness of a pixel that gets a box, 0 to 255.
   long long threshold = 200;
   /// [m]
   double height = 1;
-  /// How many pixels a box may be wrong by.
+  /// By how many pixels a box may be off.
   long long granularity = 1;
   bool operator==(const Image&) const = default;
 };

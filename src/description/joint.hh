@@ -13,16 +13,16 @@ namespace pongsim::description {
 
 enum class JointType { kRevolute, kContinuous, kPrismatic, kBall, kFixed, kUniversal, kRevolute2, kScrew, kGearbox };
 
-/// @return The format's name of the type: "revolute".
+/// @return The format's name for the type: "revolute".
 std::string_view name(JointType type);
 
-/// `<axis>`: one degree of freedom. Angles [rad] and their derivatives for a turning axis, [m] for a sliding one.
+/// `<axis>`: a degree of freedom. Angles [rad] and their derivatives for a rotation axis, [m] for a translation axis.
 struct JointAxis {
   /// Unit vector in the joint frame.
   Vector3 xyz = Vector3::UnitZ();
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  /// Largest force or torque of a motor; infinite where the file gives none or a negative one.
+  /// Maximum force or torque of a motor; infinite if the file gives none or a negative value.
   double effort = std::numeric_limits<double>::infinity();
   double velocity = std::numeric_limits<double>::infinity();
   double damping = 0;
@@ -32,7 +32,7 @@ struct JointAxis {
   bool operator==(const JointAxis&) const = default;
 };
 
-/// What a `<joint>` says. Links are named as the model sees them: "wheel", "inner::wheel", or "world".
+/// A `<joint>`. Links are named relative to the model: "wheel", "inner::wheel", or "world".
 struct Joint {
   std::string name;
   SourcePosition position;
@@ -41,13 +41,13 @@ struct Joint {
   std::string child;
   /// Pose of the joint frame in the child link's frame.
   Pose X_ChildJoint;
-  /// Pose of the joint frame, at the start, in the parent link's frame (in the world's, if that is the parent).
+  /// Initial pose of the joint frame in the parent link's frame (in the world's, if that is the parent).
   Pose X_ParentJoint;
-  /// Of a screw: how far the child moves along the axis in one turn [m], right-handed where positive.
+  /// For screws: translation of the child along the axis per turn [m]; positive: right-handed.
   double threadPitch = 1;
-  /// Of a gearbox: it holds theta2 = -ratio theta1, theta1 being how far the parent has turned about the first axis and
-  /// theta2 how far the child has turned about the second, both seen from the reference link, to which the axes are
-  /// fixed. The joint frame in that one (in the world's, if it is "world") is where it is in the two others.
+  /// For gearboxes: the ratio in theta2 = -ratio theta1, where theta1 is the parent's rotation about the first axis and
+  /// theta2 the child's about the second, both relative to the reference link, to which the axes are fixed. Initially,
+  /// the joint frame has the same pose on all three (in the world, if the reference link is "world").
   double gearboxRatio = 1;
   std::string gearboxReference;
   Pose X_ReferenceJoint;

@@ -9,7 +9,7 @@
 
 namespace pongsim::description {
 
-/// A part of a world that is there while a performer is near.
+/// A part of a world that is only loaded while a performer is near.
 struct Level {
   /// A `<ref>`: the name of a model, light or actor of the world.
   struct Member {
@@ -19,29 +19,29 @@ struct Level {
   };
   std::string name;
   SourcePosition position;
-  /// Middle and full lengths of its box, which lies along the axes of the world [m].
+  /// Centre and full side lengths of its box, aligned with the world's axes [m].
   Vector3 center = Vector3::Zero();
   Vector3 size = Vector3::Ones();
-  /// By how much a performer must be out of the box on each side for the level to go [m].
+  /// How far outside the box a performer must be, on any side, before the level is unloaded [m].
   double buffer = 0;
   std::vector<Member> members;
   bool operator==(const Level&) const = default;
 };
 
-/// A model or actor that makes levels come and go.
+/// A model or actor whose position decides which levels are loaded.
 struct Performer {
   std::string name;
   SourcePosition position;
-  /// The model or actor.
+  /// Name of the model or actor.
   std::string ref;
-  /// Full lengths of its box, which lies along the axes of the world around its origin [m].
+  /// Full side lengths of its box, centred on its origin and aligned with the world's axes [m].
   Vector3 size = Vector3::Ones();
   bool operator==(const Performer&) const = default;
 };
 
-/// What stands in the world's plugin `gz::sim`.
+/// Content of the world's `gz::sim` plugin.
 struct LevelPlan {
-  /// There is such a plugin.
+  /// Whether there is such a plugin.
   bool isGiven = false;
   std::vector<Level> levels;
   std::vector<Performer> performers;
@@ -49,7 +49,7 @@ struct LevelPlan {
 };
 
 /// @param className `name` of a `<plugin>`.
-/// @return Whether it is no system but holds levels and performers.
+/// @return Whether the plugin is not a system but contains levels and performers.
 inline bool isLevelPlan(std::string_view className) {
   return className == "gz::sim" || className == "ignition::gazebo";
 }

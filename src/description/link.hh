@@ -15,7 +15,7 @@
 
 namespace pongsim::description {
 
-/// `<inertial>`: mass and how it is spread.
+/// `<inertial>`: mass and inertia.
 struct Inertial {
   /// [kg]
   double mass = 1;
@@ -26,45 +26,45 @@ struct Inertial {
   bool operator==(const Inertial&) const = default;
 };
 
-/// `<torsional>`: friction of a patch against turning about its normal.
+/// `<torsional>`: friction of a contact patch against spinning about its normal.
 struct Torsion {
   double coefficient = 1;
-  /// Of the patch [m] (`<patch_radius>`).
+  /// Radius of the patch [m] (`<patch_radius>`).
   double patchRadius = 0;
-  /// Of the surface where it touches [m] (`<surface_radius>`): makes the patch, with the depth, where
-  /// `<use_patch_radius>` is false.
+  /// Radius of curvature of the surface at the contact [m] (`<surface_radius>`): determines the patch, together with
+  /// the depth, if `<use_patch_radius>` is false.
   double surfaceRadius = 0;
   bool usesPatchRadius = true;
-  /// How fast it turns by each newton metre of friction (`<ode><slip>`) [rad/s/(N m)].
+  /// Spin velocity per newton metre of friction (`<ode><slip>`) [rad/s/(N m)].
   double slip = 0;
   bool operator==(const Torsion&) const = default;
 };
 
-/// `<surface>`: how a collision's skin behaves.
+/// `<surface>`: contact properties of a collision.
 struct Surface {
-  /// Friction coefficient along the first and the second direction (`<friction><ode><mu>`, `<mu2>`).
+  /// Friction coefficients along the first and second direction (`<friction><ode><mu>`, `<mu2>`).
   double mu = 1;
   double mu2 = 1;
-  /// First friction direction (`<fdir1>`), in the collision frame or in that of a link; zero: the engine chooses.
+  /// First friction direction (`<fdir1>`), in the frame of the collision or of a link; zero: chosen by the engine.
   Vector3 fdir1 = Vector3::Zero();
-  /// Link of the model in whose frame `fdir1` is (`<fdir1 ignition:expressed_in>`); empty: the collision frame. Of a
-  /// mecanum wheel, that of the chassis: the direction does not turn with the wheel.
+  /// Link of the model in whose frame `fdir1` is given (`<fdir1 ignition:expressed_in>`); empty: the collision frame.
+  /// For a mecanum wheel this is the chassis, so that the direction does not turn with the wheel.
   std::string fdir1Link;
-  /// How fast it slips along the two directions by each newton of friction (`<slip1>`, `<slip2>`) [m/s/N].
+  /// Slip velocity along the two directions per newton of friction (`<slip1>`, `<slip2>`) [m/s/N].
   double slip1 = 0;
   double slip2 = 0;
-  /// Two collisions touch where their masks share a bit (`<contact><collide_bitmask>`).
+  /// Two collisions can touch if their masks share a bit (`<contact><collide_bitmask>`).
   std::uint16_t collideBitmask = 0xff;
   /// `<bounce><restitution_coefficient>`, 0 to 1.
   double restitution = 0;
-  /// Slower than that [m/s] nothing bounces (`<bounce><threshold>`); unset, as the engine has it.
+  /// Slower impacts [m/s] don't bounce (`<bounce><threshold>`); unset: the engine's default.
   std::optional<double> bounceThreshold;
-  /// Of contacts (`<contact><ode><kp>`, `<kd>`) [N/m], [N s/m]; unset: rigid.
+  /// Contact stiffness and damping (`<contact><ode><kp>`, `<kd>`) [N/m], [N s/m]; unset: rigid.
   std::optional<double> stiffness;
   double damping = 1;
-  /// `<torsional>`: against turning about the normal.
+  /// `<torsional>`: friction against spinning about the normal.
   Torsion torsion;
-  /// Points at which it touches another collision (`<max_contacts>`); unset, as the world's `<physics>` says.
+  /// Maximum number of contact points with another collision (`<max_contacts>`); unset: see the world's `<physics>`.
   std::optional<long long> maxContacts;
   bool operator==(const Surface&) const = default;
 };
@@ -83,14 +83,14 @@ struct Visual {
   SourcePosition position;
   Pose X_LinkVisual;
   Geometry geometry;
-  /// Without one: as its mesh says, or grey.
+  /// Unset: the mesh's own material, or grey.
   std::optional<Material> material;
-  /// 0: not to be seen through, 1: not to be seen.
+  /// 0: opaque, 1: invisible.
   double transparency = 0;
   bool castsShadows = true;
-  /// A camera sees it where one of these bits is in its visibility mask.
+  /// Cameras see it if their visibility mask shares a bit with these.
   std::uint32_t visibilityFlags = 0xFFFFFFFF;
-  /// Intensity that a lidar sees.
+  /// Intensity in lidar scans.
   double laserRetro = 0;
   /// `<meta><layer>`
   long long layer = 0;
@@ -98,7 +98,7 @@ struct Visual {
   bool operator==(const Visual&) const = default;
 };
 
-/// What a `<link>` says.
+/// A `<link>`.
 struct Link {
   std::string name;
   SourcePosition position;
@@ -112,11 +112,11 @@ struct Link {
   bool gravity = true;
   /// `<kinematic>`
   bool kinematic = false;
-  /// `<self_collide>`: collides with other links of its model; unset, as the model says.
+  /// `<self_collide>`: whether it collides with other links of its model; unset: see the model.
   std::optional<bool> selfCollide;
-  /// `<enable_wind>`: the wind moves it; unset, as the model says.
+  /// `<enable_wind>`: whether the wind acts on it; unset: see the model.
   std::optional<bool> isInWind;
-  /// `<velocity_decay>`, fraction of the velocity lost a second.
+  /// `<velocity_decay>`, fraction of the velocity lost per second.
   double linearDamping = 0;
   double angularDamping = 0;
   bool operator==(const Link&) const = default;

@@ -10,26 +10,26 @@
 
 namespace pongsim::description {
 
-/// The file of a picture.
+/// An image file.
 struct Texture {
-  /// As it stands in the description's file; empty: none is named.
+  /// As written in the file; empty: none.
   std::string uri;
-  /// What it names; empty where that is not there.
+  /// The resolved path; empty if the file does not exist.
   std::filesystem::path file;
   bool operator==(const Texture&) const = default;
 };
 
-/// What the two ways of `<pbr>` have in common.
+/// What the two workflows of `<pbr>` have in common.
 struct PbrMaps {
   Texture albedo;
   Texture normal;
-  /// The normals are in the object's space, in place of that of the surface.
+  /// The normal map is in object space instead of tangent space.
   bool areNormalsOfObject = false;
   Texture environment;
   Texture ambientOcclusion;
   Texture emissive;
   Texture light;
-  /// Which of the mesh's texture coordinates the light map goes by.
+  /// Index of the mesh's texture coordinates used for the light map.
   std::uint32_t lightCoordinates = 0;
   bool operator==(const PbrMaps&) const = default;
 };
@@ -40,7 +40,7 @@ struct PbrMetal {
   /// 0: smooth, 1: rough.
   double roughness = 0.5;
   Texture roughnessMap;
-  /// 0: no metal, 1: metal.
+  /// 0: not metallic, 1: metallic.
   double metalness = 0.5;
   Texture metalnessMap;
   bool operator==(const PbrMetal&) const = default;
@@ -56,21 +56,21 @@ struct PbrSpecular {
   bool operator==(const PbrSpecular&) const = default;
 };
 
-/// `<material>`: how a surface looks.
+/// `<material>`: the appearance of a surface.
 struct Material {
   Color ambient;
   Color diffuse;
   Color specular;
   Color emissive;
-  /// Lights change how it looks.
+  /// Whether lights affect it.
   bool isLit = true;
   bool isDoubleSided = false;
-  /// Of surfaces in one place the one with the highest is seen.
+  /// Of coinciding surfaces, the one with the highest value is visible.
   double renderOrder = 0;
   /// `<script>`: the name of a material in one of these files, which Ogre reads and pongsim does not.
   std::string scriptName;
   std::vector<std::string> scriptUris;
-  /// `<shader>`: empty: none is named.
+  /// `<shader>`; empty: none.
   std::string shader;
   Texture shaderNormalMap;
   std::optional<PbrMetal> metal;

@@ -13,17 +13,17 @@
 
 namespace pongsim::description {
 
-/// A `<frame>`: a name for a pose.
+/// A `<frame>`: a named pose.
 struct Frame {
   std::string name;
   SourcePosition position;
   Pose X_ModelFrame;
-  /// Link that the frame moves with, as the model names it.
+  /// Link that the frame moves with, named relative to the model.
   std::string attachedLink;
   bool operator==(const Frame&) const = default;
 };
 
-/// The URDF that a model was made from, shared by all copies; null where that was SDF.
+/// The URDF that a model was converted from, shared by all copies; null if it was SDF.
 struct Urdf {
   std::shared_ptr<const UrdfSource> source;
   /// @return Whether the texts are the same.
@@ -33,20 +33,20 @@ struct Urdf {
   }
 };
 
-/// What a `<model>` says, frames resolved.
+/// A `<model>`, with resolved frames.
 struct Model {
   std::string name;
   SourcePosition position;
-  /// Pose in the frame of what holds it: the world or the model it is nested in.
+  /// Pose in the frame of its parent: the world or the enclosing model.
   Pose X_ParentModel;
   bool isStatic = false;
   bool selfCollide = false;
   /// `<enable_wind>`
   bool isInWind = false;
-  /// Name of the link that the model frame is attached to, as this model sees it ("link" or "inner::link").
+  /// Link that the model frame is attached to, named relative to this model ("link" or "inner::link").
   std::string canonicalLink;
-  /// In front of the topics of its systems and sensors, as `InsertOptions::nameSpace`: of a model at the top level that
-  /// came while the world ran.
+  /// Prefix for the topics of its systems and sensors, see `InsertOptions::nameSpace`: for top-level models inserted at
+  /// run time.
   std::string nameSpace = {};
   std::vector<Link> links;
   std::vector<Joint> joints;

@@ -79,18 +79,18 @@ struct DartSettings {
   bool operator==(const DartSettings&) const = default;
 };
 
-/// A `<physics>` profile. What it says of other engines is there for those who ask.
+/// A `<physics>` profile. Settings for other engines are kept for programs that ask for them.
 struct PhysicsProfile {
   std::string name = "default_physics";
-  /// The engine that it is for: "ode".
+  /// The engine that it is meant for: "ode".
   std::string type = "ode";
   bool isDefault = false;
   Time maxStepSize = std::chrono::milliseconds(1);
-  /// Simulated seconds a second; 0 means as many as possible.
+  /// Simulated seconds per second of wall time; 0: as many as possible.
   double realTimeFactor = 1;
-  /// Steps a second [1/s].
+  /// Steps per second [1/s].
   double realTimeUpdateRate = 1000;
-  /// Of two bodies.
+  /// Contact points between two bodies.
   long long maxContacts = 20;
   OdeSettings ode;
   BulletSettings bullet;

@@ -6,7 +6,7 @@
 
 namespace pongsim::description {
 
-/// A `<plugin>`: which library and class, and its parameters.
+/// A `<plugin>`: its library, class and parameters.
 struct Plugin {
   std::string filename;
   std::string className;

@@ -11,24 +11,24 @@
 
 namespace pongsim::description {
 
-/// What a `<sensor>` says.
+/// A `<sensor>`.
 struct Sensor {
   std::string name;
   SourcePosition position;
-  /// As the file has it: "imu".
+  /// As in the file: "imu".
   std::string type;
-  /// Pose in the frame of the link or the joint that holds it.
+  /// Pose in the frame of its parent link or joint.
   Pose X_ParentSensor;
-  /// `<topic>`; empty: the one by default.
+  /// `<topic>`; empty: the default topic.
   std::string topic;
-  /// Name of the frame in its messages (`<ignition_frame_id>`); empty: the one by default.
+  /// Frame name in its messages (`<ignition_frame_id>`); empty: the default frame.
   std::string frame;
-  /// Messages a simulated second; zero: one every step.
+  /// Messages per simulated second; zero: one every step.
   double updateRate = 0;
   bool alwaysOn = false;
-  /// Its messages are counted and timed in messages of their own.
+  /// Whether its message rates are published as metrics.
   bool hasMetrics = false;
-  /// What it senses is shown, where a program shows such things.
+  /// Whether its data is displayed, by programs that can.
   bool isVisualized = false;
   SensorSettings settings;
   std::vector<Plugin> plugins;

@@ -8,7 +8,7 @@
 
 namespace pongsim::description {
 
-/// A surface of triangles [m]. Every index is that of a vertex, and every vertex is finite.
+/// A triangle mesh [m]. All indices are valid, and all vertices are finite.
 struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;

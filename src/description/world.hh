@@ -17,26 +17,26 @@
 
 namespace pongsim::description {
 
-/// What a `<world>` says, frames resolved.
+/// A `<world>`, with resolved frames.
 struct World {
   std::string name;
   SourcePosition position;
   /// World frame [m/s^2].
   Vector3 gravity{0, 0, -9.8};
-  /// The profile that counts: the first one marked as default, else the first.
+  /// The profile in use: the first one marked as default, else the first.
   PhysicsProfile physics;
-  /// All of them, in the order of the file.
+  /// All profiles, in the order of the file.
   std::vector<PhysicsProfile> physicsProfiles;
   Environment environment;
   Scene scene;
-  /// `<gui>`, as it stands in the file.
+  /// `<gui>`, as in the file.
   std::optional<Element> gui;
   std::vector<Model> models;
   std::vector<Light> lights;
   std::vector<Actor> actors;
-  /// Joints that connect models at the world's level.
+  /// Joints between models, defined in the world.
   std::vector<Joint> joints;
-  /// Frames at the world's level; the world stands for their model: links are named "model::link", or "world".
+  /// Frames defined in the world. They refer to links as "model::link", or to "world".
   std::vector<Frame> frames;
   std::vector<Plugin> plugins;
   LevelPlan levels;

@@ -11,14 +11,14 @@
 
 namespace pongsim::physics {
 
-/// @return Whether forces move the link: neither static nor kinematic.
+/// @return Whether forces move the link: it is neither static nor kinematic.
 inline bool isMoving(const world::LinkRecord& link) { return !link.isStatic && !link.description->kinematic; }
 
-/// A link as a rigid body. Bullet's body frame lies at the centre of mass, along the principal axes of inertia.
+/// A link as a rigid body. Bullet's body frame is at the centre of mass, along the principal axes of inertia.
 class Body {
  public:
   /// @param gravity World frame [m/s^2].
-  /// @throws std::invalid_argument if a moving link's mass or inertia can't be.
+  /// @throws std::invalid_argument if a moving link's mass or inertia is impossible.
   Body(const world::Entities& entities, world::Slot link, const Vector3& gravity, HullStore& hulls,
        SharedShapes& shared);
   Body(const Body&) = delete;
@@ -27,9 +27,9 @@ class Body {
   btRigidBody& rigid() { return rigid_; }
   const btRigidBody& rigid() const { return rigid_; }
   world::Slot link() const { return link_; }
-  /// Of the link.
+  /// Id of the link.
   LinkId id() const { return id_; }
-  /// The link has another slot now.
+  /// Call when the link gets another slot.
   void setLink(world::Slot link);
   bool moves() const { return moves_; }
   bool collides() const { return !shape_.empty(); }
@@ -38,32 +38,32 @@ class Body {
   /// Pose of the body frame in the link frame.
   const Pose& X_LinkBody() const { return X_LinkBody_; }
 
-  /// @param gravity World frame [m/s^2]; nothing to a link without `<gravity>`.
+  /// @param gravity World frame [m/s^2]; has no effect on a link with gravity switched off.
   void setGravity(const Vector3& gravity);
 
-  /// Sets where the link is. Its velocity stays.
+  /// Sets the pose of the link. Its velocity stays.
   void setPose(const Pose& X_WorldLink);
 
-  /// For the next step of `dt` [s]: the torque that its own turning asks for, and gravity.
-  /// @param isHeld Joints have a say in how it moves.
+  /// Adds gravity and the gyroscopic torque for the next step of `dt` [s].
+  /// @param isHeld Whether joints constrain its motion.
   void addForces(double dt, bool isHeld);
 
-  /// For the next step: a force at the link frame's origin and a torque, world frame [N, N m].
+  /// Adds a force at the link frame's origin and a torque for the next step, world frame [N, N m].
   void addWrench(const Vector3& force, const Vector3& torque);
 
   /// Sets the velocity of the link frame's origin [m/s] and the angular velocity [rad/s], world frame.
   void setVelocity(const Vector3& linear, const Vector3& angular);
 
-  /// All that it remembers from step to step.
+  /// Saves or restores everything that it keeps from step to step.
   void transfer(StateArchive& archive);
 
-  /// Slows its turning down to once in a step of `dt` [s], where it turns faster: nothing can be told of what turns
-  /// farther, and errors would make it ever faster. And its speed to 1e6 m/s, so that absurd forces do not end a run.
-  /// @return Whether it did.
+  /// Limits its rotation to one turn in a step of `dt` [s]: faster rotation can't be resolved, and errors would speed
+  /// it up further. Limits its speed to 1e6 m/s, so that absurd forces do not end a run.
+  /// @return Whether a limit applied.
   bool slowDown(double dt);
 
-  /// Writes where the link is and how fast.
-  /// @return Whether all of it is finite and within reason.
+  /// Writes the link's pose and velocity.
+  /// @return Whether all values are finite and within reason.
   bool read(world::LinkState& state) const;
 
  private:
@@ -74,7 +74,7 @@ class Body {
   LinkId id_;
   bool moves_;
   bool hasGravity_;
-  /// Principal moments of inertia [kg m^2], and whether all are the same.
+  /// Principal moments of inertia [kg m^2], and whether they are all the same.
   btVector3 moments_;
   bool isRound_;
   Pose X_LinkBody_;

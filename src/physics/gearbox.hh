@@ -6,15 +6,15 @@
 
 namespace pongsim::physics {
 
-/// What a gearbox's one row does to a third body, the one that its axes are fixed to, as a row for Bullet's solver,
-/// which knows rows of two bodies only. It must follow the row of the two gears in the solver's list; `ContactSolver`
-/// makes one of the two.
+/// The effect of a gearbox's single row on a third body, the one that its axes are fixed to. Bullet's solver only has
+/// rows of two bodies, so this is a row of its own. It must follow the row of the two gears in the solver's list;
+/// `ContactSolver` combines the two.
 class GearReference final : public btTypedConstraint {
  public:
-  /// @param other A body that moves and that the gearbox acts on, too, so that the two come into one group.
+  /// @param other A moving body that the gearbox also acts on, so that the two are in the same island.
   GearReference(btRigidBody& reference, btRigidBody& other);
 
-  /// Sets what a unit of the row's impulse does to the reference body [N m s], world frame.
+  /// Sets the effect of a unit impulse of the row on the reference body [N m s], world frame.
   void setTorque(const btVector3& torque) { torque_ = torque; }
 
   void getInfo1(btConstraintInfo1* info) override;
@@ -29,8 +29,8 @@ class GearReference final : public btTypedConstraint {
 /// @return Whether it is a `GearReference`.
 bool isGearReference(const btTypedConstraint& joint);
 
-/// @return How far a frame has turned about a unit vector of it, seen from another one that it lay along at the start
-/// [rad], between -pi and pi. What it has turned otherwise does not count.
+/// @return The rotation of a frame about one of its unit vectors, relative to a reference frame that it was aligned
+/// with at the start [rad], between -pi and pi. Rotation about other axes does not count.
 /// @param axis In either frame, at the start.
 double turnAbout(const btVector3& axis, const btMatrix3x3& R_WorldReference, const btMatrix3x3& R_WorldGear);
 

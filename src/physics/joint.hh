@@ -24,34 +24,33 @@ struct JointEnd {
   bool moves = false;
 };
 
-/// A joint between two bodies as rows for Bullet's solver: those that hold the bodies
-/// together, then of each axis one of motor, friction and damping, and one of a limit that is near.
+/// A joint between two bodies as rows for Bullet's solver: those that hold the bodies together, then for each axis one
+/// for motor, friction and damping, and one for a limit that is near.
 ///
-/// All rows meet in the child's joint origin. Directions are world frame; velocities are the child's relative to the
-/// parent. The first axis is fixed to the parent, a second one to the child: the child turns about the second axis in a
-/// frame that turns about the first.
+/// All rows act at the child's joint origin. Directions are in the world frame; velocities are the child's relative to
+/// the parent. The first axis is fixed to the parent, a second one to the child: the child turns about the second axis
+/// in a frame that turns about the first.
 ///
-/// A gearbox holds the turns of its ends about two axes of a third body together by one row, and has no axis to
-/// command.
+/// A gearbox couples the rotations of its ends about two axes of a third body with one row, and has no axis to command.
 class Joint final : public btTypedConstraint {
  public:
-  /// @param reference Of a gearbox: what its axes are fixed to.
+  /// @param reference For a gearbox: the body that its axes are fixed to.
   Joint(const description::Joint& description, const JointEnd& parent, const JointEnd& child,
         const JointEnd& reference = {});
 
-  /// Of the joint in the world.
+  /// Slot of the joint in the world.
   world::Slot slot() const { return slot_; }
   void setSlot(world::Slot slot) { slot_ = slot; }
 
-  /// @return Whether one of its ends moves.
+  /// @return Whether at least one of its ends moves.
   bool holdsSomething() const { return parentMoves_ || childMoves_; }
 
-  /// @return Of a gearbox, what must follow it in the solver's list; null where there is no such thing.
+  /// @return For a gearbox, the row that must follow it in the solver's list; null if there is none.
   btTypedConstraint* reference() { return gearbox_ && gearbox_->part ? &*gearbox_->part : nullptr; }
 
-  /// How many axes it has to command.
+  /// Number of axes that can be commanded.
   std::size_t axisCount() const { return axisCount_; }
-  /// Asks for the memory of what a command of the first axis needs.
+  /// Prefetches what a command of the first axis needs.
   void prefetchAxis() const {
     base::prefetch(axisCount_);
     base::prefetch(axes_.front());
@@ -60,23 +59,23 @@ class Joint final : public btTypedConstraint {
   void clearVelocityTarget(std::size_t axis) { axes_[axis].velocityTarget.reset(); }
   void setPosition(double position, std::size_t axis) { axes_[axis].position = position; }
   void addForce(double force, std::size_t axis) { axes_[axis].force += force; }
-  /// @return Whether a force or a velocity other than zero is asked of an axis.
+  /// @return Whether any axis has a nonzero commanded force or velocity.
   bool isDriven() const;
-  /// Takes back what is asked of the axes.
+  /// Clears the commands of the axes.
   void release();
 
-  /// Puts forces on the bodies and decides which rows the coming step of `dt` [s] needs.
+  /// Applies forces to the bodies and decides which rows the next step of `dt` [s] needs.
   void prepare(double dt);
-  /// Takes position and velocity from the bodies.
+  /// Reads position and velocity from the bodies.
   void update();
 
-  /// What the joint did to its child at the joint's origin in the last step, world frame [N, N m]. Measured from the
-  /// first call on.
+  /// Reads the wrench that the joint exerted on its child at the joint's origin in the last step, world frame [N, N m].
+  /// Measured from the first call on.
   void readReaction(Vector3& force, Vector3& torque);
 
   world::JointState state() const;
 
-  /// All that it remembers from step to step.
+  /// Saves or restores everything that it keeps from step to step.
   void transfer(StateArchive& archive);
 
   void getInfo1(btConstraintInfo1* info) override;
@@ -88,7 +87,7 @@ class Joint final : public btTypedConstraint {
   struct Axes {
     /// The axes themselves, world frame.
     std::array<btVector3, 2> axes;
-    /// A torque along one of these does work on its axis alone, and a relative turn along it is that axis' velocity.
+    /// A torque along one of these does work on its own axis only; a relative rotation along it is that axis' velocity.
     std::array<btVector3, 2> drives;
   };
   /// The frames of both ends in the world frame.
@@ -104,13 +103,13 @@ class Joint final : public btTypedConstraint {
   };
   struct Axis {
     description::JointAxis description;
-    /// [kg m^2] or [kg]: what a force along the axis has to move, were there no other joints.
+    /// [kg m^2] or [kg]: the inertia that a force along the axis moves, ignoring other joints.
     double inertia = 0;
     std::optional<double> velocityTarget;
     double force = 0;
     double position = 0;
     double velocity = 0;
-    /// The force that was put on the bodies in the last step, which no row has, and along what.
+    /// The force applied to the bodies in the last step outside the rows, and its direction.
     double appliedForce = 0;
     btVector3 appliedAlong{0, 0, 0};
     AxisRow motor;
@@ -119,14 +118,14 @@ class Joint final : public btTypedConstraint {
     void follow(double angle);
   };
   struct Row;
-  /// @return Zeros; Bullet's vectors are not by themselves.
+  /// @return Zeros; Bullet's vectors are not initialized.
   static btJointFeedback noFeedback() { return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; }
   struct Gearbox {
     double ratio;
     btRigidBody& body;
-    /// Turned so that x is the first axis.
+    /// Rotated so that x is the first axis.
     btTransform X_BodyJoint;
-    /// Where the body moves.
+    /// Present if the body moves.
     std::optional<GearReference> part;
   };
 
@@ -149,24 +148,24 @@ class Joint final : public btTypedConstraint {
   const description::JointType type_;
   const std::size_t axisCount_;
   const bool slides_;
-  /// How far a screw's child moves along the axis [m/rad].
+  /// Translation of a screw's child along the axis [m/rad].
   const double lead_;
   /// Rows that hold the bodies together.
   const int linearRows_;
   const int angularRows_;
-  /// Turned so that x is the first axis.
+  /// Rotated so that x is the first axis.
   const btTransform X_ParentJoint_;
   const btTransform X_ChildJoint_;
-  /// The second axis in both, at the start.
+  /// The second axis in both frames, at the start.
   const btVector3 secondAxis_;
   const bool parentMoves_;
   const bool childMoves_;
   std::array<Axis, 2> axes_;
   std::unique_ptr<Gearbox> gearbox_;
 
-  /// What the solver's rows did, once that has been asked for.
+  /// The impulses of the solver's rows, once asked for.
   btJointFeedback feedback_ = noFeedback();
-  /// Where the rows met, seen from the child's centre of mass; world frame.
+  /// The point where the rows act, relative to the child's centre of mass; world frame.
   btVector3 childArm_{0, 0, 0};
 };
 

@@ -8,9 +8,9 @@
 
 namespace pongsim::plugin {
 
-/// A system of Fortress whose work pongsim does itself, in each run: it has no library.
+/// A system of Fortress that is built into pongsim and always runs; it has no library.
 struct CoreSystem {
-  /// As `systemName` has it: "user-commands".
+  /// As returned by `systemName`: "user-commands".
   std::string name;
   std::string className;
   Declaration declaration;
@@ -18,7 +18,7 @@ struct CoreSystem {
 
 const std::vector<CoreSystem>& coreSystems();
 
-/// @return The one of that name, in any of the forms that worlds use, or null.
+/// @return The system with this name, in any of the forms that worlds use, or null.
 const CoreSystem* coreSystem(std::string_view filename);
 
 }  // namespace pongsim::plugin

@@ -13,7 +13,7 @@
 
 namespace pongsim::plugin {
 
-/// A system library looked into without a simulation: its classes, and what each says of itself.
+/// A system library, inspected without a simulation: its classes, and how each describes itself.
 class Inspection {
  public:
   struct Class {
@@ -23,7 +23,7 @@ class Inspection {
     Declaration declaration;
   };
 
-  /// @return What is in the library, or why it can't be used.
+  /// @return The library's content, or why it can't be used.
   static std::variant<Inspection, std::string> of(const std::filesystem::path& file);
 
   const std::filesystem::path& file() const { return library_->file(); }
@@ -33,17 +33,17 @@ class Inspection {
   explicit Inspection(std::unique_ptr<Library> library);
 
   std::unique_ptr<Library> library_;
-  // go before their library
+  // destroyed before their library
   std::vector<Class> classes_;
 };
 
-/// @return The library that a plugin's filename stands for, in any of the forms that worlds use; nothing where no
-/// folder of the search path has it.
+/// @return The library that a plugin's filename stands for, in any of the forms that worlds use; nothing if no folder
+/// of the search path has it.
 std::optional<std::filesystem::path> findLibrary(const std::vector<std::filesystem::path>& searchPath,
                                                  std::string_view filename);
 
-/// @return All libraries in the folders, in their order, sorted in each; of those with one name the first, which is the
-/// one that a world gets.
+/// @return All libraries in the folders, sorted within each folder; if several have the same name, the first one, which
+/// is the one that worlds get.
 std::vector<std::filesystem::path> librariesIn(const std::vector<std::filesystem::path>& searchPath);
 
 /// @return The short names of the systems in those libraries.

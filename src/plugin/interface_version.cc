@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kTableName = "pongsim_systems";
 constexpr unsigned char kElfClass = sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32;
 
-/// A file of which parts are read: a library may be large, and is looked at each time that a world loads it.
+/// A file read in parts: libraries can be large, and are checked each time a world loads them.
 class ElfFile {
  public:
   explicit ElfFile(const std::filesystem::path& file) {
@@ -30,7 +30,7 @@ class ElfFile {
     stream_.open(file, std::ios::binary);
   }
 
-  /// @return So many values there; nothing where the file ends before.
+  /// @return This many values at the offset; nothing if the file ends before.
   template <class Value>
   std::optional<std::vector<Value>> at(std::size_t offset, std::size_t count) {
     if (offset > size_ || (size_ - offset) / sizeof(Value) < count) return std::nullopt;
@@ -40,7 +40,7 @@ class ElfFile {
     return stream_ ? std::optional(std::move(values)) : std::nullopt;
   }
 
-  /// @return The value there; nothing where the file ends before.
+  /// @return The value at the offset; nothing if the file ends before.
   template <class Value>
   std::optional<Value> at(std::size_t offset) {
     const auto values = at<Value>(offset, 1);
@@ -52,7 +52,7 @@ class ElfFile {
   std::ifstream stream_;
 };
 
-/// @return Where in the file that address of the loaded library comes from.
+/// @return The file offset of an address in the loaded library.
 std::optional<std::size_t> offsetOf(ElfFile& file, const ElfW(Ehdr) & header, std::size_t address) {
   const auto parts = file.at<ElfW(Phdr)>(header.e_phoff, header.e_phnum);
   if (!parts) return std::nullopt;
@@ -64,7 +64,7 @@ std::optional<std::size_t> offsetOf(ElfFile& file, const ElfW(Ehdr) & header, st
   return std::nullopt;
 }
 
-/// @return The address of the table among the names of a section, those that the library exports.
+/// @return The address of the table if it is among a section's names, which are those that the library exports.
 std::optional<std::size_t> tableAmong(ElfFile& file, const ElfW(Shdr) & names, const ElfW(Shdr) & textsOfNames) {
   const auto symbols = file.at<ElfW(Sym)>(names.sh_offset, names.sh_size / sizeof(ElfW(Sym)));
   const auto texts = file.at<char>(textsOfNames.sh_offset, textsOfNames.sh_size);

@@ -15,7 +15,7 @@ std::string otherVersion(std::uint32_t version) {
          std::to_string(kAbiVersion) + (version < kAbiVersion ? ": rebuild it" : ": it needs a newer pongsim");
 }
 
-/// @return Why a library can't be opened, with what is to be done where pongsim lacks something that it wants.
+/// @return Why a library can't be opened, with advice if pongsim lacks something that it needs.
 std::string withAdvice(const std::string& why) {
   const auto has = [&why](const char* text) { return why.find(text) != std::string::npos; };
   const bool wantsOther = has("libpongsim.so.") || (has("undefined symbol") && has("7pongsim"));

@@ -11,7 +11,7 @@
 
 namespace pongsim::plugin {
 
-/// A system library in memory.
+/// A loaded system library.
 class Library {
  public:
   /// @return The library, or why it can't be used, as the end of a sentence: "it has no systems for pongsim".
@@ -19,7 +19,7 @@ class Library {
 
   const std::filesystem::path& file() const { return file_; }
   std::span<const SystemEntry> systems() const { return table_->entries; }
-  /// @return Null where it has none.
+  /// @return Null if it has none.
   const EncoderTable* encoder() const { return encoder_; }
 
  private:

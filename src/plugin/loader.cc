@@ -27,7 +27,7 @@ void appendFolders(const char* variable, std::vector<std::filesystem::path>& fol
   }
 }
 
-/// @return The entry of that class; the first where no class is named; null where there is none.
+/// @return The entry of this class; the first one if no class is named; null if there is none.
 const SystemEntry* findEntry(const Library& library, const std::string& className) {
   for (const SystemEntry& entry : library.systems()) {
     if (className.empty() || std::ranges::find(entry.names, std::string_view(className)) != entry.names.end()) {

@@ -13,20 +13,18 @@
 
 namespace pongsim::plugin {
 
-/// @return Where system libraries are looked for, first to last: the folders of the environment variables
-/// PONGSIM_PLUGIN_PATH, IGN_GAZEBO_SYSTEM_PLUGIN_PATH and GZ_SIM_SYSTEM_PLUGIN_PATH, then the one that came with this
-/// program.
+/// @return The search path for system libraries: the folders in the environment variables PONGSIM_PLUGIN_PATH,
+/// IGN_GAZEBO_SYSTEM_PLUGIN_PATH and GZ_SIM_SYSTEM_PLUGIN_PATH, then the folder of this program's own systems.
 std::vector<std::filesystem::path> defaultSearchPath();
 
-/// Makes systems from what `<plugin>` elements ask for, and keeps their libraries in memory: the systems must not
-/// outlive it.
+/// Creates the systems that `<plugin>` elements ask for, and keeps their libraries loaded: the systems must not outlive
+/// it.
 class Loader {
  public:
   explicit Loader(std::vector<std::filesystem::path> searchPath = defaultSearchPath());
 
-  /// @return A new system, not configured yet; null where there is none, and then `diagnostics` says why: a warning
-  /// for a system of Fortress that pongsim does not have and for a plugin of Gazebo Classic or ROS, an error for
-  /// anything else.
+  /// @return A new system, not configured yet; null, with a diagnostic, if there is none: a warning for a system of
+  /// Fortress that pongsim lacks and for a plugin of Gazebo Classic or ROS, an error for anything else.
   std::unique_ptr<System> load(const description::Plugin& plugin, Diagnostics& diagnostics);
 
  private:
@@ -34,9 +32,9 @@ class Loader {
   void reportNotFound(const std::string& name, const description::Plugin& plugin, Diagnostics& diagnostics);
 
   std::vector<std::filesystem::path> searchPath_;
-  /// By short name.
+  /// Keyed by short name.
   std::map<std::string, std::unique_ptr<Library>> libraries_;
-  /// Systems of others that were asked for and warned of.
+  /// Missing systems of Fortress and others that were warned about.
   std::vector<std::string> missed_;
 };
 

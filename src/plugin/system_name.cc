@@ -14,8 +14,8 @@ void removeSuffix(std::string_view& name, std::string_view suffix) {
   if (name.ends_with(suffix)) name.remove_suffix(suffix.size());
 }
 
-/// Removes `family`, a version's digits after it, and the hyphen after those.
-/// @return Whether `name` was of that family.
+/// Removes the prefix `family`, the digits of a version after it, and the following hyphen.
+/// @return Whether `name` had this prefix.
 bool removeFamily(std::string_view& name, std::string_view family) {
   if (!name.starts_with(family)) return false;
   std::string_view rest = name.substr(family.size());

@@ -2,23 +2,23 @@
 
 namespace pongsim::rendering {
 
-/// A way to draw by OpenGL, core profile 4.5, without a window.
+/// An OpenGL context, core profile 4.5, without a window.
 class Context {
  public:
   using Function = void (*)();
 
   virtual ~Context() = default;
 
-  /// Lets OpenGL's functions speak to it on this thread, until `release`. It is made at the first call.
-  /// @throws std::runtime_error where it can't be.
+  /// Makes it current on this thread until `release`. The first call creates it.
+  /// @throws std::runtime_error if it can't be created.
   virtual void bind() = 0;
   virtual void release() = 0;
 
-  /// @return A function of OpenGL's, while it is bound; null where there is none of that name.
+  /// @return An OpenGL function, while bound; null if there is none with this name.
   virtual Function function(const char* name) const = 0;
 };
 
-/// Binds a context for as long as it lives.
+/// Keeps a context bound for its own lifetime.
 class Binding {
  public:
   explicit Binding(Context& context) : context_(context) { context_.bind(); }

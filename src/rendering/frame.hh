@@ -7,19 +7,19 @@
 
 namespace pongsim::rendering {
 
-/// What pictures are drawn into: colours with several samples a pixel, or one number. It lives while its context does.
+/// A framebuffer: multisampled colours, or one number for each pixel. Must not outlive its context.
 class Frame {
  public:
   enum class Kind { kColors, kDepths };
 
-  /// @param samples A pixel, of colours.
-  /// @throws std::runtime_error where there can be none of that size.
+  /// @param samples Colour samples for each pixel.
+  /// @throws std::runtime_error if this size is not possible.
   Frame(const Gl& gl, Kind kind, std::uint32_t width, std::uint32_t height, int samples);
   ~Frame();
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 
-  /// Lets all that follows be drawn into it.
+  /// Makes it the target of all drawing that follows.
   void use() const;
 
   /// @param pixels Three bytes each.
@@ -33,7 +33,7 @@ class Frame {
   const Gl& gl_;
   GLsizei width_;
   GLsizei height_;
-  /// Where it is drawn, and where the samples of a pixel become one.
+  /// The buffer drawn into, and the one in which the samples of each pixel are combined.
   GLuint drawn_ = 0;
   GLuint whole_ = 0;
   GLuint buffers_[3] = {};

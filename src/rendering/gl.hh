@@ -6,10 +6,10 @@
 
 namespace pongsim::rendering {
 
-/// The functions of OpenGL that are used, of one context. They may be called while it is bound.
+/// The OpenGL functions in use, of one context. Only call them while it is bound.
 struct Gl {
   /// @param context Bound.
-  /// @throws std::runtime_error where it lacks one of them.
+  /// @throws std::runtime_error if it lacks one of them.
   explicit Gl(const Context& context);
 
   PFNGLACTIVETEXTUREPROC activeTexture = nullptr;

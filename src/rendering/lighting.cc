@@ -14,16 +14,16 @@ using description::LightType;
 using Eigen::Matrix4d;
 using Eigen::Vector4f;
 
-// shadows are drawn around the eye where the scene is larger [m]
+// in larger scenes, shadows are only drawn within this distance from the camera [m]
 constexpr double kMostShadowRadius = 25;
 constexpr double kNearestShade = 0.05;
 constexpr double kFarthestShade = 1000;
 
-/// A ball that holds all shadows that count.
+/// A sphere that contains all visible shadows.
 struct Region {
   Vector3 middle = Vector3::Zero();
   double radius = 1;
-  /// Around all that casts shadows, seen from the eye.
+  /// Bounding box of everything that casts shadows, relative to the camera.
   Eigen::AlignedBox3d casters = {};
 };
 
@@ -43,7 +43,7 @@ std::optional<Region> shadowRegion(const Scene& scene, const PictureView& view) 
   return region;
 }
 
-/// @return Axes of which the last one points against a direction.
+/// @return Axes whose last one points against a direction.
 Matrix3 axesAgainst(const Vector3& direction) {
   const Vector3 z = -direction;
   const Vector3 x = (std::abs(z.z()) < 0.9 ? Vector3::UnitZ() : Vector3::UnitX()).cross(z).normalized();
@@ -54,7 +54,8 @@ Matrix3 axesAgainst(const Vector3& direction) {
   return axes;
 }
 
-/// Parallel light: a box along it, which what is before the region throws its shadow into.
+/// Directional light: a box along the light's direction, extended to objects in front of the region that cast shadows
+/// into it.
 Matrix4d parallelShadow(const Region& region, const Vector3& direction) {
   const Matrix3 axes = axesAgainst(direction);
   double top = region.radius;
@@ -65,14 +66,14 @@ Matrix4d parallelShadow(const Region& region, const Vector3& direction) {
   const double bottom = -region.radius;
   Matrix4d clip = Matrix4d::Identity();
   clip.block<2, 3>(0, 0) = axes.topRows<2>() / region.radius;
-  // depths from 0, next to the lamp, to 1
+  // depths from 0, next to the light, to 1
   clip.block<1, 3>(2, 0) = -1 / (top - bottom) * axes.row(2);
   clip.block<3, 1>(0, 3) = -clip.topLeftCorner<3, 3>() * region.middle;
   clip(2, 3) += top / (top - bottom);
   return clip;
 }
 
-/// Half of what a spot's shadow shows [rad].
+/// Half the angle covered by a spot light's shadow map [rad].
 double halfAngle(const Light& light) { return std::clamp(light.outerAngle / 2 * 1.05, 0.01, 1.4); }
 
 Matrix4d spotShadow(const Light& light, const Vector3& place, const Vector3& direction) {
@@ -130,7 +131,7 @@ Lighting lightingOf(const Scene& scene, const PictureView& view, int shadowEdge)
   for (std::size_t i = 0; i < count; ++i) {
     addLamp(scene.lamps()[i], view, region, shadowEdge, lighting.block.lamps[i], lighting);
   }
-  // as in Fortress, whose renderer spreads it over the half of the sky and does not make up for that
+  // as in Fortress, whose renderer divides by pi when it spreads ambient light over the hemisphere
   lighting.block.surroundings = colorOf(surroundings.ambient, 1 / std::numbers::pi, static_cast<double>(count));
   const Eigen::Vector3f background =
       surroundings.sky ? skyColors(*surroundings.sky).horizon : lightOf(surroundings.background);
@@ -146,7 +147,7 @@ SkyColors skyColors(const description::Sky& sky) {
   const Eigen::Vector3f zenith(0.09F, 0.24F, 0.60F), horizon(0.55F, 0.70F, 0.85F);
   const double length = sky.sunset - sky.sunrise;
   const double sun = length > 0 ? std::sin(std::numbers::pi * (sky.time - sky.sunrise) / length) : 1;
-  // bright all day, dark from an hour or so after sunset on
+  // bright all day, dark from about an hour after sunset
   const auto daylight = static_cast<float>(std::clamp(0.5 + 3 * sun, 0.05, 1.0));
   return {zenith * daylight, horizon * daylight};
 }

@@ -10,7 +10,7 @@
 
 namespace pongsim::rendering {
 
-/// The lamps of a scene as the shaders have them.
+/// The lights of a scene, laid out for the shaders.
 struct LampBlock {
   struct Lamp {
     Eigen::Vector4f place;
@@ -26,20 +26,20 @@ struct LampBlock {
   Eigen::Vector4f background;
 };
 
-/// How a scene is lit, as seen from an eye.
+/// How a scene is lit, seen from a camera.
 struct Lighting {
   LampBlock block;
-  /// From places seen from the eye to the clip space of each shadow.
+  /// From positions relative to the camera to the clip space of each shadow map.
   std::vector<Eigen::Matrix4d> shadows;
 };
 
-/// @param shadowEdge Of the pictures that shadows are kept in [pixels].
+/// @param shadowEdge Edge length of the shadow maps [pixels].
 Lighting lightingOf(const Scene& scene, const PictureView& view, int shadowEdge);
 
-/// @return A colour of a file that is shown as it stands there, as a share of light.
+/// @return A colour from a file as linear light.
 Eigen::Vector3f lightOf(const description::Color& color);
 
-/// Colours of a clear sky straight up and at its edge, as shares of light.
+/// Colours of a clear sky at the zenith and at the horizon, as linear light.
 struct SkyColors {
   Eigen::Vector3f zenith;
   Eigen::Vector3f horizon;

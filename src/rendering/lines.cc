@@ -8,7 +8,7 @@ namespace pongsim::rendering {
 
 namespace {
 
-/// Of the grid, and how far above the ground it is drawn, which must not hide it [m].
+/// Size of the grid, and its height above the ground, which must not hide it [m].
 constexpr int kHalfGrid = 20;
 constexpr double kGridHeight = 0.002;
 constexpr double kAxisLength = 1;

@@ -10,7 +10,7 @@
 
 namespace pongsim::rendering {
 
-/// What is drawn beside the world: grid and axes. It lives while its context does.
+/// Aids drawn beside the world: grid and axes. Must not outlive its context.
 class Lines {
  public:
   explicit Lines(const Gl& gl);

@@ -12,7 +12,7 @@ namespace pongsim::rendering {
 
 namespace {
 
-/// What is used of the library.
+/// The functions of the library in use.
 struct OsmesaFunctions {
   decltype(&OSMesaCreateContextAttribs) createContext = nullptr;
   decltype(&OSMesaDestroyContext) destroyContext = nullptr;
@@ -57,7 +57,7 @@ class OsmesaContext final : public Context {
     if (context_ == nullptr) throw std::runtime_error("OSMesa has no OpenGL 4.5");
   }
 
-  // pictures are drawn into buffers of their own
+  // images are drawn into framebuffers of their own
   static constexpr int kEdge = 4;
 
   OsmesaFunctions functions_;

@@ -6,8 +6,8 @@
 
 namespace pongsim::rendering {
 
-/// Opens Mesa's off-screen library, which draws with the processor alone.
-/// @throws std::runtime_error where it is not installed, saying which package to install.
+/// Opens Mesa's off-screen library, which renders on the processor.
+/// @throws std::runtime_error if it is not installed, with the package to install.
 std::unique_ptr<Context> openOsmesa();
 
 }  // namespace pongsim::rendering

@@ -15,7 +15,7 @@ float share(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0
 
 void takeMaps(const description::PbrMaps& maps, Paint& paint) {
   paint.maps[kColorMap] = maps.albedo.file;
-  // those of the object's space, too, are taken for the tangent space, as in Fortress
+  // object-space normals are treated as tangent-space ones, as in Fortress
   paint.maps[kNormalMap] = maps.normal.file;
   paint.maps[kGlowMap] = maps.emissive.file;
 }
@@ -23,7 +23,7 @@ void takeMaps(const description::PbrMaps& maps, Paint& paint) {
 Paint paintOf(const Material& material) {
   Paint paint;
   paint.diffuse = vectorOf(material.diffuse);
-  // most materials give the same colour twice; those that leave the second out are no darker for that in Fortress
+  // most materials set both to the same colour; those that leave out the second are no darker in Fortress
   paint.ambient = material.ambient == Color() ? paint.diffuse : vectorOf(material.ambient);
   paint.specular = vectorOf(material.specular);
   paint.emissive = vectorOf(material.emissive);

@@ -10,12 +10,11 @@
 
 namespace pongsim::rendering {
 
-/// What the pictures that go over a surface tell: its colour (sRGB), its normals (of the tangent space: red to the
-/// right in the picture, green up, blue outwards), shares of its roughness and metalness (in red), what it emits
-/// (sRGB).
+/// Texture maps of a surface: its colour (sRGB), its normals (tangent space: red to the right in the image, green up,
+/// blue outward), its roughness and metalness (in red), and its emission (sRGB).
 enum Map : std::size_t { kColorMap, kNormalMap, kRoughnessMap, kMetalnessMap, kGlowMap, kMapCount };
 
-/// How a surface meets light, of all that a `<material>` may say. Colours are shares of light, linear.
+/// How a surface reflects light; the part of a `<material>` that is drawn. Colours are linear.
 struct Paint {
   Eigen::Vector3f diffuse{0.7F, 0.7F, 0.7F};
   Eigen::Vector3f ambient{0.7F, 0.7F, 0.7F};
@@ -23,15 +22,15 @@ struct Paint {
   Eigen::Vector3f emissive{0, 0, 0};
   float metalness = 0;
   float roughness = 0.6F;
-  /// 1: not to be seen through.
+  /// 1: opaque.
   float opacity = 1;
   bool isLit = true;
   bool isDoubleSided = false;
-  /// Files of the pictures that go over it; empty: none.
+  /// Image files of its textures; empty: none.
   std::array<std::filesystem::path, kMapCount> maps;
 };
 
-/// @return As the visual's material says, else that of its file, else grey.
+/// @return The visual's material, else that of the mesh file, else grey.
 Paint paintOf(const description::Visual& visual, const std::optional<description::Material>& ofFile);
 
 }  // namespace pongsim::rendering

@@ -30,7 +30,7 @@ Program::Program(const Gl& gl, const char* vertexSource, const char* fragmentSou
        {std::pair(GLenum{GL_VERTEX_SHADER}, vertexSource), std::pair(GLenum{GL_FRAGMENT_SHADER}, fragmentSource)}) {
     const GLuint shader = compile(gl, type, source);
     gl.attachShader(id_, shader);
-    // gone with the program
+    // deleted together with the program
     gl.deleteShader(shader);
   }
   gl.linkProgram(id_);

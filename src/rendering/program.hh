@@ -4,10 +4,10 @@
 
 namespace pongsim::rendering {
 
-/// Shaders, compiled and linked. It lives while its context does, and may be used while that is bound.
+/// A linked shader program. Must not outlive its context, and can be used while that is bound.
 class Program {
  public:
-  /// @throws std::runtime_error where they can't be compiled.
+  /// @throws std::runtime_error if they can't be compiled.
   Program(const Gl& gl, const char* vertexSource, const char* fragmentSource);
   ~Program();
   Program(const Program&) = delete;

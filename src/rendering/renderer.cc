@@ -27,7 +27,7 @@ using Eigen::Matrix4d;
 using Eigen::Matrix4f;
 
 constexpr int kSamples = 4;
-// shadows of small pictures need not be fine
+// small images don't need fine shadows
 constexpr std::uint64_t kLargePicture = 200'000;
 
 Matrix4d placeFromSurface(const Item& item, const Vector3& eye) {
@@ -38,7 +38,7 @@ Matrix4d placeFromSurface(const Item& item, const Vector3& eye) {
   return place;
 }
 
-/// @return What is seen at all, opaque things first, then the others from the farthest on.
+/// @return All visible items: opaque ones first, then the others from far to near.
 std::vector<const Item*> seenItems(const Scene& scene, const PictureView& view, const Matrix4d& clip) {
   std::vector<const Item*> opaque;
   std::vector<std::pair<double, const Item*>> others;
@@ -90,7 +90,7 @@ class Renderer::Content {
     tellLighting(lighting.block);
 
     const Frame& frame = frameFor(Frame::Kind::kColors, view, view.antiAliasing >= kSamples ? kSamples : 1);
-    // before the frame is bound: Mesa clears with what was set then
+    // before binding the framebuffer, because Mesa clears with the state set at that time
     gl_.enable(GL_FRAMEBUFFER_SRGB);
     begin(frame);
     drawBackground(scene, view, lighting.block);
@@ -160,7 +160,7 @@ class Renderer::Content {
         if (!item.castsShadows || item.isGround || item.paint.opacity < 1) continue;
         const Matrix4d place = placeFromSurface(item, view.X_WorldEye.position);
         tell(shaders::kPlaceFromSurface, place);
-        // both sides throw shadows
+        // both sides cast shadows
         gl_.disable(GL_CULL_FACE);
         store_.draw(item.surface);
       }
@@ -184,7 +184,7 @@ class Renderer::Content {
     gl_.enable(GL_DEPTH_TEST);
   }
 
-  /// @return Whether other pictures go over it than that of its colour.
+  /// @return Whether it has textures other than its colour.
   static bool isMapped(const Item& item) {
     return std::any_of(item.pictures.begin() + kNormalMap, item.pictures.end(),
                        [](const auto& picture) { return picture != nullptr; });
@@ -203,7 +203,7 @@ class Renderer::Content {
     const auto& pictures = item.pictures;
     if (pictures[kColorMap] != nullptr) store_.use(0, pictures[kColorMap], true);
     if (!isMapped(item)) return;
-    // unit 1 has the shadows
+    // unit 1 is taken by the shadow maps
     for (const Map map : {kNormalMap, kRoughnessMap, kMetalnessMap, kGlowMap}) {
       store_.use(static_cast<GLuint>(map) + 1, pictures[map], map == kGlowMap);
     }
@@ -239,7 +239,7 @@ class Renderer::Content {
     } else {
       gl_.enable(GL_CULL_FACE);
     }
-    // the picture stands on its head, which turns all triangles round, as mirroring does
+    // the image is upside down, which flips all triangles, as mirroring does
     gl_.frontFace(item.scale.prod() < 0 ? GL_CCW : GL_CW);
     store_.draw(item.surface);
   }
@@ -259,14 +259,14 @@ class Renderer::Content {
   Store store_;
   ShadowMaps shadows_;
   Program plain_;
-  /// From the first surface on that has maps.
+  /// Created for the first surface with maps.
   std::unique_ptr<Program> mapped_;
   Program depths_;
   Program sky_;
   Lines lines_;
   std::map<std::tuple<Frame::Kind, std::uint32_t, std::uint32_t, int>, std::unique_ptr<Frame>> frames_;
   GLuint lamps_ = 0;
-  /// A vertex array with nothing in it, for what is made in a shader.
+  /// An empty vertex array, for geometry made in a shader.
   GLuint nothing_ = 0;
   std::uint64_t version_ = 0;
 };

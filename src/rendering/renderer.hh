@@ -10,7 +10,7 @@
 
 namespace pongsim::rendering {
 
-/// Draws scenes by OpenGL. See `CameraScene`.
+/// Draws scenes with OpenGL. See `CameraScene`.
 class Renderer {
  public:
   explicit Renderer(std::unique_ptr<Context> context);
@@ -24,7 +24,7 @@ class Renderer {
   Content& content();
 
   std::unique_ptr<Context> context_;
-  /// From the first picture on.
+  /// Created with the first image.
   std::unique_ptr<Content> content_;
 };
 

@@ -14,13 +14,13 @@ namespace {
 
 using world::Slot;
 
-/// What a geometry looks like.
+/// How to draw a geometry.
 struct Body {
   std::shared_ptr<const Surface> surface = nullptr;
   Pose X_GeometryBody = {};
   Vector3 scale = Vector3::Ones();
   bool isGround = false;
-  /// Of its file; nothing where that gives none.
+  /// From its file; nothing if the file has none.
   std::optional<description::Material> material = std::nullopt;
 };
 /// One, or as many as its mesh has parts.
@@ -49,7 +49,7 @@ struct MakeBodies {
     return {{shape(name, [&capsule] { return capsuleSurface(capsule); })}};
   }
 
-  // as large as its picture, as in Fortress
+  // the size of its visual, as in Fortress
   Bodies operator()(const description::Plane& plane) const {
     return {{shape("plane", planeSurface),
              {Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal)},
@@ -62,7 +62,7 @@ struct MakeBodies {
     return {{std::make_shared<const Surface>(meshSurface(*polyline.triangles, false))}};
   }
 
-  // of a file that is not there, here and below, the loader has warned
+  // the loader has warned about missing files, here and below
   Bodies operator()(const description::Mesh& mesh) const {
     if (mesh.file.empty()) return {};
     const MeshLookKey key(mesh.file, mesh.submesh, mesh.isCentered);
@@ -175,7 +175,7 @@ void Scene::addVisual(const description::Visual& visual, const Item& prototype, 
     item.paint = paintOf(visual, body.material);
     if (item.paint.opacity <= 0) continue;
     for (std::size_t map = 0; map < kMapCount; ++map) item.pictures[map] = pictureOf(item.paint.maps[map], warn);
-    // a map alone says all, as in Fortress
+    // a map alone sets the emission, as in Fortress
     if (item.pictures[kGlowMap] != nullptr && item.paint.emissive.isZero()) item.paint.emissive.setOnes();
     item.X_LinkSurface = visual.X_LinkVisual * body.X_GeometryBody;
     item.scale = body.scale;

@@ -26,27 +26,27 @@
 
 namespace pongsim::rendering {
 
-/// A surface in its place. A visual is one, or several where its mesh has parts.
+/// A placed surface. A visual is one, or several if its mesh has parts.
 struct Item {
   std::shared_ptr<const Surface> surface;
   Paint paint;
-  /// Go over it; null: none.
+  /// Its textures; null: none.
   std::array<std::shared_ptr<const assets::Picture>, kMapCount> pictures;
   world::Slot link = world::kNoSlot;
-  /// That holds the link.
+  /// The model of the link.
   ModelId model;
-  /// In place of a link; it moves by itself.
+  /// Set instead of a link; actors move by themselves.
   const description::Actor* actor = nullptr;
   /// The visual's name.
   std::string visual;
   Pose X_LinkSurface;
-  /// Along the axes of the surface, before it is turned.
+  /// Along the axes of the surface, before rotation.
   Vector3 scale = Vector3::Ones();
-  /// Around the surface, in its own frame before scaling.
+  /// Bounding box of the surface, in its own frame before scaling.
   Eigen::AlignedBox3d bounds;
   std::uint32_t visibility = 0xFFFFFFFF;
   bool castsShadows = true;
-  /// It is ground, on which other things stand.
+  /// Whether it is ground on which other things stand.
   bool isGround = false;
   Pose X_WorldLink;
 
@@ -55,7 +55,7 @@ struct Item {
   Eigen::AlignedBox3d boundsInWorld() const;
 };
 
-/// A light in its place.
+/// A placed light.
 struct Lamp {
   const description::Light* light = nullptr;
   Pose X_WorldLight;
@@ -70,32 +70,32 @@ struct MeshPartLook {
 using MeshLookKey = std::tuple<std::filesystem::path, std::string, bool>;
 using MeshLooks = std::map<MeshLookKey, std::vector<MeshPartLook>>;
 
-/// The visuals and lights of a world in their places.
+/// The visuals and lights of a world, placed.
 class Scene {
  public:
-  /// What is told of a file that is of no use: "mesh", the file, what is wrong with it.
+  /// Called for each unusable file: "mesh", the file, what is wrong with it.
   using Warn = std::function<void(const std::string&, const std::filesystem::path&, const assets::Problem&)>;
 
   /// See `CameraScene::setColors`.
   void setColors(const std::optional<Vector3>& background, const std::optional<Vector3>& ambient);
 
-  /// Takes in all visuals, in place of those that it has.
-  /// @param diagnostics Warnings about files that can't be read; each is given once in the life of the scene.
+  /// Collects all visuals, replacing the current ones.
+  /// @param diagnostics Warnings about files that can't be read, each given once in the scene's lifetime.
   void build(const world::Entities& entities, const world::State& state, Diagnostics& diagnostics);
 
-  /// Moves what has moved since, and takes in the lights.
+  /// Updates the poses of what has moved, and the lights.
   /// @param state Of the same entities.
   void update(const world::Entities& entities, const world::State& state);
 
   const std::vector<Item>& items() const { return items_; }
   const std::vector<Lamp>& lamps() const { return lamps_; }
   const description::Scene& surroundings() const { return surroundings_; }
-  /// @return Goes up whenever items come or go.
+  /// @return A number that increases whenever items are added or removed.
   std::uint64_t version() const { return version_; }
 
-  /// As `CameraScene::bounds`; `kNoSlot` stands for all models.
+  /// See `CameraScene::bounds`; `kNoSlot` means all models.
   Eigen::AlignedBox3d bounds(const world::Entities& entities, world::Slot model) const;
-  /// As `CameraScene::actorBounds`.
+  /// See `CameraScene::actorBounds`.
   Eigen::AlignedBox3d actorBounds(const std::string& name) const;
 
  private:
@@ -111,12 +111,12 @@ class Scene {
   std::optional<Vector3> background_;
   std::optional<Vector3> ambient_;
   std::uint64_t version_ = 0;
-  /// By what they show.
+  /// Keyed by what they show.
   std::map<std::string, std::shared_ptr<const Surface>> shapes_;
   MeshLooks meshes_;
-  /// By their files; null where one can't be read.
+  /// Keyed by file; null if one can't be read.
   std::map<std::filesystem::path, std::shared_ptr<const assets::Picture>> pictures_;
-  /// Warnings that were given.
+  /// Warnings already given.
   std::set<std::string> said_;
 };
 

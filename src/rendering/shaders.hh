@@ -2,7 +2,7 @@
 
 namespace pongsim::rendering::shaders {
 
-// Places of what is told to the programs, as their sources have them.
+// Locations of the uniforms in the shader sources.
 inline constexpr int kPlaceFromSurface = 0;
 inline constexpr int kClipFromPlace = 1;
 inline constexpr int kNormalFromSurface = 2;
@@ -12,20 +12,20 @@ inline constexpr int kSpecular = 5;
 inline constexpr int kEmissive = 6;
 /// Metalness, roughness, whether it is lit, whether there is a texture.
 inline constexpr int kFinish = 7;
-/// Where the eye looks, length one.
+/// Viewing direction, unit vector.
 inline constexpr int kAhead = 8;
-/// Of the pinhole: how a place in the picture becomes a direction.
+/// Pinhole only: from a position in the image to a direction.
 inline constexpr int kDirectionFromClip = 9;
 inline constexpr int kZenith = 10;
 inline constexpr int kHorizon = 11;
-/// Whether there is a map of normals.
+/// Whether there is a normal map.
 inline constexpr int kHasNormals = 12;
 
 inline constexpr int kMostLamps = 16;
 inline constexpr int kMostShadows = 4;
 
-/// Surfaces. Places are in the axes of the world, seen from the eye, which keeps single precision exact wherever
-/// in the world the eye is.
+/// Surfaces. Positions are relative to the camera, along the world's axes, which keeps single precision accurate
+/// wherever in the world the camera is.
 inline constexpr const char* kSurfaceVertex = R"(#version 450 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -45,12 +45,12 @@ void main() {
 }
 )";
 
-/// Light: Lambert's law for what is diffuse; for highlights the distribution of Trowbridge and Reitz (GGX), its
-/// visibility after Smith and Schlick's approximation of Fresnel's term (Walter et al. 2007, Karis 2013). What smooth
-/// surfaces mirror of their surroundings is taken for the ambient light and the background.
+/// Lighting: Lambert's law for the diffuse part; for highlights the distribution of Trowbridge and Reitz (GGX), with
+/// Smith's visibility and Schlick's approximation of the Fresnel term (Walter et al. 2007, Karis 2013). Reflections of
+/// the surroundings in smooth surfaces are approximated by the ambient light and the background.
 ///
-/// It begins with `kPlain` or `kMapped`: surfaces with no other picture than that of their colour, which are most, have
-/// a program of their own, for the processor runs through both sides of a branch.
+/// Starts with `kPlain` or `kMapped`: most surfaces have no texture other than their colour, and get a program of their
+/// own, because the processor executes both sides of a branch.
 inline constexpr const char* kPlain = "#version 450 core\n";
 inline constexpr const char* kMapped = "#version 450 core\n#define MAPPED\n";
 inline constexpr const char* kSurfaceFragment = R"(
@@ -186,7 +186,7 @@ void main() {
 }
 )";
 
-/// How far ahead a surface is.
+/// Distance of a surface along the viewing direction.
 inline constexpr const char* kDepthFragment = R"(#version 450 core
 layout(location = 8) uniform vec3 ahead;
 in vec3 place;
@@ -198,7 +198,7 @@ inline constexpr const char* kShadowFragment = R"(#version 450 core
 void main() {}
 )";
 
-/// The sky: one triangle that covers the picture.
+/// The sky: one triangle that covers the image.
 inline constexpr const char* kSkyVertex = R"(#version 450 core
 layout(location = 9) uniform mat3 directionFromClip;
 out vec3 direction;

@@ -5,7 +5,7 @@
 
 namespace pongsim::rendering {
 
-/// Pictures of how far the light of lamps gets, which shadows are made with. It lives while its context does.
+/// Shadow maps: images of the distances from the lights. Must not outlive its context.
 class ShadowMaps {
  public:
   explicit ShadowMaps(const Gl& gl);
@@ -13,9 +13,9 @@ class ShadowMaps {
   ShadowMaps(const ShadowMaps&) = delete;
   ShadowMaps& operator=(const ShadowMaps&) = delete;
 
-  /// @param edge Of the pictures that follow [pixels].
+  /// @param edge Edge length of the maps that follow [pixels].
   void begin(int edge);
-  /// Empties a picture, and lets what follows be drawn into it.
+  /// Clears a map, and makes it the target of the drawing that follows.
   void use(int number);
 
  private:

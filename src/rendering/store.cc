@@ -6,7 +6,7 @@ namespace pongsim::rendering {
 
 namespace {
 
-/// @return What OpenGL takes for the place of a member in a buffer.
+/// @return The offset of a member in a buffer, in OpenGL's form.
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 }  // namespace
@@ -43,7 +43,7 @@ void Store::tidy() {
     return true;
   });
   std::erase_if(pictures_, [this](const auto& entry) {
-    // as colours and as shares it may be here twice
+    // the image can be here twice: as a colour and as plain values
     const auto& picture = entry.first.first;
     const long own = static_cast<long>(pictures_.count({picture, true}) + pictures_.count({picture, false}));
     if (picture.use_count() > own) return false;

@@ -10,7 +10,7 @@
 
 namespace pongsim::rendering {
 
-/// Surfaces and pictures as OpenGL has them. It lives while its context does.
+/// Surfaces and images in OpenGL. Must not outlive its context.
 class Store {
  public:
   explicit Store(const Gl& gl) : gl_(gl) {}
@@ -18,15 +18,15 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  /// Draws a surface, which it takes in at the first time.
+  /// Draws a surface, uploading it the first time.
   void draw(const std::shared_ptr<const Surface>& surface);
 
-  /// Lets a picture be the one that shaders find in a texture unit. It is taken in at the first time.
+  /// Binds an image to a texture unit for the shaders, uploading it the first time.
   /// @param picture Null: white.
-  /// @param isColor Its values are colours (sRGB), not shares that are meant as they are.
+  /// @param isColor Whether its values are colours (sRGB) rather than plain values.
   void use(GLuint unit, const std::shared_ptr<const assets::Picture>& picture, bool isColor);
 
-  /// Forgets all that nobody else holds any more.
+  /// Deletes everything that nobody else holds any more.
   void tidy();
 
  private:
@@ -42,7 +42,7 @@ class Store {
 
   const Gl& gl_;
   std::map<std::shared_ptr<const Surface>, Buffers> surfaces_;
-  /// And whether they are colours.
+  /// The flag tells whether they are colours.
   std::map<std::pair<std::shared_ptr<const assets::Picture>, bool>, GLuint> pictures_;
   GLuint white_ = 0;
 };

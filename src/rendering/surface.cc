@@ -12,25 +12,25 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 using std::numbers::pi;
 
-// round enough for a picture: a circle is wrong by 0.2 % of its radius
+// round enough for an image: a circle is off by 0.2 % of its radius
 constexpr int kSectors = 48;
 constexpr int kRings = 24;
 
-/// Adds the square between four corners that go round counter-clockwise.
+/// Adds the quadrilateral with four corners in counter-clockwise order.
 void addQuad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, Surface& surface) {
   for (const std::uint32_t corner : {a, b, c, a, c, d}) surface.corners.push_back(corner);
 }
 
-/// A line that is turned about z.
+/// A point of a profile that is rotated about z.
 struct ProfilePoint {
   double radius;
   double z;
-  /// Outwards.
+  /// Outward.
   double normalRadius;
   double normalZ;
 };
 
-/// Adds what a line makes that is turned about z, from its top down.
+/// Adds the surface of revolution of a profile, from its top down.
 void addTurned(const std::vector<ProfilePoint>& profile, Surface& surface) {
   const auto first = static_cast<std::uint32_t>(surface.vertices.size());
   for (std::size_t row = 0; row < profile.size(); ++row) {
@@ -52,7 +52,7 @@ void addTurned(const std::vector<ProfilePoint>& profile, Surface& surface) {
   }
 }
 
-/// Adds points of half a ball to a profile.
+/// Adds points of a circular arc to a profile.
 /// @param from, to Angles from the top [rad].
 void addArc(double radius, double middleZ, double from, double to, int steps, std::vector<ProfilePoint>& profile) {
   for (int i = 0; i <= steps; ++i) {
@@ -61,7 +61,7 @@ void addArc(double radius, double middleZ, double from, double to, int steps, st
   }
 }
 
-/// Adds a disc of radius 1 that is seen from above or from below.
+/// Adds a disc of radius 1, visible from above or from below.
 void addDisc(double z, bool isSeenFromAbove, Surface& surface) {
   const auto middle = static_cast<std::uint32_t>(surface.vertices.size());
   const Vector3f normal(0, 0, isSeenFromAbove ? 1 : -1);
@@ -99,7 +99,7 @@ Surface boxSurface() {
     for (const float side : {-1.0F, 1.0F}) {
       Vector3f normal = Vector3f::Zero();
       normal[axis] = side;
-      // to the right and up, as one looks at the face: up is z, on top and bottom y
+      // right and up, looking at the face: up is z, or y on top and bottom
       const Vector3f up = axis == 2 ? Vector3f::UnitY() : Vector3f::UnitZ();
       const Vector3f right = up.cross(normal);
       const auto first = static_cast<std::uint32_t>(surface.vertices.size());

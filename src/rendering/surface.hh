@@ -10,10 +10,10 @@
 
 namespace pongsim::rendering {
 
-/// A corner of a surface: place, normal (outwards), place in its texture.
+/// A vertex: position, normal (outward), texture coordinates.
 using Vertex = assets::MeshLook::Corner;
 
-/// Triangles as they are drawn, seen from where their corners go round counter-clockwise.
+/// Triangles to be drawn, visible from the side where their corners are counter-clockwise.
 struct Surface {
   std::vector<Vertex> vertices;
   /// Three for each triangle.
@@ -29,9 +29,9 @@ Surface sphereSurface();
 /// Of radius 1, from -0.5 to 0.5 along z.
 Surface cylinderSurface();
 Surface capsuleSurface(const description::Capsule& capsule);
-/// From -0.5 to 0.5 along x and y, seen from above.
+/// From -0.5 to 0.5 along x and y, visible from above.
 Surface planeSurface();
-/// @param isSmooth Normals are those of all triangles at a corner, in place of each triangle's own.
+/// @param isSmooth Normals are averaged over all triangles at a corner, instead of each triangle's own.
 Surface meshSurface(const description::TriangleMesh& mesh, bool isSmooth);
 
 }  // namespace pongsim::rendering

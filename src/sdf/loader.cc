@@ -22,7 +22,7 @@ namespace {
 
 using FileName = std::shared_ptr<const std::string>;
 
-/// What was read, and the frames of each world and of what stands in none.
+/// What was read, with the frames of each world and of everything outside of worlds.
 struct Reading {
   Root root;
   std::vector<std::unique_ptr<Scope>> scopes;
@@ -60,8 +60,8 @@ Reading readRoot(Element& element, const std::shared_ptr<const UrdfSource>& urdf
   return reading;
 }
 
-/// Adds `found` to `diagnostics` in the order of the file: checks that look at the whole come late. What is wrong with
-/// a file that is included several times is told once.
+/// Adds `found` to `diagnostics` in the order of the file, because some checks run late. Faults of a file that is
+/// included several times are reported once.
 void addSorted(const Diagnostics& found, const Includes& includes, Diagnostics& diagnostics) {
   std::vector<Diagnostic> all = found.all();
   for (Diagnostic& diagnostic : all) diagnostic.includedFrom = includes.chainOf(diagnostic.position);
@@ -82,7 +82,7 @@ void addSorted(const Diagnostics& found, const Includes& includes, Diagnostics& 
   }
 }
 
-/// One file on its way to a description.
+/// Loads one file.
 class Load {
  public:
   Load(FileName name, const assets::Finder& finder) : name_(std::move(name)), includes_(finder, found_, unsimulated_) {
@@ -109,7 +109,7 @@ class Load {
 
   void prepareToPrint(IncludeUse use) { includes_.prepareToPrint(use == IncludeUse::kReplace); }
 
-  /// @return The file's element, with what it includes in place; nothing if there was an error. To be asked once.
+  /// @return The file's element with its includes resolved; nothing if there was an error. Call only once.
   std::optional<Element> takeResolved() {
     if (found_.hasErrors()) return std::nullopt;
     includes_.resolve(*element_);

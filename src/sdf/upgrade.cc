@@ -30,13 +30,13 @@ Element newElement(std::string_view name, const SourcePosition& position, std::s
   return element;
 }
 
-/// @return The child of that name, made where there is none.
+/// @return The child with this name, created if missing.
 Element& childMade(Element& element, std::string_view name) {
   if (Element* child = childOf(element, name)) return *child;
   return element.children.emplace_back(newElement(name, element.position));
 }
 
-/// Calls `take` with each element of that name, but for what is in a plugin.
+/// Calls `take` with each element with this name, except in plugins.
 template <class Take>
 void forEach(Element& element, std::string_view name, const Take& take) {
   for (Element& child : element.children) {
@@ -55,7 +55,7 @@ void forEachAxis(Element& root, const Take& take) {
   });
 }
 
-/// To SDF 1.5, which has a flag for what was always so: axes are given in the model's frame.
+/// To SDF 1.5, with a flag for what was always so: axes are given in the model's frame.
 void flagAxes(Element& root) {
   forEachAxis(root, [](Element& axis) {
     constexpr std::string_view kFlag = "use_parent_model_frame";
@@ -63,7 +63,7 @@ void flagAxes(Element& root) {
   });
 }
 
-/// To SDF 1.6, where gravity and the magnetic field are the world's.
+/// To SDF 1.6, where gravity and the magnetic field belong to the world.
 void movePhysics(Element& root) {
   for (Element& world : root.children) {
     Element* physics = world.name == "world" ? childOf(world, "physics") : nullptr;
@@ -79,7 +79,7 @@ void movePhysics(Element& root) {
   }
 }
 
-/// To SDF 1.6, where each axis of an IMU has its noise.
+/// To SDF 1.6, where each axis of an IMU has its own noise.
 void splitImuNoise(Element& root) {
   forEach(root, "imu", [](Element& imu) {
     const Element* found = imu.child("noise");
@@ -99,7 +99,7 @@ void splitImuNoise(Element& root) {
   });
 }
 
-/// To SDF 1.7, where a pose's frame has a name of its own.
+/// To SDF 1.7, where a pose names its frame in another attribute.
 void renamePoseFrames(Element& root) {
   forEach(root, "pose", [](Element& pose) {
     if (pose.attribute("relative_to") != nullptr) return;
@@ -126,8 +126,8 @@ void nameAxisFrames(Element& root, Context& context) {
   });
 }
 
-/// To SDF 1.7, where no two parts of a model or world that stand for frames share a name. Later ones get a new name,
-/// the one that Fortress gives them.
+/// To SDF 1.7, where the frames of a model or world must have different names. Later ones get the new name that
+/// Fortress gives them.
 void separateNames(Element& holder, Context& context) {
   std::set<std::pair<std::string, std::string>> kindAndName;
   std::set<std::string> taken;
@@ -138,7 +138,7 @@ void separateNames(Element& holder, Context& context) {
       const auto attribute = std::ranges::find(child.attributes, "name", &Element::Attribute::name);
       if (attribute == child.attributes.end() || attribute->value.empty()) continue;
       const std::string old = attribute->value;
-      // two of the same kind are a mistake in any version
+      // two of the same kind with one name are an error in any version
       if (!kindAndName.emplace(child.name, old).second || taken.insert(old).second) continue;
       std::string name = old + "_" + child.name;
       for (int i = 0; !taken.insert(name).second; ++i) name = old + "_" + child.name + std::to_string(i);
@@ -168,9 +168,9 @@ void warnOfRemoved(const std::string& label, const SourcePosition& position, con
 
 bool isRemoved(const Schema::Part& part) { return part.row.removedIn != 0; }
 
-/// Takes out what SDF 1.9 does not know any more, or tells of it only.
+/// Removes, or only reports, what SDF 1.9 no longer has.
 void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse use, Context& context) {
-  // few lose any: most are not looked for
+  // most elements have none, so this check comes first
   if (std::ranges::any_of(type.attributes, isRemoved)) {
     std::erase_if(element.attributes, [&](const Element::Attribute& attribute) {
       const Schema::Part* part = Schema::find(type.attributes, attribute.name);

@@ -15,7 +15,7 @@ std::time_t timeOf(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &parts) == 1 ? timegm(&parts) : 0;
 }
 
-/// Asked for a password, notes it in the bool that `asked` points to, and knows none.
+/// Password callback that supplies none, and records in the bool `asked` points to that it was called.
 int noPassword(char*, int, int, void* asked) {
   *static_cast<bool*>(asked) = true;
   return -1;

@@ -8,12 +8,12 @@
 
 namespace pongsim::trust {
 
-/// A certificate of X.509, and the file it stands in.
+/// An X.509 certificate and its file.
 struct Certificate {
   std::filesystem::path file;
   Owned<X509> x509;
 
-  /// As RFC 2253 writes it.
+  /// In the format of RFC 2253.
   std::string subject() const;
   std::time_t validFrom() const;
   std::time_t validUntil() const;
@@ -22,19 +22,19 @@ struct Certificate {
 /// @throws KeystoreError
 Certificate readCertificate(const std::filesystem::path& file);
 
-/// @throws KeystoreError where it is none without a password, or others can read it.
+/// @throws KeystoreError if it is not a key without a password, or if others can read it.
 Owned<EVP_PKEY> readKey(const std::filesystem::path& file);
 
-/// @throws KeystoreError where the certificate is not valid now.
+/// @throws KeystoreError if the certificate is not valid now.
 void requireValidNow(const Certificate& certificate);
 
-/// @throws KeystoreError where `authority` has not issued the certificate, or may not.
+/// @throws KeystoreError if `authority` has not issued the certificate, or is not allowed to.
 void requireIssuedBy(const Certificate& certificate, const Certificate& authority);
 
-/// @throws KeystoreError where the key is not that of the certificate.
+/// @throws KeystoreError if the key does not belong to the certificate.
 void requireKeyOf(const Certificate& certificate, EVP_PKEY& key, const std::filesystem::path& keyFile);
 
-/// @return A day, "2026-11-23", by UTC.
+/// @return A date in UTC, "2026-11-23".
 std::string dayOf(std::time_t time);
 
 }  // namespace pongsim::trust

@@ -7,15 +7,15 @@
 
 namespace pongsim::trust {
 
-/// What governance.p7s says of a domain: how participants protect what they send.
+/// A rule of governance.p7s: how the participants of a domain protect what they send.
 struct GovernanceRule {
   std::vector<std::pair<int, int>> domains;
 };
 
-/// @throws KeystoreError where it can't be read, or has no rules.
+/// @throws KeystoreError if it can't be read, or has no rules.
 std::vector<GovernanceRule> readGovernance(const std::filesystem::path& file, const std::string& text);
 
-/// @throws KeystoreError where no rule is of that domain.
+/// @throws KeystoreError if no rule covers the domain.
 void requireDomain(const std::filesystem::path& file, const std::vector<GovernanceRule>& rules, int domain);
 
 }  // namespace pongsim::trust

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As SROS 2 calls the files of an identity.
+// SROS 2's names of an identity's files.
 constexpr const char* kIdentityAuthority = "identity_ca.cert.pem";
 constexpr const char* kCertificate = "cert.pem";
 constexpr const char* kKey = "key.pem";
@@ -37,7 +37,7 @@ void readWho(const fs::path& folder, SecureIdentity& identity) {
   identity.validUntil = std::min(authority.validUntil(), certificate.validUntil());
 }
 
-/// Checks what is signed.
+/// Checks the signed documents.
 void readWhat(const fs::path& folder, std::optional<int> domain, SecureIdentity& identity) {
   const trust::Certificate authority = trust::readCertificate(folder / kPermissionsAuthority);
   trust::requireValidNow(authority);

@@ -15,7 +15,7 @@ constexpr const char* kVariable = "PONGSIM_SECURITY";
 constexpr const char* kIdentities = "enclaves";
 // The file that makes a folder an identity.
 constexpr const char* kKeyFile = "key.pem";
-// The one that is taken where none is named.
+// The default identity.
 constexpr const char* kOwnName = "/pongsim";
 
 bool isFolder(const fs::path& path) {
@@ -38,7 +38,7 @@ std::string listed(const std::vector<std::string>& names) {
   throw KeystoreError("there is no keystore at '" + place + "'", "'pongsim security init " + place + "' makes one");
 }
 
-/// @return The folder of the identity that is meant where none is named.
+/// @return The folder of the identity to use if none is named.
 fs::path onlyIdentity(const fs::path& keystore) {
   const std::vector<std::string> names = identitiesOf(keystore.string());
   const bool hasOwn = std::ranges::find(names, kOwnName) != names.end();
@@ -73,7 +73,7 @@ std::vector<std::string> identitiesOf(const std::string& keystore) {
 std::string identityFolder(const std::string& place) {
   const fs::path path = fs::path(place).lexically_normal();
   if (isFolder(path) && isThere(path / kKeyFile)) return path.string();
-  // of KEYSTORE/NAME the longest part that is a keystore
+  // the longest part of KEYSTORE/NAME that is a keystore
   for (fs::path root = path;; root = root.parent_path()) {
     if (isFolder(root.empty() ? fs::path(kIdentities) : root / kIdentities)) {
       const fs::path name = path.lexically_relative(root.empty() ? "." : root);

@@ -5,7 +5,7 @@
 
 namespace pongsim::trust {
 
-/// @return What the keystore calls the identity in that folder: "/robot/arm" of KEYSTORE/enclaves/robot/arm.
+/// @return The name in the keystore of the identity in that folder: "/robot/arm" for KEYSTORE/enclaves/robot/arm.
 std::string nameOf(const std::filesystem::path& folder);
 
 }  // namespace pongsim::trust

@@ -17,22 +17,22 @@ struct Free {
   void operator()(EVP_PKEY* key) const { EVP_PKEY_free(key); }
   void operator()(PKCS7* signature) const { PKCS7_free(signature); }
   void operator()(X509* certificate) const { X509_free(certificate); }
-  /// Not the certificates, which others own.
+  /// Does not free the certificates, which others own.
   void operator()(STACK_OF(X509) * certificates) const { sk_X509_free(certificates); }
   void operator()(X509_STORE* store) const { X509_STORE_free(store); }
   void operator()(X509_STORE_CTX* context) const { X509_STORE_CTX_free(context); }
 };
 
-/// What OpenSSL has made, for its owner to free.
+/// An object created by OpenSSL, freed by its owner.
 template <class T>
 using Owned = std::unique_ptr<T, Free>;
 
-/// @return The text, to be read by OpenSSL. It must outlive what is returned.
+/// @return The text for OpenSSL to read. It must outlive the result.
 inline Owned<BIO> readable(std::string_view text) {
   return Owned<BIO>(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }
 
-/// @return What has been written to it.
+/// @return The text written to it.
 inline std::string textIn(BIO& bio) {
   char* data = nullptr;
   const long size = BIO_get_mem_data(&bio, &data);

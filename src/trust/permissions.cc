@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using tinyxml2::XMLElement;
 
-/// A time as Fast DDS understands it: that of this machine's time zone.
+/// A time as Fast DDS reads it: in this machine's time zone.
 std::time_t timeIn(const fs::path& file, const XMLElement& element) {
   const std::string text = textOf(file, element);
   std::tm parts{};
@@ -76,14 +76,14 @@ TopicRule ruleIn(const fs::path& file, const XMLElement& element) {
   return rule;
 }
 
-/// @return Whether it is sure that all that `pattern` matches `wider` does. A '?' or a set in `wider` is no proof: it
-/// would match a '*' of `pattern` as the letter that it is.
+/// @return Whether `wider` certainly matches everything that `pattern` matches. A '?' or a set in `wider` proves
+/// nothing: it would match a literal '*' in `pattern`.
 bool isSurelyWider(const std::string& wider, const std::string& pattern) {
   if (wider == pattern) return true;
   return wider.find_first_of("?[]") == std::string::npos && fnmatch(wider.c_str(), pattern.c_str(), FNM_NOESCAPE) == 0;
 }
 
-/// Refuses a pattern that an earlier rule of the opposite kind covers wholly: it would never count.
+/// Refuses a pattern that has no effect because an earlier rule of the opposite kind covers all of it.
 void requireEffect(const fs::path& file, const XMLElement& element, const std::vector<TopicRule>& earlier,
                    const TopicRule& rule, std::vector<std::string> TopicRule::*use) {
   for (const TopicRule& other : earlier) {
@@ -146,7 +146,7 @@ Grant grantIn(const fs::path& file, const XMLElement& element) {
   return grant;
 }
 
-/// @return The name with no blanks behind the commas between its parts.
+/// @return The name without spaces after the commas between its parts.
 std::string withoutBlanks(const std::string& name) {
   std::string result;
   for (const char each : name) {

@@ -9,7 +9,7 @@
 
 namespace pongsim::trust {
 
-/// What a `<grant>` of permissions says.
+/// A `<grant>` of the permissions.
 struct Grant {
   std::string subject;
   std::time_t validFrom = 0;
@@ -17,14 +17,14 @@ struct Grant {
   std::vector<TopicRule> rules;
 };
 
-/// @throws KeystoreError where they can't be read, or a rule can never count since an earlier one says the opposite.
+/// @throws KeystoreError if they can't be read, or if a rule has no effect because an earlier one says the opposite.
 std::vector<Grant> readPermissions(const std::filesystem::path& file, const std::string& text);
 
-/// @return The grant that is for the subject.
-/// @throws KeystoreError where there is none, or several are.
+/// @return The grant for the subject.
+/// @throws KeystoreError if there is none, or more than one.
 const Grant& grantOf(const std::filesystem::path& file, const std::vector<Grant>& grants, const std::string& subject);
 
-/// @throws KeystoreError where the grant is not valid now, or allows nothing in that domain (negative: in any).
+/// @throws KeystoreError if the grant is not valid now, or allows nothing in that domain (negative: in any).
 void requireUsable(const std::filesystem::path& file, const Grant& grant, int domain);
 
 }  // namespace pongsim::trust

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// No document of a keystore is nearly as long.
+// Documents of a keystore are far smaller.
 constexpr std::uintmax_t kLongestFile = 1 << 20;
 
 unsigned modeOf(const fs::path& path) {
@@ -34,8 +34,8 @@ unsigned modeOf(const fs::path& path) {
   return stat(path.c_str(), &about) == 0 ? about.st_mode & 07777U : 0;
 }
 
-/// @return Whether somebody else may come as far as into the folder. Each has a group of its own, and who is in the one
-/// may be among the others at the next.
+/// @return Whether another user can get into the folder. Each folder has its own group, and a user in one's group can
+/// count among "others" at the next.
 bool isReachable(const fs::path& folder) {
   for (fs::path each = folder;; each = each.parent_path()) {
     if ((modeOf(each) & (S_IXGRP | S_IXOTH)) == 0) return false;

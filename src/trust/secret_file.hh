@@ -5,11 +5,11 @@
 
 namespace pongsim::trust {
 
-/// @return What stands in the file.
-/// @throws KeystoreError where it is not there, is not a file or can't be read.
+/// @return The file's content.
+/// @throws KeystoreError if it does not exist, is not a file or can't be read.
 std::string contentsOf(const std::filesystem::path& file);
 
-/// @throws KeystoreError where somebody other than its owner can read the file, with respect to the folders above it.
+/// @throws KeystoreError if anybody but its owner can read the file, taking the parent folders into account.
 void requireSecret(const std::filesystem::path& file);
 
 }  // namespace pongsim::trust

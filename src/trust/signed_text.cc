@@ -19,7 +19,7 @@ std::string signedText(const std::filesystem::path& file, const Certificate& aut
   }
   const Owned<X509_STORE> store(X509_STORE_new());
   X509_STORE_add_cert(store.get(), authority.x509.get());
-  // the authority itself, and none whom it has certified: an identity does not say what it may do
+  // the authority itself, not somebody with a certificate from it: an identity must not grant itself permissions
   const Owned<STACK_OF(X509)> signers(sk_X509_new_null());
   sk_X509_push(signers.get(), authority.x509.get());
   const Owned<BIO> out(BIO_new(BIO_s_mem()));

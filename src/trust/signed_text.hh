@@ -7,8 +7,8 @@
 
 namespace pongsim::trust {
 
-/// @return What stands in a document that is signed by S/MIME.
-/// @throws KeystoreError where the authority has not signed it, or it is not as it was then.
+/// @return The content of a document signed with S/MIME.
+/// @throws KeystoreError if the authority has not signed it, or it has changed since.
 std::string signedText(const std::filesystem::path& file, const Certificate& authority);
 
 }  // namespace pongsim::trust

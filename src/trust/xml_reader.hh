@@ -13,14 +13,14 @@
 
 namespace pongsim::trust {
 
-/// @throws KeystoreError that names the file, the element's line, and what is wrong there.
+/// @throws KeystoreError with the file, the element's line and the fault.
 [[noreturn]] inline void refuse(const std::filesystem::path& file, const tinyxml2::XMLElement& element,
                                 const std::string& reason) {
   throw KeystoreError(file.string() + ":" + std::to_string(element.GetLineNum()) + ": " + reason);
 }
 
-/// @return The first child of that name.
-/// @throws KeystoreError where there is none.
+/// @return The first child with this name.
+/// @throws KeystoreError if there is none.
 inline const tinyxml2::XMLElement& childOf(const std::filesystem::path& file, const tinyxml2::XMLElement& parent,
                                            const char* name) {
   const tinyxml2::XMLElement* child = parent.FirstChildElement(name);
@@ -30,15 +30,15 @@ inline const tinyxml2::XMLElement& childOf(const std::filesystem::path& file, co
   return *child;
 }
 
-/// @return What stands in the element, without blanks at its ends.
-/// @throws KeystoreError where nothing does.
+/// @return The element's text, without leading and trailing spaces.
+/// @throws KeystoreError if it is empty.
 std::string textOf(const std::filesystem::path& file, const tinyxml2::XMLElement& element);
 
-/// @return The domains that `<domains>` names, from the first to the second of each pair.
+/// @return The domains listed in `<domains>`: the first and last of each range.
 /// @throws KeystoreError
 std::vector<std::pair<int, int>> domainsIn(const std::filesystem::path& file, const tinyxml2::XMLElement& domains);
 
-/// @return Whether the domain is in one of the pairs that `domainsIn` returns.
+/// @return Whether the domain is in one of the ranges from `domainsIn`.
 bool cover(const std::vector<std::pair<int, int>>& domains, int domain);
 
 /// Parses a document whose root is `<dds>`.

@@ -19,7 +19,7 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// @return By link whether it is made: links without mass are not, nor what hangs on them, as in Fortress.
+/// @return For each link, whether it is converted: links without mass and their descendants are not, as in Fortress.
 std::vector<bool> findMade(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<bool> isMade(robot.links.size(), true);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -39,7 +39,7 @@ std::vector<bool> findMade(const Robot& robot, Diagnostics& diagnostics) {
   return isMade;
 }
 
-/// Where the robot as a whole is: Fortress knows an <origin> of the robot, though URDF does not.
+/// Adds the pose of the robot as a whole: Fortress reads an <origin> of the robot, although URDF has none.
 void addRobotPose(const Element& robot, Element& model) {
   const Element* origin = robot.child("origin");
   if (origin == nullptr) return;

@@ -11,7 +11,7 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// A short form: what it is called in <gazebo>, and where it goes ("surface/friction/ode/mu").
+/// A short form: its name in <gazebo>, and the path that it stands for ("surface/friction/ode/mu").
 struct Field {
   std::string_view name;
   std::string_view path;
@@ -36,7 +36,7 @@ constexpr std::string_view kLinkNames[] = {"material",    "turnGravityOff", "dam
 constexpr std::string_view kJointNames[] = {"provideFeedback", "implicitSpringDamper", "cfmDamping"};
 constexpr std::string_view kFixingNames[] = {"disableFixedJointLumping", "preserveFixedJoint"};
 constexpr std::string_view kModelNames[] = {"static"};
-// said once of a classic Gazebo, and without a meaning since
+// had a meaning in old versions of Gazebo Classic, and has none since
 constexpr std::string_view kIdleNames[] = {"canonicalBody"};
 
 bool isOneOf(std::string_view name, std::span<const std::string_view> names) {
@@ -50,7 +50,7 @@ bool isForLinks(std::string_view name) {
   return isOneOf(name, kLinkNames) || fieldOf(name, kCollisionFields) != nullptr;
 }
 bool isForJoints(std::string_view name) { return isOneOf(name, kJointNames) || fieldOf(name, kJointFields) != nullptr; }
-/// @return Whether an element is SDF to be put in as it is.
+/// @return Whether an element is SDF and is inserted as it is.
 bool isVerbatim(std::string_view name) {
   return !isForLinks(name) && !isForJoints(name) && !isOneOf(name, kFixingNames) && !isOneOf(name, kModelNames) &&
          !isOneOf(name, kIdleNames);
@@ -80,7 +80,8 @@ void putFields(const Element& gazebo, std::span<const Field> fields, Element& ta
   }
 }
 
-/// Copies what stands in the <collision> or <visual> of an extension. One of a kind takes the place of another.
+/// Copies the content of the <collision> or <visual> of an extension. An element with the name `unique` replaces an
+/// existing one.
 void copyContents(const Element& gazebo, std::string_view kind, std::string_view unique, Element& target) {
   for (const Element& child : gazebo.children) {
     if (child.name != kind) continue;
@@ -91,8 +92,7 @@ void copyContents(const Element& gazebo, std::string_view kind, std::string_view
   }
 }
 
-/// Keeps a sensor or the like where it was when its link has become part of another one: the link's frame is there
-/// still.
+/// Keeps a sensor or the like in place after its link has become part of another: the link's frame still exists.
 void keepInFrame(const std::string& link, Element& part) {
   constexpr std::string_view kKinds[] = {"sensor", "light", "projector"};
   if (!isOneOf(part.name, kKinds)) return;
@@ -212,7 +212,7 @@ void Extensions::addToJoint(const std::string& joint, Element& element) const {
 }
 
 void Extensions::addToModel(Element& model) const {
-  // as Fortress's conversion, which says it of each robot with such an extension
+  // Fortress's converter warns about this for every robot with such an extension
   for (const Element* gazebo : of("")) {
     const Element* flag = gazebo->child("static");
     if (flag != nullptr || model.child("static") == nullptr) {

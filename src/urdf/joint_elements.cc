@@ -8,7 +8,7 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// @return SDF's type; empty where the joint leaves the link free.
+/// @return SDF's type; empty if the joint leaves the link free.
 std::string typeOf(const ::urdf::Joint& joint) {
   switch (joint.type) {
     case ::urdf::Joint::REVOLUTE:
@@ -55,7 +55,7 @@ void addAxis(const Joint& joint, Element& element, Diagnostics& diagnostics) {
   addChild(dynamics, "friction", dynamicsPosition, textOf(urdf.dynamics->friction));
 }
 
-/// A fixed joint that an old extension keeps: one that can turn, and not at all.
+/// For a fixed joint kept by an old extension: a revolute joint that can't turn.
 void addLockedAxis(const SourcePosition& position, Element& element) {
   Element& axis = addChild(element, "axis", position);
   addChild(axis, "xyz", position, "0 0 1");

@@ -6,8 +6,8 @@
 
 namespace pongsim::urdf {
 
-/// Adds the `<joint>` between a link and its parent to the model; nothing where it leaves the link free. Warns of what
-/// it says and is not simulated.
+/// Adds the `<joint>` between a link and its parent to the model; none if the joint leaves the link free. Warns about
+/// settings that are not simulated.
 void addJoint(const Robot& robot, const Link& link, const Extensions& extensions, Element& model,
               Diagnostics& diagnostics);
 

@@ -11,14 +11,14 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// @return What Fortress calls the part: "base_fixed_joint_lump__lidar_collision_1".
+/// @return Fortress's name for the part: "base_fixed_joint_lump__lidar_collision_1".
 std::string nameOf(const Part& part, const Link& link, std::string_view kind, std::size_t number) {
   std::string name = (part.name.empty() ? part.ownLink : part.name) + '_' + std::string(kind);
   if (number > 0) name += '_' + std::to_string(number);
   return name.starts_with(link.name) ? name : link.name + "_fixed_joint_lump__" + name;
 }
 
-/// @return The address of a mesh as SDF has it.
+/// @return The address of a mesh in SDF's form.
 std::string addressOf(const std::string& file) {
   constexpr std::string_view kPackage = "package://";
   return file.starts_with(kPackage) ? "model://" + file.substr(kPackage.size()) : file;
@@ -43,10 +43,10 @@ void addGeometry(const Part& part, Element& parent) {
   }
 }
 
-/// urdfdom's colours are floats, whose digits end here.
+/// urdfdom's colours are floats, which have no more digits than this.
 double rounded(double channel) { return std::round(channel * 1e6) / 1e6; }
 
-/// The colour of a material, as bright as Fortress makes it, unless an extension has said another one.
+/// Adds the colour of a material, with Fortress's brightness, unless an extension sets another one.
 void addColor(const ::urdf::Color& color, const SourcePosition& position, Element& visual) {
   Element& material = childOrNew(visual, "material", position);
   if (material.child("diffuse") != nullptr || material.child("ambient") != nullptr) return;

@@ -6,10 +6,11 @@
 
 namespace pongsim::urdf {
 
-/// Adds a `<link>` to the model, with all that has become part of it.
+/// Adds a `<link>` to the model, with everything that has become part of it.
 void addLink(const Robot& robot, const Link& link, const Extensions& extensions, Element& model);
 
-/// Adds two `<frame>` to the model for a link that has become part of another one: where its joint was, and itself.
+/// Adds two `<frame>`s to the model for a link that has become part of another: one for its joint, and one for the
+/// link.
 void addFrames(const Robot& robot, const Link& link, Element& model);
 
 }  // namespace pongsim::urdf

@@ -4,12 +4,12 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// Steiner's theorem: what a mass away from the point adds to the moments about that point.
+/// Steiner's theorem: how much a mass at an offset from a point adds to the moments about that point.
 Matrix3 momentsOfPoint(double mass, const Vector3& offset) {
   return mass * (offset.squaredNorm() * Matrix3::Identity() - offset * offset.transpose());
 }
 
-/// Adds another link's mass, whose frame is at `X_TargetLink`.
+/// Adds the mass of another link whose frame is at `X_TargetLink`.
 void addInertial(const Inertial& added, const Pose& X_TargetLink, std::optional<Inertial>& target) {
   if (!target) target.emplace().position = added.position;
   const Vector3 addedCom = X_TargetLink * added.com;
@@ -30,7 +30,7 @@ bool isLumped(const Robot& robot, const Joint& joint, const Extensions& extensio
 }  // namespace
 
 void lumpFixedJoints(Robot& robot, const Extensions& extensions) {
-  // parents come first, so that a parent's own target is known
+  // parents come first, so a parent's own target is known
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     Link& link = robot.links[i];
     if (!link.joint) continue;

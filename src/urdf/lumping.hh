@@ -5,8 +5,8 @@
 
 namespace pongsim::urdf {
 
-/// Makes links behind fixed joints part of the next link up that is not, but for joints that `<gazebo>` keeps and for
-/// joints to a link "world": their inertials are combined, and joints further down hang on that link.
+/// Merges each link with a fixed joint into its nearest ancestor that is kept, combining their inertials and moving the
+/// joints of its children to that ancestor. Exceptions are joints kept by `<gazebo>` and joints to a link "world".
 void lumpFixedJoints(Robot& robot, const Extensions& extensions);
 
 }  // namespace pongsim::urdf

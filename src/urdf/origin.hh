@@ -5,8 +5,8 @@
 
 namespace pongsim::urdf {
 
-/// @return What the `<origin>` of a link's part, a joint or a robot says, which `checkRobot` has looked at; nothing
-/// turned or moved without one. urdfdom reads it too, but asks the C library for sines, whose bits differ by machine.
+/// @return The `<origin>` of a link's part, a joint or a robot, already checked by `checkRobot`; the identity without
+/// one. urdfdom reads it too, but with the C library's sines, whose bits differ between machines.
 Pose originOf(const Element& part);
 
 }  // namespace pongsim::urdf

@@ -26,7 +26,7 @@ std::optional<Inertial> inertialFrom(const ::urdf::Link& link, const Element& xm
   return inertial;
 }
 
-/// urdfdom's parts come in the order of the file.
+/// urdfdom keeps parts in the order of the file.
 template <class UrdfPart>
 Part partFrom(const UrdfPart& part, const std::string& link, const Element* xml) {
   return {part.name, link, xml, originOf(*xml), part.geometry, nullptr};
@@ -49,7 +49,7 @@ Link linkFrom(const ::urdf::Link& given, const Element& xml) {
   return link;
 }
 
-/// Where the parts of a robot stand, by their names.
+/// The elements of a robot's parts, by name.
 using PartsByName = std::unordered_map<std::string_view, const Element*>;
 
 PartsByName partsNamed(const Element& robot, std::string_view kind) {
@@ -66,7 +66,7 @@ class Reader {
       : robot_(robot), links_(partsNamed(xml, "link")), joints_(partsNamed(xml, "joint")) {}
 
   void read(const ::urdf::Link& root) {
-    // not by recursion: a chain of links may be long
+    // not recursive, because a chain of links may be long
     std::vector<Next> stack{{&root, std::nullopt}};
     while (!stack.empty()) {
       const Next next = stack.back();
@@ -84,7 +84,7 @@ class Reader {
  private:
   struct Next {
     const ::urdf::Link* link;
-    /// Index of the parent link, of which the root has none.
+    /// Index of the parent link; the root has none.
     std::optional<std::size_t> parent;
   };
 

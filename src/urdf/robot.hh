@@ -12,7 +12,7 @@
 
 namespace pongsim::urdf {
 
-/// Mass and how it is spread, in the frame of a link.
+/// Mass and inertia in a link's frame.
 struct Inertial {
   double mass = 0;
   Vector3 com = Vector3::Zero();
@@ -23,18 +23,18 @@ struct Inertial {
 
 /// A `<collision>` or `<visual>`.
 struct Part {
-  /// As the file gives it, perhaps empty.
+  /// As in the file; may be empty.
   std::string name;
-  /// The link that it stands in, whatever becomes of that link.
+  /// The link that it belongs to in the file, even if that link becomes part of another.
   std::string ownLink;
   const Element* xml = nullptr;
   Pose X_LinkPart;
   ::urdf::GeometrySharedPtr geometry;
-  /// Of a visual, perhaps null.
+  /// Visuals only; may be null.
   ::urdf::MaterialSharedPtr material;
 };
 
-/// What ties a link to its parent.
+/// The connection of a link to its parent.
 struct Joint {
   const Element* xml = nullptr;
   ::urdf::JointSharedPtr urdf;
@@ -56,21 +56,21 @@ struct Link {
   std::vector<Part> visuals;
   /// Nothing for the root.
   std::optional<Joint> joint;
-  /// Filled by `lumpFixedJoints`: where the link has gone, and which have come.
+  /// Set by `lumpFixedJoints`: which link this one has become part of, and which links have become part of it.
   std::optional<Lumped> lumpedInto;
   std::vector<Lumped> lumped;
 };
 
 struct Robot {
   const Element* xml = nullptr;
-  /// From the root down, each link before what hangs on it; brothers in the order of their joints' names.
+  /// From the root down, each link before its descendants; siblings sorted by their joints' names.
   std::vector<Link> links;
 };
 
 /// @param robot The `<robot>` that the model was read from; must outlive the result.
 Robot robotFrom(const ::urdf::ModelInterface& model, const Element& robot);
 
-/// @return Where the child stands; where the part does, if it has no such child.
+/// @return Position of the child; if there is none, that of the part.
 const SourcePosition& positionIn(const Element& part, std::string_view child);
 
 }  // namespace pongsim::urdf

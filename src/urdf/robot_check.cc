@@ -18,7 +18,7 @@ namespace {
 
 struct Attribute {
   std::string_view name;
-  /// How many numbers it is; 0: a text.
+  /// How many numbers it has; 0: a text.
   std::size_t count;
   bool isRequired;
 };
@@ -78,7 +78,7 @@ std::string labelOf(const Element& part) {
   return name != nullptr ? part.name + " '" + name->value + "'" : "a " + part.name;
 }
 
-/// Checks one link, joint or material and all that stands below.
+/// Checks one link, joint or material and everything below it.
 class PartCheck {
  public:
   PartCheck(const Element& part, Diagnostics& diagnostics) : label_(labelOf(part)), diagnostics_(diagnostics) {

@@ -5,9 +5,9 @@
 
 namespace pongsim::urdf {
 
-/// Checks a `<robot>` element by element: what must be there is, and numbers are numbers. What URDF does not know is
-/// passed by, with a warning where it is spelt almost like what it knows.
-/// @return False, and errors added, where something is wrong.
+/// Checks a `<robot>` element by element: required parts exist, and numbers are numbers. Elements unknown to URDF are
+/// ignored, with a warning if the name looks like a misspelling.
+/// @return False, with errors, if something is wrong.
 bool checkRobot(const Element& robot, Diagnostics& diagnostics);
 
 }  // namespace pongsim::urdf

@@ -12,12 +12,12 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// Far beyond any robot, and far below what urdfdom can bear, which takes a tree down by recursion.
+/// Far more than any robot has, and far fewer than urdfdom can handle, which destroys trees recursively.
 constexpr std::size_t kMostLinks = 5000;
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// The links and the joint above each.
+/// The links and the parent joint of each.
 class Structure {
  public:
   Structure(const Element& robot, Diagnostics& diagnostics) : robot_(robot), diagnostics_(diagnostics) {}
@@ -29,7 +29,7 @@ class Structure {
       fail(robot_.position, "the robot has more than " + std::to_string(kMostLinks) + " links");
     }
     readJoints();
-    // what else is wrong would only follow from that
+    // any further faults would be consequences
     if (isSound_) findRoot();
     if (isSound_) findCycle();
     return isSound_;
@@ -88,7 +88,7 @@ class Structure {
     }
   }
 
-  /// @return The link that a joint names as its parent or child.
+  /// @return The link named by a joint as its parent or child.
   std::size_t linkOf(const Element& joint, std::string_view role) {
     const Element* element = joint.child(role);
     if (element == nullptr) return kNone;
@@ -125,7 +125,7 @@ class Structure {
   }
 
   void findCycle() {
-    // a link's way up ends at the root, at a link whose way up is known, or where it began
+    // following parents ends at the root, at a link that was visited before, or where it began
     std::vector<std::size_t> visitedFrom(links_.size(), kNone);
     for (std::size_t start = 0; start < links_.size(); ++start) {
       std::size_t link = start;

@@ -5,9 +5,9 @@
 
 namespace pongsim::urdf {
 
-/// Checks how the links and joints of a `<robot>` hang together: names are there and unique, joints name links that
-/// are there, and all of it is one tree.
-/// @return False, and errors added, where something is wrong.
+/// Checks the structure of a `<robot>`: names exist and are unique, joints name existing links, and everything is one
+/// tree.
+/// @return False, with errors, if something is wrong.
 bool checkStructure(const Element& robot, Diagnostics& diagnostics);
 
 }  // namespace pongsim::urdf

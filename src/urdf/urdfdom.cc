@@ -21,8 +21,8 @@ struct Remark {
   bool operator==(const Remark&) const = default;
 };
 
-/// Takes what urdfdom would print, as long as it lives. The console is one for the process, and so there is one
-/// listener at a time.
+/// Captures urdfdom's console output during its lifetime. The process has one console, so only one listener exists at a
+/// time.
 class ConsoleListener : private console_bridge::OutputHandler {
  public:
   ConsoleListener() : lock_(mutex()), level_(console_bridge::getLogLevel()) {
@@ -44,7 +44,7 @@ class ConsoleListener : private console_bridge::OutputHandler {
     return one;
   }
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    // it says some things twice
+    // it reports some things twice
     const Remark remark{text, level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR};
     if (std::ranges::find(remarks_, remark) == remarks_.end()) remarks_.push_back(remark);
   }
@@ -54,8 +54,8 @@ class ConsoleListener : private console_bridge::OutputHandler {
   std::vector<Remark> remarks_;
 };
 
-/// @return Where the part stands that the text names, as in "Could not parse visual element for Link [arm]"; else where
-/// the robot does.
+/// @return Position of the part named in the text, as in "Could not parse visual element for Link [arm]"; else that of
+/// the robot.
 const SourcePosition& placeOf(const std::string& text, const Element& robot) {
   for (const Element& part : robot.children) {
     if (part.name != "link" && part.name != "joint") continue;
@@ -82,7 +82,7 @@ const SourcePosition& placeOf(const std::string& text, const Element& robot) {
     const SourcePosition& place = placeOf(remark.text, robot);
     if (remark.isError) {
       diagnostics.error(place, "urdfdom: " + remark.text);
-      // it may go on all the same, without what it complains of
+      // it may still continue, without the faulty part
       isSound = false;
     } else {
       diagnostics.warning(place, "urdfdom: " + remark.text);

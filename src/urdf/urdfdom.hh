@@ -8,8 +8,9 @@
 
 namespace pongsim::urdf {
 
-/// Has urdfdom read a `<robot>`. What it says goes to `diagnostics`, placed at the link or joint that it names.
-/// @return Null, and an error added, where it finds the robot unsound.
+/// Parses a `<robot>` with urdfdom. Its messages go to `diagnostics`, with the position of the link or joint that they
+/// name.
+/// @return Null, with an error, if urdfdom rejects the robot.
 ::urdf::ModelInterfaceSharedPtr readWithUrdfdom(const Element& robot, Diagnostics& diagnostics);
 
 }  // namespace pongsim::urdf

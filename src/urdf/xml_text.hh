@@ -6,8 +6,8 @@
 
 namespace pongsim::urdf {
 
-/// Writes the `<robot>` for urdfdom, without what is not URDF (`<gazebo>`, ...). That parser so sees nothing but
-/// well-formed text without comments, entities of its own or deep nesting.
+/// Writes the `<robot>` for urdfdom, leaving out what is not URDF (`<gazebo>`, ...). Its parser thus only sees
+/// well-formed text without comments, custom entities or deep nesting.
 std::string xmlOf(const Element& robot);
 
 }  // namespace pongsim::urdf

@@ -1,4 +1,4 @@
-// Strikes at the participants of a DDS domain of this machine with RTPS messages that are well formed and mean ill.
+// Attacks the participants of a DDS domain on this machine with well-formed but hostile RTPS messages.
 //   pongsim_rtps_fuzz --domain N [--seconds S] [--rate PACKETS] [--seed N] [KIND...]
 // Kinds: see attacker.hh; all in turn where none is named. A rate of 0 is as fast as it goes.
 

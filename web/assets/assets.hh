@@ -13,13 +13,13 @@
 
 namespace pongsim::web {
 
-/// The files of all worlds of the process. For any thread.
+/// The files of all worlds in the process. For any thread.
 class Assets final : public AssetSource {
  public:
-  /// Of larger files is said that they are too large; by HTTP they can be had.
+  /// Larger files are reported as too large; they are still available by HTTP.
   static constexpr std::uintmax_t kLargest = std::uintmax_t{24} << 20;
 
-  /// @param world Who tells: what it has told before is forgotten.
+  /// @param world Identifies the world: its previous files are forgotten.
   void set(const void* world, WorldFiles files);
   void remove(const void* world);
 

@@ -11,24 +11,24 @@
 
 namespace pongsim::web {
 
-/// The files that a world is drawn with: those that its scene names, and what lies in the folders of their models, of
-/// the kinds that models consist of.
+/// The files that a world is drawn with: those named in its scene, and those in the folders of their models, if they
+/// are of a kind that models consist of.
 class WorldFiles {
  public:
   WorldFiles() = default;
   /// @param scene An ignition.msgs.Scene.
-  /// @param more Paths of other files, such as the skins of actors, which a scene does not name.
+  /// @param more Paths of further files that a scene does not name, such as the skins of actors.
   explicit WorldFiles(const Message& scene, const std::vector<std::string>& more = {});
 
-  /// @param address A path, "file://PATH" or "model://NAME/PATH", of a model that the scene has a file of.
-  /// @return The file, with all links followed; nothing where it is none of these, or not there.
+  /// @param address A path, "file://PATH", or "model://NAME/PATH" of a model from which the scene uses a file.
+  /// @return The file, with all symbolic links resolved; nothing if it is not one of these, or does not exist.
   std::optional<std::filesystem::path> find(std::string_view address) const;
 
  private:
-  /// A folder, of which the files may be had.
+  /// A folder whose files are available.
   struct Folder {
     std::filesystem::path path;
-    /// Whether those in folders below, too.
+    /// Whether those in subfolders are too.
     bool isDeep = false;
     auto operator<=>(const Folder&) const = default;
   };

@@ -5,7 +5,7 @@
 
 namespace pongsim::web::foxglove {
 
-/// @return The bytes as base64, as RFC 4648 has it, with padding.
+/// @return The bytes in base64 (RFC 4648), with padding.
 std::string base64(std::string_view bytes);
 
 }  // namespace pongsim::web::foxglove

@@ -12,17 +12,18 @@
 
 namespace pongsim::web::foxglove {
 
-/// The services that one client is told of, and its calls. For the server's thread.
+/// The services reported to one client, and its calls. For the server's thread.
 class Calls {
  public:
   /// @param offers Must outlive it.
-  /// @param form In which services say what they take: Foxglove calls those only that take JSON. Calls come in both.
+  /// @param form The encoding that services advertise: Foxglove only calls those that accept JSON. Calls in either form
+  /// are accepted.
   Calls(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, Offers& offers, MessageForm form);
 
-  /// Tells the client what has come and gone. One that may only look is told of services that change nothing.
+  /// Reports added and removed services to the client. A read-only client only sees services that change nothing.
   void follow();
 
-  /// Has the service answer the client, or tells it why not.
+  /// Makes the service answer the client, or reports why it can't.
   void call(const ServiceCall& call);
 
  private:
@@ -31,7 +32,7 @@ class Calls {
   Offers& offers_;
   const MessageForm form_;
   std::uint32_t nextService_ = 1;
-  /// By their ids.
+  /// Keyed by id.
   std::map<std::uint32_t, Worlds::ServicePlace> services_;
 };
 

@@ -11,12 +11,12 @@
 
 namespace pongsim::web::foxglove {
 
-/// The channels that one client is told of, and what it has subscribed of them. For the server's thread.
+/// The channels reported to one client, and its subscriptions. For the server's thread.
 class Channels {
  public:
   explicit Channels(std::shared_ptr<Client> client);
 
-  /// Tells the client what has come and gone. Of several of one topic it is told of the first.
+  /// Reports added and removed channels to the client. If several have the same topic, only the first is reported.
   void follow(std::vector<Offer> offers);
 
   /// Ids are those of the protocol.
@@ -35,7 +35,7 @@ class Channels {
   const std::shared_ptr<Client> client_;
   bool hasTold_ = false;
   std::uint32_t nextChannel_ = 1;
-  /// By their ids.
+  /// Keyed by id.
   std::map<std::uint32_t, Offer> channels_;
   std::map<std::uint32_t, Subscribed> subscribed_;
 };

@@ -10,10 +10,10 @@
 
 #include <nlohmann/json.hpp>
 
-/// What clients say in JSON, which may be anything.
+/// Parses untrusted JSON from clients.
 namespace pongsim::web::foxglove {
 
-/// @return What a text says as JSON; null where it is none, or is nested more than 64 deep, which would take long.
+/// @return The parsed JSON; null if it is invalid, or nested more than 64 deep, which would take long.
 inline nlohmann::json parseJson(std::string_view text) {
   constexpr int kDeepest = 64;
   int depth = 0;
@@ -33,7 +33,7 @@ inline nlohmann::json parseJson(std::string_view text) {
   return parsed.is_discarded() ? nlohmann::json() : parsed;
 }
 
-/// @return The text of that name; nothing where there is none.
+/// @return The text with this name; nothing if there is none.
 inline std::optional<std::string> textField(const nlohmann::json& object, const char* name) {
   if (!object.is_object()) return std::nullopt;
   const auto found = object.find(name);
@@ -41,7 +41,7 @@ inline std::optional<std::string> textField(const nlohmann::json& object, const 
   return found->get<std::string>();
 }
 
-/// @return The number as an id of the protocol, 32 bits without a sign; nothing where it is none.
+/// @return The number as a protocol id, unsigned with 32 bits; nothing if it is not one.
 inline std::optional<std::uint32_t> idOf(const nlohmann::json& value) {
   if (!value.is_number_integer()) return std::nullopt;
   const auto number = value.get<std::int64_t>();
@@ -55,7 +55,7 @@ inline std::optional<std::uint32_t> idField(const nlohmann::json& object, const 
   return found == object.end() ? std::nullopt : idOf(*found);
 }
 
-/// @return The list of that name; nothing where there is none.
+/// @return The list with this name; nothing if there is none.
 inline std::optional<std::vector<nlohmann::json>> listField(const nlohmann::json& object, const char* name) {
   if (!object.is_object()) return std::nullopt;
   const auto found = object.find(name);

@@ -10,19 +10,19 @@
 
 namespace pongsim::web::foxglove {
 
-/// Who publishes, listens and serves in the worlds, as one client is told while it wants to be. For the server's
-/// thread.
+/// The publishers, subscribers and services of the worlds, reported to one client as long as it subscribes to them. For
+/// the server's thread.
 class Graph {
  public:
   Graph(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds);
 
-  /// Begins or ends to tell; begins with all that there is.
+  /// Starts or stops reporting; starts with the complete graph.
   void setWanted(bool wanted);
-  /// Tells what has changed.
+  /// Reports changes.
   void follow();
 
  private:
-  /// By the name of a topic or service: who is there, as "WORLD/1", "WORLD/2".
+  /// Keyed by topic or service name: its endpoints, as "WORLD/1", "WORLD/2".
   using Ends = std::map<std::string, std::vector<std::string>>;
 
   const std::shared_ptr<Client> client_;

@@ -8,7 +8,7 @@
 
 namespace pongsim::web::foxglove {
 
-/// The channel with the warnings and errors of the process, "/foxglove/log", as foxglove.Log. For the server's thread.
+/// The channel with the process's warnings and errors, "/foxglove/log", as foxglove.Log. For the server's thread.
 class LogOffer {
  public:
   /// @param log Must outlive it.

@@ -9,23 +9,23 @@
 
 namespace pongsim::web::foxglove {
 
-/// Makes what stands in front of a message of that simulated time [ns].
+/// Creates the header of a message with this simulated time [ns].
 using Head = std::function<std::string(std::uint64_t timeNs)>;
 
-/// A channel that clients may subscribe.
+/// A channel that clients can subscribe to.
 struct Offer {
   std::string topic;
-  /// Of its messages: "protobuf".
+  /// Encoding of its messages: "protobuf".
   std::string encoding;
   /// Full name of the message type.
   std::string schemaName;
-  /// Of the schema: "protobuf"; empty: as of the messages.
+  /// Encoding of the schema: "protobuf"; empty: the same as of the messages.
   std::string schemaEncoding;
-  /// As text; what is binary as base64.
+  /// As text; binary schemas in base64.
   std::shared_ptr<const std::string> schema;
-  /// Which one it is, apart from others of the same name: a channel with another source is another channel.
+  /// Distinguishes channels with the same name: a channel with another source is another channel.
   const void* source = nullptr;
-  /// Sends the client's messages under that key, until what is returned is destroyed.
+  /// Sends messages to the client under this key, until the result is destroyed.
   std::function<std::shared_ptr<void>(const std::shared_ptr<Client>& client, std::uint64_t key, Head head)> open;
 
   bool isAs(const Offer& other) const {

@@ -15,15 +15,15 @@ class Descriptor;
 
 namespace pongsim::web::foxglove {
 
-/// What the channels of the worlds are. For the server's thread.
+/// The channels of the worlds. For the server's thread.
 class Offers {
  public:
   explicit Offers(std::shared_ptr<Worlds> worlds);
 
-  /// @return The topics of all worlds, as they are, sorted by name.
+  /// @return The current topics of all worlds, sorted by name.
   std::vector<Offer> topics();
 
-  /// @return What describes a message type, as base64; the same for all who ask.
+  /// @return The schema of a message type in base64, shared by all callers.
   std::shared_ptr<const std::string> schema(const std::string& type);
 
  private:

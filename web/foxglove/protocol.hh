@@ -13,8 +13,8 @@
 
 namespace pongsim::web::foxglove {
 
-/// The WebSocket protocol of Foxglove, version 1, which Lichtblick and our own page speak, too: the page by a name of
-/// its own, by which it is offered the own channels, and services that take protobuf.
+/// Foxglove's WebSocket protocol, version 1, also used by Lichtblick and our own page. The page uses its own protocol
+/// name, under which it is offered the own channels, and services that accept protobuf.
 class FoxgloveProtocol final : public Protocol {
  public:
   /// @param own, log, assets Must outlive it.

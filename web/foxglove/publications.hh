@@ -21,7 +21,7 @@ class Publications {
  public:
   Publications(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds);
 
-  /// @param channel As the protocol has it in an `advertise` of the client; may be anything.
+  /// @param channel From the client's `advertise`; not trusted.
   std::string open(const nlohmann::json& channel);
   std::string close(std::uint32_t channel);
   std::string publish(std::uint32_t channel, std::span<const std::byte> message);

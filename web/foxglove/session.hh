@@ -22,11 +22,11 @@
 
 namespace pongsim::web::foxglove {
 
-/// One client that speaks the protocol of Foxglove.
+/// A client that speaks Foxglove's protocol.
 class FoxgloveSession final : public Session {
  public:
-  /// @param offers, own, typed, log, assets Must outlive it. `own` is null but for our own page, `typed` is null for
-  /// it.
+  /// @param offers, own, typed, log, assets Must outlive it. `own` is null except for our own page, for which `typed`
+  /// is null.
   FoxgloveSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, Offers& offers,
                   const OwnChannels* own, TypedOffers* typed, LogOffer& log, const AssetSource& assets);
 
@@ -34,7 +34,8 @@ class FoxgloveSession final : public Session {
   void binary(std::span<const std::byte> message) override;
 
  private:
-  /// What it tells of the worlds. Apart, so that what waits for the socket can see that the session has ended.
+  /// What is reported about the worlds. A separate object, so that data queued for the socket can detect that the
+  /// session has ended.
   struct Told {
     Channels channels;
     Calls calls;
@@ -48,7 +49,7 @@ class FoxgloveSession final : public Session {
   };
 
   void sendServerInfo();
-  /// Does something with each member of a list; it returns what is wrong with one, or an empty text.
+  /// Calls a function with each element of a list; it returns what is wrong with the element, or an empty text.
   void each(const nlohmann::json& message, const char* list,
             const std::function<std::string(const nlohmann::json&)>& deal);
   std::string subscribe(const nlohmann::json& subscription);

@@ -15,7 +15,7 @@
 
 namespace pongsim::web::foxglove {
 
-/// A channel of tests that only our own page is offered.
+/// A channel for tests that only our own page is offered.
 class RecordedOwnChannel final : public OwnChannel {
  public:
   std::string topic() const override { return "/world/w/frame"; }
@@ -36,7 +36,7 @@ class RecordedOwnChannels final : public OwnChannels {
   std::shared_ptr<OwnChannel> channel_ = std::make_shared<RecordedOwnChannel>();
 };
 
-/// A client that speaks the protocol to a world.
+/// A client that speaks the protocol with a world.
 class SessionTest : public testing::Test {
  protected:
   using json = nlohmann::json;
@@ -45,7 +45,7 @@ class SessionTest : public testing::Test {
   void say(const json& message) { session_->text(message.dump()); }
   void say(const std::string& bytes) { session_->binary(std::as_bytes(std::span(bytes))); }
 
-  /// Steps until a message of that operation has come, and returns it.
+  /// Steps until a message with this operation has arrived, and returns it.
   json await(const std::string& operation) {
     json found;
     world_.stepUntil([&] {
@@ -61,7 +61,7 @@ class SessionTest : public testing::Test {
     });
     return found;
   }
-  /// Steps until there is something of that name among what is listed, and returns it.
+  /// Steps until an entry with this name is listed, and returns it.
   json awaitListed(const std::string& operation, const std::string& list, const std::string& key,
                    const std::string& name) {
     for (int i = 0; i < 20; ++i) {
@@ -75,7 +75,7 @@ class SessionTest : public testing::Test {
   }
   json channel(const std::string& topic) { return awaitListed("advertise", "channels", "topic", topic); }
   json service(const std::string& name) { return awaitListed("advertiseServices", "services", "name", name); }
-  /// Steps until a binary message of that kind has come, and returns what stands behind the kind.
+  /// Steps until a binary message of this kind has arrived, and returns what follows the kind.
   std::string awaitBinary(char kind) {
     std::string found;
     world_.stepUntil([&] {

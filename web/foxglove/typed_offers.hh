@@ -11,9 +11,9 @@
 
 namespace pongsim::web::foxglove {
 
-/// The channels in Foxglove's own types, for its panels: the scenes and frames of the worlds, "/foxglove/world/W/scene"
-/// and "/foxglove/world/W/tf", and behind "/foxglove" the topics with images, scans, clouds and places. For the
-/// server's thread.
+/// The channels with Foxglove's own message types, for its panels: the scenes and frames of the worlds,
+/// "/foxglove/world/W/scene" and "/foxglove/world/W/tf", and, prefixed with "/foxglove", the topics with images, scans,
+/// point clouds and positions. For the server's thread.
 class TypedOffers {
  public:
   explicit TypedOffers(std::shared_ptr<Worlds> worlds);

@@ -10,17 +10,17 @@
 
 #include "web/server/session.hh"
 
-/// The binary messages of Foxglove's WebSocket protocol. Numbers are little endian.
+/// Binary messages of Foxglove's WebSocket protocol. Numbers are little endian.
 namespace pongsim::web::foxglove {
 
-/// @return What stands in front of a message of a subscription.
+/// @return The header of a message for a subscription.
 std::string dataHead(std::uint32_t subscription, std::uint64_t timeNs);
 Frame timeFrame(std::uint64_t timeNs);
 Frame answerFrame(std::uint32_t service, std::uint32_t call, std::string_view encoding, Payload reply);
-/// @param asset Its error, where it has one, or its bytes.
+/// @param asset Its error, if any, is sent; otherwise its bytes.
 Frame assetFrame(std::uint32_t request, const Asset& asset);
 
-/// A message on a channel of the client. Lives as long as its bytes, as `ServiceCall`.
+/// A message on a channel of the client. Valid as long as its bytes; the same for `ServiceCall`.
 struct ClientData {
   std::uint32_t channel = 0;
   std::span<const std::byte> message;
@@ -32,7 +32,7 @@ struct ServiceCall {
   std::span<const std::byte> request;
 };
 
-/// @return What a client says, or what is wrong with it.
+/// @return The client's message, or what is wrong with it.
 std::variant<ClientData, ServiceCall, std::string> readBinary(std::span<const std::byte> message);
 
 }  // namespace pongsim::web::foxglove

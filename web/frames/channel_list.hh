@@ -10,7 +10,7 @@
 
 namespace pongsim::web {
 
-/// The own channels of all worlds of the process.
+/// The own channels of all worlds in the process.
 class ChannelList final : public OwnChannels {
  public:
   void add(std::shared_ptr<OwnChannel> channel);

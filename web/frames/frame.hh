@@ -10,23 +10,23 @@
 
 namespace pongsim::web {
 
-// A frame of poses on the wire, all numbers with the lowest byte first:
+// Format of a frame of poses, all numbers little endian:
 //
 //   0  u32  0x31465750, "PWF1"
-//   4  u32  flags: 1, all that there is is in it
+//   4  u32  flags: 1, the frame contains all entities
 //   8  u64  simulated time [ns]
-//  16  u64  steps made
-//  24  f64  simulated seconds a second, over the last half second
-//  32  u32  1 where the world is paused
+//  16  u64  number of steps
+//  24  f64  real-time factor over the last half second
+//  32  u32  1 if the world is paused
 //  36  u32  0
-//  40  u32  revision: another one where any of these have come or gone, so that the scene is to be asked for again
-//  44  u32  how many entities follow, 32 bytes each:
+//  40  u32  revision: changes when entities are added or removed, so that the scene must be requested again
+//  44  u32  number of entities that follow, 32 bytes each:
 //           u32  its id
 //           f32  position in the world x, y, z [m]
 //           f32  rotation in the world x, y, z, w
 //
-// Of models, links and actors; those are in it that have moved since the frame that this client got before, and all in
-// its first one and after a new revision.
+// Entities are models, links and actors. A frame contains those that have moved since the client's previous frame; the
+// first frame and the one after a new revision contain all.
 
 inline constexpr std::uint32_t kFrameMagic = 0x31465750;
 inline constexpr std::uint32_t kFrameHasAll = 1;
@@ -51,9 +51,9 @@ struct FrameStatus {
   bool operator==(const FrameStatus&) const = default;
 };
 
-/// Writes a frame.
-/// @param before What the client has got: as many poses of the same entities, or none, for one with all. Replaced by
-/// `now`.
+/// Encodes a frame.
+/// @param before The poses that the client has: as many, of the same entities; or empty, for a frame with all. Replaced
+/// by `now`.
 Payload encodeFrame(const FrameStatus& status, std::span<const FramePose> now, std::vector<FramePose>& before);
 
 }  // namespace pongsim::web

@@ -19,7 +19,7 @@
 
 namespace pongsim::web {
 
-/// Where all links and actors of a world were at one time.
+/// Poses of all links and actors of a world at one time.
 struct PoseSnapshot {
   FrameStatus status;
   std::shared_ptr<const Roster> roster;
@@ -27,11 +27,11 @@ struct PoseSnapshot {
   std::vector<Pose> X_WorldActors;
 };
 
-/// The channel on which the page hears where everything is (frame.hh). Each client gets what is now, when its socket
-/// can take it. It may outlive the world.
+/// The channel on which the page receives all poses (frame.hh). Each client gets the current ones when its socket can
+/// take them. May outlive the world.
 class PoseChannel final : public OwnChannel, public Callee, public std::enable_shared_from_this<PoseChannel> {
  public:
-  /// @param wake Has the world make a step soon, even where it is paused.
+  /// @param wake Makes the world step soon, even if it is paused.
   PoseChannel(const std::string& world, std::function<void()> wake);
 
   std::string topic() const override { return topic_; }
@@ -41,14 +41,16 @@ class PoseChannel final : public OwnChannel, public Callee, public std::enable_s
 
   // For the simulation's thread.
 
-  /// @return Whether somebody watches and it is time for the next frame; then not again until that is to be shown.
+  /// @return Whether somebody is watching and the next frame is due; then false until that frame has been shown.
   bool takeIsWanted() { return isWanted_.load(std::memory_order_relaxed) && isWanted_.exchange(false); }
-  /// Has all who watch get that, or what is newer. Wakes nobody, and costs the same for any number of them.
+  /// Offers a snapshot to all viewers, who get this or a newer one. Wakes no thread, and costs the same for any number
+  /// of viewers.
   void show(std::shared_ptr<const PoseSnapshot> snapshot);
 
-  /// On the server's thread, regularly: has each client get what is new when its socket is free, and wants the next.
+  /// Called regularly on the server's thread: sends each client new poses when its socket is free, and asks for the
+  /// next frame.
   void called() override;
-  /// The world ends.
+  /// Call when the world ends.
   void end();
 
  private:
@@ -63,16 +65,17 @@ class PoseChannel final : public OwnChannel, public Callee, public std::enable_s
   std::function<void()> wake_;
   std::vector<std::shared_ptr<Viewer>> all_;
   std::shared_ptr<const PoseSnapshot> latest_;
-  /// Whether the server's thread has not looked at the latest yet.
+  /// Whether the server's thread has yet to see the latest snapshot.
   bool isNew_ = false;
-  // of the server's thread: while somebody watches, and the poses of a snapshot, for all who get it
+  // used on the server's thread: the regular call, while somebody watches, and a snapshot's poses, shared by all
+  // viewers
   std::shared_ptr<void> regularly_;
   Clock::time_point next_{};
   std::shared_ptr<const PoseSnapshot> converted_;
   std::vector<FramePose> poses_;
 };
 
-/// Copies where everything is when a channel wants it, which looks at no clock otherwise. For the simulation's thread.
+/// Copies all poses when a channel asks for them; otherwise it does not even read a clock. For the simulation's thread.
 class PoseFeed {
  public:
   PoseFeed(const World& world, std::shared_ptr<PoseChannel> channel);
@@ -80,9 +83,9 @@ class PoseFeed {
   PoseFeed(const PoseFeed&) = delete;
   PoseFeed& operator=(const PoseFeed&) = delete;
 
-  /// To be called after each step.
+  /// Call after each step.
   void update(const StepInfo& step);
-  /// Models, links or actors have come or gone.
+  /// Call when models, links or actors have been added or removed.
   void worldChanged() { roster_.reset(); }
 
  private:
@@ -98,7 +101,7 @@ class PoseFeed {
   std::optional<LinkGroup> group_;
   std::uint32_t revision_ = 0;
   std::vector<std::shared_ptr<PoseSnapshot>> pool_;
-  /// Where the last half second of the pace began.
+  /// Start of the last half second over which the real-time factor is measured.
   Clock::time_point paceBegan_{};
   Time paceTime_{0};
   double pace_ = 0;

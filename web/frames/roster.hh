@@ -13,28 +13,28 @@
 
 namespace pongsim::web {
 
-/// Which models, links and actors there are, as plain values, and where they are when links and actors are somewhere.
-/// For any thread, but for `actors`, which is for the simulation's.
+/// The models, links and actors of a world as plain values, for computing all poses from those of links and actors. For
+/// any thread, except `actors`, which is for the simulation's.
 class Roster {
  public:
   /// On the simulation's thread.
   explicit Roster(const World& world);
 
-  /// @return The links, in the order in which `poses` wants them.
+  /// @return The links, in the order that `poses` expects.
   const std::vector<Link>& links() const { return links_; }
 
-  /// @return The actors, in the order in which `poses` wants them.
+  /// @return The actors, in the order that `poses` expects.
   const std::vector<Actor>& actors() const { return actors_; }
 
   /// Replaces `poses` by those of all models, links and actors.
-  /// @param X_WorldLinks, X_WorldActors Of the links and the actors, in their order.
+  /// @param X_WorldLinks, X_WorldActors Poses of the links and actors, in their order.
   void poses(std::span<const Pose> X_WorldLinks, std::span<const Pose> X_WorldActors,
              std::vector<FramePose>& poses) const;
 
  private:
   struct ModelPlace {
     std::uint32_t entity = 0;
-    /// Which link it moves with; nothing where none, and `X_LinkModel` is in the world.
+    /// The link it moves with; if there is none, `X_LinkModel` is relative to the world.
     std::optional<std::size_t> link;
     Pose X_LinkModel;
   };

@@ -4,7 +4,7 @@
 
 namespace pongsim::web::gz {
 
-/// @return All message types and enumerations of ignition.msgs, as one file of protobuf's language.
+/// @return All message types and enumerations of ignition.msgs, as one .proto file.
 std::string definitions();
 
 }  // namespace pongsim::web::gz

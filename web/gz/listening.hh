@@ -14,29 +14,29 @@
 
 namespace pongsim::web::gz {
 
-/// What one client listens to, topics that are not there yet too. For the server's thread.
+/// What one client subscribes to, including topics that do not exist yet. For the server's thread.
 class Listening {
  public:
   /// @param settings Must outlive it.
   Listening(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, const GzSettings& settings);
 
-  /// Begins to listen; what the client listens to already it listens to anew.
-  /// @param asPicture As PNG, of a topic with images.
+  /// Subscribes; an existing subscription to the topic is replaced.
+  /// @param asPicture As PNG, for a topic with images.
   /// @return What is wrong, as a sentence without a full stop, or an empty text.
   std::string add(std::string_view topic, bool asPicture);
   void remove(std::string_view topic);
-  /// Lets through so many messages of that topic a second, also where the client will listen to it later.
-  /// @return As `add`.
+  /// Limits the rate of the topic's messages, also if the client subscribes later.
+  /// @return See `add`.
   std::string limit(std::string_view topic, double hz);
 
-  /// Opens what has come, closes what has gone.
+  /// Opens subscriptions for new topics, and closes those of removed ones.
   void follow();
 
  private:
   struct Ear {
     std::uint64_t key = 0;
     bool asPicture = false;
-    /// What it listens to now: none where the topic is not there.
+    /// The current message type: empty if the topic does not exist.
     std::string type;
     std::shared_ptr<WorldLink> world;
     std::shared_ptr<Rate> rate;
@@ -52,7 +52,7 @@ class Listening {
   const GzSettings& settings_;
   std::uint64_t nextKey_ = 1;
   std::map<std::string, Ear, std::less<>> ears_;
-  /// By topic: of those that the client has limited.
+  /// Rate limits set by the client, by topic.
   std::map<std::string, double, std::less<>> rates_;
 };
 

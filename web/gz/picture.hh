@@ -7,9 +7,9 @@
 
 namespace pongsim::web::gz {
 
-/// @param image An ignition.msgs.Image in its binary form.
-/// @return The image as PNG, coloured or grey; depths and heat from white, the smallest, to black. Nothing where the
-/// bytes are no image, or one of a format that has no picture, or lack pixels.
+/// @param image An ignition.msgs.Image in binary form.
+/// @return The image as PNG, in colour or grey; depth and thermal images from white, the smallest value, to black.
+/// Nothing if the bytes are not an image, have an unsupported format, or lack pixels.
 std::optional<std::string> picture(std::span<const std::byte> image);
 
 }  // namespace pongsim::web::gz

@@ -10,8 +10,8 @@
 
 namespace pongsim::web::gz {
 
-/// The protocol of ign-launch's WebSocket server, which clients speak that name no other: the library gzweb, Gazebo's
-/// viewer page.
+/// The protocol of ign-launch's WebSocket server, for clients that name no subprotocol: the library gzweb, and Gazebo's
+/// web viewer.
 class GzProtocol final : public Protocol {
  public:
   /// @param assets Must outlive it.
@@ -25,7 +25,7 @@ class GzProtocol final : public Protocol {
   const std::shared_ptr<Worlds> worlds_;
   const AssetSource& assets_;
   const GzSettings settings_;
-  /// Those that are there.
+  /// Counts the current sessions.
   std::shared_ptr<int> sessions_ = std::make_shared<int>(0);
 };
 

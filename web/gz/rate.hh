@@ -7,21 +7,20 @@
 
 namespace pongsim::web::gz {
 
-/// Lets through so many a second. Its limit may be set by another thread.
+/// Lets a limited number of messages per second pass. The limit can be set from another thread.
 class Rate {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// @param hz Above 0; infinite: no limit.
+  /// @param hz Positive; infinite: no limit.
   explicit Rate(double hz) { set(hz); }
 
   void set(double hz) { periodNs_ = static_cast<std::int64_t>(std::min(1e9 / hz, kLongestNs)); }
 
-  /// @return Whether this one may pass. Messages that come as often as they may, but for what a clock is late or early,
-  /// all pass.
+  /// @return Whether a message may pass. All pass if they arrive at the allowed rate, apart from jitter.
   bool passes(Clock::time_point now) {
     const std::chrono::nanoseconds period(periodNs_.load(std::memory_order_relaxed));
-    // it may have been slower
+    // the limit may have been lower before
     next_ = std::min(next_, now + 2 * period);
     if (now + period / 2 < next_) return false;
     next_ = std::max(next_, now - period / 2) + period;
@@ -29,7 +28,7 @@ class Rate {
   }
 
  private:
-  // some 30 years
+  // about 30 years
   static constexpr double kLongestNs = 1e18;
 
   std::atomic<std::int64_t> periodNs_ = 0;

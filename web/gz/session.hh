@@ -17,11 +17,11 @@
 
 namespace pongsim::web::gz {
 
-/// One client that speaks the protocol of ign-launch's WebSocket server. All that it is sent is binary.
+/// A client that speaks the protocol of ign-launch's WebSocket server. Everything sent to it is binary.
 class GzSession final : public Session {
  public:
   /// @param assets, settings Must outlive it.
-  /// @param counted Held as long as it lives.
+  /// @param counted Held for its lifetime.
   GzSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, const AssetSource& assets,
             const GzSettings& settings, std::shared_ptr<void> counted);
   ~GzSession() override;
@@ -32,7 +32,7 @@ class GzSession final : public Session {
   void binary(std::span<const std::byte> message) override;
 
  private:
-  /// What an operation does, once the client may come in.
+  /// An operation, run once the client is authenticated.
   using Operation = void (GzSession::*)(const Call& call);
   static const std::map<std::string_view, Operation>& operations();
 
@@ -52,7 +52,7 @@ class GzSession final : public Session {
   void request(const Call& call);
   void asset(const Call& call);
 
-  /// What is asked before the worlds have said what there is, and is answered then.
+  /// Requests made before the worlds have reported their topics, answered afterwards.
   struct Early;
   bool areListsKnown() const;
   void sendTopics();
@@ -68,7 +68,7 @@ class GzSession final : public Session {
   const GzSettings& settings_;
   const std::shared_ptr<void> counted_;
   bool isLetIn_;
-  /// Of what the client publishes on, by topic and type.
+  /// The client's publishers, by topic and type.
   std::map<std::pair<std::string, std::string>, std::shared_ptr<WorldLink::Voice>> voices_;
   const std::shared_ptr<Listening> listening_;
   const std::shared_ptr<Early> early_;

@@ -7,16 +7,16 @@ namespace pongsim::web {
 
 /// The parameters of ign-launch's WebSocket server.
 struct GzSettings {
-  /// How many messages of a topic a client gets a second of wall time at most, above 0.
+  /// Maximum number of messages of a topic that a client gets per second of wall time, positive.
   double publicationHz = 60;
-  /// Keys by which clients say that they may come in (`auth`), where one is set; both let in to everything.
+  /// Keys with which clients authenticate (`auth`), if one is set; either gives full access.
   std::string authorizationKey;
   std::string adminAuthorizationKey;
-  /// Clients at a time; below 0: as many as the server takes.
+  /// Concurrent clients; negative: as many as the server allows.
   int maxConnections = -1;
-  /// Messages of one subscription that wait for a client at most; below 0: as many as suit its type.
+  /// Maximum number of messages queued for a subscription; negative: depends on its type.
   int queueSizePerConnection = -1;
-  /// How many topics of a type a client may listen to.
+  /// How many topics of a type a client can subscribe to.
   std::map<std::string, int> subscriptionLimits;
 };
 

@@ -25,7 +25,7 @@ namespace pongsim::web {
 /// A WebSocket connection.
 class Connection final : public Client, public Callee, public std::enable_shared_from_this<Connection> {
  public:
-  /// @param socket There until `ended`; touched on the server's thread only.
+  /// @param socket Exists until `ended`; only used on the server's thread.
   Connection(std::shared_ptr<Waker> waker, lws* socket, const ServerLimits& limits, bool mayWrite);
 
   void sendText(std::string text) override;
@@ -44,14 +44,14 @@ class Connection final : public Client, public Callee, public std::enable_shared
   // The rest is for the server's thread.
 
   void begin(std::unique_ptr<Session> session) { session_ = std::move(session); }
-  /// Has the library call `write` when the socket can take something.
+  /// Asks the library to call `write` when the socket can take data.
   void called() override;
-  /// @param buffer For the library, used again and again.
-  /// @return Whether the connection goes on.
+  /// @param buffer Memory for the library, reused.
+  /// @return Whether the connection stays open.
   bool write(std::vector<unsigned char>& buffer);
-  /// A part of a message has come.
-  /// @param rest So many bytes of it are still to come in this piece.
-  /// @return Whether the connection goes on.
+  /// A part of a message has arrived.
+  /// @param rest Number of bytes of this fragment still to come.
+  /// @return Whether the connection stays open.
   bool receive(std::string_view part, std::size_t rest, bool isLastPiece, bool isBinary, const Logger& log);
   /// The socket is gone.
   void ended();
@@ -72,7 +72,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
 
   std::shared_ptr<Waker> waker_;
   lws* socket_;
-  // outlives the server's, for clients that are held
+  // a copy, because clients can outlive the server
   const ServerLimits limits_;
   const bool mayWrite_;
   Outbox outbox_{limits_};
@@ -81,7 +81,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
   mutable std::mutex mutex_;
   std::optional<Closing> closing_;
   std::atomic<bool> hasEnded_ = false;
-  /// On its way, up to `written_`.
+  /// The item being sent; `written_` bytes of it are done.
   std::optional<Outbox::Item> current_;
   std::size_t written_ = 0;
   std::string message_;

@@ -9,24 +9,24 @@ struct lws;
 
 namespace pongsim::web {
 
-/// @param path As the browser asks for it: "/main.js"; "/" is index.html.
-/// @return The file in `folder`, which it does not leave by any way; nothing where there is none.
+/// @param path As requested by the browser: "/main.js"; "/" is index.html.
+/// @return The file in `folder`, never outside of it; nothing if there is none.
 std::optional<std::filesystem::path> pageFile(const std::filesystem::path& folder, std::string_view path);
 
-/// @return What stands in `?name=value` of a request, or in what it has as its bearer token.
+/// @return The token in a request: from `?name=value`, or the bearer token.
 std::string tokenOf(lws* request);
 
-/// @return What stands in a header of that number (lws_token_indexes); empty where it is not there.
+/// @return The value of a header given by number (lws_token_indexes); empty if it is missing.
 std::string headerOf(lws* request, int number);
 
-/// Answers with a short text.
-/// @return Whether the connection goes on.
+/// Responds with a short text.
+/// @return Whether the connection stays open.
 bool answerText(lws* request, int status, const std::string& text);
 
-/// Answers with a file, in pieces as the socket takes them; with the compressed one beside it (FILE.gz) where there is
-/// one and the browser takes it.
-/// @param origin A page of others that may read it; empty: none may.
-/// @return What the library's callback is to return.
+/// Responds with a file, in pieces as the socket takes them. Sends the compressed version (FILE.gz) if there is one and
+/// the browser accepts it.
+/// @param origin Another page's origin that may read it; empty: none.
+/// @return What the library's callback must return.
 int answerFile(lws* request, const std::filesystem::path& file, const std::string& origin);
 
 }  // namespace pongsim::web

@@ -5,25 +5,25 @@
 
 namespace pongsim::web {
 
-/// What clients may ask of the server. Beyond it they are refused, with a word, and nobody else notices.
+/// Limits on what clients can request. Beyond them they are refused, with a message, and nobody else is affected.
 struct ServerLimits {
-  /// Connections at a time, of browsers that load the page too.
+  /// Concurrent connections, including browsers that load the page.
   int connections = 512;
-  /// WebSocket clients at a time.
+  /// Concurrent WebSocket clients.
   int clients = 256;
-  /// The largest message that a client may send, all its pieces together.
+  /// Maximum size of a client's message, all fragments together.
   std::size_t messageBytes = std::size_t{4} << 20;
-  /// What may wait for one client. Beyond it data is dropped, and a client is closed for which more than that waits of
-  /// what must not be lost.
+  /// Maximum size of what is queued for one client. Beyond it, data is dropped; a client is closed if this much that
+  /// must not be lost is queued.
   std::size_t waitingBytes = std::size_t{32} << 20;
-  /// Frames of data with a key of their own that wait for one client.
+  /// Maximum number of keys with data frames queued for one client.
   std::size_t waitingKeys = 4096;
-  /// Messages that must not be lost that wait for one client.
+  /// Maximum number of messages that must not be lost queued for one client.
   std::size_t waitingMessages = 65536;
-  /// How long a handshake may take, or an answer stay unread.
+  /// Timeout for a handshake, and for a reply that is not read.
   std::chrono::seconds handshake{10};
-  /// After so long without a word a client is asked whether it is still there, and closed where it does not answer as
-  /// quickly as a handshake must be.
+  /// After this long without a message, a client is asked whether it is still there, and closed if it does not answer
+  /// within the handshake timeout.
   std::chrono::seconds silence{30};
 };
 

@@ -5,8 +5,8 @@
 
 namespace pongsim::web {
 
-/// @return What a browser is to take a file for, by its extension; empty where it is none that pages and worlds consist
-/// of, which is not sent then.
+/// @return The media type of a file by its extension; empty if pages and worlds do not use such files, which are then
+/// not served.
 std::string_view mediaType(const std::filesystem::path& file);
 
 }  // namespace pongsim::web

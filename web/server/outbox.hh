@@ -15,8 +15,8 @@
 
 namespace pongsim::web {
 
-/// What waits for one client. What must not be lost leaves first and in order; data leaves by turns, key by key. For
-/// any thread.
+/// The queue of one client. Items that must not be lost are sent first and in order; data is sent in turns, key by key.
+/// For any thread.
 class Outbox {
  public:
   struct Item {
@@ -26,20 +26,20 @@ class Outbox {
 
   explicit Outbox(const ServerLimits& limits) : limits_(limits) {}
 
-  /// Adds what must not be lost.
+  /// Adds an item that must not be lost.
   /// @return Whether there was room.
   bool add(Item item);
-  /// As `Client::sendData`.
+  /// See `Client::sendData`.
   void addData(std::uint64_t key, std::size_t most, Frame frame);
-  /// As `Client::sendWhenFree`.
+  /// See `Client::sendWhenFree`.
   void addMaker(std::uint64_t key, std::function<Frame()> make);
-  /// Drops what waits of that key.
+  /// Drops what is queued for this key.
   void forget(std::uint64_t key);
-  /// Drops all.
+  /// Drops everything.
   void clear();
 
-  /// @return What is to leave next, made now where it is made when the socket is free; nothing where nothing waits.
-  /// What a maker throws comes through.
+  /// @return The next item to send, created now if it is made on demand; nothing if the queue is empty. Exceptions from
+  /// the functions that make frames pass through.
   std::optional<Item> take();
   bool isEmpty() const;
   std::uint64_t dropped() const;
@@ -49,7 +49,7 @@ class Outbox {
     Frame frame;
     std::function<Frame()> make;
   };
-  /// Of one key.
+  /// Data of one key.
   struct Line {
     std::deque<Waiting> waiting;
     std::list<std::uint64_t>::iterator turn;
@@ -63,7 +63,7 @@ class Outbox {
   std::deque<Item> first_;
   std::size_t firstBytes_ = 0;
   std::unordered_map<std::uint64_t, Line> lines_;
-  /// Keys that have something, in the order of their turns.
+  /// Keys with data, in the order of their turns.
   std::list<std::uint64_t> turns_;
   std::size_t dataBytes_ = 0;
   std::uint64_t dropped_ = 0;

@@ -16,17 +16,17 @@
 
 namespace pongsim::web {
 
-/// @param address What stands behind "/assets" in what was asked for: "/home/me/model/meshes/arm.dae".
-/// @return The file, where the world needs it; nothing where it is none of its business. For any thread.
+/// @param address The requested path after "/assets": "/home/me/model/meshes/arm.dae".
+/// @return The file if the world uses it, else nothing. For any thread.
 using FindAsset = std::function<std::optional<std::filesystem::path>(std::string_view address)>;
 
 struct ServerSettings {
-  /// Of this machine, IPv4.
+  /// Addresses of this machine, IPv4.
   std::vector<std::string> addresses{"127.0.0.1"};
-  /// 0: any that is free.
+  /// 0: any free port.
   int port = 9002;
   AccessRules access;
-  /// Files of the page; empty: there is none.
+  /// Files of the page; empty: none.
   std::filesystem::path page;
   FindAsset findAsset;
   /// In PEM, both or neither.
@@ -35,12 +35,12 @@ struct ServerSettings {
   ServerLimits limits;
 };
 
-/// HTTP and WebSocket on one port, with or without TLS, on a thread of its own.
+/// HTTP and WebSocket server on one port, with or without TLS, with its own thread.
 class Server {
  public:
   /// @param log Must outlive it.
-  /// @param protocols Sessions are opened by. Must outlive it.
-  /// @throws std::runtime_error where the port can't be had or the certificate can't be used.
+  /// @param protocols Create the sessions. Must outlive it.
+  /// @throws std::runtime_error if the port is not available or the certificate is unusable.
   Server(ServerSettings settings, const Logger& log, const std::vector<Protocol*>& protocols);
   /// Closes all connections.
   ~Server();
@@ -48,7 +48,7 @@ class Server {
   Server& operator=(const Server&) = delete;
 
   int port() const;
-  /// @return How many WebSocket clients there are.
+  /// @return Number of WebSocket clients.
   std::size_t clients() const;
 
  private:

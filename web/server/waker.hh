@@ -14,27 +14,27 @@
 
 namespace pongsim::web {
 
-/// Has things called on the server's thread: at once when another thread says so, which wakes it, or regularly.
+/// Schedules calls on the server's thread: immediately, when another thread asks for it, or regularly.
 class Waker {
  public:
-  /// @param log Must outlive `end`.
+  /// @param log Must be valid until `end`.
   Waker(lws_context* context, const Logger& log);
 
   // For any thread.
 
-  /// As `Client::callSoon`.
+  /// See `Client::callSoon`.
   void add(std::shared_ptr<Callee> callee);
   /// Ends the thread's wait.
   void wake();
 
   // For the server's thread.
 
-  /// As `Client::callRegularly`.
+  /// See `Client::callRegularly`.
   std::shared_ptr<void> addRegular(std::weak_ptr<Callee> callee);
-  /// Calls all that were added, and those whom they add.
+  /// Calls everything that was added, including what is added meanwhile.
   void callAll();
 
-  /// The server ends, and its thread has: nobody is called from now on.
+  /// Call when the server ends, after its thread has: nothing is called from now on.
   void end();
 
  private:
@@ -52,16 +52,16 @@ class Waker {
   /// Null when the server has ended.
   lws_context* context_;
   std::vector<std::shared_ptr<Callee>> waiting_;
-  /// Whether the server's thread is at it, and looks again by itself.
+  /// Whether the server's thread is making calls, and will check again itself.
   bool isCalling_ = false;
-  /// Whether those who are called regularly are due.
+  /// Whether regular calls are due.
   bool isDue_ = false;
 
-  // of the server's thread
+  // used on the server's thread
   std::vector<std::shared_ptr<Callee>> called_;
   std::vector<std::weak_ptr<Regular>> regulars_;
-  /// Says when, while somebody is called regularly: the library's own timers sleep for whole milliseconds, rounded
-  /// down, and ask on and on for what is left of the time, which took 5 % of a processor.
+  /// Makes regular calls due, while there are any. The library's own timers sleep for whole milliseconds, rounded down,
+  /// and then poll for the rest of the time, which took 5 % of a processor.
   std::jthread timer_;
 };
 

@@ -17,11 +17,11 @@
 
 namespace pongsim::web {
 
-/// What the worlds of a process share: the server, the protocols and what these see of the worlds. For any thread.
+/// Shared by the worlds of a process: the server, the protocols, and the worlds as these see them. For any thread.
 class Hub {
  public:
-  /// @return The one on that port, which is made where there is none yet; that of port 0 is anybody's.
-  /// @throws std::runtime_error where the server can't be had, or is there with other settings.
+  /// @return The hub on this port, created if there is none yet; port 0 matches any hub.
+  /// @throws std::runtime_error if the server can't start, or is already running with other settings.
   static std::shared_ptr<Hub> open(const ServerSettings& settings, const GzSettings& gz);
 
   Hub(ServerSettings settings, const GzSettings& gz);
@@ -44,11 +44,11 @@ class Hub {
   HeardLog heardLog_;
   foxglove::FoxgloveProtocol foxglove_{worlds_, channels_, heardLog_, assets_};
   gz::GzProtocol gz_;
-  // begins last
+  // starts last
   std::optional<Server> server_;
 };
 
-/// @return The folder of the page that is installed with this; empty where there is none.
+/// @return The folder of the installed page; empty if there is none.
 std::filesystem::path installedPage();
 
 }  // namespace pongsim::web

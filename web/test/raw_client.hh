@@ -8,27 +8,28 @@
 
 namespace pongsim::web::test {
 
-/// A client that does as it is told, right or wrong, with nothing but a socket. Waits up to a minute for an answer.
+/// A client on a bare socket that sends whatever it is told, valid or not. Waits up to a minute for an answer.
 class RawClient {
  public:
-  /// @param receiveBuffer Of the socket [bytes]; 0: as the system has it.
+  /// @param receiveBuffer Of the socket [bytes]; 0: the system's default.
   explicit RawClient(int port, int receiveBuffer = 0);
   ~RawClient();
   RawClient(const RawClient&) = delete;
   RawClient& operator=(const RawClient&) = delete;
 
   bool isConnected() const { return socket_ >= 0; }
-  /// @return Whether all of it was taken.
+  /// @return Whether everything was accepted.
   bool send(std::string_view bytes);
 
-  /// Asks for a path, with more lines of headers ("Name: value\r\n"), and reads the answer until the server closes.
+  /// Requests a path, with additional header lines ("Name: value\r\n"), and reads the response until the server closes
+  /// the connection.
   std::string get(const std::string& path, const std::string& headers = {}, const std::string& host = {});
-  /// Asks for a WebSocket.
-  /// @param headers As above, with `Sec-WebSocket-Protocol` and `Origin` where they are wanted.
-  /// @return The answer's head, which begins "HTTP/1.1 101" where it was granted.
+  /// Requests a WebSocket.
+  /// @param headers As above, with `Sec-WebSocket-Protocol` and `Origin` if needed.
+  /// @return The response's header, which starts with "HTTP/1.1 101" on success.
   std::string open(const std::string& path = "/", const std::string& headers = {}, const std::string& host = {});
 
-  /// Sends one frame, masked as clients do.
+  /// Sends one frame, masked as clients must.
   bool sendFrame(int opcode, std::string_view payload, bool isFinal = true);
   bool sendText(std::string_view text) { return sendFrame(1, text); }
   bool sendBinary(std::string_view bytes) { return sendFrame(2, bytes); }
@@ -36,10 +37,10 @@ class RawClient {
   struct Message {
     int opcode = 0;
     std::string payload;
-    /// Of opcode 8.
+    /// For opcode 8.
     int closeCode() const;
   };
-  /// @return The next message, of all its frames; nothing where the connection has ended.
+  /// @return The next message, with all its fragments; nothing if the connection has ended.
   std::optional<Message> next();
 
  private:

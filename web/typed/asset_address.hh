@@ -5,12 +5,12 @@
 
 namespace pongsim::web::typed {
 
-/// @param address As a scene has it: "/home/me/arm.dae", "model://arm/arm.dae".
-/// @return The same as an address that Foxglove asks the server for, "package://pongsim/model/arm/arm.dae", with its
-/// folders, so that a mesh finds its pictures.
+/// @param address As in a scene: "/home/me/arm.dae", "model://arm/arm.dae".
+/// @return An address that Foxglove requests from the server, "package://pongsim/model/arm/arm.dae". It keeps the
+/// folders, so that a mesh finds its textures.
 std::string packageAddress(std::string_view address);
 
-/// @return What `packageAddress` was made of; other addresses as they are.
+/// @return The original of an address made by `packageAddress`; other addresses unchanged.
 std::string sceneAddress(std::string_view address);
 
 }  // namespace pongsim::web::typed

@@ -11,14 +11,14 @@
 
 namespace pongsim::web::typed {
 
-/// The frames of a scene: "rover", "rover::chassis", "rover::chassis::lidar", each in that of what holds it, models in
-/// "world".
+/// The frames of a scene: "rover", "rover::chassis", "rover::chassis::lidar", each relative to its parent, models
+/// relative to "world".
 class Frames {
  public:
   explicit Frames(const ignition::msgs::Scene& scene);
 
-  /// @param poses Of models and links by their ids, each in the frame of what holds it, as a world tells them.
-  /// @return The frames of these, and those of all sensors, which stay where they are on their links.
+  /// @param poses Of models and links by id, each in its parent's frame, as published by a world.
+  /// @return Their frames, and those of all sensors, which are fixed to their links.
   ::foxglove::FrameTransforms transforms(const ignition::msgs::Pose_V& poses, std::uint64_t timeNs) const;
 
  private:

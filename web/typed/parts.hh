@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-/// What the messages of both sides are made of.
+/// Conversions of the parts of messages.
 namespace pongsim::web::typed {
 
 inline void fillIn(double x, double y, double z, ::foxglove::Vector3& out) {
@@ -22,7 +22,7 @@ inline void fillIn(const ignition::msgs::Quaternion& in, ::foxglove::Quaternion&
   out.set_x(in.x());
   out.set_y(in.y());
   out.set_z(in.z());
-  // one that is left out turns nothing
+  // a missing rotation is the identity
   const bool isNone = in.x() == 0 && in.y() == 0 && in.z() == 0 && in.w() == 0;
   out.set_w(isNone ? 1 : in.w());
 }
@@ -37,14 +37,14 @@ inline void fillIn(std::uint64_t timeNs, google::protobuf::Timestamp& out) {
   out.set_nanos(static_cast<std::int32_t>(timeNs % 1'000'000'000));
 }
 
-/// @param timeNs Where the header has no time.
+/// @param timeNs Used if the header has no time.
 inline void fillIn(const ignition::msgs::Header& header, std::uint64_t timeNs, google::protobuf::Timestamp& out) {
   if (!header.has_stamp()) return fillIn(timeNs, out);
   out.set_seconds(header.stamp().sec());
   out.set_nanos(header.stamp().nsec());
 }
 
-/// @return The frame of which the header tells, or an empty text.
+/// @return The frame in the header, or an empty text.
 inline std::string frameOf(const ignition::msgs::Header& header) {
   for (const auto& entry : header.data()) {
     if (entry.key() == "frame_id" && entry.value_size() > 0) return entry.value(0);

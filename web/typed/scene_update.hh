@@ -7,8 +7,8 @@
 
 namespace pongsim::web::typed {
 
-/// @return All of the scene, in place of what was there: an entity for each link, in its frame as `Frames` names it and
-/// locked to it. Left out is what Foxglove has no shape for: heightmaps, polylines, lights.
+/// @return The whole scene, replacing the previous one: an entity for each link, in the link's frame as named by
+/// `Frames` and locked to it. Leaves out what Foxglove has no primitive for: heightmaps, polylines, lights.
 ::foxglove::SceneUpdate sceneUpdate(const ignition::msgs::Scene& scene, std::uint64_t timeNs);
 
 }  // namespace pongsim::web::typed

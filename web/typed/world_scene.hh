@@ -12,7 +12,7 @@
 
 namespace pongsim::web::typed {
 
-/// What is to be seen in a world, asked for anew whenever models or lights have come or gone. For any thread.
+/// A world's scene, requested again whenever models or lights are added or removed. For any thread.
 class WorldScene : public std::enable_shared_from_this<WorldScene> {
  public:
   struct State {
@@ -21,17 +21,17 @@ class WorldScene : public std::enable_shared_from_this<WorldScene> {
     Frames frames;
   };
 
-  /// Not to be let go of on the world's thread.
+  /// Do not destroy it on the world's thread.
   static std::shared_ptr<WorldScene> open(std::shared_ptr<WorldLink> world);
   explicit WorldScene(std::shared_ptr<WorldLink> world) : world_(std::move(world)) {}
 
-  /// @return The last answer; null where there has been none.
+  /// @return The latest scene; null before the first.
   std::shared_ptr<const State> state() const;
 
-  /// @param changed Called on the world's thread when there is another state; must be quick, and must not end watches.
+  /// @param changed Called on the world's thread when there is a new scene; must be fast, and must not end watches.
   std::shared_ptr<void> watch(std::function<void()> changed);
 
-  /// @return Which service tells it.
+  /// @return The service that provides it.
   static OwnService serviceOf(const std::string& world);
 
  private:
@@ -43,10 +43,10 @@ class WorldScene : public std::enable_shared_from_this<WorldScene> {
   mutable std::mutex mutex_;
   std::shared_ptr<const State> state_;
   bool isAsking_ = false;
-  /// Whether something has changed since it asked.
+  /// Whether something has changed since the request.
   bool isOld_ = false;
   std::vector<std::shared_ptr<const std::function<void()>>> watches_;
-  /// Of the world's thread.
+  /// Used on the world's thread.
   bool hasWarned_ = false;
 };
 

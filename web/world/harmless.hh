@@ -4,7 +4,7 @@
 
 namespace pongsim::web {
 
-/// @return Whether a call to that service changes nothing, so that clients that may only look may call it.
+/// @return Whether calls to this service change nothing, so that read-only clients may call it.
 bool isHarmless(std::string_view service);
 
 }  // namespace pongsim::web

@@ -13,11 +13,11 @@
 
 namespace pongsim::web {
 
-/// Warnings and errors of the process, for clients: as they come, and the last ones for who comes later. For any
+/// Warnings and errors of the process for clients: live, and the last ones for clients that connect later. For any
 /// thread.
 class HeardLog {
  public:
-  /// So many are kept.
+  /// Number of entries kept.
   static constexpr std::size_t kKept = 100;
   /// Longer texts are cut [bytes].
   static constexpr std::size_t kLongest = 4096;
@@ -28,11 +28,11 @@ class HeardLog {
     std::string speaker;
     std::string message;
   };
-  /// Called on the thread that speaks; must be quick, and must not end watches.
+  /// Called on the logging thread; must be fast, and must not end watches.
   using Heard = std::function<void(const Entry&)>;
 
-  /// @param heard Told those that are kept at once.
-  /// @return Watched until it is destroyed. Must not outlive this.
+  /// @param heard Called with the kept entries immediately.
+  /// @return The watch, which lasts until this is destroyed. Must not outlive the log.
   std::shared_ptr<void> watch(Heard heard);
 
  private:
@@ -41,7 +41,7 @@ class HeardLog {
   std::mutex mutex_;
   std::deque<Entry> kept_;
   std::vector<std::shared_ptr<const Heard>> watches_;
-  // begins last
+  // starts last
   LogSink sink_{LogLevel::kWarning, [this](const LogRecord& record) { hear(record); }};
 };
 

@@ -14,17 +14,17 @@
 
 namespace pongsim::web {
 
-/// A client's ear on a topic. Called on the thread of the world, by one at a time; must be quick, and must not end
-/// ears.
+/// A client's subscription to a topic. Called on the world's thread, one call at a time; must be fast, and must not end
+/// subscriptions.
 struct Listener {
-  /// Told each message in protobuf's binary form, with the simulated time at which it came [ns].
+  /// Called with each message in protobuf's binary format and its simulated time of arrival [ns].
   std::function<void(const Payload& message, std::uint64_t timeNs)> heard;
-  /// Asked for each message before it is written into bytes, so that one that nobody wants costs nothing, and before it
-  /// is heard; but not of what is latched. Empty: wants all.
+  /// Called for each message before it is serialized, so that messages nobody wants cost nothing; not called for
+  /// latched messages. Empty: wants all.
   std::function<bool()> wants = {};
 };
 
-/// A topic that clients listen to, all by one subscription: each message is written into bytes once.
+/// A topic that clients subscribe to, with a single subscription: each message is serialized once.
 class HeardTopic {
  public:
   HeardTopic(std::string topic, std::string messageType);
@@ -35,22 +35,22 @@ class HeardTopic {
 
   // For any thread.
 
-  /// Who comes later hears the last message of a latched topic at once, on the calling thread.
+  /// A late subscriber to a latched topic gets the last message immediately, on the calling thread.
   void add(std::shared_ptr<const Listener> listener);
-  /// Returns when the listener is not called any more.
+  /// Returns when the listener is no longer being called.
   void remove(const Listener& listener);
 
   // On the world's thread.
 
-  /// Whether the last message is kept for who comes later.
+  /// Sets whether the last message is kept for late subscribers.
   void keepLast(bool keeps);
-  /// A message of so many bytes has come, which `write` writes.
+  /// Call for each message: `write` serializes it into `size` bytes.
   void heard(std::size_t size, const std::function<void(std::span<std::byte>)>& write, std::uint64_t timeNs);
 
  private:
   struct Ear {
     std::shared_ptr<const Listener> listener;
-    /// Whether it wants the message that there is now.
+    /// Whether it wants the current message.
     bool wants = false;
   };
   struct Last {

@@ -7,21 +7,21 @@
 
 namespace pongsim::web {
 
-/// A topic of a world, as clients are told of it.
+/// A topic of a world, as reported to clients.
 struct Topic {
   std::string name;
   /// Full name of the message type.
   std::string type;
-  /// Publishers of the world, of who relays to it and of clients.
+  /// Publishers of the world, of bridges to it, and of clients.
   int publishers = 0;
-  /// Subscriptions of the world; what clients listen to is not among them.
+  /// Subscriptions of the world, not counting clients.
   int subscribers = 0;
-  /// Whether the last message is kept for who comes later.
+  /// Whether the last message is kept for late subscribers.
   bool isLatched = false;
   bool operator==(const Topic&) const = default;
 };
 
-/// What there is in a world.
+/// The topics and services of a world.
 struct Lists {
   /// Sorted by name, then by type.
   std::vector<Topic> topics;

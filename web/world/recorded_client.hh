@@ -14,7 +14,7 @@
 
 namespace pongsim::web {
 
-/// A client of tests: notes down what it is sent. Data waits, as in the server, until the test lets the socket be free.
+/// A client for tests that records what it is sent. As in the server, data is queued until the test frees the socket.
 class RecordedClient final : public Client {
  public:
   void sendText(std::string text) override {
@@ -44,7 +44,7 @@ class RecordedClient final : public Client {
     regulars_.push_back(regular);
     return regular;
   }
-  /// Calls when the test lets the socket be free.
+  /// The call is made when the test frees the socket.
   void callSoon(std::shared_ptr<Callee> callee) override {
     const std::lock_guard lock(mutex_);
     callees_.push_back(std::move(callee));
@@ -62,7 +62,7 @@ class RecordedClient final : public Client {
 
   void setMayWrite(bool may) { mayWrite_ = may; }
 
-  /// The socket takes all that waits.
+  /// Makes the socket take everything that is queued.
   void free() {
     std::vector<std::shared_ptr<Callee>> callees;
     {
@@ -90,7 +90,7 @@ class RecordedClient final : public Client {
     }
   }
 
-  /// @return What has come since it was asked last.
+  /// @return What has arrived since the last call.
   std::vector<std::string> takeTexts() {
     const std::lock_guard lock(mutex_);
     return std::exchange(texts_, {});
@@ -121,7 +121,7 @@ class RecordedClient final : public Client {
   std::pair<int, std::string> closed_;
 };
 
-/// Files of tests.
+/// Files for tests.
 class RecordedAssets final : public AssetSource {
  public:
   std::map<std::string, std::string, std::less<>> files;

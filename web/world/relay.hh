@@ -17,9 +17,9 @@
 
 namespace pongsim::web {
 
-/// Lets clients reach a world: tells what topics and services it has, listens to those that a client listens to, for as
-/// long as one does, and carries out what clients wish. While there is no client it looks at three numbers a step. For
-/// the world's thread; must not outlive the transport.
+/// Connects clients to a world: reports its topics and services, subscribes to topics as long as a client does, and
+/// carries out the clients' wishes. Without clients it only checks three numbers a step. For the world's thread; must
+/// not outlive the transport.
 class Relay {
  public:
   /// @param log Must outlive it.
@@ -28,10 +28,10 @@ class Relay {
   Relay(const Relay&) = delete;
   Relay& operator=(const Relay&) = delete;
 
-  /// To be called in each step, in `preUpdate`.
+  /// Call in each step, in `preUpdate`.
   void update(const StepInfo& step);
 
-  /// Tells clients what can be set of the world, as it is: to be called in each step. Cheap where nothing has changed.
+  /// Reports the world's current settings to clients: call in each step. Cheap if nothing has changed.
   void tell(const WorldSettings& settings);
 
  private:
@@ -40,7 +40,7 @@ class Relay {
   struct Heard {
     std::shared_ptr<HeardTopic> topic;
     Subscription subscription;
-    /// Whether other processes are heard, too, which the world's own publishers are not of.
+    /// Whether to receive only from this process, because the world itself publishes the topic.
     bool ownOnly = false;
   };
 
@@ -59,7 +59,7 @@ class Relay {
   std::optional<WorldSettings> told_;
   std::uint64_t topicsVersion_ = 0;
   std::uint64_t servicesVersion_ = 0;
-  /// Whether what there is has been looked at since the last client came.
+  /// Whether topics and services have been looked up since the last client connected.
   bool hasLooked_ = false;
   Clock::time_point lookedAt_{};
 };

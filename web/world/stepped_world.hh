@@ -10,7 +10,7 @@
 
 namespace pongsim::web {
 
-/// A world of tests: topics and services without anything that is simulated, within this process.
+/// A world for tests: topics and services without a simulation, inside this process.
 class SteppedWorld {
  public:
   explicit SteppedWorld(std::shared_ptr<Worlds> worlds, const std::string& name = "w")
@@ -18,7 +18,7 @@ class SteppedWorld {
 
   Node node() { return transport_.node(); }
 
-  /// A step of a second, in which messages and requests are met first.
+  /// Runs a step of one second, which first delivers messages and requests.
   void step() {
     transport_.dispatch();
     info_.time += std::chrono::seconds(1);
@@ -28,7 +28,7 @@ class SteppedWorld {
   void steps(int count) {
     for (int i = 0; i < count; ++i) step();
   }
-  /// Steps until that is so, or 10 s are over.
+  /// Steps until the condition is true, or for 10 s.
   template <class IsSo>
   bool stepUntil(IsSo isSo) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
@@ -39,10 +39,10 @@ class SteppedWorld {
     return true;
   }
 
-  /// What can be set of it is so.
+  /// Reports these settings.
   void tell(const WorldSettings& settings) { relay_->tell(settings); }
 
-  /// The world ends.
+  /// Ends the world.
   void end() { relay_.reset(); }
 
  private:

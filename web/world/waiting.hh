@@ -5,8 +5,8 @@
 
 namespace pongsim::web {
 
-/// @return How many messages of that type may wait for a client: 1 of what is a state, of which only the latest counts,
-/// such as poses, images and scans; more where each message says something of its own.
+/// @return How many messages of this type to queue for a client: 1 for states, of which only the latest matters, such
+/// as poses, images and scans; more where each message matters.
 std::size_t mostWaiting(std::string_view messageType);
 
 }  // namespace pongsim::web

@@ -23,57 +23,57 @@ namespace pongsim::web {
 
 class WorldSide;
 
-/// A world as clients reach it. For any thread; what touches the world is left there as a wish, and the world is woken.
-/// It may outlive the world: then nothing comes any more, and nothing is done.
+/// Clients' access to a world. For any thread; changes to the world are queued as wishes, and the world is woken. May
+/// outlive the world: then nothing more arrives, and nothing is done.
 class WorldLink : public std::enable_shared_from_this<WorldLink> {
  public:
-  /// @param wake Has the world carry out wishes soon.
+  /// @param wake Makes the world carry out wishes soon.
   WorldLink(std::string world, std::function<void()> wake);
 
   const std::string& world() const { return world_; }
   /// @return The simulated time of the last step [ns].
   std::uint64_t timeNs() const { return timeNs_.load(std::memory_order_relaxed); }
-  /// @return What there was when it was last looked at.
+  /// @return Topics and services, as of the last look.
   std::shared_ptr<const Lists> lists() const;
 
-  /// @return Whether it has been looked what there is since somebody watches the worlds.
+  /// @return Whether topics and services have been looked up since somebody started watching the worlds.
   bool areListsKnown() const { return areListsKnown_.load(std::memory_order_acquire); }
-  /// @return What can be set of it, as it is; nothing where that is not known yet, or the world has ended.
+  /// @return The current settings that can be changed; nothing if they are not known yet, or the world has ended.
   std::optional<WorldSettings> settings() const;
 
-  /// Listens to a topic, until what is returned is destroyed.
+  /// Subscribes to a topic, until the result is destroyed.
   /// @param type Full name of the message type.
   std::shared_ptr<void> hear(const std::string& topic, const std::string& type, Listener listener);
 
-  /// Something that a client publishes on a topic, until it is destroyed.
+  /// A client's publisher on a topic, which ends when it is destroyed.
   class Voice {
    public:
     virtual ~Voice() = default;
-    /// @param message In protobuf's binary form.
-    /// @return Whether it is on its way; false where too much waits for the world.
+    /// @param message In protobuf's binary format.
+    /// @return Whether it is queued; false if too much is waiting for the world.
     virtual bool publish(Payload message) = 0;
   };
-  /// @param type Full name of the message type, which is known.
-  /// @return Null where too much waits for the world.
+  /// @param type Full name of the message type, which must be known.
+  /// @return Null if too much is waiting for the world.
   std::shared_ptr<Voice> speak(const std::string& topic, const std::string& type);
 
-  /// Asks a service of the world.
+  /// Calls a service of the world.
   /// @param answered Called once, on the world's thread or the caller's.
   void request(const OwnService& service, std::shared_ptr<const Message> request, Answered answered);
 
-  /// Has the world see what has changed for clients.
+  /// Makes the world look for changes of what clients need.
   void changed();
 
  private:
   friend class Relay;
   class SpokenTopic;
-  /// Something to be done on the world's thread.
+  /// Something to do on the world's thread.
   using Wish = std::function<void(WorldSide&)>;
 
   bool post(std::size_t bytes, Wish wish);
   void heardNoMore(const std::pair<std::string, std::string>& key);
 
-  // what `Relay` does with it
+  // called by `Relay`
   std::vector<Wish> takeWishes();
   std::vector<std::shared_ptr<HeardTopic>> heardTopics();
   void setLists(std::shared_ptr<const Lists> lists);
@@ -83,12 +83,12 @@ class WorldLink : public std::enable_shared_from_this<WorldLink> {
     timeNs_.store(static_cast<std::uint64_t>(time.count()), std::memory_order_relaxed);
   }
   bool takeHasWork() { return take(hasWork_); }
-  /// @return Whether somebody has begun or ended to listen since it was asked last.
+  /// @return Whether subscriptions have started or ended since the last call.
   bool takeEarsChanged() { return take(haveEarsChanged_); }
   static bool take(std::atomic<bool>& flag) {
     return flag.load(std::memory_order_relaxed) && flag.exchange(false, std::memory_order_acquire);
   }
-  /// @return The wishes that are left.
+  /// @return The remaining wishes.
   std::vector<Wish> end();
 
   const std::string world_;
@@ -106,11 +106,10 @@ class WorldLink : public std::enable_shared_from_this<WorldLink> {
   std::size_t wishBytes_ = 0;
   struct Heard {
     std::shared_ptr<HeardTopic> topic;
-    /// How many listen, or are about to.
+    /// Number of current and future subscriptions.
     int ears = 0;
   };
-  /// By name and type. A topic's own mutex is never taken with this one held, for who hears a message may wish for
-  /// something.
+  /// Keyed by name and type. Never lock a topic's mutex while holding this one, because a listener may queue a wish.
   std::map<std::pair<std::string, std::string>, Heard> heard_;
 };
 

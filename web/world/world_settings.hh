@@ -5,12 +5,12 @@
 
 namespace pongsim::web {
 
-/// What of a world can be set while it runs, as it is now.
+/// Current values of a world's settings that can be changed while it runs.
 struct WorldSettings {
   bool isPaused = false;
-  /// Simulated seconds a second that it keeps to; 0: as many as possible.
+  /// Target in simulated seconds per second of wall time; 0: as fast as possible.
   double realTimeFactor = 0;
-  /// Of the last step [s]; nothing where there has been none.
+  /// Of the last step [s]; nothing if there has been none.
   std::optional<double> stepSize;
   /// In the world frame [m/s^2].
   std::array<double, 3> gravity{};

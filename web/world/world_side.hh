@@ -13,17 +13,17 @@
 
 namespace pongsim::web {
 
-/// What clients have in a world: publishers, and requests that wait for their answers. On the world's thread.
+/// What clients have in a world: publishers, and pending requests. On the world's thread.
 class WorldSide {
  public:
   /// @param log Must outlive it.
   WorldSide(const Node& node, const Logger& log);
-  /// Answers the requests that wait: the world has ended.
+  /// Fails the pending requests: the world has ended.
   ~WorldSide();
   WorldSide(const WorldSide&) = delete;
   WorldSide& operator=(const WorldSide&) = delete;
 
-  /// Speaks on a topic, under that number. A topic that can't be had is left out with a warning.
+  /// Opens a publisher with this number. A topic that can't be opened is skipped with a warning.
   void open(std::uint64_t voice, const std::string& topic, const std::string& type);
   void publish(std::uint64_t voice, std::span<const std::byte> message);
   void close(std::uint64_t voice);
@@ -31,7 +31,7 @@ class WorldSide {
   /// @param answered Called once.
   void request(const OwnService& service, const Message& request, Answered answered);
 
-  /// Answers requests to which nobody has answered for 10 s. Cheap where none waits.
+  /// Fails requests that have had no reply for 10 s. Cheap if there are none.
   void giveUpOld();
 
  private:
@@ -48,9 +48,9 @@ class WorldSide {
   Node node_;
   const Logger& log_;
   std::map<std::uint64_t, Publisher> voices_;
-  /// The oldest first.
+  /// Oldest first.
   std::list<Waiting> waiting_;
-  /// Answered, but not to be destroyed from within their answer.
+  /// Answered, but must not be destroyed inside their callback.
   std::list<Waiting> answered_;
 };
 

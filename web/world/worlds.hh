@@ -14,24 +14,25 @@
 
 namespace pongsim::web {
 
-/// The worlds of the process, for the clients of all of them. For any thread.
+/// The worlds of the process, shared by all clients. For any thread.
 class Worlds : public std::enable_shared_from_this<Worlds> {
  public:
-  /// A client's eye on the worlds. Called on the threads of the worlds; must be quick, and must not end watches.
+  /// Callbacks of a client that watches the worlds. Called on the worlds' threads; must be fast, and must not end
+  /// watches.
   struct Watch {
-    /// Topics, services or worlds have come or gone.
+    /// Topics, services or worlds have been added or removed.
     std::function<void()> changed;
   };
 
-  /// @return Watched until it is destroyed.
+  /// @return The watch, which lasts until this is destroyed.
   std::shared_ptr<void> watch(Watch watch);
 
-  /// @return In the order in which they have come.
+  /// @return All worlds, oldest first.
   std::vector<std::shared_ptr<WorldLink>> all() const;
-  /// @return The world of that name, or null.
+  /// @return The world with this name, or null.
   std::shared_ptr<WorldLink> find(std::string_view world) const;
 
-  /// A topic or a service, and the world that has it.
+  /// A topic or a service, and its world.
   struct TopicPlace {
     std::shared_ptr<WorldLink> world;
     Topic topic;
@@ -40,13 +41,13 @@ class Worlds : public std::enable_shared_from_this<Worlds> {
     std::shared_ptr<WorldLink> world;
     OwnService service;
   };
-  /// @return The topics of all worlds, sorted by name. Of one that several worlds have, or that has several types,
-  /// the one with publishers, of several the first.
+  /// @return The topics of all worlds, sorted by name. If several worlds have a topic, or it has several types, the
+  /// first one with publishers.
   std::vector<TopicPlace> topics() const;
-  /// @return The services of all worlds, sorted by name; of those of one name the first.
+  /// @return The services of all worlds, sorted by name; of those with the same name, the first one.
   std::vector<ServicePlace> services() const;
 
-  /// @return As `topics` and `services` have it; nothing where there is none. Cheap.
+  /// @return The same entry as in `topics` and `services`; nothing if there is none. Cheap.
   std::optional<TopicPlace> findTopic(std::string_view name) const;
   std::optional<ServicePlace> findService(std::string_view name) const;
 

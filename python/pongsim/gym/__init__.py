@@ -1,4 +1,4 @@
-"""Environments of Gymnasium: worlds to learn in, one at a time or many at once.
+"""Gymnasium environments: worlds for reinforcement learning, one or many at a time.
 
     import gymnasium
     import pongsim.gym
@@ -6,8 +6,8 @@
     env = gymnasium.make("pongsim/WallAvoid-v0")
     observation, info = env.reset(seed=7)
 
-A `Task` says what one is to learn: a world, what an action does, what is observed, and functions for the reward and the
-end. `Env` is one world with it, `VectorEnv` many of them in this process, on all cores.
+A `Task` defines what to learn: a world, what an action does, what is observed, and functions for the reward and the end
+of an episode. `Env` is one world of a task, `VectorEnv` many of them in this process, on all cores.
 """
 
 try:

@@ -20,8 +20,8 @@ _RENDER_MODES = (None, "rgb_array")
 class Env(gymnasium.Env[NDArray[Any], Any]):
     """One world of a task.
 
-    The world is set back to its start by restoring a saved state, which costs a fraction of loading it. A seed that is
-    given to `reset` is the world's, too. Where sensors have noise, each reset draws a seed for the episode.
+    A reset restores a saved state, which costs a fraction of loading the world. A seed passed to `reset` also seeds the
+    world. If sensors have noise, each reset draws a new seed for the episode.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"]}
@@ -29,9 +29,9 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
     def __init__(self, task: Task, *, render_mode: str | None = None) -> None:
         """Loads the world.
 
-        render_mode: "rgb_array", and `render` gives a picture.
-        Raises LoadError where the world can't run, KeyError for names that are not in it, ValueError and TypeError for
-        what is wrong with the task.
+        render_mode: "rgb_array": `render` returns an image.
+        Raises LoadError if the world can't run, KeyError for names that are not in it, ValueError and TypeError for
+        errors in the task.
         """
         check_render_mode(render_mode)
         self._worlds = Worlds(task, 1, 1)
@@ -58,8 +58,8 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
     ) -> tuple[NDArray[Any], dict[str, Any]]:
         """Begins an episode.
 
-        seed: of the environment's random numbers, and of all of the world's in this episode.
-        options: there are none.
+        seed: seed of the environment's random numbers, and of all those of the world in this episode.
+        options: none exist.
         Returns the first observation, and an empty dict.
         """
         if options:
@@ -73,9 +73,9 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
     def step(self, action: Any) -> tuple[NDArray[Any], float, bool, bool, dict[str, Any]]:
         """Takes a step of the task's `step_time`.
 
-        action: of the action space; numbers beyond its limits count as the limits.
-        Returns what is observed then, the reward, whether the episode is terminated and whether truncated, and an empty
-        dict. Raises ValueError for an action of another shape or with a number that is not finite.
+        action: from the action space; numbers beyond its limits are clamped.
+        Returns the observation, the reward, whether the episode is terminated, whether it is truncated, and an empty
+        dict. Raises ValueError for an action with the wrong shape or a number that is not finite.
         """
         if not self._has_begun:
             if self._worlds.is_closed:
@@ -97,12 +97,12 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
         return self._worlds.draw()[0]
 
     def close(self) -> None:
-        """Ends the world."""
+        """Closes the world."""
         self._has_begun = False
         self._worlds.close()
 
 
 def check_render_mode(mode: str | None) -> None:
-    """Raises ValueError for one that is not there."""
+    """Raises ValueError for an unknown mode."""
     if mode not in _RENDER_MODES:
         raise ValueError(f"there is no render_mode {mode!r}; there is \"rgb_array\"")

@@ -1,4 +1,4 @@
-"""Readings and actions of a world, without Python in a step."""
+"""Readings and actions of a world that need no Python code in a step."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from .._core import Pool
     from ..simulation import Simulation
 
-#: The least and the greatest that a number may be.
+#: The smallest and the largest value of a number.
 Limits = tuple[float, float]
 _ANY: Limits = (-math.inf, math.inf)
 
@@ -20,7 +20,7 @@ class Reading:
     """Numbers read from a world after each step of an environment."""
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """Has them read in one of the worlds. Returns what each number lies between where it is observed."""
+        """Starts reading them in a world. Returns the range of each number for the observation space."""
         raise NotImplementedError
 
 
@@ -28,20 +28,20 @@ class Steering:
     """Numbers of an action that command a world."""
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """Has them command one of the worlds. Returns what each number lies between."""
+        """Connects them to a world. Returns the range of each number."""
         raise NotImplementedError
 
 
 @dataclass(frozen=True)
 class Ranges(Reading):
-    """How far it is along each beam of a lidar [m], row by row from the lowest. Infinite, and where it is observed the
-    farthest that the lidar sees, where a beam meets nothing; likewise minus infinity and 0 for what is too near."""
+    """The range of each beam of a lidar [m], row by row from the lowest. Without a hit, a range is infinite, and
+    observed as the lidar's maximum; too close, it is minus infinity, and observed as 0."""
 
-    #: Its scoped name, "model::link::sensor", or its own where no other has it.
+    #: Its scoped name, "model::link::sensor", or its own name if that is unique.
     sensor: str
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Reading.attach`."""
+        """See `Reading.attach`."""
         from .. import _core
 
         sensor = simulation.find_sensor(self.sensor)
@@ -54,11 +54,11 @@ class Ranges(Reading):
 class Pose(Reading):
     """Pose of a model in the world frame: x, y, z [m] and a unit quaternion x, y, z, w."""
 
-    #: Its scoped name.
+    #: The model's scoped name.
     model: str
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Reading.attach`."""
+        """See `Reading.attach`."""
         pool.read_pose(world, simulation.model(self.model))
         return [_ANY] * 3 + [(-1.0, 1.0)] * 4
 
@@ -71,7 +71,7 @@ class Velocity(Reading):
     model: str
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Reading.attach`."""
+        """See `Reading.attach`."""
         pool.read_velocity(world, simulation.model(self.model))
         return [_ANY] * 6
 
@@ -84,25 +84,25 @@ class Joint(Reading):
     joint: str
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Reading.attach`."""
+        """See `Reading.attach`."""
         pool.read_joint(world, _joint(simulation, self.joint))
         return [_ANY] * 2
 
 
 @dataclass(frozen=True)
 class Fields(Reading):
-    """Numbers of the last message on a topic, by their paths: `Fields("/imu", "linear_acceleration.x")`."""
+    """Numbers of the last message on a topic, given by their paths: `Fields("/imu", "linear_acceleration.x")`."""
 
     topic: str
     #: A path, or several.
     paths: str | tuple[str, ...]
-    #: The messages' type, as "IMU"; not needed where somebody in the world has the topic.
+    #: The messages' type, such as "IMU"; not needed if the topic exists in the world.
     type: str = ""
-    #: What each number lies between where it is observed.
+    #: The range of each number.
     limits: Limits = _ANY
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Reading.attach`."""
+        """See `Reading.attach`."""
         paths = [self.paths] if isinstance(self.paths, str) else list(self.paths)
         pool.read_fields(world, simulation, self.topic, self.type, paths)
         return [_checked(self.limits, f"topic {self.topic}")] * len(paths)
@@ -110,17 +110,17 @@ class Fields(Reading):
 
 @dataclass(frozen=True)
 class Command(Steering):
-    """A message that is published at the start of each step of the environment:
-    `Command("/cmd_vel", {"linear.x": (0, 1), "angular.z": (-1, 1)})`."""
+    """A message published at the start of each step of the environment: `Command("/cmd_vel", {"linear.x": (0, 1),
+    "angular.z": (-1, 1)})`."""
 
     topic: str
-    #: The path of each number of the action, and what it lies between.
+    #: The path and the range of each number of the action.
     fields: Mapping[str, Limits] = field(hash=False)
-    #: The message's type, as "Twist"; not needed where somebody in the world has the topic.
+    #: The message's type, such as "Twist"; not needed if the topic exists in the world.
     type: str = ""
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Steering.attach`."""
+        """See `Steering.attach`."""
         limits = [_checked(each, f"field '{path}' of {self.topic}", finite=True) for path, each in self.fields.items()]
         pool.steer_fields(world, simulation, self.topic, self.type, list(self.fields))
         return limits
@@ -136,14 +136,14 @@ class JointVelocity(Steering):
     high: float
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Steering.attach`."""
+        """See `Steering.attach`."""
         pool.steer_velocity(world, _joint(simulation, self.joint))
         return [_checked((self.low, self.high), f"joint '{self.joint}'", finite=True)]
 
 
 @dataclass(frozen=True)
 class JointForce(Steering):
-    """Applies a force along a joint's first axis [N m or N] in all physics steps of a step of the environment."""
+    """Applies a force along a joint's first axis [N m or N] in all physics steps of an environment step."""
 
     #: "model::joint".
     joint: str
@@ -151,7 +151,7 @@ class JointForce(Steering):
     high: float
 
     def attach(self, pool: Pool, world: int, simulation: Simulation) -> list[Limits]:
-        """As `Steering.attach`."""
+        """See `Steering.attach`."""
         pool.steer_force(world, _joint(simulation, self.joint))
         return [_checked((self.low, self.high), f"joint '{self.joint}'", finite=True)]
 

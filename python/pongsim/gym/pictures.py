@@ -1,4 +1,4 @@
-"""Pictures of worlds."""
+"""Images of worlds."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from ..arrays import view
 from ..simulation import Simulation
 from .task import Camera
 
-# how the eye looks down on a world for which no place is given: in which direction [rad], how far off
+# the direction [rad] and distance of the default viewpoint, which looks down on the world
 _YAW, _PITCH, _DISTANCE = 0.6, 0.7, 1.15
 
 
 class Pictures:
-    """Draws worlds as a camera of theirs sees them, or from a place of its own."""
+    """Draws worlds as seen by one of their cameras, or from any viewpoint."""
 
     def __init__(self, simulations: Sequence[Simulation], camera: str | Camera) -> None:
         self._painters: list[_core.Painter] = []
@@ -37,7 +37,7 @@ class Pictures:
         self._place = camera.pose if camera.pose is not None else _above(self._painters[0].bounds(), camera)
 
     def draw(self) -> list[NDArray[np.uint8]]:
-        """A new array for each world, of rows x columns x 3: red, green, blue from 0 to 255."""
+        """Returns a new array for each world, of rows x columns x 3: red, green, blue from 0 to 255."""
         pictures = []
         for i, painter in enumerate(self._painters):
             if self._place is not None:
@@ -50,7 +50,7 @@ class Pictures:
 
 
 def _above(bounds: tuple[Sequence[float], Sequence[float]], camera: Camera) -> list[float]:
-    """x, y, z, roll, pitch, yaw of an eye that has a box in its view."""
+    """Returns x, y, z, roll, pitch, yaw of a viewpoint from which a box is visible."""
     low, high = (np.array(corner) for corner in bounds)
     middle = (low + high) / 2
     narrow = camera.field_of_view * min(1.0, camera.height / camera.width)

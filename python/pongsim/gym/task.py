@@ -17,21 +17,21 @@ from ..simulation import Simulation
 from .parts import Reading, Steering
 
 
-#: Of what functions give: a number, or true or false.
+#: What functions return: a number, or true or false.
 NUMBERS = np.dtype(np.float64)
 TRUTHS = np.dtype(np.bool_)
 
 
 class TaskError(Error):
-    """A function of a task has raised something, which is the `__cause__`, or gave what can't be used. The text names
-    the function."""
+    """A function of a task has raised an exception, which is the `__cause__`, or returned an invalid value. The text
+    names the function."""
 
 
 class Moment:
-    """What the functions of a task look at: all worlds after a step, a row each. For `Env` it is one row.
+    """The argument of a task's functions: all worlds after a step, one row each. For `Env` there is one row.
 
-    `moment["pose"]` is what was read now by that name, an array of worlds x numbers; `moment.before["pose"]` what was read
-    before the step. They look at memory that the next step writes to: take a `copy()` of what is to stay.
+    `moment["pose"]` is the current reading with that name, an array of worlds x numbers; `moment.before["pose"]` is the
+    one before the step. They refer to memory that the next step overwrites: `copy()` what you want to keep.
     """
 
     def __init__(
@@ -40,17 +40,18 @@ class Moment:
     ) -> None:
         self._now = now
         self._step_time = step_time
-        #: As the moment itself, before the step.
+        #: Like the moment itself, but before the step.
         self.before = before
-        #: What each world was told, a row each; within its limits where the task has steerings.
+        #: The action of each world, one row each; clamped to the limits if the task has steerings.
         self.action: NDArray[Any] = np.zeros((worlds, 0))
-        #: Steps of each episode by now, a number for each world.
+        #: Number of steps in each episode so far, one per world.
         self.elapsed: NDArray[np.int64] = np.zeros(worlds, np.int64)
-        #: Whether each episode has come to its end: what the task's `terminated` said before it was asked for the rest.
+        #: Whether each episode has terminated: the result of the task's `terminated`, which is called before the other
+        #: functions.
         self.terminated: NDArray[np.bool_] = np.zeros(worlds, np.bool_)
-        #: How many worlds there are.
+        #: Number of worlds.
         self.worlds = worlds
-        #: Of what functions give: (worlds,).
+        #: Shape of what functions return: (worlds,).
         self.shape = (worlds,)
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
@@ -71,55 +72,57 @@ class Moment:
 class Camera:
     """A viewpoint for images. It is not a sensor and does not affect the world."""
 
-    #: Of the eye in the world frame, which looks along its x axis with z up; None: from above and beside all there is.
+    #: Pose of the viewpoint in the world frame, looking along its x axis with z up; None: from the side and above, with
+    #: everything in view.
     pose: values.Pose | Sequence[float] | None = None
     #: [pixels]
     width: int = 320
     height: int = 240
-    #: Horizontally [rad].
+    #: Horizontal field of view [rad].
     field_of_view: float = 1.05
 
 
-#: How well, or whether it ends, for each world.
+#: A reward, or whether an episode ends, for each world.
 Judgement = Callable[[Moment], ArrayLike]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """What is to be learnt in a world. The functions get a `Moment` with all worlds in it, and give a number (or one of
-    True and False) for each, or one for all."""
+    """What to learn in a world. Its functions get a `Moment` with all worlds, and return one number (or True or
+    False) for each, or one for all."""
 
-    #: A file in SDF or URDF, or its text.
+    #: An SDF or URDF file, or its text.
     world: str | os.PathLike[str]
-    #: What an action does: steerings, whose numbers stand one behind the other in it; or a function that gets the
-    #: simulation and the action, between two steps. That needs `action_space`.
+    #: What an action does: steerings, whose numbers are concatenated; or a function of the simulation and the action,
+    #: called between two steps, which requires `action_space`.
     action: Union[Sequence[Steering], Callable[[Simulation, Any], object]]
-    #: What is observed: readings, whose numbers stand one behind the other; or a function that gives it for a simulation,
-    #: as an array. That needs `observation_space`.
+    #: What is observed: readings, whose numbers are concatenated; or a function of the simulation that returns an
+    #: array, which requires `observation_space`.
     observation: Union[Mapping[str, Reading], Callable[[Simulation], ArrayLike]]
-    #: How well the step was.
+    #: The reward of a step.
     reward: Judgement
-    #: Whether the episode has come to its end, as by a crash. None: never.
+    #: Whether the episode has terminated, for example by a crash. None: never.
     terminated: Judgement | None = None
-    #: Whether the episode is broken off. None: never, but for the `time_limit`.
+    #: Whether the episode is truncated. None: never, except by the `time_limit`.
     truncated: Judgement | None = None
-    #: Readings for the functions alone, which are not observed.
+    #: Readings for the functions only, which are not observed.
     extra: Mapping[str, Reading] = field(default_factory=dict)
-    #: Arranges each episode's start: gets the simulation and the environment's random numbers, moves models and so on.
+    #: Sets up the start of each episode: a function of the simulation and the environment's random numbers that moves
+    #: models and so on.
     start: Callable[[Simulation, np.random.Generator], object] | None = None
-    #: Simulated time of a step of the environment [s]: a whole number of the world's steps.
+    #: Simulated time of an environment step [s]: a multiple of the world's step.
     step_time: float = 0.1
     #: Simulated time before the first observation, so that each sensor has a reading [s]. None: `step_time`.
     settle_time: float | None = None
-    #: After so long an episode is truncated [s]. None: never.
+    #: Time after which an episode is truncated [s]. None: never.
     time_limit: float | None = None
-    #: Whether each episode draws its own noise, by a seed of its own. None: where a sensor of the world has noise.
+    #: Whether each episode has its own sensor noise, with its own seed. None: if a sensor of the world has noise.
     noise: bool | None = None
-    #: Of a function in place of steerings: arrays or numbers (Box, Discrete, MultiDiscrete, MultiBinary).
+    #: For a function instead of steerings: a space of arrays or numbers (Box, Discrete, MultiDiscrete, MultiBinary).
     action_space: spaces.Space[Any] | None = None
-    #: Of a function in place of readings.
+    #: For a function instead of readings.
     observation_space: spaces.Box | None = None
-    #: What `render` draws: what a camera of the world sees, by its name, or from a place of its own.
+    #: What `render` draws: the view of one of the world's cameras, by name, or a viewpoint.
     camera: str | Camera = Camera()
 
     def __post_init__(self) -> None:
@@ -137,7 +140,7 @@ class Task:
 
 
 def name_of(function: Any) -> str:
-    """The name of a function, for messages."""
+    """Returns the name of a function, for messages."""
     return str(getattr(function, "__qualname__", None) or type(function).__qualname__)
 
 
@@ -152,8 +155,8 @@ def call(what: str, function: Callable[..., Any], *arguments: Any) -> Any:
 def judge(
     what: str, function: Judgement, moment: Moment, kind: np.dtype[Any], ignored: NDArray[np.bool_] | None = None
 ) -> NDArray[Any]:
-    """What a function gives for each world; for the ignored ones 0, whatever it gives for them. Raises TaskError where that
-    is not a finite number each."""
+    """Returns a function's value for each world, with 0 for the ignored ones whatever it returns. Raises TaskError
+    if a value is not a finite number."""
     given = call(what, function, moment)
     array: NDArray[Any]
     if type(given) is np.ndarray and given.dtype is kind:
@@ -172,7 +175,7 @@ def judge(
         )
     if ignored is not None:
         array = np.where(ignored, kind.type(0), array)
-    # a sum is finite where all numbers are, but for those beyond 1e308
+    # a sum is finite if all its numbers are, unless they exceed 1e308
     if kind is NUMBERS and not math.isfinite(np.add.reduce(array)):
         raise TaskError(f"{what} '{name_of(function)}' returned {array}, but all must be finite")
     return array

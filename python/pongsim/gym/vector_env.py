@@ -21,10 +21,10 @@ from .worlds import Worlds
 
 
 class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
-    """Many worlds of a task in this process, each of which does what an `Env` of its own would do, to the bit.
+    """Many worlds of a task in this process, each bit-for-bit the same as in an `Env` of its own.
 
-    A step of all of them is one call into C++, which shares the worlds out among threads. How many there are changes
-    nothing but the time that it takes.
+    A step of all worlds is one call to C++, which distributes them over threads. The number of threads only affects the
+    time it takes.
     """
 
     def __init__(
@@ -38,12 +38,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
     ) -> None:
         """Loads the worlds.
 
-        threads: how many step at a time; None: as many as there are processors for this process.
-        autoreset_mode: when a world whose episode has ended begins another: with the next step, whose action it does not
-            get; with the same step, which gives the last observation as `final_obs` in the infos; or not at all, and
-            `reset` with a "reset_mask" among its options is to be called.
-        render_mode: "rgb_array", and `render` gives pictures.
-        Raises what `Env` raises.
+        threads: number of worlds stepped in parallel; None: the number of processors available to this process.
+        autoreset_mode: when a world whose episode has ended begins another: in the next step, which ignores its action;
+        in the same step, which returns the last observation as `final_obs` in the infos; or never: then call `reset`
+        with a "reset_mask" in its options.
+        render_mode: "rgb_array": `render` returns images.
+        Raises the same exceptions as `Env`.
         """
         super().__init__()
         check_render_mode(render_mode)
@@ -99,9 +99,9 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Begins an episode in all worlds, or in those of a mask.
+        """Begins an episode in all worlds, or in those selected by a mask.
 
-        seed: of the first environment, with the next numbers for the others; or one for each.
+        seed: seed of the first environment, with consecutive numbers for the others; or one for each.
         options: {"reset_mask": an array of num_envs booleans}.
         Returns the observations, num_envs x those of one, and an empty dict.
         """
@@ -144,10 +144,10 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
     ) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
         """Takes a step in all worlds.
 
-        actions: num_envs x one action; numbers beyond the limits count as the limits.
+        actions: num_envs x one action; numbers beyond the limits are clamped.
         Returns observations (num_envs x those of one), rewards, terminated, truncated (num_envs each), and infos, which
-        are empty but for what `autoreset_mode` puts there. Raises ValueError for actions of another shape or that are
-        not finite.
+        are empty except for what `autoreset_mode` adds. Raises ValueError for actions with the wrong shape or with
+        numbers that are not finite.
         """
         if not self._has_begun:
             if self._worlds.is_closed:
@@ -163,7 +163,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
             )
         self._has_begun = False
         rewards, terminated, truncated = self._worlds.step(batch, ended, self.np_random if ended is not None else ())
-        # what the task's functions gave may look at memory that is written to again
+        # the functions' results may refer to memory that will be overwritten
         rewards, terminated, truncated = rewards.copy(), terminated.copy(), truncated.copy()
         self._done = terminated | truncated
         infos: dict[str, Any] = {}
@@ -189,6 +189,6 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
         return tuple(self._worlds.draw())
 
     def close_extras(self, **kwargs: Any) -> None:
-        """Ends the worlds."""
+        """Closes the worlds."""
         self._has_begun = False
         self._worlds.close()

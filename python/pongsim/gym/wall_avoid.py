@@ -15,31 +15,33 @@ from .vector_env import VectorEnv
 
 _WORLD = pathlib.Path(__file__).with_name("wall_avoid.sdf")
 
-# the directions of the beams in the robot's frame [rad], from -pi on
+# directions of the beams in the robot's frame [rad], starting at -pi
 _ANGLES = np.arange(64) * (2 * np.pi / 64) - np.pi
-# from the lidar to the robot's outline along each beam [m]: half its length, or half its width with the wheels
+# distance from the lidar to the robot's outline along each beam [m]: half its length, or half its width including the
+# wheels
 _OUTLINE = np.minimum(1.0 / np.maximum(np.abs(np.cos(_ANGLES)), 1e-9), 0.7 / np.maximum(np.abs(np.sin(_ANGLES)), 1e-9))
-# what counts as a hit: a tenth of a metre from the outline [m]
+# distance from the outline that counts as a hit [m]
 _TOO_NEAR = _OUTLINE + 0.1
 _HIT_COSTS = 5.0
 _STEP_TIME = 0.05  # [s]
 
 
 def _hits(now: Moment) -> NDArray[np.bool_]:
-    """Whether a wall is so near to the robot's outline."""
+    """Whether a wall is this close to the robot's outline."""
     near: NDArray[np.bool_] = np.logical_or.reduce(now["ranges"] < _TOO_NEAR, axis=1)
     return near
 
 
 def _reward(now: Moment) -> NDArray[np.float64]:
-    """How far it goes ahead in a step [m], less where it turns, and nothing in the sharpest turn. A hit costs 5."""
+    """The distance driven ahead in a step [m], reduced when turning, down to zero in the sharpest turn. A hit costs
+    5."""
     ahead = now["velocity"][:, 0] * _STEP_TIME
     reward: NDArray[np.float64] = ahead * (1 - np.abs(now.action[:, 1])) - _HIT_COSTS * now.terminated
     return reward
 
 
 def _start(simulation: Simulation, random: np.random.Generator) -> None:
-    """Puts the robot beside the island in the middle, looking anywhere."""
+    """Puts the robot next to the island in the middle, in any direction."""
     x = random.uniform(-7.0, 7.0)
     y = random.uniform(2.5, 4.0) * (1.0 if random.random() < 0.5 else -1.0)
     yaw = random.uniform(-np.pi, np.pi)
@@ -49,10 +51,11 @@ def _start(simulation: Simulation, random: np.random.Generator) -> None:
 def wall_avoid() -> Task:
     """The task of pongsim/WallAvoid-v0.
 
-    A robot of two driven wheels, 2 m long, in a court of 20 by 12 m with an island in its middle. It is told how fast to
-    drive ahead (0 to 1 m/s) and to turn (-1 to 1 rad/s, left is positive), sees how far it is along each of 64 beams, all
-    around from behind by its right (0 to 10 m), and is rewarded for each metre ahead that is no turn. An episode ends
-    where it hits a wall, which costs 5, and is broken off after 30 s. A step takes 0.05 s, in five steps of physics.
+    A robot with two driven wheels, 2 m long, in a court of 20 by 12 m with an island in the middle. The action is its
+    forward speed (0 to 1 m/s) and its turning rate (-1 to 1 rad/s, positive to the left). It observes the range of 64
+    beams all around, from the back by the right (0 to 10 m). The reward is the distance driven ahead, less in turns. An
+    episode ends when it hits a wall, which costs 5, and is truncated after 30 s. A step takes 0.05 s, in five physics
+    steps.
     """
     return Task(
         world=_WORLD,
@@ -72,12 +75,12 @@ class WallAvoidEnv(Env):
     """pongsim/WallAvoid-v0; see `wall_avoid`."""
 
     def __init__(self, *, render_mode: str | None = None) -> None:
-        """As `Env`."""
+        """See `Env`."""
         super().__init__(wall_avoid(), render_mode=render_mode)
 
 
 class WallAvoidVectorEnv(VectorEnv):
-    """Many of pongsim/WallAvoid-v0; see `wall_avoid`."""
+    """Several worlds of pongsim/WallAvoid-v0; see `wall_avoid`."""
 
     def __init__(
         self,
@@ -87,7 +90,7 @@ class WallAvoidVectorEnv(VectorEnv):
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
         render_mode: str | None = None,
     ) -> None:
-        """As `VectorEnv`."""
+        """See `VectorEnv`."""
         super().__init__(
             wall_avoid(), num_envs, threads=threads, autoreset_mode=autoreset_mode, render_mode=render_mode
         )

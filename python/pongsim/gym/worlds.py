@@ -1,4 +1,4 @@
-"""The worlds of environments, stepped together: what `Env` and `VectorEnv` are made of."""
+"""The worlds of environments, stepped together: the basis of `Env` and `VectorEnv`."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from .parts import Limits, Reading, Steering
 from .pictures import Pictures
 from .task import NUMBERS, TRUTHS, Moment, Task, TaskError, call, judge, name_of
 
-#: What a step has come to: rewards, whether terminated, whether truncated.
+#: The result of a step: rewards, whether terminated, whether truncated.
 Verdict = tuple[NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_]]
 
 
 class Worlds:
-    """So many worlds of a task. A row of each array is a world's."""
+    """Several worlds of a task. Each array has one row per world."""
 
     def __init__(self, task: Task, count: int, threads: int) -> None:
         self.task = task
@@ -34,7 +34,7 @@ class Worlds:
             for i in range(count):
                 with warnings.catch_warnings():
                     if i > 0:
-                        # the first one has said it all
+                        # the first world has given all warnings
                         warnings.simplefilter("ignore", WorldWarning)
                     self.simulations.append(Simulation(task.world, seed=i))
                 undo.callback(self.simulations[-1].close)
@@ -50,7 +50,7 @@ class Worlds:
             None if task.time_limit is None else max(1, math.ceil(task.time_limit / task.step_time - 1e-9))
         )
         self._draws_noise = self._has_noise() if task.noise is None else task.noise
-        #: Steps of each episode by now.
+        #: Number of steps in each episode so far.
         self.elapsed: NDArray[np.int64] = np.zeros(count, np.int64)
         self._look_at_memory()
         self._no = np.zeros(count, np.bool_)
@@ -62,7 +62,7 @@ class Worlds:
 
     def _read(self) -> None:
         task = self.task
-        #: Where the numbers of each reading stand.
+        #: The columns of each reading.
         self._columns: dict[str, slice] = {}
         observed = {} if callable(task.observation) else task.observation
         twice = set(observed) & set(task.extra)
@@ -145,7 +145,7 @@ class Worlds:
         self._restored = view(pool.restored, "u1", (rows,))
 
     def begin(self, chosen: NDArray[np.bool_], seeds: Sequence[int | None], randoms: Sequence[np.random.Generator]) -> None:
-        """Begins an episode in the chosen worlds. A world with a seed gets all its random numbers from that."""
+        """Begins an episode in the chosen worlds. A world with a seed derives all its random numbers from it."""
         self._open()
         fresh = self._put_back(chosen, seeds, randoms)
         self._pool.step()
@@ -157,7 +157,7 @@ class Worlds:
         chosen: NDArray[np.bool_] | None = None,
         randoms: Sequence[np.random.Generator] = (),
     ) -> Verdict:
-        """Takes a step in all worlds but the chosen ones, which begin an episode meanwhile."""
+        """Takes a step in all worlds except the chosen ones, which begin an episode instead."""
         self._open()
         fresh: list[int] = []
         if chosen is not None:
@@ -190,7 +190,7 @@ class Worlds:
     def _put_back(
         self, chosen: NDArray[np.bool_], seeds: Sequence[int | None], randoms: Sequence[np.random.Generator]
     ) -> list[int]:
-        """Sets the chosen worlds back, and has those settle that need it. Returns those that are to be saved then."""
+        """Resets the chosen worlds, and settles those that need it. Returns those to be saved afterwards."""
         task, pool = self.task, self._pool
         self._all_go = False
         self._steps[:] = 0
@@ -208,7 +208,7 @@ class Worlds:
                     to_settle.append(i)
                 continue
             pool.forget(i)
-            # where the seed is none of 64 bits, it is cut down to them
+            # seeds with more than 64 bits are cut
             self.simulations[i].reset(seed=None if seed is None else seed % 2**64)
             to_settle.append(i)
             if self._draws_noise:
@@ -222,7 +222,7 @@ class Worlds:
             try:
                 pool.restore()
             except Refused:
-                # models or systems have come or gone since: a start takes longer, and is always there
+                # models or systems have been added or removed since: starting again is slower, but always possible
                 self._is_saved = [False] * self.count
                 return self._put_back(chosen, seeds, randoms)
         if task.start is not None:
@@ -262,7 +262,7 @@ class Worlds:
 
     def _judge(self, chosen: NDArray[np.bool_] | None) -> Verdict:
         task, moment, no = self.task, self.moment, self._no
-        # of an episode that has just begun nothing counts
+        # nothing counts for an episode that has just begun
         terminated = no if task.terminated is None else judge("terminated", task.terminated, moment, TRUTHS, chosen)
         moment.terminated = terminated
         rewards = judge("the reward", task.reward, moment, NUMBERS, chosen)
@@ -273,7 +273,7 @@ class Worlds:
         return rewards, terminated, truncated
 
     def draw(self) -> list[NDArray[np.uint8]]:
-        """A picture of each world, of rows x columns x red, green, blue."""
+        """Returns an image of each world, of rows x columns x red, green, blue."""
         self._open()
         if self._pictures is None:
             self._pictures = Pictures(self.simulations, self.task.camera)
@@ -284,7 +284,7 @@ class Worlds:
             raise Gone("the environment is closed")
 
     def close(self) -> None:
-        """Ends all worlds."""
+        """Closes all worlds."""
         self.is_closed = True
         for simulation in self.simulations:
             simulation.close()

@@ -1,4 +1,4 @@
-"""Sweeps: a world run again and again, with other parameters and seeds, and what each run measures as a table.
+"""Sweeps: runs a world with many combinations of parameters and seeds, and collects each run's measures in a table.
 
     from pongsim import sweep
 

@@ -17,7 +17,7 @@ from .results import CSV, PARQUET, Results
 from .runner import default_folder, run
 
 _DONE, _FAILED, _MISUSED = 0, 1, 2
-#: So many failed runs are told one by one.
+#: Maximum number of failed runs listed one by one.
 _TOLD = 10
 _ACTIONS = ("run", "world", "plot")
 
@@ -74,7 +74,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Does what the command line says. Returns the exit code: 1 where something failed, 2 for a wrong command line."""
+    """Runs the command line. Returns the exit code: 1 if something failed, 2 for a wrong command line."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     if words and words[0] not in (*_ACTIONS, "-h", "--help"):
         words.insert(0, "run")
@@ -89,7 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except SweepError as error:
         _say_error(error)
     except BrokenPipeError:
-        # who reads has enough; nothing more is written at the end either
+        # the reader has closed the pipe; also prevents the final flush from failing
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     except OSError as error:
         _say_error(f"{error.filename}: {error.strerror}" if error.filename else error)
@@ -98,7 +98,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _say_error(text: object) -> None:
     words = str(text)
-    # a place in a file stands first, as everywhere
+    # messages with a position in a file start with it, as everywhere
     print(words if ": error: " in words else f"pongsim sweep: error: {words}", file=sys.stderr)
 
 
@@ -107,7 +107,7 @@ def _world(options: argparse.Namespace) -> int:
     if not 0 <= options.run < len(sweep.runs):
         raise SweepError(f"there is no run {options.run}: runs are 0 to {len(sweep.runs) - 1}")
     plan = sweep.plan
-    # as bytes: a file into which nothing is put may be no UTF-8
+    # as bytes: a file without parameters need not be UTF-8
     data = pathlib.Path(plan.world).read_bytes() if plan.text is None else world_of(plan, sweep.runs[options.run]).encode()
     sys.stdout.buffer.write(data if data.endswith(b"\n") else data + b"\n")
     sys.stdout.flush()

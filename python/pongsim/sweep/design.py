@@ -1,4 +1,4 @@
-"""Which runs a sweep has: values of parameters, how they are combined, and seeds."""
+"""The runs of a sweep: values of parameters, their combinations, and seeds."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from .document import Node
 from .errors import SweepError
 from .plan import Run
 
-#: More are a mistake.
+#: A larger number is a mistake.
 MOST_RUNS = 1_000_000
 
 
 class Axis:
-    """A parameter's values, or the bounds of what is drawn."""
+    """A parameter's values, or the bounds of values to be drawn."""
 
     def __init__(self, name: str, values: list[Any], between: tuple[float, float] | None, at: Node) -> None:
         self.name = name
@@ -59,7 +59,7 @@ def _range(name: str, node: Node) -> list[Any]:
     step = parts["step"].number(f"'step' of '{name}'")
     if step == 0 or (last - first) * step < 0:
         parts["step"].fail(f"steps of {step:g} do not lead from {first:g} to {last:g}")
-    # in decimals, so that it is 0.3 and not 0.30000000000000004
+    # in decimals, so that the result is 0.3 and not 0.30000000000000004
     begin, end, width = (decimal.Decimal(str(each)) for each in (first, last, step))
     count = int((end - begin) / width) + 1
     if count > MOST_RUNS:
@@ -69,7 +69,7 @@ def _range(name: str, node: Node) -> list[Any]:
 
 
 def read_seeds(node: Node | None) -> list[int]:
-    """`seeds`: a list, a number of them, or from and count; without: 0."""
+    """Reads `seeds`: a list, a number of seeds, or from and count; the default is 0."""
     if node is None:
         return [0]
     if isinstance(node.value, int):
@@ -87,19 +87,19 @@ def read_seeds(node: Node | None) -> list[int]:
 
 
 def latin_hypercube(samples: int, dimensions: int, seed: int) -> list[list[float]]:
-    """So many points in the unit cube: of each dimension's `samples` equal slices each has one (McKay, Beckman and
-    Conover 1979). The same for the same seed, with every version of Python."""
+    """Returns points in the unit cube: in each dimension, each of `samples` equal slices contains one (McKay,
+    Beckman and Conover 1979). The same seed gives the same points with every version of Python."""
     source = random.Random(seed)
     columns = []
     for _ in range(dimensions):
-        # by sorting: of all that the module has, only random() stays the same for ever
+        # by sorting, because random() is the only function of the module that never changes
         slices = sorted(range(samples), key=lambda _: source.random())
         columns.append([(each + source.random()) / samples for each in slices])
     return [list(point) for point in zip(*columns)]
 
 
 def make_runs(axes: list[Axis], combine: str, samples: int, sampling_seed: int, seeds: list[int], at: Node) -> list[Run]:
-    """All runs, in the order of the file; seeds are what changes first."""
+    """Returns all runs, in the order of the file; the seed changes fastest."""
     drawn = [axis for axis in axes if axis.between is not None]
     listed = [axis for axis in axes if axis.between is None]
     points: list[dict[str, Any]] = [{}]

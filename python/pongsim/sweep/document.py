@@ -1,4 +1,4 @@
-"""YAML as values that know where they stand."""
+"""YAML values that know their position in the file."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ _GREATEST = sys.float_info.max
 
 @dataclasses.dataclass(frozen=True)
 class Node:
-    """A value of the file: a mapping of texts to nodes, a list of nodes, or a single value."""
+    """A value in the file: a mapping of names to nodes, a list of nodes, or a scalar."""
 
     value: Any
     at: str
 
     def fail(self, message: str, hint: str = "") -> NoReturn:
-        """Raises SweepError with this place."""
+        """Raises SweepError with this position."""
         raise SweepError(message, at=self.at, hint=hint)
 
     def plain(self) -> Any:
-        """The value without places."""
+        """Returns the value without positions."""
         if isinstance(self.value, dict):
             return {key: node.plain() for key, node in self.value.items()}
         if isinstance(self.value, list):
@@ -33,7 +33,7 @@ class Node:
         return self.value
 
     def mapping(self, what: str, known: Iterable[str] | None = None) -> dict[str, Node]:
-        """What is in it, by name; other names than `known` are errors."""
+        """Returns the content by name; names other than `known` are errors."""
         if not isinstance(self.value, dict):
             self.fail(f"{what} must be a mapping with lines 'name: value', not {self._kind()}")
         children: dict[str, Node] = self.value
@@ -45,7 +45,7 @@ class Node:
         return children
 
     def list(self, what: str) -> list[Node]:
-        """What is in it, one after the other; at least one."""
+        """Returns the list's elements, at least one."""
         if not isinstance(self.value, list):
             self.fail(f"{what} must be a list such as [1, 2], not {self._kind()}")
         children: list[Node] = self.value
@@ -61,7 +61,7 @@ class Node:
 
     def number(self, what: str, *, above: float = -math.inf, least: float = -math.inf) -> float:
         """A finite number."""
-        # a whole number of YAML has no limit
+        # YAML integers are unlimited
         if isinstance(self.value, bool) or not isinstance(self.value, (int, float)) or not abs(self.value) <= _GREATEST:
             self.fail(f"{what} must be a number, not {self._kind()}")
         number: float = self.value
@@ -92,16 +92,16 @@ class Node:
         return "nothing" if self.value is None else repr(self.value)
 
 
-# As YAML 1.2 has it: 1e-3 is a number.
+# As in YAML 1.2: 1e-3 is a number.
 _FLOAT = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
 
 def read(text: str, file: str) -> Node:
-    """The file's value. Raises SweepError with the place."""
+    """Parses the file. Raises SweepError with the position."""
     yaml = need("yaml", "a sweep")
 
     class Loader(yaml.SafeLoader):  # type: ignore[misc, name-defined]
-        """Without aliases, of which few lines make values without end."""
+        """Does not accept aliases, with which a few lines can produce endless values."""
 
         def compose_node(self, parent: Any, index: Any) -> Any:
             if self.check_event(yaml.events.AliasEvent):
@@ -114,7 +114,7 @@ def read(text: str, file: str) -> Node:
                 if not tag.endswith(":timestamp")]
         for first, resolvers in yaml.SafeLoader.yaml_implicit_resolvers.items()
     }
-    # whole numbers are asked first, and .inf and .nan stay what they are
+    # integers are tried first, and .inf and .nan stay as they are
     for first in "-+.0123456789":
         resolvers = Loader.yaml_implicit_resolvers.setdefault(first, [])
         resolvers.sort(key=lambda each: each[0].endswith(":float"))
@@ -157,13 +157,13 @@ def _convert(loader: Any, node: Any, file: str) -> Node:
         if name in children:
             raise SweepError(f"'{name}' is given twice", at=_place(file, key.start_mark))
         child = _convert(loader, value, file)
-        # what is wrong with a block is shown where its name stands
+        # errors in a block are reported at its name
         children[name] = Node(child.value, _place(file, key.start_mark)) if value.id != "scalar" else child
     return Node(children, at)
 
 
 def from_plain(value: Any, at: str) -> Node:
-    """What a Python program has made, as a node; a place is the way to it."""
+    """Converts values from a Python program to a node; its position is the path to it."""
     if isinstance(value, dict):
         return Node({str(key): from_plain(each, f"{at}.{key}") for key, each in value.items()}, at)
     if isinstance(value, (list, tuple)):

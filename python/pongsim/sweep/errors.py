@@ -1,4 +1,4 @@
-"""Errors of a sweep before its runs."""
+"""Errors found before a sweep starts."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class SweepError(Error):
     """A sweep can't be run. The text has the reason, with file, line and column if the file is wrong, and a hint."""
 
     def __init__(self, message: str, *, at: str = "", hint: str = "") -> None:
-        #: Where it is: "gains.yaml:3:5"; empty where it is in no file.
+        #: Its position: "gains.yaml:3:5"; empty if it is in no file.
         self.at = at
         super().__init__((f"{at}: error: " if at else "") + message + (f" ({hint})" if hint else ""))
 
@@ -22,7 +22,7 @@ class SweepError(Error):
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """A hint at what may have been meant: "did you mean 'values'?", or what there is."""
+    """Returns a hint: "did you mean 'values'?", or the available names."""
     names = sorted(known)
     close = difflib.get_close_matches(word, names, n=1)
     if close:
@@ -31,7 +31,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
     return f"there is: {shown}" if names else ""
 
 
-#: What pip and apt call a module's package.
+#: Names of modules' packages for pip and apt.
 _PACKAGES = {
     "lxml.etree": "python3-lxml, or lxml of PyPI",
     "matplotlib": "python3-matplotlib, or matplotlib of PyPI",
@@ -43,7 +43,7 @@ _PACKAGES = {
 
 
 def need(module: str, purpose: str) -> Any:
-    """A module of others. Raises SweepError that says what to install where it is not there."""
+    """Imports a third-party module. If it is missing, raises SweepError with what to install."""
     try:
         return importlib.import_module(module)
     except ImportError as missing:

@@ -1,4 +1,4 @@
-"""One run after the other, in this process."""
+"""Makes runs one after another, in this process."""
 
 from __future__ import annotations
 
@@ -18,12 +18,13 @@ from .plan import Function, Plan, Row, Run
 
 
 class WallLimit(BaseException):
-    """The run's wall time is over. Not an Exception, so that a function which catches those does not go on."""
+    """The run has exceeded its wall time. Not an Exception, so that functions that catch those do not continue."""
 
 
 @contextlib.contextmanager
 def wall_limit(seconds: float) -> Iterator[None]:
-    """Raises WallLimit out of what takes longer, steps and Python alike. Only a main thread can be interrupted."""
+    """Interrupts code that takes longer by raising WallLimit, in steps and in Python. Only a main thread can be
+    interrupted."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -41,19 +42,19 @@ def wall_limit(seconds: float) -> Iterator[None]:
 
 
 class Executor:
-    """Makes the runs of a plan. A world that stays the same is loaded once, and reset before each further run."""
+    """Makes the runs of a plan. If the world does not change, it is loaded once, and reset before each further run."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self._functions = Functions(plan)
         functions = any(isinstance(each, Function) for each in plan.measures)
-        #: A function may do anything to its simulation, which then is not as it was.
+        #: A function may change its simulation in any way.
         self._keeps = not (plan.fresh or plan.setup is not None or functions)
         self._sim: Simulation | None = None
         self._text: str | None = None
 
     def execute(self, run: Run) -> Row:
-        """Makes one run. Whatever goes wrong is told in the row."""
+        """Makes one run. Any error is reported in the row."""
         row = Row(run.number, run.parameters, run.seed)
         begin = time.perf_counter()
         try:
@@ -79,7 +80,7 @@ class Executor:
         return row
 
     def close(self) -> None:
-        """Lets go of the world."""
+        """Closes the world."""
         self._drop()
 
     def _attempt(self, run: Run, row: Row) -> None:
@@ -101,7 +102,7 @@ class Executor:
             row.state_hash = f"{sim.state_hash():016x}"
             if watched is not None:
                 watched.close()
-            # what was published in the last step
+            # deliver what was published in the last step
             sim.dispatch()
             values = {each.name: each.value() for each in topics}
             row.measures = {name: values[name] if name in values else row.measures[name] for name in plan.measure_names}
@@ -125,7 +126,7 @@ class Executor:
             raise MeasureError(f"it did not end within {plan.duration:g} simulated seconds")
 
     def _ready(self, run: Run, row: Row) -> Simulation:
-        """The world at its start, with the run's parameters and seed."""
+        """Returns the world at its start, with the run's parameters and seed."""
         text = world_of(self.plan, run) if self.plan.text is not None else None
         if self._sim is not None and text == self._text:
             self._sim.reset(run.seed)
@@ -145,7 +146,7 @@ class Executor:
 
 
 def world_of(plan: Plan, run: Run) -> str:
-    """The text of a run's world, for a plan that puts something into it."""
+    """Returns the text of a run's world, for a plan that changes it."""
     assert plan.text is not None
     return world.put(plan.text, plan.targets, run.parameters)
 

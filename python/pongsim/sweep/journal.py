@@ -1,4 +1,4 @@
-"""What has come of a sweep so far, on the disk: a line for each run that has ended."""
+"""The progress of a sweep on disk: one line for each finished run."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _FORMAT = 1
 
 
 class Journal:
-    """The journal of a sweep in its folder. One process at a time has it open."""
+    """The journal of a sweep in its folder. Only one process at a time can open it."""
 
     def __init__(self, folder: pathlib.Path, digests: Mapping[str, str], restart: bool) -> None:
-        """Opens it, or begins it. Raises SweepError where another process has it, and where it is another sweep's."""
+        """Opens or creates it. Raises SweepError if another process has it open, or if it belongs to another sweep."""
         self.path = folder / NAME
         #: The last row of each run, by its number.
         self.rows: dict[int, Row] = {}
@@ -38,12 +38,13 @@ class Journal:
             raise
 
     def add(self, row: Row) -> None:
-        """Writes a row. Raises OSError where the disk is full, say, and leaves the journal as it was."""
+        """Writes a row. If that fails, for example because the disk is full, raises OSError and leaves the journal
+        unchanged."""
         self._write(dataclasses.asdict(row))
         self.rows[row.run] = row
 
     def close(self) -> None:
-        """Lets others have it."""
+        """Releases it for others."""
         self._file.close()
 
     def _open(self, digests: dict[str, str], restart: bool) -> None:
@@ -53,7 +54,7 @@ class Journal:
             raise SweepError(f"{self.path.parent}: another pongsim sweep is running there") from None
         self._file.seek(0)
         lines = self._file.read().split(b"\n")
-        # a line that was not written to its end has not been
+        # an incomplete last line does not count
         torn = lines.pop()
         if restart or not lines:
             self._file.truncate(0)
@@ -91,7 +92,7 @@ class Journal:
         try:
             written = self._file.write(line)
             if written < len(line):
-                # what is left says why
+                # the remaining text is the reason
                 self._file.write(line[written:])
         except OSError:
             with contextlib.suppress(OSError):

@@ -1,4 +1,4 @@
-"""Runs in processes of this machine."""
+"""Makes runs in processes on this machine."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from typing import Iterable, Iterator
 from .errors import SweepError
 from .plan import Plan, Row, Run
 
-#: Where a process finds this package: not in the folder that it is started in.
+#: Where a process finds this package: not in its current folder.
 _START = "import sys; sys.path[0] = sys.argv.pop(1); from pongsim.sweep.worker import main; main()"
 _PACKAGES = str(pathlib.Path(__file__).resolve().parents[2])
-#: Runs that a worker has: the one it makes, and the next, so that it waits for nobody.
+#: Number of runs assigned to a worker: the current one and the next, so that it never waits.
 _AHEAD = 2
-#: How much longer than its limit a run may take before its process is killed [s].
+#: Time beyond its limit after which a run's process is killed [s].
 _GRACE = 5.0
-#: So many workers that end before they have begun are enough.
+#: Give up after this many workers that ended before they started.
 _FALSE_STARTS = 3
-#: How often the wall times are looked at [s].
+#: How often the wall times are checked [s].
 _LOOK = 0.5
 
 
@@ -40,7 +40,7 @@ class _Worker:
         self.connection = Connection(ours.detach())
         self.runs: collections.deque[Run] = collections.deque()
         self.is_ready = False
-        #: Since when it makes the first of its runs.
+        #: When its current run started.
         self.since = 0.0
         with contextlib.suppress(OSError):
             self.connection.send(plan)
@@ -50,14 +50,14 @@ class _Worker:
             self.since = time.monotonic()
         self.runs.append(run)
         with contextlib.suppress(OSError):
-            # of one that has gone, its end of the connection tells
+            # if it has exited, its end of the connection shows that
             self.connection.send(run)
 
     def end(self) -> str:
-        """Kills it. Returns how it has ended before that, or by this."""
+        """Kills it. Returns how it ended, before that or because of it."""
         if self.process.poll() is None:
             with contextlib.suppress(subprocess.TimeoutExpired):
-                # one whose connection is closed is about to end
+                # one whose connection is closed is about to exit
                 self.process.wait(0.2)
         self.process.kill()
         code = self.process.wait()
@@ -70,7 +70,7 @@ class _Worker:
 
 
 class LocalPool:
-    """Processes that make the runs of a plan. One that is killed takes its run with it, and no other."""
+    """Processes that make the runs of a plan. If one is killed, only its current run is lost."""
 
     def __init__(self, plan: Plan, jobs: int) -> None:
         self._plan = plan
@@ -90,7 +90,7 @@ class LocalPool:
         self._workers.clear()
 
     def rows(self, runs: Iterable[Run]) -> Iterator[Row]:
-        """Makes the runs, and gives the row of each as it comes."""
+        """Makes the runs, and yields the row of each as it arrives."""
         self._left.extend(runs)
         while self._left or any(worker.runs for worker in self._workers):
             busy = sum(1 for worker in self._workers if worker.runs)
@@ -105,9 +105,9 @@ class LocalPool:
             yield from self._overdue()
 
     def _hand_out(self) -> None:
-        """A run for each that has too few, the busiest last."""
+        """Assigns runs to workers that have too few, the busiest last."""
         for worker in sorted(self._workers, key=lambda each: len(each.runs)):
-            # towards the end nobody has one waiting that another could make
+            # near the end, no worker keeps one waiting that another could make
             ahead = _AHEAD if len(self._left) > self._jobs else 1
             if worker.is_ready and len(worker.runs) < ahead and self._left:
                 worker.give(self._left.popleft())

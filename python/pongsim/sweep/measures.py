@@ -1,4 +1,4 @@
-"""Measures of a run: what topics say, and what functions of Python say."""
+"""Measures of a run: from topics, and from Python functions."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from .plan import Function, Measure, Plan, Until, Value
 
 
 class MeasureError(Exception):
-    """A measure has no value. Its text says why."""
+    """A measure has no value. The text has the reason."""
 
 
 class Reached(BaseException):
-    """The condition that ends a run holds. Comes out of a step."""
+    """The condition that ends a run is fulfilled. Raised out of a step."""
 
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 
 
 def parse_field(path: str) -> list[str | int]:
-    """"pose[0].position.x" as names and places. Raises MeasureError."""
+    """Parses "pose[0].position.x" into names and indices. Raises MeasureError."""
     steps: list[str | int] = []
     end = 0
     for match in _STEP.finditer(path):
@@ -39,7 +39,7 @@ def parse_field(path: str) -> list[str | int]:
 
 
 def field_of(message: Any, path: list[str | int]) -> Value:
-    """A field of a message. Raises LookupError that says what is there."""
+    """Returns a field of a message. Raises LookupError that names the available fields."""
     for step in path:
         if isinstance(step, int):
             if not isinstance(message, list) or step >= len(message):
@@ -55,7 +55,7 @@ def field_of(message: Any, path: list[str | int]) -> Value:
 
 
 class TopicMeasure:
-    """What one topic says while a simulation runs."""
+    """Evaluates the messages of a topic during a simulation."""
 
     def __init__(self, measure: Measure, sim: Simulation) -> None:
         self.name = measure.name
@@ -64,7 +64,7 @@ class TopicMeasure:
         self._path = parse_field(measure.field) if measure.field else []
         self._is_known = measure.topic in sim.topics
         self._missing = ""
-        #: Messages that had the field, those of them that count, and what they have come to.
+        #: Number of messages that had the field, number of those that count, and the result so far.
         self._heard = 0
         self._count = 0
         self._sum = 0.0
@@ -91,7 +91,7 @@ class TopicMeasure:
         if take == "last" or (take == "first" and self._count == 1):
             self._value = value
         elif take == "time" and self._count == 1:
-            # messages come at the start of the step after the one that published them: time has not moved on yet
+            # messages arrive at the start of the step after the one that published them: time has not advanced yet
             self._value = self._sim.time
         elif take == "mean":
             self._sum += value
@@ -100,7 +100,7 @@ class TopicMeasure:
             self._value = value + 0 if self._count == 1 else better(self._value, value)
 
     def value(self) -> Value:
-        """What it has come to; None for a time that did not come. Raises MeasureError where no message had the field."""
+        """Returns the result; None for a time that was not reached. Raises MeasureError if no message had the field."""
         measure = self._measure
         if self._heard == 0 and self._missing:
             raise MeasureError(f"measure '{measure.name}': a message of {measure.topic} {self._missing}")
@@ -115,12 +115,12 @@ class TopicMeasure:
         return result
 
     def close(self) -> None:
-        """Hears no more."""
+        """Ends the subscription."""
         self._subscription.close()
 
 
 def watch(until: Until, sim: Simulation) -> Any:
-    """A subscription that raises Reached out of the step in which the condition holds."""
+    """Returns a subscription that raises Reached out of the step in which the condition is fulfilled."""
     path = parse_field(until.field)
 
     def hear(message: dict[str, Any]) -> None:
@@ -135,14 +135,14 @@ def watch(until: Until, sim: Simulation) -> Any:
 
 
 class Functions:
-    """The functions of a plan's Python files, each file run once in a process."""
+    """The functions in a plan's Python files; each file is executed once per process."""
 
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
         self._modules: dict[str, types.ModuleType] = {}
 
     def find(self, function: Function) -> Callable[[Simulation, dict[str, Value]], Any]:
-        """The function. Raises what its file raises, and AttributeError."""
+        """Returns the function. Raises the exceptions of its file, and AttributeError."""
         module = self._modules.get(function.file)
         if module is None:
             module = types.ModuleType(os.path.splitext(os.path.basename(function.file))[0])
@@ -156,7 +156,7 @@ class Functions:
         return found
 
     def measure(self, function: Function, sim: Simulation, parameters: dict[str, Value]) -> Value:
-        """What it says: a number, a text, true, false or None."""
+        """Returns the function's result: a number, a string, true, false or None."""
         value = self.find(function)(sim, dict(parameters))
         if hasattr(value, "item") and getattr(value, "shape", None) == ():
             value = value.item()  # a number of NumPy

@@ -1,4 +1,4 @@
-"""What a sweep is, as plain values that travel to the processes that make the runs."""
+"""The definition of a sweep, as plain values that are sent to the processes that make the runs."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ TAKES = ("last", "first", "min", "max", "mean", "count", "time")
 
 @dataclasses.dataclass(frozen=True)
 class Target:
-    """A place in the world's text that gets a parameter's value."""
+    """A place in the world's text where a parameter's value is inserted."""
 
     parameter: str
-    #: In place of the value alone: a text with $NAME in it.
+    #: A text with $NAME in it, to be inserted instead of the value alone.
     text: str | None
-    #: The bytes of the text, in UTF-8, that it takes the place of.
+    #: The range of bytes in the UTF-8 text that is replaced.
     begin: int
     end: int
-    #: What stands around it.
+    #: The text around it.
     before: str
     after: str
 
 
 @dataclasses.dataclass(frozen=True)
 class Condition:
-    """What a value has to be: above and below a number, or equal to something. All that is given has to hold."""
+    """A condition on a value: above or below a number, or equal to something. All given parts must hold."""
 
     above: float | None = None
     below: float | None = None
     equals: Value = None
 
     def holds(self, value: Value) -> bool:
-        """Whether it does. Raises TypeError for what has no order."""
+        """Whether it holds. Raises TypeError for values without an order."""
         if self.above is not None and not value > self.above:
             return False
         if self.below is not None and not value < self.below:
@@ -45,19 +45,19 @@ class Condition:
 
 @dataclasses.dataclass(frozen=True)
 class Command:
-    """A message that is published when the simulated time is `time` [s]."""
+    """A message to be published at the simulated time `time` [s]."""
 
     topic: str
     type: str
     time: float
-    #: A dict or protobuf's text, with $NAME in its texts.
+    #: A dict or protobuf's text format, with $NAME in its strings.
     message: Any
 
 
 @dataclasses.dataclass(frozen=True)
 class Measure:
-    """A number, or a text, that a topic gives: the field's last, first, smallest, largest, mean value, how many messages
-    came, or the first time [s] at which the condition holds."""
+    """A number or text measured on a topic: the last, first, smallest, largest or mean value of a field, the number
+    of messages, or the first time [s] at which the condition holds."""
 
     name: str
     topic: str
@@ -70,7 +70,7 @@ class Measure:
 class Function:
     """A function of a Python file, called with the simulation and the run's parameters."""
 
-    #: The measure that it gives; empty for the one that is called before the first step.
+    #: The measure that it returns; empty for the function called before the first step.
     name: str
     file: str
     function: str
@@ -78,7 +78,7 @@ class Function:
 
 @dataclasses.dataclass(frozen=True)
 class Until:
-    """What ends a run: the first message that meets a condition."""
+    """The condition that ends a run: the first message that meets it."""
 
     topic: str
     field: str
@@ -96,38 +96,38 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Plan:
-    """All that the runs of a sweep share."""
+    """Everything that the runs of a sweep share."""
 
-    #: Which sweep it is: changes with all that is in it.
+    #: Identifies the sweep: changes with any of its content.
     key: str
-    #: pongsim's own.
+    #: pongsim's version.
     version: str
-    #: The world's file, and its text where something is put into it; else it is read by each process.
+    #: The world's file, and its text if parameters are inserted; otherwise each process reads the file.
     world: str
     text: str | None
     targets: tuple[Target, ...]
     commands: tuple[Command, ...]
     measures: tuple[Measure | Function, ...]
     setup: Function | None
-    #: Simulated time at which a run ends [s]; with `until`: by which it has to have ended.
+    #: Simulated time at which a run ends [s]; with `until`: the time limit.
     duration: float
     until: Until | None
-    #: How long a run may take [s of wall time].
+    #: Limit on a run's duration [s of wall time].
     wall_limit: float
-    #: Each run loads its world anew.
+    #: Whether each run loads its world again.
     fresh: bool
-    #: The texts of the Python files, by their names.
+    #: The texts of the Python files, by name.
     sources: dict[str, str]
 
     @property
     def measure_names(self) -> list[str]:
-        """In the order of the file."""
+        """Returns the names in the order of the file."""
         return [each.name for each in self.measures]
 
 
 @dataclasses.dataclass
 class Row:
-    """What has come of one run."""
+    """The result of one run."""
 
     run: int
     parameters: dict[str, Value]
@@ -135,15 +135,15 @@ class Row:
     measures: dict[str, Value] = dataclasses.field(default_factory=dict)
     #: "done" or "failed".
     status: str = "failed"
-    #: Why it has failed.
+    #: Why it failed.
     reason: str = ""
-    #: As `pongsim run --hash` prints it; empty where it has failed.
+    #: As printed by `pongsim run --hash`; empty if it failed.
     state_hash: str = ""
-    #: Where simulated time was at the end [s].
+    #: Simulated time at the end [s].
     sim_time: float = 0.0
-    #: How long it took [s].
+    #: Wall time of the run [s].
     wall_time: float = 0.0
-    #: What was said of the world when it was loaded.
+    #: Warnings from loading the world.
     warnings: list[str] = dataclasses.field(default_factory=list)
 
     @property

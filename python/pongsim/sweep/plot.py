@@ -1,4 +1,4 @@
-"""Pictures of a sweep: each measure over each parameter."""
+"""Plots of a sweep: each measure over each parameter."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from typing import Sequence
 from .errors import SweepError, nearest, need
 from .results import read
 
-#: Of so many different values at most a line joins the means.
+#: With at most this many different values, a line joins the means.
 _MOST_MEANS = 60
-#: The width and height of one picture [inches].
+#: Width and height of one plot [inches].
 _SIZE = (4.0, 3.0)
 
 
@@ -25,11 +25,11 @@ def plot(
     x: Sequence[str] = (),
     y: Sequence[str] = (),
 ) -> pathlib.Path:
-    """Draws the runs that are done: a picture for each measure and parameter that are numbers, a dot a run, and the mean
-    where several runs share a value.
+    """Plots the successful runs: one plot for each measure and parameter with numeric values, with one dot per run, and
+    the mean if several runs share a value.
 
-    folder: of the sweep's results, or its results.csv.
-    output: the file, whose ending says what it is: .png, .svg, .pdf; None: plot.png in the folder.
+    folder: the folder of the sweep's results, or its results.csv.
+    output: the file, whose extension sets the format: .png, .svg, .pdf; None: plot.png in the folder.
     x, y: only these parameters and measures.
 
     Returns the file. Raises SweepError.
@@ -54,7 +54,7 @@ def plot(
 
 
 def _numbers(texts: list[str]) -> list[float] | None:
-    """As numbers, empty ones as not a number; None where they are none."""
+    """Converts texts to numbers, with NaN for empty ones; None if they are not numeric."""
     try:
         values = [float({"": "nan", "true": "1", "false": "0"}.get(text, text)) for text in texts]
     except ValueError:
@@ -72,7 +72,7 @@ def _chosen(wanted: Sequence[str], there: list[str], what: str, columns: list[st
 
 def _draw(path: pathlib.Path, across: dict[str, list[float]], up: dict[str, list[float]]) -> None:
     need("matplotlib", "a plot")
-    # not by pyplot, whose figures and display are the user's, in a notebook as well
+    # without pyplot, whose figures and display belong to the user, for example in a notebook
     figure = need("matplotlib.figure", "a plot").Figure(figsize=(_SIZE[0] * len(across), _SIZE[1] * len(up)),
                                                         layout="constrained")
     if path.suffix.lstrip(".") not in figure.canvas.get_supported_filetypes():
@@ -94,7 +94,7 @@ def _draw(path: pathlib.Path, across: dict[str, list[float]], up: dict[str, list
 
 
 def _means(places: list[float], values: list[float]) -> dict[float, float]:
-    """The mean at each place, in order; none where the places are all different, or too many."""
+    """Returns the mean for each value, in order; nothing if all values are different, or there are too many."""
     groups: dict[float, list[float]] = collections.defaultdict(list)
     for place, value in zip(places, values):
         if math.isfinite(place) and math.isfinite(value):

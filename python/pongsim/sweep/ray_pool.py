@@ -1,4 +1,4 @@
-"""Runs on a Ray cluster that is there."""
+"""Makes runs on an existing Ray cluster."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from .errors import SweepError, need
 from .execute import execute
 from .plan import Plan, Row, Run
 
-#: How often Ray starts a run again whose process or node is lost.
+#: How often Ray restarts a run whose process or node is lost.
 _RETRIES = 5
-#: Tasks for each processor of the cluster that are handed to Ray: the one at work, and those that wait there.
+#: Number of tasks submitted for each processor of the cluster: one that is running, and those that wait.
 _OPEN = 3
-#: How long a task is to take, which is as many runs as fit, for a task costs some milliseconds [s].
+#: Duration of a task [s]; it makes as many runs as fit, because each task costs some milliseconds.
 _TASK = 0.5
-#: As many at most, for they are made again together.
+#: Maximum number of runs in a task, because they are repeated together.
 _MOST_RUNS = 32
-#: How long a cluster may take to answer [s].
+#: Timeout for a cluster's answer [s].
 _PATIENCE = 5.0
 
 
@@ -31,7 +31,7 @@ def _make(plan: Plan, runs: list[Run]) -> list[Row]:
 
 
 class RayPool:
-    """The runs of a plan as tasks of Ray, which decides where and when."""
+    """Makes the runs of a plan as Ray tasks; Ray decides where and when."""
 
     def __init__(self, plan: Plan, address: str) -> None:
         self._ray: Any = need("ray", "--ray")
@@ -53,13 +53,13 @@ class RayPool:
             self._ray.shutdown()
 
     def rows(self, runs: Iterable[Run]) -> Iterator[Row]:
-        """Makes the runs, and gives the row of each as it comes."""
+        """Makes the runs, and yields the row of each as it arrives."""
         ray = self._ray
         plan = ray.put(self._plan)
         make = ray.remote(num_cpus=1, max_retries=_RETRIES)(_make)
         left = collections.deque(runs)
         opened: dict[Any, list[Run]] = {}
-        #: Those that are made each by itself, for one of them has ended its process.
+        #: Runs that get a task each, because one of them has ended its process.
         doubtful: set[int] = set()
         together = 1
         while left or opened:
@@ -83,12 +83,12 @@ class RayPool:
             yield from rows
 
     def _room(self) -> int:
-        """How many tasks may be open, with the nodes that are there now."""
+        """Returns how many tasks may be open with the current nodes."""
         return _OPEN * max(1, int(self._ray.cluster_resources().get("CPU", 1)))
 
 
 def _reach(address: str) -> None:
-    """Raises SweepError where nobody listens, which Ray itself takes minutes to find."""
+    """Raises SweepError if nobody listens, which Ray itself takes minutes to notice."""
     host, colon, port = address.removeprefix("ray://").rpartition(":")
     if address in ("auto", "local") or not colon:
         if address != "auto":

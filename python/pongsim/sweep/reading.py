@@ -1,4 +1,4 @@
-"""From a sweep's file to its plan and its runs."""
+"""Reads a sweep's file into a plan and its runs."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from .document import Node
 from .errors import SweepError, nearest
 from .plan import TAKES, Command, Condition, Function, Measure, Plan, Run, Until
 
-#: A sweep: its file, or what stands in one as a dict.
+#: A sweep: its file, or the file's content as a dict.
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
 _KEYS = ("world", "duration", "until", "limits", "parameters", "combine", "latin_hypercube", "seeds", "commands", "setup",
          "measures", "fresh")
 _CONDITION = ("above", "below", "equals")
-#: Columns of the results that are there already.
+#: Columns that the results have anyway.
 RESERVED = ("run", "seed", "status", "reason", "state_hash", "sim_time", "wall_time")
 
 
 @dataclasses.dataclass(frozen=True)
 class Sweep:
-    """A sweep that was read and found to be right."""
+    """A validated sweep."""
 
     plan: Plan
     runs: list[Run]
-    #: The file that it was read from; None: from a dict.
+    #: The file it was read from; None: a dict.
     file: pathlib.Path | None
-    #: What must not change before it is done: names and digests.
+    #: What must not change before it is finished: names and digests.
     digests: dict[str, str]
 
 
@@ -61,12 +61,12 @@ class _Reader:
         self.file = file
         self.folder = file.parent if file is not None else pathlib.Path(".")
         self.sources: dict[str, str] = {}
-        #: Python files: where they are, by the names that the sweep's file has for them.
+        #: Paths of the Python files, by their names in the sweep's file.
         self.judges: dict[str, str] = {}
         self.names: list[str] = []
 
     def sweep(self, data: bytes) -> Sweep:
-        """All of it, checked."""
+        """Reads and validates everything."""
         for key in ("world", "measures"):
             if key not in self.parts:
                 self.root.fail(f"a sweep has no '{key}'")
@@ -75,7 +75,7 @@ class _Reader:
         self._check_use(plan, ways)
         digests = {self.file.name if self.file is not None else "the sweep": _digest(data)}
         digests[self.parts["world"].value] = _digest(pathlib.Path(plan.world).read_bytes())
-        # by the names that the file has for them, wherever it is looked at from
+        # by their names in the file, whatever folder it is read from
         for name, path in self.judges.items():
             digests[name] = _digest(self.sources[path].encode())
         digests["pongsim"] = plan.version

@@ -1,4 +1,4 @@
-"""The results of a sweep: one row a run, as a table, in CSV and in Parquet."""
+"""The results of a sweep: a table with one row per run, also as CSV and Parquet."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ PARQUET = "results.parquet"
 class Results:
     """The results of a sweep."""
 
-    #: Where it lies: journal.jsonl, results.csv, results.parquet.
+    #: Its folder: journal.jsonl, results.csv, results.parquet.
     folder: pathlib.Path
     parameter_names: list[str]
     measure_names: list[str]
-    #: In the order of the runs; those that are not there have not been made.
+    #: In the order of the runs; runs without a row have not been made.
     rows: list[Row]
-    #: How many runs the sweep has.
+    #: Number of runs in the sweep.
     total: int
-    #: Why the tables could not be written; empty where they were.
+    #: Why the tables could not be written; empty on success.
     table_error: str = ""
 
     @property
@@ -42,20 +42,20 @@ class Results:
                 "wall_time"]
 
     def column(self, name: str) -> list[Value]:
-        """All values of a column; None where a run has no such measure. Raises KeyError."""
+        """Returns all values of a column; None for runs without that measure. Raises KeyError."""
         if name not in self.columns:
             raise KeyError(f"there is no column '{name}': {', '.join(self.columns)}")
         return [_value(row, name) for row in self.rows]
 
     def __iter__(self) -> Iterator[dict[str, Value]]:
-        """The rows as dicts by the names of the columns."""
+        """Iterates over the rows as dicts keyed by column."""
         return ({name: _value(row, name) for name in self.columns} for row in self.rows)
 
     def __len__(self) -> int:
         return len(self.rows)
 
     def write_csv(self) -> pathlib.Path:
-        """Writes results.csv, whole or not at all. Raises OSError."""
+        """Writes results.csv atomically. Raises OSError."""
 
         def write(path: str) -> None:
             with open(path, "w", newline="", encoding="utf-8") as file:
@@ -67,7 +67,7 @@ class Results:
         return _replace(self.folder / CSV, write)
 
     def write_parquet(self) -> pathlib.Path:
-        """Writes results.parquet, whole or not at all. Raises OSError, and SweepError without pyarrow."""
+        """Writes results.parquet atomically. Raises OSError, and SweepError without pyarrow."""
         arrow = need("pyarrow", "Parquet")
         parquet = need("pyarrow.parquet", "Parquet")
         table = arrow.table({name: _array(arrow, self.column(name)) for name in self.columns})
@@ -79,7 +79,7 @@ def _value(row: Row, name: str) -> Value:
         return row.parameters[name]
     if name in row.measures:
         return row.measures[name]
-    # a measure that a failed run has not
+    # a measure that a failed run does not have
     return getattr(row, name, None)
 
 
@@ -98,7 +98,7 @@ def _array(arrow: Any, values: list[Value]) -> Any:
 
 
 def _replace(path: pathlib.Path, write: Callable[[str], None]) -> pathlib.Path:
-    """Writes beside it, then puts that in its place."""
+    """Writes a temporary file, then replaces the old one."""
     made = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         write(str(made))
@@ -110,7 +110,7 @@ def _replace(path: pathlib.Path, write: Callable[[str], None]) -> pathlib.Path:
 
 
 def read(folder: pathlib.Path) -> tuple[list[str], list[dict[str, str]]]:
-    """The columns and rows of a results.csv, or of the folder that has it. Raises SweepError."""
+    """Returns the columns and rows of a results.csv, or of the folder that contains it. Raises SweepError."""
     path = folder / CSV if folder.is_dir() else folder
     try:
         with open(path, newline="", encoding="utf-8") as file:

@@ -1,4 +1,4 @@
-"""A sweep from its file to its results."""
+"""Runs a sweep from its file to its results."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .plan import Row
 from .ray_pool import RayPool
 from .results import Results
 
-#: Where warnings and the like go.
+#: Destination of warnings and other messages.
 Say = Callable[[str], None]
 
 
@@ -32,20 +32,21 @@ def run(
     progress: bool = False,
     say: Say | None = None,
 ) -> Results:
-    """Makes the runs of a sweep that its folder has not yet, and writes the results there.
+    """Makes those runs of a sweep that its folder does not have yet, and writes the results there.
 
-    source: the sweep's file, or a dict with what stands in one.
-    folder: where the results go; None: beside the file, its name with `.sweep` in place of `.yaml`.
-    jobs: runs at the same time; None: as many as this process has processors.
-    ray: the address of a Ray cluster that makes the runs in place of this machine.
-    restart: forgets what the folder has.
-    parquet: True: raises SweepError at once where Parquet can't be written; False: only CSV is; None: where it can be.
-    progress: shows a bar with the time left, on a terminal.
-    say: is called with what is worth saying: warnings of the world, results that could not be written.
+    source: the sweep's file, or a dict with its content.
+    folder: where the results go; None: next to the file, with its name ending in `.sweep` instead of `.yaml`.
+    jobs: number of parallel runs; None: the number of processors available to this process.
+    ray: the address of a Ray cluster that makes the runs instead of this machine.
+    restart: discards the folder's previous results.
+    parquet: True: raises SweepError at the start if Parquet can't be written; False: writes only CSV; None: writes it
+    if possible.
+    progress: shows a progress bar with the remaining time, on a terminal.
+    say: called with messages: warnings about the world, results that could not be written.
 
-    A run that fails stands in its row, with the reason, and all others are made. Where the tables can't be written
-    `table_error` says why, and what is done stands in the journal. Raises SweepError before the first run where the sweep
-    is wrong.
+    A failed run is marked in its row, with the reason, and all others are made. If the tables can't be written,
+    `table_error` has the reason, and the journal has the finished runs. Raises SweepError before the first run if the
+    sweep is invalid.
     """
     if parquet:
         need("pyarrow", "Parquet")
@@ -54,7 +55,7 @@ def run(
     sweep = reading.read(source)
     place = pathlib.Path(folder) if folder is not None else default_folder(sweep)
     tell: Say = say or (lambda text: None)
-    # a cluster that is not there is found before anything is forgotten
+    # check that the cluster is there before anything is discarded
     with _pool(sweep, jobs, ray) as pool, contextlib.closing(Journal(place, sweep.digests, restart)) as journal:
         unwritten: dict[int, Row] = {}
         told: set[str] = set()
@@ -67,7 +68,7 @@ def run(
                         for warning in set(row.warnings) - told:
                             bar.clear()
                             tell(warning)
-                        # each process says the same, and each value of a parameter
+                        # every process gives the same warnings, and so does every value of a parameter
                         told.update(row.warnings)
                         bar.update()
         finally:
@@ -79,14 +80,14 @@ def run(
 
 
 def default_folder(sweep: reading.Sweep) -> pathlib.Path:
-    """Where a sweep's results go without being told."""
+    """Returns the default folder for a sweep's results."""
     if sweep.file is None:
         raise SweepError("a sweep given as a dict needs a folder for its results")
     return sweep.file.with_suffix(".sweep")
 
 
 def processors() -> int:
-    """How many this process may use."""
+    """Returns the number of processors available to this process."""
     return len(os.sched_getaffinity(0))
 
 
@@ -115,7 +116,7 @@ def _bar(sweep: reading.Sweep, left: int, wanted: bool) -> Iterator[Any]:
 
 
 def _note(row: Row, journal: Journal, unwritten: dict[int, Row]) -> None:
-    """Where it can't be written the run counts as failed: it is made again when there is room."""
+    """If it can't be written, the run counts as failed: it is repeated when there is room."""
     try:
         journal.add(row)
     except OSError as error:
@@ -125,7 +126,7 @@ def _note(row: Row, journal: Journal, unwritten: dict[int, Row]) -> None:
 
 
 def _write(results: Results, parquet: bool | None, tell: Say) -> Results:
-    """Writes the tables; where there is no room the results say so."""
+    """Writes the tables; if there is no room, the results say so."""
     try:
         results.write_csv()
         if parquet is not False:

@@ -1,4 +1,4 @@
-"""Texts with $NAME in them, for which a parameter's value is put."""
+"""Texts with $NAME in them, which is replaced by a parameter's value."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from .errors import SweepError
 
 
 def written(value: Any) -> str:
-    """A value as SDF and protobuf write it."""
+    """Formats a value for SDF and protobuf."""
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def names(value: Any, at: str) -> list[str]:
-    """All $NAMEs in a text, or in the texts of a message. Raises SweepError for a $ that names nothing."""
+    """Returns all $NAMEs in a text, or in the strings of a message. Raises SweepError for a $ without a name."""
     if isinstance(value, dict):
         return [name for each in value.values() for name in names(each, at)]
     if isinstance(value, list):
@@ -32,7 +32,8 @@ def names(value: Any, at: str) -> list[str]:
 
 
 def fill(value: Any, parameters: Mapping[str, Any]) -> Any:
-    """The value with the parameters in it. A text that is $NAME alone becomes the parameter's value itself."""
+    """Returns the value with the parameters inserted. A text that consists only of $NAME becomes the parameter's
+    value itself."""
     if isinstance(value, dict):
         return {key: fill(each, parameters) for key, each in value.items()}
     if isinstance(value, list):

@@ -1,4 +1,4 @@
-"""A process that makes runs, one after the other, as it is told by the one that started it."""
+"""A process that makes runs, one after another, for its parent process."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ _PR_SET_PDEATHSIG = 1
 
 
 def main() -> None:
-    """Takes a plan, then runs, and gives a row for each. Ends when the other side does."""
+    """Receives a plan, then runs, and sends back a row for each. Exits when the other side does."""
     parent, descriptor = int(sys.argv[1]), int(sys.argv[2])
-    # Ctrl-C is for the one that started this
+    # Ctrl-C is handled by the parent
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     if os.getppid() != parent:
         return
-    # what is wrong with a run stands in its row
+    # errors of a run are in its row
     set_log_level(0)
     connection = Connection(descriptor)
     try:

@@ -1,4 +1,4 @@
-"""Parameters put into a world's file by XPath. All else of the file stays as it is, its lines too."""
+"""Inserts parameters into a world's file by XPath. Everything else in the file stays unchanged, including its lines."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from . import template
 from .errors import SweepError, need
 from .plan import Target
 
-#: So many of what a path meets are told.
+#: Maximum number of matches listed in a message.
 _TOLD = 4
 
 
 @dataclasses.dataclass(frozen=True)
 class Way:
-    """What the sweep's file says of where a parameter goes."""
+    """A target in the sweep's file: where a parameter goes."""
 
     parameter: str
     xpath: str
-    #: In place of the value alone: a text with $NAME in it.
+    #: A text with $NAME in it, to be inserted instead of the value alone.
     text: str | None
-    #: Where the sweep's file says so.
+    #: Position in the sweep's file.
     at: str
 
 
 def read(file: str, at: str) -> str:
-    """The world's text. Raises SweepError where there is none."""
+    """Returns the world's text. Raises SweepError if there is none."""
     try:
         return pathlib.Path(file).read_text(encoding="utf-8")
     except OSError as error:
@@ -40,8 +40,8 @@ def read(file: str, at: str) -> str:
 
 
 def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
-    """Where in the text the ways lead. Raises SweepError, with the place in the sweep's file, where one does not lead to
-    exactly one thing."""
+    """Finds the places in the text that the targets select. Raises SweepError, with the position in the sweep's
+    file, if one does not select exactly one place."""
     etree = need("lxml.etree", "a sweep whose parameters have an xpath")
     data = text.encode()
     try:
@@ -66,7 +66,7 @@ def find(text: str, file: str, ways: Iterable[Way]) -> tuple[Target, ...]:
 
 
 def put(text: str, targets: Iterable[Target], parameters: Mapping[str, Any]) -> str:
-    """The world with the values in it."""
+    """Returns the world with the values inserted."""
     data = text.encode()
     parts: list[bytes] = []
     end = 0
@@ -79,7 +79,7 @@ def put(text: str, targets: Iterable[Target], parameters: Mapping[str, Any]) -> 
 
 
 def _places(data: bytes) -> list[tuple[int, int]]:
-    """Of each element, in the order of the file: where its tag begins, and where its end tag does."""
+    """Returns for each element, in the order of the file, where its start tag and its end tag begin."""
     places: list[tuple[int, int]] = []
     inside: list[int] = []
     parser = expat.ParserCreate("utf-8")
@@ -116,7 +116,7 @@ def _target(way: Way, data: bytes, begin: int, end: int, attribute: str) -> Targ
 
 
 def _meet(etree: Any, root: Any, file: str, way: Way) -> Any:
-    """The one element or attribute that a path matches."""
+    """Returns the one element or attribute that a path matches."""
     try:
         found = root.getroottree().xpath(way.xpath)
     except (etree.XPathError, ValueError) as error:  # ValueError: a character that XML has not
@@ -155,7 +155,7 @@ def _inside(element: Any) -> str:
 
 
 def _farthest(etree: Any, root: Any, file: str, path: str) -> str:
-    """How far the path leads: the match of its longest matching part."""
+    """Returns the match of the longest prefix of the path that matches."""
     for i in range(len(path) - 1, 0, -1):
         part = path[:i]
         if path[i] != "/" or not part.strip("/"):

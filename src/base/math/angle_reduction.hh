@@ -2,13 +2,13 @@
 
 namespace pongsim::math {
 
-/// An angle as quarter turns and what is left: `quarters` * pi/2 + `rest` + `tail`.
+/// An angle as quarter turns and a remainder: `quarters` * pi/2 + `rest` + `tail`.
 struct ReducedAngle {
   /// The number of quarter turns, modulo 4.
   unsigned quarters;
-  /// At most pi/4 and a little.
+  /// At most slightly more than pi/4.
   double rest;
-  /// What `rest` lacks, below its last place.
+  /// Correction to `rest`, below its last place.
   double tail;
 };
 

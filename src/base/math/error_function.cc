@@ -10,7 +10,7 @@ namespace {
 
 // Abramowitz and Stegun, Handbook of Mathematical Functions (1964)
 
-/// @return erf(x), by 7.1.6, of which all terms are positive.
+/// @return erf(x), by 7.1.6, whose terms are all positive.
 double byItsSeries(double x) {
   double term = x, sum = x;
   for (int n = 1; term > sum * 1e-17; ++n) {
@@ -20,7 +20,7 @@ double byItsSeries(double x) {
   return 2 * std::numbers::inv_sqrtpi * exp(-x * x) * sum;
 }
 
-/// @return erfc(x), by 7.1.14; from 1.5 on that many terms are enough.
+/// @return erfc(x), by 7.1.14; from 1.5 on this many terms are enough.
 double byItsFraction(double x) {
   constexpr int kTerms = 120;
   double rest = x;
@@ -33,7 +33,7 @@ double byItsFraction(double x) {
 double erfc(double number) {
   if (std::isnan(number)) return std::numeric_limits<double>::quiet_NaN();
   const double size = std::abs(number);
-  // from 27 on it is smaller than any number
+  // from 27 on it underflows
   const double above = size < 1.5 ? 1 - byItsSeries(size) : size < 27.5 ? byItsFraction(size) : 0;
   return number < 0 ? 2 - above : above;
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLargestPower = 7.09782712893383973096e+02, kSmallestPower = -7.45133219101941108420e+02;
 constexpr double kOneByLn2 = 1.44269504088896338700e+00;
-// of 32 bits, so that whole multiples are exact, and what is left
+// the first part has 32 bits, so that integer multiples are exact; the second is the rest
 constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
 constexpr double kHalfLn2 = 0.34657359027997264;
 
@@ -29,7 +29,7 @@ double scaled(double number, int exponent) {
   return number * powerOf2(exponent);
 }
 
-/// A power of e as one of 2 and what is left, high - low.
+/// A power of e as a power of 2 and a remainder, high - low.
 struct ReducedPower {
   explicit ReducedPower(double power) {
     if (std::abs(power) <= kHalfLn2) {
@@ -82,7 +82,7 @@ double expm1(double power) {
   const double less = x * (e - lost) - lost - z;
   if (exponent == -1) return 0.5 * (x - less) - 0.5;
   if (exponent == 1) return x < -0.25 ? -2 * (less - (x + 0.5)) : 1 + 2 * (x - less);
-  // the 1 that is taken away is added where it costs no digits
+  // subtract 1 where that loses no digits
   if (exponent < 0 || exponent > 56) return scaled(x - less + 1, exponent) - 1;
   const double one = powerOf2(-exponent);
   return (exponent < 20 ? x - less + (1 - one) : x - (less + one) + 1) * powerOf2(exponent);

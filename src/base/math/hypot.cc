@@ -8,7 +8,7 @@ namespace pongsim::math {
 
 namespace {
 
-/// A square in two parts: its nearest number, and what that lacks.
+/// A square in two parts: the nearest double, and its rounding error.
 struct Square {
   // Dekker, A floating-point technique for extending the available precision, Numerische Mathematik 18 (1971)
   explicit Square(double root) : value(root * root) {
@@ -27,7 +27,7 @@ double hypot(double x, double y) {
   if (std::isnan(x) || std::isnan(y)) return std::numeric_limits<double>::quiet_NaN();
   double large = std::max(std::abs(x), std::abs(y)), small = std::min(std::abs(x), std::abs(y));
   if (small == 0 || large * 0x1p-60 >= small) return large + small;
-  // where the squares are no numbers
+  // for squares that overflow or underflow
   double scale = 1;
   if (large > 0x1p500) scale = 0x1p600;
   if (small < 0x1p-450) scale = 0x1p-600;

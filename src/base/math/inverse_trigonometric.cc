@@ -1,6 +1,6 @@
-// The angles of a sine, a cosine and a tangent: the approximations of FreeBSD's msun (s_atan.c, e_atan2.c, e_asin.c,
-// e_acos.c), which carry this notice: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Permission to
-// use, copy, modify, and distribute this software is freely granted, provided that this notice is preserved.
+// Arcsine, arccosine and arctangent: the approximations of FreeBSD's msun (s_atan.c, e_atan2.c, e_asin.c, e_acos.c),
+// which carry this notice: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Permission to use, copy,
+// modify, and distribute this software is freely granted, provided that this notice is preserved.
 
 #include <array>
 #include <bit>
@@ -19,18 +19,18 @@ constexpr double kPi = std::numbers::pi, kPiLow = 0x1.1a62633145c07p-53;
 constexpr double kRightAngle = kPi / 2, kRightAngleLow = kPiLow / 2;
 constexpr double kNoArc = std::numeric_limits<double>::quiet_NaN();
 
-/// An angle with twice the digits.
+/// An angle in double-double precision.
 struct Arc {
   double high;
   double low;
 };
-// of the tangents 1/2, 1, 3/2 and infinity
+// arctangents of 1/2, 1, 3/2 and infinity
 constexpr Arc kArcOfHalf{4.63647609000806093515e-01, 2.26987774529616870924e-17};
 constexpr Arc kArcOf1{7.85398163397448278999e-01, 3.06161699786838301793e-17};
 constexpr Arc kArcOf3Halves{9.82793723247329054082e-01, 1.39033110312309984516e-17};
 constexpr Arc kArcOfInfinity{kRightAngle, kRightAngleLow};
 
-/// @return atan(x) is x - x times this, |x| below 7/16.
+/// @return The factor in atan(x) = x - x * factor, |x| below 7/16.
 double arcTangentShort(double x) {
   const double z = x * x, w = z * z;
   const double even = z * (3.33333333333329318027e-01 +
@@ -46,7 +46,7 @@ double arcTangentShort(double x) {
   return even + odd;
 }
 
-/// @return The angle of a tangent x = tan(a + b), given a and tan(b).
+/// @return The angle whose tangent is x = tan(a + b), given a and tan(b).
 double arcBeside(const Arc& arc, double rest) { return arc.high - (rest * arcTangentShort(rest) - arc.low - rest); }
 
 double atanOfPositive(double x) {
@@ -57,7 +57,7 @@ double atanOfPositive(double x) {
   return arcBeside(kArcOfInfinity, -1 / x);
 }
 
-/// @return (asin(x) - x) / x of the square of x, up to 1/4.
+/// @return (asin(x) - x) / x as a function of x squared, up to 1/4.
 double arcSineBeyond(double z) {
   const double above = z * (1.66666666666666657415e-01 +
                             z * (-3.25565818622400915405e-01 +
@@ -70,7 +70,7 @@ double arcSineBeyond(double z) {
   return above / below;
 }
 
-/// A square root in two parts, of which the first has half of the digits.
+/// A square root in two parts; the first has half of the digits.
 struct Root {
   explicit Root(double square)
       : whole(std::sqrt(square)),
@@ -116,7 +116,7 @@ double atan2(double y, double x) {
     if (steepness >= 0x1p66) return std::copysign(kRightAngle, y);
     arc = atanOfPositive(steepness);
   }
-  // of -0 too
+  // also for -0
   if (!std::signbit(x)) return std::copysign(arc, y);
   return std::copysign(kPi - (arc - kPiLow), y);
 }

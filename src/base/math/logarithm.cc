@@ -15,15 +15,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNoLogarithm = std::numeric_limits<double>::quiet_NaN();
-// the parts of ln 2, of which the first has so few bits that whole multiples are exact
+// ln 2 in two parts; the first has few enough bits to make integer multiples exact
 constexpr double kLn2Most = 6.93147180369123816490e-01, kLn2Rest = 1.90821492927058770002e-10;
 constexpr double kRootOf2 = 1.4142135623730951;
 
-/// A number as 2^exponent * (1 + fraction), with 1 + fraction between the roots of 1/2 and 2.
+/// A number as 2^exponent * (1 + fraction), with 1 + fraction between the square roots of 1/2 and 2.
 struct Split {
   /// @param number Positive, not subnormal.
   explicit Split(double number) {
-    // what is above the root of 1/2 counts to the next power of 2
+    // numbers above the square root of 1/2 count towards the next power of 2
     constexpr std::uint64_t kToOne = 0x3ff0000000000000U - 0x3fe6a09e00000000U;
     const std::uint64_t moved = std::bit_cast<std::uint64_t>(number) + kToOne;
     exponent = static_cast<int>(moved >> 52U) - 1023;
@@ -33,7 +33,7 @@ struct Split {
   double fraction;
 };
 
-/// @return exponent * ln 2 + log(1 + fraction) + more, which is small beside it.
+/// @return exponent * ln 2 + log(1 + fraction) + more, where `more` is small in comparison.
 double logarithmOf(int exponent, double fraction, double more) {
   const double square = 0.5 * fraction * fraction;
   const double s = fraction / (2 + fraction), z = s * s, w = z * z;
@@ -61,7 +61,7 @@ double log1p(double number) {
   if (number == kInfinity) return kInfinity;
   if (std::abs(number) < 0x1p-53) return number;
   if (number > kRootOf2 / 2 - 1 && number < kRootOf2 - 1) return logarithmOf(0, number, 0);
-  // what the sum has lost comes in again: log(s + d) is nearly log(s) + d / s
+  // correct for the rounding error of the sum: log(s + d) is nearly log(s) + d / s
   const double sum = 1 + number;
   const double lost = number > 1 ? 1 - (sum - number) : number - (sum - 1);
   const Split split(sum);

@@ -1,6 +1,7 @@
-// Sine, cosine and tangent: the polynomials and their order of summing of FreeBSD's msun (k_sin.c, k_cos.c, k_tan.c),
-// which carry this notice: Copyright (C) 1993, 2004 by Sun Microsystems, Inc. All rights reserved. Permission to use,
-// copy, modify, and distribute this software is freely granted, provided that this notice is preserved.
+// Sine, cosine and tangent: the polynomials of FreeBSD's msun (k_sin.c, k_cos.c, k_tan.c) with their order of
+// summation, which carry this notice: Copyright (C) 1993, 2004 by Sun Microsystems, Inc. All rights reserved.
+// Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice is
+// preserved.
 
 #include <bit>
 #include <cmath>
@@ -16,9 +17,9 @@ namespace {
 
 constexpr double kQuarterPi = 0x1.921fb54442d18p-1, kQuarterPiLow = 0x1.1a62633145c07p-55;
 constexpr double kNoAngle = std::numeric_limits<double>::quiet_NaN();
-// below, the angle is its own sine and tangent; and so that -0 stays what it is
+// below this, sine and tangent equal the angle; this also preserves -0
 constexpr double kTinyAngle = 0x1p-27;
-// from here on, tan(x) is made of tan(pi/4 - x)
+// from here on, tan(x) is computed from tan(pi/4 - x)
 constexpr double kSteep = 0.6744;
 
 /// @return The sine of x + tail, |x| up to pi/4.
@@ -61,7 +62,8 @@ double tangentBeyond(double x, double tail) {
   return tail + z * (s * (odd + even) + tail) + s * 3.33333333333334091986e-01;
 }
 
-/// @return tan(x + tail), |x| up to pi/4; with `isTurned` -1 / that, which is the tangent a quarter turn on.
+/// @return tan(x + tail), |x| up to pi/4; if `isTurned`, -1 / tan(x + tail), which is the tangent a quarter turn
+/// further.
 double tangentNear0(double x, double tail, bool isTurned) {
   if (std::abs(x) >= kSteep) {
     const double sign = x < 0 ? -1 : 1;
@@ -73,13 +75,13 @@ double tangentNear0(double x, double tail, bool isTurned) {
   const double more = tangentBeyond(x, tail);
   const double tangent = x + more;
   if (!isTurned) return tangent;
-  // -1 / tangent alone errs by up to two last places
+  // -1 / tangent alone has an error of up to two units in the last place
   const double high = upperHalf(tangent), low = more - (high - x);
   const double inverse = -1 / tangent, roughly = upperHalf(inverse);
   return roughly + inverse * (1 + roughly * high + roughly * low);
 }
 
-/// @return The sine of an angle in the first quarter turn after `quarters`.
+/// @return The sine of an angle, with `quarters` added to its quarter turns.
 double sineOf(const ReducedAngle& angle, unsigned quarters) {
   const double value = (quarters & 1U) == 0 ? sineNear0(angle.rest, angle.tail) : cosineNear0(angle.rest, angle.tail);
   return (quarters & 2U) == 0 ? value : -value;

@@ -17,12 +17,12 @@ namespace {
 
 using Descriptor = nlohmann::json;
 
-/// @return Whether that is what CLI11 gives for a value that is left out.
+/// @return Whether these are CLI11's values for an option whose value was left out.
 bool isLeftOut(const std::vector<std::string>& values) {
   return values.size() == 1 && (values.front().empty() || values.front() == "true");
 }
 
-/// @throws std::runtime_error where a program's name leads out of the folder of programs.
+/// @throws std::runtime_error if a program's name leads out of the folder of programs.
 std::string plainProgram(std::string name) {
   if (name.find('/') != std::string::npos) throw std::runtime_error("its program is not a plain name");
   return name;
@@ -95,7 +95,7 @@ Extension extensionOf(const Descriptor& json) {
 
 SourcePosition commandLine() { return {std::make_shared<const std::string>("command line"), 0, 0}; }
 
-/// @return The system's `<plugin>` among those that the user asks for.
+/// @return The system's `<plugin>` among those that the user requests.
 Element& pluginOf(const Extension::System& system, std::vector<Element>& systems) {
   const auto found = std::ranges::find_if(systems, [&](const Element& each) {
     return each.attributeOr("filename", "") == system.file && each.attributeOr("name", "") == system.className;
@@ -117,8 +117,8 @@ void addElement(const std::string& name, const std::string& text, Element& plugi
   plugin.children.push_back(std::move(element));
 }
 
-/// Takes an option that the user has given, with its values, of which there are none where it takes none.
-/// @throws UsageError where one is not of the option's type.
+/// Applies an option given by the user, with its values, if it takes any.
+/// @throws UsageError if a value is not of the option's type.
 void take(const Extension& extension, const Extension::Option& option, const std::vector<std::string>& values,
           RunAdditions& additions) {
   Element& plugin = pluginOf(option.system.value_or(extension.system), additions.systems);
@@ -166,7 +166,7 @@ std::vector<Extension> installedExtensions() {
 }
 
 void addRunOptions(CLI::App& command, const Extension& extension, RunAdditions& additions) {
-  // the options hold on to it
+  // the options keep it alive
   const auto shared = std::make_shared<const Extension>(extension);
   for (const Extension::Option& option : shared->runOptions) {
     if (option.value.empty()) {

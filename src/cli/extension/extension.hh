@@ -14,16 +14,15 @@ class App;
 
 namespace pongsim::cli {
 
-/// What a package that is installed beside pongsim adds to the command line, as its descriptor says it
-/// (docs/extensions.md): options of `pongsim run` that give worlds a system with settings, and a command that a program
-/// of the package does.
+/// What an additional package adds to the command line, read from its descriptor (docs/extensions.md): options of
+/// `pongsim run` that add a system with settings to worlds, and a command implemented by one of the package's programs.
 struct Extension {
   /// File name and class of a system.
   struct System {
     std::string file;
     std::string className;
   };
-  /// What stands in an element below the `<plugin>`.
+  /// Content of an element inside the `<plugin>`.
   struct Setting {
     std::string element;
     std::string text;
@@ -31,33 +30,33 @@ struct Extension {
   /// A program that prints a world, in libexec/pongsim of the installation.
   struct WorldSource {
     std::string program;
-    /// In front of the option's value.
+    /// Arguments that precede the option's value.
     std::vector<std::string> arguments;
   };
   struct Option {
     /// "--ros2-config"
     std::string name;
-    /// What stands for its value in the help; empty: it takes none.
+    /// Placeholder for its value in the help; empty: it takes none.
     std::string value;
-    /// Whether it may be left out.
+    /// Whether the value can be left out.
     bool isValueOptional = false;
-    /// What that may be. The program of a command sees to its own.
+    /// Allowed values. The program of a command checks its own.
     ExtensionValue allowed;
     std::string help;
-    /// The element below the `<plugin>` that has the value; empty: none has.
+    /// The element inside the `<plugin>` that gets the value; empty: none.
     std::string element;
-    /// What stands in the element, of an option that takes no value.
+    /// For options without a value: the element's content.
     std::string fixed;
     bool isRepeated = false;
-    /// Whether the value is a file, which may be named from the folder that the user is in.
+    /// Whether the value is a file, which can be relative to the current folder.
     bool isFile = false;
-    /// What else it says.
+    /// Further settings that it implies.
     std::vector<Setting> implied;
-    /// In place of the extension's.
+    /// Overrides the extension's system.
     std::optional<System> system;
-    /// It has the world that is run, of which physics moves nothing; no world file may be given.
+    /// Provides the world to run, in which physics moves nothing; the user must not give a world file.
     std::optional<WorldSource> world;
-    /// Options that may not be given with it.
+    /// Options that can't be combined with it.
     std::vector<std::string> excluded;
   };
   struct Action {
@@ -73,37 +72,37 @@ struct Extension {
     std::vector<Action> actions;
     std::vector<std::string> examples;
   };
-  /// The system that each of the options gives a world.
+  /// The system that each of the options adds to a world.
   System system;
   std::vector<Option> runOptions;
   std::optional<Command> command;
 };
 
-/// What options of extensions make of a run.
+/// The effect of extension options on a run.
 struct RunAdditions {
-  /// The `<plugin>` elements that the user asks for.
+  /// The `<plugin>` elements requested by the user.
   std::vector<Element> systems;
   /// A program that prints the world, with all its arguments.
   std::optional<Extension::WorldSource> world;
-  /// The option that names it: "--playback".
+  /// The option that selected it: "--playback".
   std::string worldOption;
 };
 
-/// Options and commands of extensions stand under this heading in the help.
+/// Heading in the help for options and commands of extensions.
 inline constexpr const char* kExtensionGroup = "Extensions";
 
-/// @throws std::runtime_error where the file can't be read as a descriptor, saying why.
+/// @throws std::runtime_error if the file is not a valid descriptor, with the reason.
 Extension readExtension(const std::filesystem::path& file);
 
-/// @return Those that are installed, in the order of their files' names. Of one that can't be read is warned.
+/// @return The installed extensions, sorted by their files' names. Warns about those that can't be read.
 std::vector<Extension> installedExtensions();
 
 /// Adds an extension's options to `pongsim run`.
-/// @param additions Gets what the user asks for. Must outlive the command.
+/// @param additions Gets what the user requests. Must outlive the command.
 void addRunOptions(CLI::App& command, const Extension& extension, RunAdditions& additions);
 
-/// Looks at which options of an extension were given to `pongsim run`.
-/// @throws UsageError where one was that excludes another one.
+/// Checks which options of an extension were given to `pongsim run`.
+/// @throws UsageError if one excludes another.
 void checkExcluded(const CLI::App& command, const Extension& extension);
 
 }  // namespace pongsim::cli

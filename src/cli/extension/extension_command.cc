@@ -17,7 +17,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Becomes the program.
+/// Replaces this process by the program.
 int runProgram(const std::string& name, const std::vector<std::string>& arguments) {
   const std::filesystem::path file = ownFolder().parent_path().parent_path() / "libexec/pongsim" / name;
   std::vector<std::string> words{file.string()};
@@ -46,7 +46,7 @@ std::string footerOf(const Extension::Command& command) {
 
 void addExtensionCommand(CLI::App& program, const Extension::Command& command, Work& work) {
   CLI::App* added = program.add_subcommand(command.name, command.help);
-  // its own program reads what stands behind the name, --help of an action too
+  // the command's own program handles everything after the name, including an action's --help
   added->set_help_flag();
   added->prefix_command();
   added->group(kExtensionGroup);

@@ -7,23 +7,22 @@
 
 namespace pongsim::cli {
 
-/// What the value of an extension's option may be, as its descriptor says it.
+/// The allowed values of an extension's option, from its descriptor.
 class ExtensionValue {
  public:
   /// Any text.
   ExtensionValue() = default;
-  /// @param option With "type" ("text", "number" or "whole number"), "least", "most" and "words", each of which may be
-  /// left out.
-  /// @throws std::runtime_error where they do not go together, nlohmann::json::exception where they are something else.
+  /// @param option With "type" ("text", "number" or "whole number"), "least", "most" and "words", all optional.
+  /// @throws std::runtime_error if they contradict each other, nlohmann::json::exception if they have the wrong type.
   explicit ExtensionValue(const nlohmann::json& option);
 
   bool isNumber() const { return type_ != Type::kText; }
 
-  /// @return Whether there is a text that it is not.
+  /// @return Whether some texts are not allowed.
   bool isLimited() const { return type_ != Type::kText || !words_.empty(); }
 
   /// @param name The option: "--x-rate".
-  /// @throws UsageError where `text` is no such value, saying what is.
+  /// @throws UsageError if `text` is not allowed, with what is.
   void check(const std::string& name, const std::string& text) const;
 
  private:

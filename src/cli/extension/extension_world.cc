@@ -18,9 +18,9 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Starts a program with default signals, for this process may have blocked those that end it.
+/// Starts a program with default signal handling, because this process may have blocked the signals that end it.
 /// @param output Gets what it prints.
-/// @return 0, or what errno says.
+/// @return 0, or the value of errno.
 int start(const std::filesystem::path& program, const std::vector<std::string>& arguments, int output, ::pid_t& child) {
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -7,8 +7,8 @@
 
 namespace pongsim::cli {
 
-/// Runs a program of an extension that prints a world in SDF, and waits for it. What it says on stderr the user sees.
-/// @return What it printed; nothing where it failed, which it has said itself, or could not be run, which is said.
+/// Runs an extension's program that prints a world in SDF, and waits for it. The user sees its stderr.
+/// @return What it printed; nothing if it failed, which it reports itself, or could not be run, which is reported here.
 std::optional<std::string> printedWorld(const Extension::WorldSource& source);
 
 }  // namespace pongsim::cli

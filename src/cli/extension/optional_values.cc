@@ -12,7 +12,7 @@ namespace {
 
 bool beginsNumber(const std::string& word) { return !word.empty() && word.front() >= '0' && word.front() <= '9'; }
 
-/// @return `pongsim run`, if that is what the words are for; else null.
+/// @return `pongsim run`, if the words are for that command; else null.
 const CLI::App* runCommandOf(const CLI::App& program, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front() != "run") return nullptr;
   const std::vector<const CLI::App*> commands = program.get_subcommands({});
@@ -23,7 +23,7 @@ const CLI::App* runCommandOf(const CLI::App& program, const std::vector<std::str
 bool mayLeaveOutItsValue(const CLI::App& command, const std::string& word) {
   if (!word.starts_with("--")) return false;
   const CLI::Option* const option = command.get_option_no_throw(word);
-  // a flag takes none at all
+  // a flag takes no value at all
   return option != nullptr && option->get_expected_max() > 0 && option->get_expected_min() == 0;
 }
 
@@ -34,7 +34,7 @@ std::vector<std::string> withOptionalValuesLast(std::vector<std::string> argumen
   if (command == nullptr) return arguments;
   std::vector<std::string> first;
   std::vector<std::string> last;
-  // behind it nothing is an option
+  // nothing after it is an option
   const auto end = std::ranges::find(arguments, "--");
   const auto count = static_cast<std::size_t>(end - arguments.begin());
   for (std::size_t i = 0; i < count; ++i) {

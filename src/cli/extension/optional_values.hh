@@ -9,8 +9,8 @@ class App;
 
 namespace pongsim::cli {
 
-/// Puts options of `pongsim run` whose value, a number, may be left out behind all other words where no number follows
-/// them: what follows is another word then, such as the world's file, and CLI11 would take it for the value.
+/// Moves options of `pongsim run` with an optional number to the end of the command line if no number follows them.
+/// Otherwise CLI11 would take the next word, such as the world file, for the value.
 /// @param arguments The command and its words.
 std::vector<std::string> withOptionalValuesLast(std::vector<std::string> arguments, const CLI::App& program);
 

@@ -32,11 +32,11 @@ namespace {
 struct KeyOptions {
   std::string topic = "/keyboard/keypress";
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
-  /// Tell each key as JSON on stdout, in place of in words on stderr.
+  /// Print each key as JSON on stdout instead of in words on stderr.
   bool json = false;
 };
 
-/// What follows an escape in less time belongs to it: a terminal sends a key's bytes in one go.
+/// Bytes that follow an escape within this time belong to it: a terminal sends a key's bytes at once.
 constexpr int kSequenceMs = 50;
 
 class Keyboard {
@@ -55,7 +55,7 @@ class Keyboard {
   bool findListener(bool isTerminal);
 
   const KeyOptions& options_;
-  // before the transport, whose threads inherit the signals' mask
+  // before the transport, whose threads inherit the signal mask
   StopSignal signal_;
   int stop_ = eventfd(0, EFD_CLOEXEC);
   Transport transport_;
@@ -82,14 +82,14 @@ int Keyboard::run() {
       over = end != std::string::npos;
       send(reader_.read(std::string_view(*bytes).substr(0, end)));
     }
-    // a script is not to outrun those who listen
+    // a script must not outrun its listeners
     if (over || !terminal.isTerminal()) delivered = publisher_.waitForDelivery(options_.timeout) && delivered;
   }
   signal_.onStop({});
   return delivered ? kDone : fail("not all keys were received on " + options_.topic);
 }
 
-/// A script's keys are for somebody; who has a terminal may start the world later.
+/// The keys of a script need a listener; with a terminal, the user may start the world later.
 bool Keyboard::findListener(bool isTerminal) {
   if (publisher_.waitForSubscribers(options_.timeout)) return true;
   if (isTerminal) {
@@ -101,7 +101,7 @@ bool Keyboard::findListener(bool isTerminal) {
 }
 
 /// Waits for input.
-/// @return Bytes; none where a sequence has ended for lack of more; nothing at the end.
+/// @return The bytes; empty if a sequence was cut short; nothing at the end.
 std::optional<std::string> Keyboard::readBytes() {
   std::array<pollfd, 2> watched{{{STDIN_FILENO, POLLIN, 0}, {stop_, POLLIN, 0}}};
   while (true) {

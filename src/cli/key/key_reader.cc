@@ -11,7 +11,7 @@ constexpr std::size_t kLongestSequence = 16;
 
 const Key kEscapeKey{16777216, "escape"};
 
-/// By the last letter of the sequence.
+/// Looks up the last character of the sequence.
 Key arrow(char letter) {
   switch (letter) {
     case 'A':
@@ -27,7 +27,7 @@ Key arrow(char letter) {
   }
 }
 
-/// @return The key of a single byte; code 0 where there is none.
+/// @return The key of a single byte; code 0 if there is none.
 Key plainKey(char byte) {
   switch (byte) {
     case '\r':
@@ -63,7 +63,7 @@ void KeyReader::readByte(char byte, std::vector<Key>& keys) {
     if (key.code != 0) keys.push_back(std::move(key));
   };
   if (byte == kEscape) {
-    // two in a row: the first was the key
+    // two in a row: the first one was the key
     if (sequence_.size() == 1) add(kEscapeKey);
     sequence_ = byte;
   } else if (sequence_.empty()) {

@@ -7,29 +7,29 @@
 
 namespace pongsim::cli {
 
-/// A key as Fortress's key publisher names it: Qt's code, which is upper-case ASCII where there is such a letter.
+/// A key, numbered as by Fortress's key publisher: Qt's code, which is upper-case ASCII where such a character exists.
 struct Key {
   std::int32_t code = 0;
   std::string name;
   bool operator==(const Key&) const = default;
 };
 
-/// Makes keys of the bytes that a terminal sends for them (ECMA-48 5.4 and xterm's cursor keys).
+/// Decodes the bytes that a terminal sends for keys (ECMA-48 5.4 and xterm's cursor keys).
 class KeyReader {
  public:
-  /// @return The keys that are complete with these bytes. What stands for no known key is left out.
+  /// @return The keys completed by these bytes. Unknown sequences are ignored.
   std::vector<Key> read(std::string_view bytes);
 
-  /// @return Whether an escape has been read that may begin a sequence, or be the Escape key.
+  /// @return Whether an escape was read that may begin a sequence, or be the Escape key.
   bool isWaiting() const { return !sequence_.empty(); }
 
-  /// Takes it that nothing follows that belongs to what was read.
+  /// Call if no more bytes follow: decodes what was read so far.
   std::vector<Key> endSequence();
 
  private:
   void readByte(char byte, std::vector<Key>& keys);
 
-  /// From the escape on.
+  /// Starts with the escape.
   std::string sequence_;
 };
 

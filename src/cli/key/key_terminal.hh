@@ -4,8 +4,9 @@
 
 namespace pongsim::cli {
 
-/// Makes a terminal send each key at once and unseen, for as long as this lives. Ctrl-C goes on to interrupt; Ctrl-Z
-/// and Ctrl-\ do not, for they would leave the terminal so. Does nothing where there is no terminal.
+/// Makes a terminal send each key immediately and without echo, for the lifetime of this object. Ctrl-C still
+/// interrupts; Ctrl-Z and Ctrl-\ don't, because they would leave the terminal in this mode. Does nothing without a
+/// terminal.
 class KeyTerminal {
  public:
   explicit KeyTerminal(int descriptor);

@@ -16,7 +16,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// The command line as it was given.
+/// The parsed command line.
 struct ModelCommandLine {
   bool list = false, pose = false, json = false, follow = false, asIgn = false;
   std::optional<std::string> model, link, joint, sensor, count, world, timeout;

@@ -10,23 +10,23 @@
 namespace pongsim::cli {
 
 struct ModelOptions {
-  /// "outer::inner", or the name of one nested somewhere; empty: the models of the world are listed.
+  /// "outer::inner", or the name of a nested model; empty: list the world's models.
   std::string model;
   ModelParts parts;
   bool json = false;
-  /// Says first which world is asked, as `ign model` does.
+  /// First print the name of the world, like `ign model`.
   bool namesWorld = false;
-  /// Goes on printing.
+  /// Keep printing.
   bool follows = false;
-  /// With `follows`: end after so many times.
+  /// With `follows`: how many times to print.
   std::optional<std::uint64_t> count;
-  /// The world's name; empty: the only one that runs, or the first one of the process that runs all.
+  /// The world's name; empty: the only running one, or, if a single process runs all of them, its first one.
   std::string world;
   /// For finding the world, and for each of its answers.
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
 };
 
-/// What `pongsim model` does.
+/// Implements `pongsim model`.
 /// @return The exit code.
 int showModels(const ModelOptions& options);
 

@@ -20,7 +20,7 @@ namespace {
 
 using Kind = msgs::EntityState::Kind;
 
-/// From one print to the next, with --follow.
+/// Period of --follow.
 constexpr std::chrono::milliseconds kFollowPeriod{100};
 
 std::string hintFor(const std::string& name, const std::vector<std::string>& known) {
@@ -39,7 +39,7 @@ class ModelQuery {
   void waitUntil(std::chrono::steady_clock::time_point time);
 
   const ModelOptions& options_;
-  // before the transport, whose threads inherit the signals' mask
+  // before the transport, whose threads inherit the signal mask
   StopSignal signal_;
   Transport transport_;
   std::string world_;
@@ -78,7 +78,7 @@ std::optional<ModelTeller> ModelQuery::ask() {
   return ModelTeller(msgs::entitiesOf(*state));
 }
 
-/// @return The exit code, where that was the last one.
+/// @return The exit code, if that was the last one.
 std::optional<int> ModelQuery::show(const ModelTeller& teller) {
   std::string text;
   if (options_.model.empty()) {
@@ -97,7 +97,7 @@ std::optional<int> ModelQuery::show(const ModelTeller& teller) {
   return outputIsClosed() ? kDone : kFailed;
 }
 
-/// @return Whether the model has the link, joint and sensor that are asked for; says which it has not.
+/// @return Whether the model has the requested link, joint and sensor; reports the missing one.
 bool ModelQuery::hasParts(const ModelTeller& teller, std::uint64_t model) {
   const struct {
     const std::optional<std::string>& name;

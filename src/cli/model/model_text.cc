@@ -18,7 +18,7 @@ using ModelJson = nlohmann::ordered_json;
 using msgs::EntityState;
 using Kind = EntityState::Kind;
 
-/// As `std::to_string` has it: six decimals.
+/// Formatted like `std::to_string`, with six decimals.
 std::string decimals(double value) { return std::to_string(value); }
 
 std::string row(const std::array<double, 3>& values) {
@@ -29,7 +29,7 @@ std::string streamedVector(const Vector3& vector) {
   std::string text;
   for (const double value : vector) {
     std::array<char, 32> number{};
-    // what is next to nothing is rounding
+    // anything smaller is rounding error
     std::snprintf(number.data(), number.size(), "%g", std::abs(value) < 1e-12 ? 0 : value);
     text += (text.empty() ? "" : " ") + std::string(number.data());
   }
@@ -87,7 +87,7 @@ class ModelTeller::Printer {
     add(indent + 2, "- Parent: " + model_.name + " " + idOf(model_));
   }
 
-  /// A named sensor stands alone, as `ign model` prints it; without a name they follow their links.
+  /// A named sensor is printed alone, as by `ign model`; without a name, sensors follow their links.
   void addLinks(std::size_t indent) {
     const bool isAlone = parts_.sensor && !parts_.sensor->empty();
     for (const EntityState* link : teller_.childrenOf(model_.id, Kind::kLink)) {
@@ -141,7 +141,7 @@ class ModelTeller::Printer {
     }
   }
 
-  /// @param name As the model sees it: "inner::link", or "world".
+  /// @param name Relative to the model: "inner::link", or "world".
   /// @return "link [7]"
   std::string linkOf(const std::string& name) const {
     std::uint64_t holder = model_.id;

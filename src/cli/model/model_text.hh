@@ -8,7 +8,7 @@
 
 namespace pongsim::cli {
 
-/// What of a model is told; where nothing is asked for, all.
+/// Which parts of a model to print; all if none is selected.
 struct ModelParts {
   bool pose = false;
   /// Empty: all of them; unset: none.
@@ -17,28 +17,28 @@ struct ModelParts {
   bool areAll() const { return !pose && !link && !joint && !sensor; }
 };
 
-/// A world as its state tells of it.
+/// Formats the models in a world's state.
 class ModelTeller {
  public:
-  /// @param entities Of one state, in the order of their ids.
+  /// @param entities Of one state, sorted by id.
   explicit ModelTeller(std::vector<msgs::EntityState> entities);
 
-  /// @return The names of the models at the top level, in the order of their ids.
+  /// @return The names of the top-level models, sorted by id.
   std::vector<std::string> models() const;
 
-  /// @param name "outer::inner", or the name of one that is nested somewhere, if it is the only one.
-  /// @return Its id; nothing where there is none.
+  /// @param name "outer::inner", or the name of a nested model if it is unique.
+  /// @return Its id; nothing if there is none.
   std::optional<std::uint64_t> find(const std::string& name) const;
 
-  /// @return The names of what a model has of that kind, for one who has asked for another.
+  /// @return The names of a model's parts of one kind, for an error about an unknown name.
   std::vector<std::string> namesOf(std::uint64_t model, msgs::EntityState::Kind kind) const;
 
-  /// @return The models at the top level as `ign model --list` prints them.
+  /// @return The list of top-level models as printed by `ign model --list`.
   std::string listText() const;
   std::string listJson() const;
 
   /// @param model Its id.
-  /// @return What is asked for as `ign model -m` prints it.
+  /// @return The selected parts as printed by `ign model -m`.
   std::string text(std::uint64_t model, const ModelParts& parts) const;
   /// @return The same as one JSON object.
   std::string json(std::uint64_t model, const ModelParts& parts) const;

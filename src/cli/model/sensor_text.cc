@@ -10,7 +10,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// As C++ streams write it.
+/// Formatted like C++ streams.
 std::string streamed(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g", value);

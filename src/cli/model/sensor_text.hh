@@ -6,8 +6,8 @@
 
 namespace pongsim::cli {
 
-/// @param indent Blanks before each line.
-/// @return The settings as `ign model -s` prints them; empty for types of which it prints none.
+/// @param indent Number of spaces before each line.
+/// @return The settings as printed by `ign model -s`; empty for types that it prints nothing about.
 std::string sensorText(const SensorSettings& settings, int indent);
 
 }  // namespace pongsim::cli

@@ -25,13 +25,13 @@ namespace pongsim::cli {
 
 namespace {
 
-/// The command line as it was given.
+/// The parsed command line.
 struct PluginOptions {
   bool list = false;
   bool missing = false;
   bool markdown = false;
   std::optional<std::string> info;
-  /// As `ign plugin` names it, beside --info.
+  /// As with `ign plugin`, in addition to --info.
   std::optional<std::string> file;
   std::string newName;
   CLI::App* newCommand = nullptr;
@@ -65,7 +65,7 @@ int listPlugins() {
   return print(text) && areGood ? kDone : kFailed;
 }
 
-/// @return The library of that path, or of that name on the search path.
+/// @return The library with this path, or with this name on the search path.
 std::filesystem::path libraryNamed(const std::string& name) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(name, ignored)) return name;

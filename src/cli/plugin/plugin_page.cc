@@ -51,7 +51,7 @@ std::string defaultText(const Parameter& parameter) {
 
 std::string typesOf(const Way& way) { return way.type + (way.replyType.empty() ? "" : ", " + way.replyType); }
 
-/// Adds the rows with all columns but the last one as wide as they need.
+/// Adds the rows; all columns but the last are as wide as needed.
 void addTable(const std::vector<std::vector<std::string>>& rows, std::string& text) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {
@@ -68,7 +68,7 @@ void addTable(const std::vector<std::vector<std::string>>& rows, std::string& te
   }
 }
 
-/// @return With what Markdown takes for a tag or a column's end escaped, but in code.
+/// @return The text with characters escaped that Markdown takes for a tag or a column separator, except in code.
 std::string escaped(const std::string& text) {
   std::string result;
   bool isCode = false;
@@ -80,7 +80,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// @return What pages show, one of each family, by the names that stand there.
+/// @return The parameters to show, one for each family, with the names to show.
 std::vector<std::pair<std::string, const Parameter*>> shownParameters(const Declaration& declaration) {
   std::vector<std::pair<std::string, const Parameter*>> shown;
   for (const Parameter& parameter : declaration.parameters()) {
@@ -130,7 +130,7 @@ void addClassMarkdown(const std::string& name, const Declaration& declaration, c
   }
 }
 
-/// @return The name that the worlds of Fortress use.
+/// @return The name used in Fortress's worlds.
 std::string fortressFilename(const std::string& name) { return "ignition-gazebo-" + name + "-system"; }
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 namespace pongsim::cli {
 
-/// @return What a library's classes say of themselves, to read in a terminal.
+/// @return The descriptions of a library's classes, for a terminal.
 std::string pluginText(const plugin::Inspection& inspection);
 
 std::string pluginText(const plugin::CoreSystem& system);
 
-/// @return The same as Markdown, a section each class.
+/// @return The same as Markdown, one section for each class.
 std::string pluginMarkdown(const plugin::Inspection& inspection);
 std::string pluginMarkdown(const plugin::CoreSystem& system);
 

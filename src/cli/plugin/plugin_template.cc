@@ -10,7 +10,7 @@ namespace pongsim::cli {
 
 namespace {
 
-// In the texts stands @my-system@ for the name, @my_system@ for that of files, and @MySystem@ for that of the class.
+// In the texts, @my-system@ stands for the name, @my_system@ for that of files, and @MySystem@ for that of the class.
 
 constexpr std::string_view kCMakeLists = R"(cmake_minimum_required(VERSION 3.18)
 project(@my-system@ LANGUAGES CXX)

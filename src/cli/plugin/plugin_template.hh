@@ -7,13 +7,13 @@
 
 namespace pongsim::cli {
 
-/// @return What is wrong with `name` as that of a new plugin, or nothing: it is made of small letters, digits and
-/// single hyphens, as "my-system".
+/// @return What is wrong with the `name` of a new plugin, or nothing: it consists of lower-case letters, digits and
+/// single hyphens, as in "my-system".
 std::optional<std::string> pluginNameError(std::string_view name);
 
-/// Writes the sources of a new system, which builds, into a new folder: its source, test, world and page.
-/// @param name Without an error.
-/// @return Why that was not possible, or nothing.
+/// Writes a new system, ready to build, into a new folder: its source, test, world and page.
+/// @param name A valid name.
+/// @return Why it failed, or nothing.
 std::optional<std::string> writePluginTemplate(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace pongsim::cli

@@ -9,9 +9,9 @@ namespace {
 
 struct Variable {
   const char* name;
-  /// What it does not change.
+  /// What it has no effect on.
   std::string_view what;
-  /// What to use instead, behind a colon.
+  /// What to use instead, printed after a colon.
   std::string_view instead;
 };
 
@@ -19,7 +19,7 @@ constexpr std::string_view kNetwork = "use PONGSIM_NETWORK to reach other machin
 constexpr std::string_view kDomain = "use PONGSIM_DOMAIN or IGN_PARTITION to separate runs";
 constexpr std::string_view kPassword = "pongsim has no passwords for topics: use --secure";
 
-// Of those that speak of ign-transport a package may make something.
+// A package may make use of the variables of ign-transport.
 constexpr std::string_view kHere = "here";
 constexpr std::string_view kOwnTopics = "for pongsim's own topics";
 
@@ -34,7 +34,7 @@ constexpr Variable kVariables[] = {
     {"IGN_GAZEBO_PHYSICS_ENGINE_PATH", kHere, "pongsim has its own physics engine"},
 };
 
-/// @return Whether it asks for what is so anyway.
+/// @return Whether it asks for the default behaviour.
 bool isMet(std::string_view name, std::string_view value) {
   return value.empty() || (name == "IGN_IP" && value.starts_with("127."));
 }

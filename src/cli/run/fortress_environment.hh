@@ -5,8 +5,8 @@
 
 namespace pongsim::cli {
 
-/// @return A sentence on each environment variable that is set, would change what Fortress does, and changes nothing
-/// here: which, and what to use instead.
+/// @return One sentence for each environment variable that is set and has an effect in Fortress but not here: its name,
+/// and what to use instead.
 std::vector<std::string> unheardVariables();
 
 }  // namespace pongsim::cli

@@ -9,7 +9,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// @param engine Without it there is nothing to check.
+/// @param engine Nothing is checked without one.
 void checkRenderEngine(const char* option, const std::optional<std::string>& engine) {
   if (!engine) return;
   std::string_view name = *engine;
@@ -43,7 +43,7 @@ void FortressRunOptions::addTo(CLI::App& run) {
 }
 
 std::vector<std::string> FortressRunOptions::check() const {
-  // as there, a server wins over a window
+  // as in Fortress, -s takes precedence over -g
   if (isGui_ && !isServer_) {
     throw UsageError("'-g' has no effect: pongsim has no windows", "'pongsim view' draws a running world");
   }

@@ -10,14 +10,14 @@ class App;
 
 namespace pongsim::cli {
 
-/// The options of `ign gazebo` that `pongsim run` takes so that scripts run as they are, and that its help does not
-/// list: what they ask for is so anyway, or can't be.
+/// Options of `ign gazebo` that `pongsim run` accepts so that scripts work unchanged, and that its help does not list:
+/// they ask for the default behaviour, or for something that pongsim does not have.
 class FortressRunOptions {
  public:
   void addTo(CLI::App& run);
 
-  /// @return A sentence on each that is given and changes nothing, where it would in Fortress.
-  /// @throws UsageError where one asks for what can't be done without.
+  /// @return One sentence for each given option that has an effect in Fortress but not here.
+  /// @throws UsageError if one asks for something that pongsim does not have and the run depends on.
   std::vector<std::string> check() const;
 
  private:

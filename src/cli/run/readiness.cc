@@ -23,7 +23,7 @@ int sendTo(std::string_view path, std::string_view text) {
   address.sun_family = AF_UNIX;
   if (path.size() >= sizeof address.sun_path) return ENAMETOOLONG;
   path.copy(address.sun_path, path.size());
-  // an address without a file
+  // an abstract address, without a file
   if (path.front() == '@') address.sun_path[0] = '\0';
   const int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (socket < 0) return errno;

@@ -4,12 +4,11 @@
 
 namespace pongsim::cli {
 
-/// Tells the service manager that started this process, if one did and asked for it (sd_notify(3): the environment
-/// variable NOTIFY_SOCKET), that the work goes on from here, and in a line which it is. Without one it does nothing.
-/// Says where it can't be told.
+/// Notifies the service manager that started this process, if it asks for it (sd_notify(3): the environment variable
+/// NOTIFY_SOCKET), that startup is complete, with a status line. Does nothing without one. Reports failures.
 void tellReady(std::string_view status);
 
-/// Likewise, that the work comes to its end.
+/// Notifies it that the process is stopping.
 void tellStopping();
 
 }  // namespace pongsim::cli

@@ -39,10 +39,10 @@ namespace pongsim::cli {
 namespace {
 
 struct RunCommandOptions {
-  /// Empty: there is none.
+  /// Empty: none.
   std::string file;
   bool hasFile = false;
-  /// Which world of the file; empty: all.
+  /// Name of a world in the file; empty: all.
   std::string world;
   sim::RunOptions run;
   bool runAtOnce = false;
@@ -53,7 +53,7 @@ struct RunCommandOptions {
   std::optional<std::uint64_t> hashPeriod;
   bool strict = false;
   bool levels = false;
-  /// Of extensions.
+  /// From extensions.
   RunAdditions additions;
   FortressRunOptions fortress;
 };
@@ -78,7 +78,7 @@ std::string startLine(Simulation& simulation, const sim::RunOptions& options) {
 
 using Worlds = std::vector<std::unique_ptr<Simulation>>;
 
-/// @return The worlds that are to run; none where there was an error, which is in `diagnostics` or has been said.
+/// @return The worlds to run; none on errors, which are in `diagnostics` or have been reported.
 Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagnostics& diagnostics) {
   const RunAdditions& additions = options.additions;
   const SimulationOptions simulated{.seed = options.seed,
@@ -95,7 +95,7 @@ Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagno
     if (!text) return {};
     one = Simulation::fromText(*text, additions.world->arguments.back(), simulated, diagnostics);
   } else if (!options.hasFile) {
-    // as Fortress has it
+    // as in Fortress
     one = Simulation::fromText("<sdf version='1.9'><world name='default'/></sdf>", "the empty world", simulated,
                                diagnostics);
   } else {
@@ -109,7 +109,7 @@ Worlds loadWorlds(const RunCommandOptions& options, Transport& transport, Diagno
   return worlds;
 }
 
-/// Says which worlds run, and what they are without.
+/// Prints which worlds run, and what they lack.
 void announce(const Worlds& worlds, const RunCommandOptions& options, const Transport& transport) {
   if (options.verbosity == LogLevel::kNone) return;
   for (const auto& world : worlds) say(startLine(*world, options.run));
@@ -121,8 +121,8 @@ void announce(const Worlds& worlds, const RunCommandOptions& options, const Tran
   }
 }
 
-/// @param of Empty, or " of " and the world's name, where there are several.
-/// @param when Empty, or " after " and how many steps.
+/// @param of Empty, or " of " and the world's name, if there are several.
+/// @param when Empty, or " after " and the number of steps.
 std::string hashLine(const Simulation& world, const std::string& of, const std::string& when) {
   char number[20];
   std::snprintf(number, sizeof number, "%016llx", static_cast<unsigned long long>(world.stateHash()));
@@ -139,7 +139,7 @@ bool printHashes(const Worlds& worlds) {
   return print(text);
 }
 
-/// @return What prints a world's hash after each `period` of its steps.
+/// @return A function that prints a world's hash after every `period` of its steps.
 std::function<bool(Simulation&)> hashPrinter(std::uint64_t period, std::size_t worlds) {
   return [period, worlds](Simulation& world) {
     if (world.iterations() % period != 0) return true;
@@ -147,7 +147,7 @@ std::function<bool(Simulation&)> hashPrinter(std::uint64_t period, std::size_t w
   };
 }
 
-/// Says which of what Fortress hears changes nothing.
+/// Warns about Fortress options and variables that have no effect.
 void warnOfUnheard(const FortressRunOptions& options) {
   for (const std::string& sentence : options.check()) say("warning: " + sentence);
   for (const std::string& sentence : unheardVariables()) say("warning: " + sentence);

@@ -11,7 +11,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Of several links together, in the model frame.
+/// Total of several links, in the model frame.
 struct Sum {
   double mass = 0;
   Vector3 center = Vector3::Zero();
@@ -19,7 +19,8 @@ struct Sum {
   Matrix3 moments = Matrix3::Zero();
 };
 
-/// @return What moves `moments` from about the centre of mass to about a point at that offset (parallel axis theorem).
+/// @return The change of `moments` when the reference moves from the centre of mass by this offset (parallel axis
+/// theorem).
 Matrix3 steiner(double mass, const Vector3& offset) {
   return mass * (offset.squaredNorm() * Matrix3::Identity() - offset * offset.transpose());
 }

@@ -6,8 +6,8 @@
 
 namespace pongsim::cli {
 
-/// Mass, centre of mass and inertia of all links of a model together, in its frame, as `ign sdf --inertial-stats`
-/// prints them: [kg], [m], [kg m^2]. Nested models are not in it.
+/// Total mass, centre of mass and inertia of a model's links, in the model frame, as printed by `ign sdf
+/// --inertial-stats`: [kg], [m], [kg m^2]. Excludes nested models.
 std::string inertialStats(const description::Model& model);
 
 }  // namespace pongsim::cli

@@ -26,7 +26,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// What --describe is about without a name.
+/// What --describe prints without a name.
 constexpr const char* kNewestSdf = "1.9";
 
 struct SdfOptions {
@@ -40,19 +40,18 @@ struct SdfOptions {
   bool preserveIncludes = false;
   bool degrees = false;
   std::optional<std::string> snap, tolerance;
-  /// A model's file.
+  /// A model file.
   std::optional<std::string> inertia;
 
   bool turnsToDegrees() const { return degrees || snap || tolerance; }
 };
 
-/// @return The file, which may be the address of one on a Fuel server; nothing, and an error added, where that leads
-/// nowhere.
+/// @return The file, also for an address on a Fuel server; nothing, with an error, if the address leads nowhere.
 std::optional<std::filesystem::path> localFile(const std::string& file, Diagnostics& diagnostics) {
   return isFuelAddress(file) ? fetchWorldFile(file, diagnostics) : file;
 }
 
-/// @return What is wrong with the file, with warnings as errors if the user wants that.
+/// @return The file's diagnostics, with warnings as errors if the user wants that.
 Diagnostics diagnosticsOf(const std::string& file, bool strict) {
   Diagnostics found;
   if (const auto local = localFile(file, found)) sdf::loadFile(*local, found);
@@ -71,7 +70,7 @@ int check(const SdfOptions& options) {
       continue;
     }
     say(diagnostics, Severity::kWarning, Severity::kWarning);
-    // Fortress checks one file at a time and does not name it
+    // Fortress checks one file at a time and does not print its name
     if (!diagnostics.hasErrors()) text += (options.files.size() > 1 ? file + ": " : "") + "Valid.\n";
   }
   if (options.json) text = jsonOf(all);

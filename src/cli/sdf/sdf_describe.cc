@@ -15,7 +15,7 @@ using sdf::SchemaRow;
 constexpr std::size_t kWidth = 100;
 constexpr std::string_view kGap = "  ";
 
-/// @return The text in lines of `kWidth` letters, each of them indented.
+/// @return The text in lines of `kWidth` characters, each indented.
 std::string wrapped(std::string_view text, std::size_t indent) {
   std::string result(indent, ' ');
   std::size_t column = indent;
@@ -33,7 +33,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return result + "\n";
 }
 
-/// @return The first sentence, and no more of it than has room in a line.
+/// @return The first sentence, cut to the room available in a line.
 std::string inShort(std::string_view description, std::size_t room) {
   const std::string_view sentence = description.substr(0, description.find(". "));
   if (sentence.size() <= room) return std::string(sentence);
@@ -75,7 +75,8 @@ std::string_view useOf(sdf::Use use) {
 
 using Line = std::vector<std::string>;
 
-/// @param lines All of the same length; their columns are aligned, and the last one is cut to the room that is left.
+/// @param lines All with the same number of columns; columns are aligned, and the last one is cut to the remaining
+/// room.
 std::string aligned(const std::vector<Line>& lines) {
   std::vector<std::size_t> widths(lines.front().size(), 0);
   for (const Line& line : lines) {
@@ -123,7 +124,7 @@ std::string describe(const sdf::NamedPart& named) {
   std::vector<Line> facts;
   if (!row.type.empty()) facts.push_back({"type", std::string(row.type)});
   if (!row.type.empty()) facts.push_back({"default", defaultOf(row)});
-  // one that stands in several elements is needed in some of them only
+  // for an element with several parents this differs between them
   if (named.holders.size() == 1) facts.push_back({"how often", howOften(row.presence, named.isAttribute)});
   facts.push_back({"versions", versions(row)});
   facts.push_back({"in pongsim", std::string(useOf(row.use))});

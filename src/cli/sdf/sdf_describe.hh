@@ -6,7 +6,7 @@
 
 namespace pongsim::cli {
 
-/// @return What the format says of an element or attribute, and a line for each that may stand in it.
+/// @return The format's description of an element or attribute, and one line for each of its children.
 std::string describe(const sdf::NamedPart& named);
 
 }  // namespace pongsim::cli

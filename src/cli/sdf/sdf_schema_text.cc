@@ -14,7 +14,7 @@ using sdf::Schema;
 
 constexpr int kOldest = 4, kNewest = 9;
 
-/// `text` as the value of an attribute in single quotes.
+/// Escapes `text` for an attribute in single quotes.
 std::string inSingleQuotes(std::string_view text) {
   std::string result = "'";
   for (const char letter : text) {

@@ -28,7 +28,7 @@ nlohmann::ordered_json jsonOf(const ServiceInfo& service) {
 }
 
 /// Fills in the types that the user left out.
-/// @return The exit code where they can't be had, after saying why.
+/// @return The exit code, after an error message, if they are not known.
 std::optional<int> findTypes(Transport& transport, CallOptions& options) {
   if (!options.requestType.empty() && !options.replyType.empty()) return std::nullopt;
   const ServiceInfo service = transport.waitForService(options.service, options.timeout.value_or(kArrivalTime));
@@ -81,7 +81,7 @@ int showService(const std::string& name, bool asJson) {
 
 int callService(const CallOptions& given) {
   CallOptions options = given;
-  // what was wrong with the command line is said before anybody is looked for
+  // errors in the command line come before waiting for anybody
   std::shared_ptr<const Message> request;
   if (!options.requestType.empty()) request = messageOption(options.requestType, options.text);
   Transport transport;
@@ -97,7 +97,7 @@ int callService(const CallOptions& given) {
   if (!result) return fail(result.error);
   if (options.asJson) return print(messageJson(*reply) + "\n") ? kDone : kFailed;
   const std::string text = messageText(*reply);
-  // protobuf's text leaves out what is false, 0 or empty
+  // protobuf's text format leaves out values that are false, 0 or empty
   if (text.empty()) say("the reply, " + options.replyType + ", has only default values");
   return print(text + "\n") ? kDone : kFailed;
 }

@@ -18,7 +18,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// The command line as it was given.
+/// The parsed command line.
 struct ServiceCommandLine {
   bool list = false, info = false, json = false;
   std::optional<std::string> service, requestType, replyType, timeout, text;
@@ -33,7 +33,7 @@ Work callWork(const ServiceCommandLine& given) {
   if (given.replyType) options.replyType = messageTypeOption(*given.replyType);
   if (given.timeout)
     options.timeout = std::chrono::milliseconds(wholeNumber("--timeout", *given.timeout, 0, kLongestMs));
-  // a mistake in the request is one of the command line
+  // a mistake in the request is one in the command line
   if (given.requestType) messageOption(options.requestType, options.text);
   return [options] { return callService(options); };
 }

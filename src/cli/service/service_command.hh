@@ -8,18 +8,18 @@ namespace pongsim::cli {
 
 struct CallOptions {
   std::string service;
-  /// Full names; empty: what the service says.
+  /// Full names; empty: as advertised by the service.
   std::string requestType;
   std::string replyType;
-  /// The request, as protobuf's text.
+  /// The request in protobuf's text format.
   std::string text;
   /// Print the reply as JSON.
   bool asJson = false;
-  /// For all of it; unset: a second to find the service, and five for the answer.
+  /// For everything together; unset: one second to find the service, and five for the answer.
   std::optional<std::chrono::nanoseconds> timeout;
 };
 
-/// What `pongsim service` does; each returns the exit code.
+/// Implements `pongsim service`; each function returns the exit code.
 int listServices(bool asJson);
 int showService(const std::string& service, bool asJson);
 int callService(const CallOptions& options);

@@ -11,15 +11,15 @@ class Transport;
 
 namespace pongsim::cli {
 
-/// @return The service that a user names, with its leading slash.
-/// @throws UsageError where it can't be a service's name.
+/// @return The service named by the user, with its leading slash.
+/// @throws UsageError if it is not a valid service name.
 std::string serviceOption(std::string_view name);
 
-/// Says that no process has the service, and which one may be meant.
+/// Reports that no process offers the service, and suggests a similar name.
 /// @return The exit code.
 int failWithoutService(Transport& transport, const std::string& service);
 
-/// @return "did you mean '/gazebo/worlds'?" for the service that is spelt most like `name`, or an empty text.
+/// @return "did you mean '/gazebo/worlds'?" for the service with the most similar name, or an empty text.
 std::string nearestService(std::string_view name, const std::vector<ServiceInfo>& known);
 
 }  // namespace pongsim::cli

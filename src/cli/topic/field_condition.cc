@@ -11,7 +11,7 @@ namespace {
 
 using Comparison = FieldCondition::Comparison;
 
-// the longer ones first: `<=` begins as `<` does
+// longer ones first, because `<=` starts with `<`
 constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
     {"==", Comparison::kEqual}, {"!=", Comparison::kUnequal}, {"<=", Comparison::kAtMost}, {">=", Comparison::kAtLeast},
     {"<", Comparison::kLess},   {">", Comparison::kMore},     {"=", Comparison::kEqual}};

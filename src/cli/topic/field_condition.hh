@@ -9,7 +9,7 @@
 
 namespace pongsim::cli {
 
-/// A condition on one value of a message, as a user writes it: `pose.position.x >= 1.5`, `name == wall`.
+/// A condition on a value in a message, as written by a user: `pose.position.x >= 1.5`, `name == wall`.
 struct FieldCondition {
   enum class Comparison { kEqual, kUnequal, kLess, kAtMost, kMore, kAtLeast };
 
@@ -17,24 +17,24 @@ struct FieldCondition {
   Comparison comparison = Comparison::kEqual;
   std::string value;
 
-  /// @throws UsageError where `text` is no path, comparison and value.
+  /// @throws UsageError if `text` is not a path, comparison and value.
   static FieldCondition parse(std::string_view text);
 };
 
 /// A condition on messages of one type.
 class FieldCheck {
  public:
-  /// @return The check, or what is wrong with the condition for that type in `error`.
+  /// @return The check; if the condition does not fit the type, nothing, with the reason in `error`.
   static std::optional<FieldCheck> make(const FieldCondition& condition, const std::string& type, MessageError& error);
 
-  /// @return Whether the message meets it; false where it has no such value.
+  /// @return Whether the message meets it; false if it has no such value.
   bool isMetBy(const Message& message) const;
 
  private:
   FieldCheck(FieldPath path, FieldCondition condition);
   FieldPath path_;
   FieldCondition condition_;
-  /// The wanted value where it is a number.
+  /// The value to compare with, if it is a number.
   double number_ = 0;
 };
 

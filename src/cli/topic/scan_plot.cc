@@ -13,22 +13,22 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Dots in a rectangle of Braille letters.
+/// Dots in a rectangle of Braille characters.
 class Canvas {
  public:
   Canvas(int columns, int rows)
       : columns_(columns), rows_(rows), letters_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
 
-  /// Dots from the middle to the nearest edge.
+  /// Number of dots from the centre to the nearest edge.
   double radius() const { return std::min(2 * columns_, 4 * rows_) / 2.0 - 1; }
 
-  /// @param right, up From the middle, in dots. What is out of the canvas is left out.
+  /// @param right, up From the centre, in dots. Points outside the canvas are ignored.
   void draw(double right, double up) {
     if (!(std::abs(right) < kMost && std::abs(up) < kMost)) return;
     const auto x = static_cast<int>(std::lround(columns_ - 0.5 + right));
     const auto y = static_cast<int>(std::lround(2 * rows_ - 0.5 - up));
     if (x < 0 || y < 0 || x >= 2 * columns_ || y >= 4 * rows_) return;
-    // the bits of Unicode's Braille letters: 1 to 3 down the left side, 4 to 6 down the right, 7 and 8 below
+    // the bits of Unicode's Braille characters: 1 to 3 down the left side, 4 to 6 down the right, 7 and 8 below
     constexpr std::array<std::array<std::uint8_t, 2>, 4> kBits{
         {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
     letterAt(x / 2, y / 4) |= kBits[static_cast<std::size_t>(y % 4)][static_cast<std::size_t>(x % 2)];
@@ -48,7 +48,7 @@ class Canvas {
   }
 
  private:
-  // of what there are no canvases
+  // far beyond any canvas
   static constexpr double kMost = 1e6;
 
   std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * columns_ + column); }
@@ -65,7 +65,7 @@ class Canvas {
   std::vector<std::uint8_t> letters_;
 };
 
-/// @return A round number which is not less: it seldom changes from scan to scan.
+/// @return The next larger round number, so that it seldom changes from scan to scan.
 double roundedUp(double range) {
   const double power = std::pow(10, std::floor(std::log10(range)));
   for (const double factor : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0}) {

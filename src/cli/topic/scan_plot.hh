@@ -6,10 +6,10 @@
 
 namespace pongsim::cli {
 
-/// Draws a scan as seen from above, ahead being up and the sensor in the middle, with the dots of Braille letters, two
-/// by four each; below a line with the numbers. A ring of single dots is as far as that line says.
-/// @param columns, rows Of letters for the drawing, one at least.
-/// @return Lines, each with its end.
+/// Draws a scan in top view, with ahead pointing up and the sensor in the centre, in dots of Braille characters, two by
+/// four each. A line with numbers follows. A circle of single dots marks the distance given in that line.
+/// @param columns, rows Size of the drawing in characters, at least one.
+/// @return Lines, each with its line break.
 std::string scanPlot(const msgs::ScanRow& scan, int columns, int rows);
 
 }  // namespace pongsim::cli

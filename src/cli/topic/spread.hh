@@ -4,7 +4,7 @@
 
 namespace pongsim::cli {
 
-/// How values lie.
+/// Distribution of values.
 struct Spread {
   double mean = 0, least = 0, most = 0;
   /// The standard deviation.

@@ -23,7 +23,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// The command line as it was given.
+/// The parsed command line.
 struct TopicCommandLine {
   std::string action;
   bool list = false, info = false, echo = false, hz = false, bw = false, delay = false, json = false, csv = false,
@@ -32,7 +32,7 @@ struct TopicCommandLine {
   std::vector<std::string> fields;
 };
 
-/// @throws UsageError where an option is given that means nothing to the action.
+/// @throws UsageError if an option is given that the action does not support.
 void refuseOthers(const TopicCommandLine& given, std::string_view action) {
   const struct {
     const char* option;
@@ -57,7 +57,7 @@ void refuseOthers(const TopicCommandLine& given, std::string_view action) {
 }
 
 std::chrono::nanoseconds seconds(std::string_view option, const std::string& text) {
-  // a year is as good as for ever, and fits the clock
+  // a year is practically for ever, and within the clock's range
   constexpr double kLongest = 365.0 * 86400;
   const double value = std::min(numberFromZero(option, text, "a number of seconds"), kLongest);
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(value));
@@ -95,7 +95,7 @@ Work echoWork(const TopicCommandLine& given) {
   return [options] { return echoTopic(options); };
 }
 
-/// @return The text of a file, or of stdin where its name is `-`.
+/// @return The content of a file, or of stdin if the name is `-`.
 std::string textOf(const std::string& file) {
   std::ifstream stream(file == "-" ? "/dev/stdin" : file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -226,7 +226,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
       "  pongsim topic wait -t /model/pong_bot/odometry --field 'pose.position.x >= 1' --timeout 30");
   command->callback([given, &work] {
     work = workFor(*given);
-    // what the transport would warn of, types that do not fit, is what these commands fail with
+    // these commands themselves report mismatched types, which the transport would warn about
     setLogLevel(LogLevel::kError);
   });
 }

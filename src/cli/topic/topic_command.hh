@@ -13,7 +13,7 @@
 
 namespace pongsim::cli {
 
-/// How long to wait for somebody to come, where the user does not say.
+/// How long to wait for a peer, unless the user says otherwise.
 inline constexpr std::chrono::milliseconds kArrivalTime{1000};
 
 enum class EchoFormat { kText, kJson, kCsv };
@@ -21,7 +21,7 @@ enum class EchoFormat { kText, kJson, kCsv };
 struct EchoOptions {
   ReadOptions read;
   EchoFormat format = EchoFormat::kText;
-  /// Paths of the values to print; empty: all of the message.
+  /// Paths of the values to print; empty: the whole message.
   std::vector<std::string> fields;
 };
 
@@ -30,19 +30,19 @@ struct PublishOptions {
   /// Full name.
   std::string type;
   std::shared_ptr<const Message> message;
-  /// How long to wait for a subscriber, and then for it to have the messages.
+  /// How long to wait for a subscriber, and then for delivery of the messages.
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
-  /// From one message to the next; unset: there is only one.
+  /// Period between messages; unset: send only one.
   std::optional<std::chrono::nanoseconds> period;
-  /// Unset, with a period: until a signal.
+  /// With a period, if unset: until a signal.
   std::optional<std::uint64_t> count;
 };
 
 /// What `topic --hz` and `topic --bw` print once a second.
 enum class RateKind { kMessages, kBytes };
 
-/// What `pongsim topic` does; each returns the exit code.
-/// @param isVerbose With types and counts, and those that are only subscribed to.
+/// Implements `pongsim topic`; each function returns the exit code.
+/// @param isVerbose Print types and counts, and topics that have only subscribers.
 int listTopics(bool isVerbose, bool asJson);
 int showTopic(const std::string& topic, bool asJson);
 int echoTopic(const EchoOptions& options);
@@ -50,7 +50,7 @@ int echoTopic(const EchoOptions& options);
 int plotTopic(const ReadOptions& options);
 int publish(const PublishOptions& options);
 int measureTopic(const ReadOptions& options, RateKind kind, bool asJson);
-/// How late messages come, by the clock of the run that stamps them.
+/// Measures the delay of messages, using the clock of the run that stamps them.
 int measureDelay(const ReadOptions& options, bool asJson);
 /// @param condition Unset: any message will do.
 int waitForMessage(const ReadOptions& options, const std::optional<FieldCondition>& condition);

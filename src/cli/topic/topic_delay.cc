@@ -21,17 +21,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long the clock is waited for at the end, at most ten times.
+/// Each wait for the clock at the end; at most ten times.
 constexpr std::chrono::milliseconds kForTheClock{20};
-/// How long a line of the output looks at.
+/// Time covered by one line of output.
 constexpr std::chrono::seconds kDelayWindow{1};
-/// How many steps back the wall time is known of.
+/// Number of past steps whose wall time is remembered.
 constexpr std::size_t kMostReadings = 20'000;
-/// How many messages wait for the clock of their step.
+/// Number of messages that can wait for the clock of their step.
 constexpr std::size_t kMostArrivals = 10'000;
 
-/// Takes the wall time from the step that a message is stamped with to its arrival. The run's `/clock` tells when that
-/// step was.
+/// Measures the wall time from the step in a message's stamp to its arrival. The run's `/clock` tells when that step
+/// was.
 class DelayTask final : public TopicTask {
  public:
   DelayTask(Transport& transport, bool asJson)
@@ -64,7 +64,7 @@ class DelayTask final : public TopicTask {
 
   int end(bool) override {
     measure();
-    // the clock of the last step comes behind its messages
+    // the clock of the last step arrives after its messages
     for (int i = 0; i < 10 && delays_.empty() && !arrivals_.empty(); ++i) {
       transport_.dispatchFor(kForTheClock);
       measure();
@@ -83,15 +83,15 @@ class DelayTask final : public TopicTask {
   };
 
   void takeClock(const msgs::ClockReading& reading) {
-    // after a reset time begins again
+    // after a reset, time starts again
     if (!readings_.empty() && reading.simulated < readings_.back().simulated) readings_.clear();
-    // a paused run tells the same time again and again
+    // a paused run repeats the same time
     if (!readings_.empty() && reading.simulated == readings_.back().simulated) return;
     readings_.push_back(reading);
     if (readings_.size() > kMostReadings) readings_.pop_front();
   }
 
-  /// Of those whose step is known by now.
+  /// For messages whose step is known by now.
   void measure() {
     while (!arrivals_.empty() && !readings_.empty() && arrivals_.front().stamp <= readings_.back().simulated) {
       const Arrival arrival = arrivals_.front();

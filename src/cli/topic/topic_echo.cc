@@ -10,7 +10,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// @return The text as a value of RFC 4180: in quotes where it would be more than one otherwise.
+/// @return The text as a CSV field (RFC 4180), quoted if necessary.
 std::string csvText(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -16,7 +16,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// How long `-i` looks at what passes.
+/// How long `-i` watches the traffic.
 constexpr std::chrono::milliseconds kWatchTime{500};
 
 /// @return "1000 Hz", "0.5 Hz".
@@ -26,7 +26,7 @@ std::string rateText(double rate) {
   return text;
 }
 
-/// @param passed What became of the messages: "sent".
+/// @param passed What happened to the messages: "sent".
 std::string table(const char* title, const char* passed, const std::vector<TopicInfo::Endpoint>& endpoints) {
   std::string text = std::string(title) + " [Process, Message Type, Rate, Messages]:\n";
   for (const TopicInfo::Endpoint& endpoint : endpoints) {
@@ -67,7 +67,7 @@ std::set<std::string> typesOf(const TopicInfo& topic) {
   return types;
 }
 
-/// @return An array with an object for each topic, those that are only subscribed to among them.
+/// @return An array with an object for each topic, including those that have only subscribers.
 std::string jsonOf(const std::vector<TopicInfo>& topics) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const TopicInfo& topic : topics) {
@@ -113,7 +113,7 @@ int showTopic(const std::string& name, bool asJson) {
       std::find_if(topics.begin(), topics.end(), [&name](const TopicInfo& each) { return each.name == name; });
   if (found == topics.end()) return fail("no publishers on " + name, nearestTopic(name, topics));
 
-  // nothing is sent, at any rate, while nobody listens
+  // publishers send nothing while nobody listens, so there would be no rate to measure
   Subscription listening;
   if (found->subscribers.empty()) {
     listening = transport.node().subscribeBytes(name, found->publishers.front().type, [](auto) {}, {.queueLength = 1});

@@ -10,11 +10,11 @@ struct TopicInfo;
 
 namespace pongsim::cli {
 
-/// @return The topic that a user names, with its leading slash.
-/// @throws UsageError where it can't be a topic's name.
+/// @return The topic named by the user, with its leading slash.
+/// @throws UsageError if it is not a valid topic name.
 std::string topicOption(std::string_view name);
 
-/// @return "did you mean '/cmd_vel'?" for the topic that is spelt most like `name`, or an empty text.
+/// @return "did you mean '/cmd_vel'?" for the topic with the most similar name, or an empty text.
 std::string nearestTopic(std::string_view name, const std::vector<TopicInfo>& known);
 
 }  // namespace pongsim::cli

@@ -16,10 +16,10 @@ namespace pongsim::cli {
 
 namespace {
 
-/// @return A scan as a drawing, as large as the terminal lets it be.
+/// @return A drawing of the scan, as large as the terminal allows.
 std::string drawnScan(const Message& message) {
   const TerminalSize size = terminalSize();
-  // a letter is twice as high as it is wide; below stand the line of numbers and the cursor
+  // a character is twice as high as wide; below are the line of numbers and the cursor
   const int rows = std::max(1, std::min(size.rows - 2, size.columns / 2));
   return scanPlot(msgs::levelRowOf(message), 2 * rows, rows);
 }
@@ -42,7 +42,7 @@ class PlotTask final : public TopicTask {
 
   std::optional<int> take(const Message& message) override {
     const std::string plot = draw_(message);
-    // on a terminal each takes the place of the one before
+    // on a terminal, each drawing replaces the previous one
     const std::string text = isatty(STDOUT_FILENO) != 0 ? "\033[H\033[J" + plot : plot + '\n';
     if (print(text)) return std::nullopt;
     return outputIsClosed() ? kDone : kFailed;

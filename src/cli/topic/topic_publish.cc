@@ -14,13 +14,13 @@ namespace pongsim::cli {
 
 namespace {
 
-/// @return The exit code after saying why nobody listens.
+/// @return The exit code, after reporting why nobody is listening.
 int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
   const std::vector<TopicInfo> topics = topicsAround(transport);
   for (const TopicInfo& topic : topics) {
     if (topic.name != options.topic || topic.subscribers.empty()) continue;
     const std::string& theirs = topic.subscribers.front().type;
-    // one that takes any type ("*") has not come to know of this one in time
+    // a subscriber to any type ("*") has not discovered this publisher in time
     if (theirs == options.type || theirs == "*") break;
     return fail("the subscriber of " + options.topic + " takes " + theirs + ", not " + options.type);
   }
@@ -30,7 +30,7 @@ int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
   return fail("no subscriber on " + options.topic, nearestTopic(options.topic, heard));
 }
 
-/// @return Whether there is one before the timeout or a signal.
+/// @return Whether one appears before the timeout or a signal.
 bool waitForSubscribers(const Publisher& publisher, std::chrono::nanoseconds timeout, const StopSignal& signal) {
   using Steady = std::chrono::steady_clock;
   constexpr std::chrono::nanoseconds kLongestPause = std::chrono::milliseconds(100);
@@ -42,15 +42,15 @@ bool waitForSubscribers(const Publisher& publisher, std::chrono::nanoseconds tim
   return false;
 }
 
-/// Publishes, and waits out the period after each message but the last.
-/// @return Whether it went on to the end, and not to a signal.
+/// Publishes, and waits for the period after each message but the last.
+/// @return Whether it reached the end without a signal.
 bool publishAll(Transport& transport, Publisher& publisher, const PublishOptions& options, StopSignal& signal) {
   using Steady = std::chrono::steady_clock;
   Steady::time_point next = Steady::now();
   for (std::uint64_t sent = 1;; ++sent) {
     publisher.publish(*options.message);
     if (!options.period || sent == options.count) return true;
-    // from the time it was due: a late message does not make the next one late
+    // counted from the due time, so that a late message does not delay the next one
     next += std::chrono::duration_cast<Steady::duration>(*options.period);
     for (auto now = Steady::now(); now < next && !signal.stopped(); now = Steady::now()) {
       transport.dispatchFor(next - now);
@@ -62,7 +62,7 @@ bool publishAll(Transport& transport, Publisher& publisher, const PublishOptions
 }  // namespace
 
 int publish(const PublishOptions& options) {
-  // before the transport, whose threads inherit the signals' mask
+  // before the transport, whose threads inherit the signal mask
   StopSignal signal;
   Transport transport;
   Publisher publisher = transport.node().advertise(options.topic, options.type);

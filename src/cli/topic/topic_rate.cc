@@ -17,10 +17,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-/// How long a line of the output looks at.
+/// Time covered by one line of output.
 constexpr std::chrono::seconds kWindow{1};
 
-/// What `begin` to the last arrival had.
+/// Statistics from `begin` to the last arrival.
 class Window {
  public:
   explicit Window(Clock::time_point begin) : begin_(begin), last_(begin) {}
@@ -79,7 +79,7 @@ class RateTask final : public TopicTask {
 
   std::optional<int> take(const Message& message) override {
     const auto now = Clock::now();
-    // the first opens the window: what it came after is not known
+    // the first message only opens the window: the time before it is not known
     if (!window_) {
       window_ = Window(now);
       return std::nullopt;

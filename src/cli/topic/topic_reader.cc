@@ -12,9 +12,9 @@ namespace pongsim::cli {
 
 namespace {
 
-/// How long a wait may last before the rest of the world is looked at.
+/// Maximum length of a wait before other things are checked.
 constexpr std::chrono::milliseconds kLongestWait{100};
-/// When a user should hear that there is nothing to hear.
+/// After this time the user is told that nothing has arrived.
 constexpr std::chrono::seconds kPatience{1};
 
 }  // namespace
@@ -57,7 +57,7 @@ void TopicReader::read(TopicTask& task) {
   signal_.onStop({});
 }
 
-/// Waits for a publisher, whose messages' type is then `type_`.
+/// Waits for a publisher, and sets `type_` to the type of its messages.
 void TopicReader::findType() {
   TopicInfo topic;
   while (topic.publishers.empty() && !isOver()) {
@@ -79,7 +79,7 @@ void TopicReader::findType() {
   type_ = type;
 }
 
-/// Fails where all the topic's publishers have another type than the user asked for.
+/// Fails if all publishers of the topic have a type other than the requested one.
 void TopicReader::refuseWrongType() {
   if (options_.type.empty()) return;
   const TopicInfo topic = transport_.waitForTopic(options_.topic, true, std::chrono::nanoseconds::zero());
@@ -89,7 +89,7 @@ void TopicReader::refuseWrongType() {
   fail("the publisher of " + options_.topic + " has " + topic.publishers.front().type + ", not " + type_);
 }
 
-/// Once, and not at once.
+/// Once, and after a while.
 void TopicReader::sayWaiting() {
   if (saidWaiting_ || Clock::now() - start_ < kPatience) return;
   saidWaiting_ = true;

@@ -12,15 +12,15 @@ namespace pongsim::cli {
 
 struct ReadOptions {
   std::string topic;
-  /// Full name; empty: what the topic's publisher has.
+  /// Full name; empty: that of the topic's publisher.
   std::string type;
-  /// End after that many messages.
+  /// Stop after this many messages.
   std::optional<std::uint64_t> count;
-  /// End after that time.
+  /// Stop after this time.
   std::optional<std::chrono::nanoseconds> duration;
 };
 
-/// What is done with the messages of a topic. The functions end the reading with what they return: an exit code.
+/// What to do with a topic's messages. The functions can end the reading by returning an exit code.
 class TopicTask {
  public:
   virtual ~TopicTask() = default;
@@ -28,15 +28,15 @@ class TopicTask {
   /// @param type Full name.
   virtual std::optional<int> begin([[maybe_unused]] const std::string& type) { return std::nullopt; }
   virtual std::optional<int> take(const Message& message) = 0;
-  /// Called ten times a second at least.
+  /// Called at least ten times a second.
   virtual std::optional<int> tick() { return std::nullopt; }
-  /// Called at the end of a reading that nothing has failed in: by count, by time or by a signal.
-  /// @param isByTime Whether `ReadOptions::duration` is over.
+  /// Called when the reading ends without a failure: by count, by time or by a signal.
+  /// @param isByTime Whether `ReadOptions::duration` has passed.
   /// @return The exit code.
   virtual int end(bool isByTime) = 0;
 };
 
-/// Reads a topic: waits for a publisher, tells the user where there is none or one of another type, and hands the
+/// Reads a topic: waits for a publisher, tells the user if there is none or only one of another type, and passes the
 /// messages to a task.
 class TopicReader {
  public:
@@ -45,7 +45,7 @@ class TopicReader {
   /// @return The exit code.
   int run(TopicTask& task);
 
-  /// For what a task reads beside the topic.
+  /// For other topics that a task reads.
   Transport& transport() { return transport_; }
 
  private:
@@ -61,7 +61,7 @@ class TopicReader {
   void fail(const std::string& message, const std::string& hint = {});
 
   const ReadOptions options_;
-  // before the transport, whose threads inherit the signals' mask
+  // before the transport, whose threads inherit the signal mask
   StopSignal signal_;
   Transport transport_;
   const Clock::time_point start_ = Clock::now();
@@ -69,7 +69,7 @@ class TopicReader {
   std::string type_;
   bool saidWaiting_ = false;
   std::uint64_t taken_ = 0;
-  /// Set where the reading has ended.
+  /// Set when the reading has ended.
   std::optional<int> exitCode_;
 };
 

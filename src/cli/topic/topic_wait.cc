@@ -26,7 +26,7 @@ class WaitTask final : public TopicTask {
   }
 
   int end(bool isByTime) override {
-    // a signal, or nobody reads: there is nobody to tell
+    // a signal, or a closed output: there is nobody to tell
     if (!isByTime) return kFailed;
     if (messages_ == 0) return fail("no message on " + topic_ + " in time");
     return fail("none of " + std::to_string(messages_) + " messages on " + topic_ + " met the condition in time");

@@ -11,12 +11,12 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Rows of a picture to a dot of a letter.
+/// Image rows for each dot of a character.
 constexpr double kRowsPerDot = 300;
-/// How much of the picture is seen through the panel behind a name.
+/// How much of the image shines through the panel behind a name.
 constexpr int kPanelShare = 3, kPanelWhole = 8;
 
-/// @return A byte for each letter: all beyond ASCII look alike.
+/// @return One byte for each character: all beyond ASCII look alike.
 std::string lettersOf(const std::string& text) {
   std::string letters;
   for (const char each : text) {
@@ -26,7 +26,7 @@ std::string lettersOf(const std::string& text) {
   return letters;
 }
 
-/// Of a label, in pixels; the ends are past the last.
+/// Area of a label in pixels; the ends are exclusive.
 struct Panel {
   std::string letters;
   long left = 0, right = 0, top = 0, bottom = 0;
@@ -36,7 +36,7 @@ struct Panel {
   }
 };
 
-/// The panels of labels, and how they are drawn.
+/// Lays out and draws the labels' panels.
 class LabelWriter {
  public:
   LabelWriter(std::uint32_t width, std::uint32_t height, std::span<std::uint8_t> pixels)
@@ -95,13 +95,13 @@ class LabelWriter {
 
   const long width_;
   const long height_;
-  /// Edge of a letter's dot [pixels].
+  /// Size of a character's dot [pixels].
   const long dot_;
   const std::span<std::uint8_t> pixels_;
   std::vector<Panel> panels_;
 };
 
-/// @return Where in the picture a place of the world is; nothing where it is not in it.
+/// @return Pixel coordinates of a point in the world; nothing if it is outside the image.
 std::optional<Eigen::Vector2d> pixelOf(const Vector3& p_World, const PictureView& view) {
   const Vector3 place = view.X_WorldEye.inverse() * p_World;
   if (place.x() <= view.near) return std::nullopt;
@@ -131,7 +131,7 @@ std::vector<Label> labelsOf(Sight& sight, const PictureView& view) {
 }
 
 void drawLabels(std::vector<Label> labels, std::uint32_t width, std::uint32_t height, std::span<std::uint8_t> pixels) {
-  // from the lowest up: those above make room
+  // from the lowest up: higher ones make room
   std::ranges::stable_sort(labels, std::greater<>(), &Label::row);
   LabelWriter writer(width, height, pixels);
   for (const Label& label : labels) writer.add(label);

@@ -9,20 +9,19 @@
 
 namespace pongsim::cli {
 
-/// A name and the place in a picture over which it is to stand [pixels].
+/// A name and its position in an image [pixels].
 struct Label {
   std::string text;
   double column = 0;
   double row = 0;
 };
 
-/// @return The names of the models at the top level and of the actors, each over the corner of the box around it that
-/// is highest in the picture, or over its middle where they are all beside it; those that are not in the picture have
-/// none.
+/// @return The names of the visible top-level models and actors, each above the highest corner of its bounding box in
+/// the image, or above its centre if all corners are outside.
 std::vector<Label> labelsOf(Sight& sight, const PictureView& view);
 
-/// Writes labels into a picture, over all that it shows: each above its place, and as far above as it takes not to
-/// cover those below it. What goes beyond the picture is cut off.
+/// Draws labels over an image, each above its position, and moved up as far as needed not to cover those below it.
+/// Clipped at the edges of the image.
 /// @param pixels As those of `CameraScene::drawColors`.
 void drawLabels(std::vector<Label> labels, std::uint32_t width, std::uint32_t height, std::span<std::uint8_t> pixels);
 

@@ -6,7 +6,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// @param layer 38: what is written; 48: what is behind it.
+/// @param layer 38: foreground; 48: background.
 std::string colorCode(int layer, const std::uint8_t* color) {
   return "\033[" + std::to_string(layer) + ";2;" + std::to_string(color[0]) + ";" + std::to_string(color[1]) + ";" +
          std::to_string(color[2]) + "m";

@@ -7,11 +7,11 @@
 
 namespace pongsim::cli {
 
-/// Draws a picture with blocks of colour, two above each other in a letter, as large as it goes without being
-/// distorted.
-/// @param pixels Red, green, blue, row by row from the top: three times width times height, both one at least.
-/// @param columns, rows Of letters that it may take, one at least.
-/// @return Lines, each with its end, for terminals that know 24-bit colours.
+/// Draws an image with blocks of colour, two above each other in each character, as large as possible without
+/// distortion.
+/// @param pixels Red, green, blue, row by row from the top: 3 * width * height values, both at least one.
+/// @param columns, rows Available characters, at least one.
+/// @return Lines, each with its line break, for terminals with 24-bit colours.
 std::string picturePlot(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height, int columns,
                         int rows);
 

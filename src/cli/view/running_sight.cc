@@ -21,7 +21,7 @@ namespace {
 
 class RunningSight final : public Sight {
  public:
-  /// @param time At which actors are where they are.
+  /// @param time At which actors are placed.
   RunningSight(description::World world, Time time)
       : world_(std::move(world)), entities_(world_), state_(entities_), renderer_(rendering::openOsmesa()) {
     state_.time = time;
@@ -56,7 +56,7 @@ class RunningSight final : public Sight {
 };
 
 MessagePointer stateOf(const ViewOptions& options) {
-  // before the transport, whose threads inherit the signals' mask
+  // before the transport, whose threads inherit the signal mask
   const StopSignal signal;
   Transport transport;
   const std::optional<std::string> world = findWorld(transport, signal, options.world, options.timeout);

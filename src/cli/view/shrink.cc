@@ -31,7 +31,7 @@ SmallPicture shrinkInto(std::span<const std::uint8_t> pixels, std::size_t width,
                         double mostDown) {
   const double scale = std::min({1.0, mostAcross / static_cast<double>(width), mostDown / static_cast<double>(height)});
   const auto shrunk = [scale](std::size_t length) {
-    // a whole number may have become a little less
+    // rounding may have made an integer slightly smaller
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(scale * static_cast<double>(length) + 1e-9)));
   };
   SmallPicture small{shrunk(width), shrunk(height), {}};

@@ -7,9 +7,9 @@
 
 namespace pongsim::cli {
 
-/// @param pixels Red, green, blue, row by row from the top: three times width times height, both one at least.
-/// @param across, down Of the smaller picture: from one to as many as there are.
-/// @return The smaller picture: each pixel is the mean of those that fall into it.
+/// @param pixels Red, green, blue, row by row from the top: 3 * width * height values, both at least one.
+/// @param across, down Size of the result: from one to the original size.
+/// @return The smaller image: each pixel is the mean of those that it covers.
 std::vector<std::uint8_t> shrink(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height,
                                  std::size_t across, std::size_t down);
 
@@ -19,9 +19,8 @@ struct SmallPicture {
   std::vector<std::uint8_t> pixels;
 };
 
-/// @param mostAcross, mostDown What it may take.
-/// @return The picture as large as that lets it be without being distorted; as it is where it fits, one pixel on an
-/// edge at least.
+/// @param mostAcross, mostDown Available size.
+/// @return The image, as large as fits without distortion; unchanged if it fits, and at least one pixel wide and high.
 SmallPicture shrinkInto(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height, double mostAcross,
                         double mostDown);
 

@@ -10,19 +10,19 @@
 
 namespace pongsim::cli {
 
-/// What `pongsim view` draws: a world as it stands, wherever it comes from.
+/// The world that `pongsim view` draws, wherever it comes from.
 class Sight {
  public:
   virtual ~Sight() = default;
 
-  /// @return What may be looked at: models, "outer::inner", then actors.
+  /// @return What can be looked at: models, "outer::inner", then actors.
   virtual std::vector<std::string> names() = 0;
 
-  /// As `CameraScene::bounds`.
+  /// See `CameraScene::bounds`.
   /// @param name One of `names`; empty: all of them.
   virtual Eigen::AlignedBox3d bounds(const std::string& name) = 0;
 
-  /// As `CameraScene::drawColors`.
+  /// See `CameraScene::drawColors`.
   virtual void draw(const PictureView& view, std::span<std::uint8_t> pixels) = 0;
 };
 

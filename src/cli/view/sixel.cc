@@ -9,16 +9,16 @@ namespace pongsim::cli {
 
 namespace {
 
-/// Of each of red, green and blue.
+/// Number of shades of each of red, green and blue.
 constexpr int kShades = 6;
 constexpr std::size_t kSixelColors = kShades * kShades * kShades;
-/// Rows of a band, which is written at once, a letter a column.
+/// Rows of a band, which is written at once, with one character for each column.
 constexpr std::size_t kBandRows = 6;
 
-/// @return Which colour each pixel gets.
+/// @return The colour of each pixel.
 std::vector<std::uint8_t> spreadColors(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height) {
   std::vector<std::uint8_t> colors(width * height);
-  // sixteenths of what the pixels of this row and of the next have too much, with one more on either side
+  // accumulated errors of the pixels in this row and the next, in sixteenths, with one more pixel on either side
   std::vector<std::array<int, 3>> here(width + 2), below(width + 2);
   for (std::size_t row = 0; row < height; ++row) {
     std::ranges::fill(below, std::array<int, 3>{});
@@ -41,7 +41,7 @@ std::vector<std::uint8_t> spreadColors(std::span<const std::uint8_t> pixels, std
   return colors;
 }
 
-/// Red, green and blue in hundredths.
+/// Red, green and blue in percent.
 std::string definitionOf(std::size_t color) {
   constexpr std::size_t kHundredths = 100 / (kShades - 1);
   const std::size_t shares[] = {color / kShades / kShades, color / kShades % kShades, color % kShades};
@@ -50,7 +50,7 @@ std::string definitionOf(std::size_t color) {
   return text;
 }
 
-/// @param count How often the letter stands there.
+/// @param count How often to repeat the character.
 void appendRun(char letter, std::size_t count, std::string& text) {
   if (count > 3) {
     text += "!" + std::to_string(count) + letter;
@@ -59,7 +59,7 @@ void appendRun(char letter, std::size_t count, std::string& text) {
   }
 }
 
-/// Adds what one colour has of a band.
+/// Adds the pixels of one colour in a band.
 void appendColor(std::size_t color, std::span<const std::uint8_t> band, std::size_t width, std::string& text) {
   text += "#" + std::to_string(color);
   const std::size_t rows = band.size() / width;
@@ -78,7 +78,7 @@ void appendColor(std::size_t color, std::span<const std::uint8_t> band, std::siz
     before = letter;
     ++count;
   }
-  // nothing follows where nothing of it is
+  // trailing blanks are not needed
   if (before != '?') appendRun(before, count, text);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kQuestion = "\033[c";
 constexpr std::string_view kAnswer = "\033[?";
 
-/// @return Whether an answer, as "\033[?62;4;22c", is all there, with the numbers in it.
+/// @return Whether an answer such as "\033[?62;4;22c" is complete; `numbers` gets its numbers.
 bool isWhole(const std::string& said, std::string& numbers) {
   const std::size_t begin = said.find(kAnswer);
   if (begin == std::string::npos) return false;

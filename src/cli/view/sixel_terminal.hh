@@ -4,9 +4,9 @@
 
 namespace pongsim::cli {
 
-/// Asks a terminal what it can ("primary device attributes", CSI c), and waits for its answer.
-/// @param input, output Where the answer comes from and where the question goes: terminals, or there is no question.
-/// @return Whether it says that it knows sixels; not where it says nothing in time.
+/// Asks a terminal for its features ("primary device attributes", CSI c), and waits for the answer.
+/// @param input, output Where to read the answer and to write the query; unless both are terminals, nothing is asked.
+/// @return Whether it reports support for sixels; false if it does not answer in time.
 bool knowsSixels(int input, int output, std::chrono::milliseconds patience);
 
 }  // namespace pongsim::cli

@@ -3,15 +3,15 @@
 namespace pongsim::cli {
 
 struct TerminalSize {
-  /// In letters.
+  /// In characters.
   int columns = 80;
   int rows = 25;
-  /// Of a letter [pixels]; those of an old terminal, where it does not tell.
+  /// Size of a character [pixels]; if the terminal does not tell, a typical size.
   int letterWidth = 10;
   int letterHeight = 20;
 };
 
-/// @return Of the terminal on stdout; elsewhere that of an old one.
+/// @return The size of the terminal on stdout; without one, the defaults.
 TerminalSize terminalSize();
 
 }  // namespace pongsim::cli

@@ -36,12 +36,12 @@ namespace {
 
 constexpr double kFieldOfView = std::numbers::pi / 3;
 constexpr std::uint64_t kLongestViewEdge = 8192;
-/// Terminals show no more on an edge, as xterm unless it is told otherwise.
+/// Maximum edge length that terminals show; xterm's default.
 constexpr int kMostSixels = 1000;
-/// For a terminal to say what it can.
+/// Time for a terminal to report its features.
 constexpr std::chrono::milliseconds kTerminalPatience{500};
 
-/// Reads "1280x720".
+/// Parses "1280x720".
 void readSize(const std::string& text, ViewOptions& options) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) throw UsageError("option '--size' takes WIDTHxHEIGHT, not '" + text + "'");
@@ -66,8 +66,8 @@ PictureView pinhole(const ViewOptions& options) {
   return view;
 }
 
-/// Puts the eye where the options say.
-/// @return The exit code, if that can't be.
+/// Places the camera as the options say.
+/// @return The exit code, if that is not possible.
 std::optional<int> placeEye(Sight& sight, const std::string& camera, PictureView& view) {
   const std::optional<Pose> pose = readViewpoint(camera);
   if (pose) {
@@ -88,10 +88,10 @@ std::optional<int> placeEye(Sight& sight, const std::string& camera, PictureView
   return std::nullopt;
 }
 
-/// @return The picture as sixels, as large as the terminal lets it be.
+/// @return The image as sixels, as large as the terminal allows.
 std::string sixelPlot(const ViewOptions& options, const std::vector<std::uint8_t>& pixels, const TerminalSize& size) {
   const double columns = std::min(size.columns * size.letterWidth, kMostSixels);
-  // below stands the cursor
+  // leaves a row for the cursor below
   const double rows = std::min(std::max(1, size.rows - 1) * size.letterHeight, kMostSixels);
   const SmallPicture small = shrinkInto(pixels, options.width, options.height, columns, rows);
   return sixels(small.pixels, small.across, small.down) + "\n";
@@ -128,13 +128,13 @@ int viewWorld(const ViewOptions& options) {
   return show(options, pixels);
 }
 
-/// What goes with a file, or with a running world, and was given.
+/// Options given for a file or for a running world.
 struct ViewSource {
   std::optional<std::string> file, at, world, timeout;
   bool offline = false;
 };
 
-/// Reads what there is to be drawn.
+/// Sets the source of what to draw.
 void readSource(const ViewSource& given, ViewOptions& options) {
   if (given.file && given.file->empty()) throw UsageError("no world file given", "pongsim view WORLD");
   if (given.world && given.world->empty()) throw UsageError("option '-w' needs a world's name");

@@ -10,13 +10,13 @@
 namespace pongsim::cli {
 
 struct ViewOptions {
-  /// File of the world; empty: one that runs is drawn.
+  /// File of the world; empty: draw a running one.
   std::string file;
-  /// Simulated seconds that go by before, of a file's world.
+  /// For the world of a file: simulated seconds to run first.
   double at = 0;
-  /// Name of the running world, or of the one of the file; empty: the only one that runs, the first one of the file.
+  /// Name of the running world, or of the one in the file; empty: the only running one, or the first one in the file.
   std::string world;
-  /// For finding that, and for its answer.
+  /// For finding the world, and for its answer.
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
   std::string camera;
   std::string output;
@@ -26,16 +26,16 @@ struct ViewOptions {
   bool axes = false;
   bool names = false;
   bool terminal = false;
-  /// In the terminal, whatever that says that it can.
+  /// Draw sixels in the terminal, whatever features it reports.
   bool sixel = false;
 };
 
-/// Loads the world of the file and lets time go by. Says why where it can't.
-/// @return Null where it can't.
+/// Loads the world of the file and runs it for the given time. Reports failures.
+/// @return Null on failure.
 std::unique_ptr<Sight> sightOfFile(const ViewOptions& options);
 
-/// Asks the world that runs what there is to be seen. Says why where it can't, and which files are not here.
-/// @return Null where it can't.
+/// Asks the running world for its scene. Reports failures, and files that are missing on this machine.
+/// @return Null on failure.
 std::unique_ptr<Sight> sightOfRunningWorld(const ViewOptions& options);
 
 }  // namespace pongsim::cli

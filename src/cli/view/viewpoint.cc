@@ -10,10 +10,10 @@ namespace pongsim::cli {
 
 namespace {
 
-// of what is seen, on each side
+// relative to the visible area, on each side
 constexpr double kFrameMargin = 1.06;
 
-/// @return What looks along a direction with the horizon level.
+/// @return The orientation that looks along a direction with a level horizon.
 Quaternion lookingAlong(const Vector3& direction) {
   const double yaw = std::atan2(direction.y(), direction.x());
   const double pitch = -std::atan2(direction.z(), direction.head<2>().norm());

@@ -20,7 +20,7 @@ namespace pongsim::cli {
 
 namespace {
 
-/// The command line as it was given.
+/// The parsed command line.
 struct WorldCommandLine {
   std::string action;
   std::optional<std::string> steps, world, lines, timeout, seed;
@@ -63,7 +63,7 @@ Work workFor(const WorldCommandLine& given) {
     throw UsageError("option '--json' can't be used with '" + given.action + "'", "use it with stats and info");
   }
   options.json = given.json;
-  // 0 stands for none in the message
+  // 0 means none in the message
   constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max();
   if (given.seed) options.seed = static_cast<std::uint32_t>(wholeNumber("--seed", *given.seed, 1, kLargest));
   if (given.world) options.world = *given.world;

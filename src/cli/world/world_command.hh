@@ -11,21 +11,21 @@ enum class WorldAction { kPause, kPlay, kStep, kReset, kStats, kInfo };
 
 struct WorldOptions {
   WorldAction action = WorldAction::kStats;
-  /// The world's name; empty: the only one that runs.
+  /// The world's name; empty: the only running one.
   std::string world;
-  /// Of `kStep`.
+  /// For `kStep`.
   std::uint32_t steps = 1;
-  /// Of `kReset`: where all random numbers come from then; unset: from where they did.
+  /// For `kReset`: the new seed of all random numbers; unset: the old one.
   std::optional<std::uint32_t> seed;
-  /// Of `kStats` and `kInfo`.
+  /// For `kStats` and `kInfo`.
   bool json = false;
-  /// Of `kStats`: end after that many lines.
+  /// For `kStats`: stop after this many lines.
   std::optional<std::uint64_t> lines;
   /// For finding the world, and for its answer.
   std::chrono::nanoseconds timeout = std::chrono::seconds(1);
 };
 
-/// What `pongsim world` does.
+/// Implements `pongsim world`.
 /// @return The exit code.
 int controlWorld(const WorldOptions& options);
 

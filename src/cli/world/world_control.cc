@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long a wait may last before the rest of the world is looked at.
+/// Maximum length of a wait before other things are checked.
 constexpr std::chrono::milliseconds kLongestDispatch{20};
 
 std::string statisticsText(const msgs::Status& status) {
@@ -59,7 +59,7 @@ class WorldControl {
   void fail(const std::string& message, const std::string& hint = {}) { exitCode_ = cli::fail(message, hint); }
 
   const WorldOptions& options_;
-  // before the transport, whose threads inherit the signals' mask
+  // before the transport, whose threads inherit the signal mask
   StopSignal signal_;
   Transport transport_;
   std::string world_;
@@ -105,7 +105,7 @@ bool WorldControl::findWorld() {
 /// @return The name of one of the world's topics or services.
 std::string WorldControl::nameOf(const char* what) const { return "/world/" + world_ + "/" + what; }
 
-/// @return Whether the world did it; says why where not.
+/// @return Whether the world did it; reports the reason if not.
 bool WorldControl::ask(const msgs::WorldControl& control) {
   const MessagePointer request = msgs::worldControlMessage(control);
   const MessagePointer reply = newMessage("ignition.msgs.Boolean");
@@ -113,14 +113,14 @@ bool WorldControl::ask(const msgs::WorldControl& control) {
   if (!result) {
     fail(result.error);
   } else if (!msgs::boolean(*reply)) {
-    // not of ours, which say why
+    // other simulators don't say why; ours do
     fail("world '" + world_ + "' refused");
   }
   return exitCode_ == kDone;
 }
 
-/// Hears where the run stands until `done` says so after a message, or the user ends it.
-/// @return False, after saying so, where nothing was heard for the time-out.
+/// Listens to the run's status until `done` returns true after a message, or the user stops it.
+/// @return False, after reporting it, if nothing was heard for the timeout.
 template <class Done>
 bool WorldControl::waitForStatus(Done done) {
   bool over = false;
@@ -143,14 +143,14 @@ bool WorldControl::waitForStatus(Done done) {
   return true;
 }
 
-/// Pauses, steps, and returns when the steps are made.
+/// Pauses, steps, and returns when the steps are done.
 bool WorldControl::step() {
   if (!ask({.pause = true}) || !waitForStatus([this] { return status_.paused; })) return false;
   const std::uint64_t end = status_.iterations + options_.steps;
   return ask({.pause = true, .steps = options_.steps}) && waitForStatus([&] { return status_.iterations >= end; });
 }
 
-/// As it was told last, running or paused, it is afterwards.
+/// Afterwards it is running or paused as last reported.
 bool WorldControl::reset() {
   return waitForStatus([] { return true; }) &&
          ask({.pause = status_.paused, .reset = msgs::Reset::kAll, .seed = options_.seed.value_or(0)});

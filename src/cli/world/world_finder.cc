@@ -17,12 +17,12 @@ namespace pongsim::cli {
 namespace {
 
 constexpr std::string_view kWorldPrefix = "/world/", kControlSuffix = "/control";
-/// From one look to the next.
+/// Time from one look to the next.
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 // Worlds that run answer within it.
 constexpr std::chrono::milliseconds kShortestLook{500};
 
-/// @return The names of the worlds that can be controlled, as they stand in topics.
+/// @return The names of the worlds that can be controlled, as used in topics.
 std::vector<std::string> worldsOf(const std::vector<ServiceInfo>& services) {
   std::vector<std::string> worlds;
   for (const ServiceInfo& service : services) {
@@ -36,7 +36,7 @@ std::vector<std::string> worldsOf(const std::vector<ServiceInfo>& services) {
   return worlds;
 }
 
-/// @return The first one of the process that runs all of them, or nothing where no process does.
+/// @return The first world of the process that runs all of them; nothing if there are several processes.
 std::optional<std::string> firstOf(Transport& transport, const std::vector<std::string>& worlds,
                                    std::chrono::nanoseconds timeout) {
   const MessagePointer request = newMessage("ignition.msgs.Empty");

@@ -6,7 +6,7 @@
 
 namespace pongsim::cli {
 
-/// What a world is made of and where it stands, for people or as one JSON object.
+/// A world's content and progress, for people or as one JSON object.
 /// @param step Its state, an `ignition.msgs.SerializedStepMap`.
 std::string worldInfo(const Message& step, bool asJson);
 

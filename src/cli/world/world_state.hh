@@ -11,8 +11,8 @@ class Transport;
 
 namespace pongsim::cli {
 
-/// Asks a world for its state. Says why where it does not tell it.
-/// @param world Its name as it stands in topics.
+/// Asks a world for its state. Reports failures.
+/// @param world Its name as used in topics.
 /// @return An `ignition.msgs.SerializedStepMap`, or null.
 MessagePointer askForState(Transport& transport, const std::string& world, std::chrono::nanoseconds timeout);
 

@@ -10,39 +10,39 @@
 
 namespace pongsim::msgs {
 
-/// What `ignition.msgs.WorldReset` asks for.
+/// The request in an `ignition.msgs.WorldReset`.
 enum class Reset { kNone, kAll, kTimeOnly, kModelsOnly };
 
-/// What `ignition.msgs.WorldControl` asks for.
+/// The request in an `ignition.msgs.WorldControl`.
 struct WorldControl {
   bool pause = false;
-  /// So many steps, then a pause; 0: nothing of the kind.
+  /// Number of steps to run before pausing; 0: not requested.
   std::uint32_t steps = 0;
-  /// Pause at that simulated time.
+  /// Simulated time at which to pause.
   std::optional<Time> runTo = std::nullopt;
   Reset reset = Reset::kNone;
   /// New seed; 0: none.
   std::uint32_t seed = 0;
 };
 
-/// What `ignition.msgs.LogPlaybackControl` asks for.
+/// The request in an `ignition.msgs.LogPlaybackControl`.
 struct PlaybackControl {
   /// Its `pause` and `multi_step`.
   WorldControl run;
   bool rewind = false;
   bool forward = false;
-  /// To that simulated time.
+  /// Simulated time to jump to.
   std::optional<Time> seek = std::nullopt;
 };
 
-/// What `ignition.msgs.ServerControl` asks for.
+/// The request in an `ignition.msgs.ServerControl`.
 struct ServerControl {
   bool stop = false;
-  /// Whether it asks for something else too.
+  /// Whether it contains other requests too.
   bool more = false;
 };
 
-/// Each reads or fills in a message of the type that its name tells.
+/// Each function reads or fills in a message of the type in its name.
 WorldControl worldControl(const Message& message);
 PlaybackControl playbackControl(const Message& message);
 ServerControl serverControl(const Message& message);
@@ -52,7 +52,7 @@ std::vector<std::string> strings(const Message& stringMsgV);
 void setString(const std::string& value, Message& stringMsg);
 std::string string(const Message& stringMsg);
 
-/// @return `ignition.msgs.WorldControl` that asks for that; of resets that of all.
+/// @return An `ignition.msgs.WorldControl` with these requests; the only reset it supports is that of everything.
 MessagePointer worldControlMessage(const WorldControl& control);
 /// @return The value of an `ignition.msgs.Boolean`.
 bool boolean(const Message& message);

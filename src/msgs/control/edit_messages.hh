@@ -11,73 +11,73 @@
 
 namespace pongsim::msgs {
 
-/// Where something is to be put, as `ignition.msgs.SphericalCoordinates` has it.
+/// A place given by an `ignition.msgs.SphericalCoordinates`.
 struct PlaceOnEarth {
   GeodeticPosition position;
-  /// Turned so far about z, anticlockwise [rad].
+  /// Rotation about z, counter-clockwise [rad].
   double heading = 0;
 };
 
-/// What `ignition.msgs.EntityFactory` asks for.
+/// The request in an `ignition.msgs.EntityFactory`.
 struct EntityFactory {
   /// SDF or URDF text; empty: none.
   std::string text;
   std::string file;
-  /// A model of the top level to copy; empty: none.
+  /// Name of a top-level model to copy; empty: none.
   std::string original;
-  /// An `ignition.msgs.Light` to add, or null. It lives as long as the message that this was read from.
+  /// An `ignition.msgs.Light` to add, or null. It is part of the message that this was read from.
   const Message* light = nullptr;
   std::string name;
   /// World frame.
   std::optional<Pose> pose;
   std::optional<PlaceOnEarth> place;
   bool allowRenaming = false;
-  /// A field that is filled in and means nothing here; empty: none.
+  /// Name of a field that is set but not supported; empty: none.
   std::string unknownField;
 };
 
-/// What `ignition.msgs.Entity` names.
+/// An entity named by an `ignition.msgs.Entity`.
 struct EntityName {
-  /// 0: named by its name.
+  /// 0: identified by its name.
   std::uint64_t id = 0;
   std::string name;
   /// The type's name in the message's enumeration: "MODEL".
   std::string type;
 };
 
-/// Who is to go where, as `ignition.msgs.Pose` has it.
+/// An entity and its new pose, from an `ignition.msgs.Pose`.
 struct PoseOfEntity {
   EntityName entity;
-  /// World frame; without a rotation where the message has none.
+  /// World frame; has no rotation if the message has none.
   Pose pose;
 };
 
-/// Who is to be where on the earth, as `ignition.msgs.SphericalCoordinates` has it.
+/// An entity and its new place on earth, from an `ignition.msgs.SphericalCoordinates`.
 struct PlaceOfEntity {
   /// Nothing: the world's origin.
   std::optional<EntityName> entity;
   PlaceOnEarth place;
 };
 
-/// What `ignition.msgs.WheelSlipParametersCmd` asks for.
+/// The request in an `ignition.msgs.WheelSlipParametersCmd`.
 struct WheelSlip {
-  /// A link, or a model with all of its links.
+  /// A link, or a model for all its links.
   EntityName entity;
   double lateral = 0;
   double longitudinal = 0;
 };
 
-/// What `ignition.msgs.Physics` asks for.
+/// The request in an `ignition.msgs.Physics`.
 struct PhysicsSettings {
-  /// [s]; 0: as it is.
+  /// [s]; 0: unchanged.
   double stepSize = 0;
-  /// Simulated seconds a second; 0: as it is.
+  /// Simulated seconds per second of wall time; 0: unchanged.
   double realTimeFactor = 0;
   /// World frame [m/s^2].
   std::optional<Vector3> gravity;
 };
 
-/// Each reads a message of the type that is named above.
+/// Each function reads a message of the type documented above.
 EntityFactory entityFactory(const Message& message);
 EntityName entityName(const Message& message);
 PoseOfEntity poseOfEntity(const Message& message);
@@ -88,7 +88,7 @@ WheelSlip wheelSlip(const Message& message);
 /// Fills in an `ignition.msgs.WheelSlipParametersCmd`.
 void setWheelSlip(const WheelSlip& slip, Message& message);
 
-/// Of `ignition.msgs.EntityFactory_V` and `ignition.msgs.Pose_V`.
+/// For `ignition.msgs.EntityFactory_V` and `ignition.msgs.Pose_V`.
 std::vector<EntityFactory> entityFactories(const Message& message);
 std::vector<PoseOfEntity> posesOfEntities(const Message& message);
 

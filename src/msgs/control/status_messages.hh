@@ -11,29 +11,30 @@
 
 namespace pongsim::msgs {
 
-/// Where a run stands, as `ignition.msgs.Clock` and `ignition.msgs.WorldStatistics` tell it.
+/// Progress of a run, as in `ignition.msgs.Clock` and `ignition.msgs.WorldStatistics`.
 struct Status {
   Time simulated{0};
-  /// Wall time spent running, pauses apart.
+  /// Wall time spent running, without pauses.
   std::chrono::nanoseconds real{0};
   /// Wall-clock time since 1970.
   std::chrono::nanoseconds system{0};
   std::uint64_t iterations = 0;
   double realTimeFactor = 0;
   bool paused = false;
-  /// Of `ignition.msgs.WorldStatistics` that come with a state.
+  /// Only in `ignition.msgs.WorldStatistics` that are part of a state.
   Time stepSize{0};
 };
 
-/// The two messages, used again and again.
+/// The two messages, reused.
 class StatusMessages {
  public:
   StatusMessages();
   ~StatusMessages();
 
-  /// @return `ignition.msgs.Clock`; lives until the next call.
+  /// @return `ignition.msgs.Clock`; valid until the next call.
   const Message& clock(const Status& status);
-  /// @return `ignition.msgs.WorldStatistics`, the factor rounded to four decimals; lives until the next call.
+  /// @return `ignition.msgs.WorldStatistics`, with the real-time factor rounded to four decimals; valid until the next
+  /// call.
   const Message& statistics(const Status& status);
 
  private:
@@ -41,25 +42,25 @@ class StatusMessages {
   std::unique_ptr<Parts> parts_;
 };
 
-/// @return What an `ignition.msgs.WorldStatistics` tells.
+/// @return The content of an `ignition.msgs.WorldStatistics`.
 Status statusOf(const Message& statistics);
 
-/// @return What the statistics in an `ignition.msgs.SerializedStepMap` tell.
+/// @return The content of the statistics in an `ignition.msgs.SerializedStepMap`.
 Status statusOfState(const Message& step);
 
-/// How often a sensor speaks, as `ignition.msgs.PerformanceSensorMetrics` tells it; all a second.
+/// Rates of a sensor for `ignition.msgs.PerformanceSensorMetrics` [1/s].
 struct SensorRates {
-  /// Readings in simulated time.
+  /// Readings per simulated second.
   double simulated = 0;
-  /// Readings in wall time.
+  /// Readings per second of wall time.
   double real = 0;
-  /// What is asked for, in simulated time.
+  /// The requested rate, per simulated second.
   double nominal = 0;
-  /// Of a camera, pictures in wall time, a mean.
+  /// Cameras only: mean number of images per second of wall time.
   std::optional<double> pictures = std::nullopt;
 };
 
-/// Each fills in that part of an `ignition.msgs.PerformanceSensorMetrics`.
+/// Each function fills in one part of an `ignition.msgs.PerformanceSensorMetrics`.
 void setSensorName(const std::string& name, Message& performanceSensorMetrics);
 void setRates(const SensorRates& rates, Message& performanceSensorMetrics);
 

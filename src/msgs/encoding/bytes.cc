@@ -30,7 +30,7 @@ std::optional<BulkWriter> BulkWriter::of(const Message& message, const Bulk& bul
   }
   BulkWriter writer(message, bulk);
   writer.head_ = message.ByteSizeLong();
-  // fields may stand in any order, so that this one can follow what is there
+  // fields can be in any order, so this one may come after the rest
   auto* const begin = reinterpret_cast<std::uint8_t*>(writer.tag_.data());
   std::uint8_t* end =
       WireFormatLite::WriteTagToArray(field->number(), WireFormatLite::WIRETYPE_LENGTH_DELIMITED, begin);

@@ -28,7 +28,7 @@ std::string defaultOf(const FieldDescriptor& field) {
   }
 }
 
-/// @param open The types that the place is within.
+/// @param open The types that enclose this one.
 void add(const Descriptor& type, const std::string& indentation, std::vector<const Descriptor*>& open,
          std::string& text) {
   open.push_back(&type);

@@ -21,12 +21,12 @@ namespace protobuf = google::protobuf;
 using msgs::TextContext;
 using msgs::TokenPosition;
 
-/// As deep as protobuf reads a payload.
+/// The nesting limit of protobuf's binary parser.
 constexpr int kDeepestNesting = 100;
-/// Longest part of a user's text that stands in a message.
+/// Maximum length of user text quoted in a message.
 constexpr std::size_t kLongestQuote = 60;
 
-/// Keeps the first complaint: what follows it is mostly its consequence.
+/// Keeps the first error, because the following ones are mostly consequences.
 class FirstError : public protobuf::io::ErrorCollector {
  public:
   void AddError(int line, int column, const std::string& message) override {
@@ -41,7 +41,7 @@ class FirstError : public protobuf::io::ErrorCollector {
   std::string complaint;
 };
 
-/// @return `part` in quotes, on one line and not too long.
+/// @return `part` in quotes, on one line and of limited length.
 std::string quote(std::string_view part) {
   std::string shown(part.substr(0, kLongestQuote));
   if (part.size() > kLongestQuote) shown += "...";
@@ -51,7 +51,7 @@ std::string quote(std::string_view part) {
   return quoted ? shown : "'" + shown + "'";
 }
 
-/// @return What stands between the `index`th pair of double quotes of protobuf's complaint.
+/// @return The text in the `index`th pair of double quotes in protobuf's error message.
 std::string_view quotedPart(std::string_view complaint, int index) {
   std::size_t begin = 0;
   for (int passed = 0; passed < 2 * index + 1; ++passed) begin = complaint.find('"', begin) + 1;
@@ -81,7 +81,7 @@ std::string join(const std::vector<std::string_view>& words) {
   return all;
 }
 
-/// @return What a value of the field is, in a user's words.
+/// @return A user-friendly name for the kind of value a field takes.
 std::string kindOf(const protobuf::FieldDescriptor& field) {
   switch (field.cpp_type()) {
     case protobuf::FieldDescriptor::CPPTYPE_BOOL:
@@ -114,7 +114,7 @@ MessageError unknownField(std::string_view typeName, std::string_view field) {
   const protobuf::Descriptor* type = msgs::typeSource().pool.FindMessageTypeByName(std::string(typeName));
   if (type == nullptr) return error;
   const std::vector<std::string_view> known = fieldsOf(*type);
-  // any two names of a letter or two are near each other
+  // names of one or two letters are all similar to each other
   if (field.size() > 2) error.hint = base::didYouMean(field, known);
   if (error.hint.empty()) error.hint = known.empty() ? "it has no fields" : "its fields: " + join(known);
   return error;
@@ -153,7 +153,7 @@ MessageError wrongName(std::string_view found, const TextContext& context) {
   return saying("a field's name expected here, not " + quote(found));
 }
 
-/// Says protobuf's complaint in a user's words. Where it is not one of the usual ones it is passed on.
+/// Translates protobuf's error message for users. Unknown messages are passed on unchanged.
 MessageError explain(std::string_view complaint, const TextContext& context, TokenPosition& blamed) {
   const auto says = [complaint](std::string_view beginning) { return complaint.starts_with(beginning); };
   if (says("Message type \"")) {
@@ -195,7 +195,7 @@ MessageError explain(std::string_view complaint, const TextContext& context, Tok
   return saying(message);
 }
 
-/// @return The column, counted from 1 in bytes, that the tokenizer, for which tabs are wide, calls `column`.
+/// @return The tokenizer's `column`, which expands tabs, as a column counted in bytes from 1.
 int byteColumn(std::string_view text, TokenPosition position) {
   constexpr int kTabWidth = 8;
   std::size_t at = 0;
@@ -207,7 +207,8 @@ int byteColumn(std::string_view text, TokenPosition position) {
   return static_cast<int>(at - begin) + 1;
 }
 
-/// Protobuf takes any bytes for a string in text, and refuses to read them in the payload that it makes of them.
+/// Protobuf accepts any bytes for a string in text format, but rejects invalid UTF-8 in the binary payload made from
+/// it.
 bool survivesTheWire(const Message& message) {
   const std::unique_ptr<Message> copy(message.New());
   return copy->ParseFromString(message.SerializeAsString());

@@ -10,26 +10,26 @@ class FieldDescriptor;
 
 namespace pongsim::msgs {
 
-/// Where a token stands, as protobuf's tokenizer counts: from 0, a tab reaching to the next multiple of 8.
+/// Position of a token as counted by protobuf's tokenizer: from 0, with tab stops at multiples of 8.
 struct TokenPosition {
   int line = 0;
   int column = 0;
   auto operator<=>(const TokenPosition&) const = default;
 };
 
-/// What stands before a place in a message's text.
+/// The context of a position in a message's text.
 struct TextContext {
-  /// The message whose braces are open there; null where an unknown field opened them.
+  /// The message whose braces are open there; null if they belong to an unknown field.
   const google::protobuf::Descriptor* type = nullptr;
-  /// The field that was named last in it; null where it is not one of `type`.
+  /// The last field named in it; null if it is not a field of `type`.
   const google::protobuf::FieldDescriptor* field = nullptr;
-  /// How the field that opened the braces is called; empty at the top.
+  /// Name of the field that opened the braces; empty at the top level.
   std::string opener;
-  /// The name and the value that were read last.
+  /// The last name and the last value before the position.
   TokenPosition lastName, lastValue;
 };
 
-/// @param end The place; what stands there and after it is not read.
+/// @param end The position; the text from there on is not read.
 TextContext contextOf(std::string_view text, const google::protobuf::Descriptor& root, TokenPosition end);
 
 }  // namespace pongsim::msgs

@@ -21,7 +21,7 @@ using google::protobuf::TextFormat;
 
 constexpr int kMostFields = 100'000;
 
-/// One name of a path and the index in brackets behind it.
+/// A name in a path, with its index in brackets.
 struct Word {
   std::string_view name;
   std::optional<std::string_view> index;
@@ -44,7 +44,7 @@ const Descriptor* descriptorOf(const std::string& type) {
   return message ? message->GetDescriptor() : nullptr;
 }
 
-/// @param index Of a list, else negative.
+/// @param index Index in a list; negative: not a list.
 std::string valueText(const Message& owner, const FieldDescriptor& field, int index) {
   const Reflection& reflection = *owner.GetReflection();
   if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING && field.type() != FieldDescriptor::TYPE_BYTES) {
@@ -61,7 +61,7 @@ std::string valueText(const Message& owner, const FieldDescriptor& field, int in
 }
 
 double numberAt(const Message& owner, const FieldDescriptor& field, int index) {
-  // every kind of number prints as one that reads back to the same value; rarely enough to be quick enough
+  // every kind of number is printed so that it reads back as the same value; this is rare enough not to need speed
   const std::string text = valueText(owner, field, index);
   if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) return text == "true" ? 1 : 0;
   double value = std::numeric_limits<double>::quiet_NaN();
@@ -69,11 +69,11 @@ double numberAt(const Message& owner, const FieldDescriptor& field, int index) {
   return value;
 }
 
-/// @param budget So many fields are looked at: a type that somebody made up can have more of them than there is time
+/// @param budget Maximum number of fields to visit, because a made-up type can have more of them than there is time
 /// for.
 void addScalarPaths(const Descriptor& type, const std::string& prefix, std::vector<const Descriptor*>& open,
                     int& budget, std::vector<std::string>& paths) {
-  // a type within itself has no end
+  // a type that contains itself has no end
   if (std::find(open.begin(), open.end(), &type) != open.end()) return;
   open.push_back(&type);
   for (int i = 0; i < type.field_count(); ++i) {

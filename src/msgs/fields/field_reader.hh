@@ -12,22 +12,22 @@ class FieldDescriptor;
 
 namespace pongsim::msgs {
 
-/// Reads the fields of a message of a known type by their names, where its class may not be at hand. To ask for a field
-/// that the type does not have, or that is of another kind, is a mistake of the program.
+/// Reads the fields of a message of a known type by name, for programs without the message's class. Asking for a field
+/// that the type does not have, or that is of another kind, is a programming error.
 class FieldReader {
  public:
   /// @param message Must outlive this.
   explicit FieldReader(const Message& message) : message_(&message) {}
 
-  /// @return Of a field of type double or float.
+  /// @return Value of a double or float field.
   double number(const char* field) const;
-  /// @return Of a field of whole numbers of up to 32 bits, of int64 or of an enumeration.
+  /// @return Value of an integer field of up to 32 bits, of int64, or of an enumeration.
   std::int64_t whole(const char* field) const;
-  /// @return Of a repeated field of type double.
+  /// @return Values of a repeated double field.
   std::vector<double> numbers(const char* field) const;
-  /// @return Of a field of bytes.
+  /// @return Value of a bytes field.
   std::string bytes(const char* field) const;
-  /// @return Of a message within it; of an empty one where that is not set.
+  /// @return The nested message, or an empty one if it is not set.
   FieldReader inside(const char* field) const;
 
  private:

@@ -11,7 +11,7 @@ namespace pongsim::msgs {
 
 namespace {
 
-// as ignition.msgs.PixelFormatType numbers them
+// numbers in ignition.msgs.PixelFormatType
 constexpr int kLInt8 = 1, kLInt16 = 2, kRgbInt8 = 3, kBgrInt8 = 8, kRFloat32 = 13;
 
 std::size_t bytesOf(int format) {
@@ -21,7 +21,7 @@ std::size_t bytesOf(int format) {
   return format == kRFloat32 ? 4 : 0;
 }
 
-/// Distances as brightness.
+/// Converts distances to brightness.
 class DepthScale {
  public:
   void add(float depth) {
@@ -70,7 +70,7 @@ std::optional<ImagePixels> pixelsOf(const Message& image) {
     } else if (format == kBgrInt8) {
       for (const std::size_t index : {2U, 1U, 0U}) picture.pixels.push_back(channel(index));
     } else {
-      // of 16 bits the upper ones
+      // of 16 bits, the upper 8
       const std::uint8_t gray = format == kRFloat32 ? scale.shade(depthAt(pixel)) : channel(bytes - 1);
       picture.pixels.insert(picture.pixels.end(), 3, gray);
     }

@@ -9,7 +9,7 @@
 
 namespace pongsim::msgs {
 
-/// A picture in colours.
+/// A colour image.
 struct ImagePixels {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -17,9 +17,9 @@ struct ImagePixels {
   std::vector<std::uint8_t> pixels;
 };
 
-/// @param image An `ignition.msgs.Image`. Of distances (R_FLOAT32) the nearest is white, the farthest nearly black, and
-/// what is not finite black.
-/// @return Nothing where it has no pixels, less data than it says, or another format than RGB_INT8, BGR_INT8, L_INT8,
+/// @param image An `ignition.msgs.Image`. In depth images (R_FLOAT32) the nearest pixel is white, the farthest nearly
+/// black, and non-finite values are black.
+/// @return Nothing if it has no pixels, less data than it claims, or a format other than RGB_INT8, BGR_INT8, L_INT8,
 /// L_INT16 and R_FLOAT32.
 std::optional<ImagePixels> pixelsOf(const Message& image);
 

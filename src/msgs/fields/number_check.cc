@@ -17,7 +17,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Reflection;
 
-// Two of them, added, are still less than the 292 years that nanoseconds in 64 bits can count.
+// The sum of two of these is still less than the 292 years that fit in 64 bits of nanoseconds.
 constexpr std::int64_t kMostSeconds = 4'000'000'000;
 
 bool isTime(const Descriptor& type) {
@@ -31,12 +31,12 @@ std::string shortest(double number) {
   return text.data();
 }
 
-/// @param index Which one of a list; negative where it is none.
+/// @param index Index in a list; negative: not a list.
 std::string nameOf(const FieldDescriptor& field, int index) {
   return index < 0 ? field.name() : field.name() + "[" + std::to_string(index) + "]";
 }
 
-/// A look at one value of a message: a field, or one of a list's.
+/// One value of a message: a field, or an element of a list.
 class Value {
  public:
   Value(const Message& message, const FieldDescriptor& field, int index)
@@ -101,7 +101,7 @@ std::optional<std::string> unusableNumber(const Message& message, double largest
       }
       continue;
     }
-    // what is not there would be looked into for ever where a type holds itself
+    // following unset fields would never end if a type contains itself
     if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE && !reflection.HasField(message, &field)) continue;
     if (std::optional<std::string> found = Value(message, field, -1).fault(largest)) return found;
   }

@@ -7,10 +7,10 @@
 
 namespace pongsim::msgs {
 
-/// @param largest What numbers with a point (float, double) may be, either way.
-/// @return The first such number in the message, in lists and inner messages too, that is not finite or beyond
-/// `largest`, or the first time that nanoseconds can't count: "linear.x is 1e+308". Nothing where all is well; then
-/// nothing is allocated.
+/// @param largest Largest allowed magnitude of floating-point numbers (float, double).
+/// @return The first such number in the message, including lists and nested messages, that is not finite or exceeds
+/// `largest`, or the first time that does not fit in nanoseconds: "linear.x is 1e+308". Nothing if all is well, and
+/// then nothing is allocated.
 std::optional<std::string> unusableNumber(const Message& message, double largest);
 
 }  // namespace pongsim::msgs

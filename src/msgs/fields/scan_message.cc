@@ -20,7 +20,7 @@ ScanRow levelRowOf(const Message& scan) {
   const std::size_t count = said > 0 ? std::min(said, ranges.size()) : ranges.size();
   if (count == 0) return row;
 
-  // rows that are there
+  // the rows that are really present
   const auto rows =
       std::clamp<std::size_t>(static_cast<std::size_t>(reader.whole("vertical_count")), 1, ranges.size() / count);
   const double lowest = reader.number("vertical_angle_min"), step = reader.number("vertical_angle_step");

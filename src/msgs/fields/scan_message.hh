@@ -10,17 +10,17 @@ namespace pongsim::msgs {
 /// One row of an `ignition.msgs.LaserScan`.
 struct ScanRow {
   Time time{0};
-  /// Of the first beam, counter-clockwise from ahead, and from one to the next [rad].
+  /// Angle of the first beam, counter-clockwise from straight ahead, and the step from one beam to the next [rad].
   double firstAngle = 0;
   double angleStep = 0;
-  /// How far up the row looks [rad].
+  /// Elevation of the row [rad].
   double elevation = 0;
-  /// [m] Infinite where nothing is.
+  /// [m] Infinite without a hit.
   std::vector<double> ranges;
 };
 
-/// @param scan An `ignition.msgs.LaserScan`, perhaps with less ranges than it says.
-/// @return The row that looks most nearly level.
+/// @param scan An `ignition.msgs.LaserScan`, perhaps with fewer ranges than it claims.
+/// @return The row closest to horizontal.
 ScanRow levelRowOf(const Message& scan);
 
 }  // namespace pongsim::msgs

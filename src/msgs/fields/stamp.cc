@@ -12,7 +12,7 @@ namespace pongsim::msgs {
 
 namespace {
 
-/// @return The field, where it is an ignition.msgs.Header.
+/// @return The field, if it is an ignition.msgs.Header.
 const google::protobuf::FieldDescriptor* headerField(const Message& message) {
   const google::protobuf::FieldDescriptor* const field = message.GetDescriptor()->FindFieldByName("header");
   const bool isHeader = field != nullptr && !field->is_repeated() && field->message_type() != nullptr &&

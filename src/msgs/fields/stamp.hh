@@ -9,17 +9,17 @@
 
 namespace pongsim::msgs {
 
-/// @return The time as far as it fits in nanoseconds, from -146 to 146 years.
+/// @return The time, clamped to what fits in nanoseconds: -146 to 146 years.
 Time timeOf(std::int64_t seconds, std::int64_t nanoseconds);
 
 /// @param type Full name of a message type.
-/// @return Whether its messages have a header that can tell a time.
+/// @return Whether its messages have a header with a time stamp.
 bool hasStamp(std::string_view type);
 
-/// @return The time in the message's header; nothing where it has none.
+/// @return The time stamp in the message's header; nothing if it has none.
 std::optional<Time> stampOf(const Message& message);
 
-/// Simulated and wall time at the end of the same step, as an `ignition.msgs.Clock` tells them.
+/// Simulated and wall time at the end of the same step, from an `ignition.msgs.Clock`.
 struct ClockReading {
   Time simulated{0};
   /// Since 1970.

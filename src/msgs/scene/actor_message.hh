@@ -8,10 +8,10 @@ class Actor;
 
 namespace pongsim::msgs {
 
-/// Fills in an actor as Fortress does, that is without its links.
+/// Fills in an actor as Fortress does, without its links.
 void setActor(const description::Actor& actor, ignition::msgs::Actor& message);
 
-/// @return The actor that a message tells of. Its files are named as the message does (`uri`) and not looked for.
+/// @return The actor in a message. Its files keep the message's names (`uri`) and are not looked for.
 description::Actor actorFrom(const ignition::msgs::Actor& message);
 
 }  // namespace pongsim::msgs

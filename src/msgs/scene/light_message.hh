@@ -12,23 +12,23 @@ class Light;
 
 namespace pongsim::msgs {
 
-/// Fills in a light as Fortress does, but for its id and that of what holds it.
+/// Fills in a light as Fortress does, except for its id and its parent's.
 void setLight(const description::Light& light, ignition::msgs::Light& message);
 
-/// @return The light that a message tells of.
+/// @return The light in a message.
 description::Light lightFrom(const ignition::msgs::Light& message);
 
-/// Tells in the header that a light is off, as Fortress does where its messages have no field for something.
+/// Stores in the header whether a light is on, as Fortress does for values without a field.
 void setWhetherOn(bool isOn, ignition::msgs::Light& message);
-/// @return What `setWhetherOn` has told; lights of which nothing is told are on.
+/// @return The value stored by `setWhetherOn`; without one a light is on.
 bool isOn(const ignition::msgs::Light& message);
 
-/// Which light an `ignition.msgs.Light` means.
+/// The light that an `ignition.msgs.Light` refers to.
 struct LightName {
-  /// 0: it is named by its name.
+  /// 0: identified by its name.
   std::uint64_t id = 0;
   std::string name;
-  /// Id of the link that holds it; 0: the world.
+  /// Id of the parent link; 0: the world.
   std::uint64_t parent = 0;
 };
 
@@ -36,9 +36,9 @@ struct LightName {
 LightName lightName(const Message& light);
 
 /// @param light An `ignition.msgs.Light`.
-/// @return What becomes of `before`: colours, direction and position that the message has not stay, as the rotation
-/// always does; single values that it leaves out become 0 or false, for it can't tell the one from the other. A light of
-/// which nothing is told (`setWhetherOn`) is on. The name stays.
+/// @return `before` with the message's changes. Colours, direction and position that the message lacks stay unchanged,
+/// and so do the rotation and the name. Scalars that it leaves out become 0 or false, because that is how the format
+/// stores them. Without a value from `setWhetherOn`, the light is on.
 description::Light changedLight(const description::Light& before, const Message& light);
 
 }  // namespace pongsim::msgs

@@ -66,7 +66,7 @@ void setMaterial(const description::Material& material, im::Material& message) {
   message.set_lighting(material.isLit);
   message.set_double_sided(material.isDoubleSided);
   message.set_render_order(material.renderOrder);
-  // of the two the one that Fortress takes
+  // Fortress prefers this one of the two
   if (material.metal) {
     im::Material::PBR& pbr = *message.mutable_pbr();
     pbr.set_type(im::Material::PBR::METAL);

@@ -10,7 +10,7 @@ Vector3 vectorFrom(const Message& message) {
   return {message.x(), message.y(), message.z()};
 }
 
-/// @param message An ignition.msgs.Pose; one without an orientation is not turned.
+/// @param message An ignition.msgs.Pose; without an orientation there is no rotation.
 template <class Message>
 Pose poseFrom(const Message& message) {
   Pose pose;

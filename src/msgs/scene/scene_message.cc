@@ -19,7 +19,7 @@ namespace im = ignition::msgs;
 using world::kNoSlot;
 using world::Slot;
 
-/// Ids of messages have 32 bits.
+/// Ids in messages have 32 bits.
 template <class Id>
 std::uint32_t numberOf(Id id) {
   return static_cast<std::uint32_t>(id.value);
@@ -84,7 +84,7 @@ class GraphWriter {
   void addEdge(std::uint64_t from, std::uint64_t to) {
     edges_ += "  " + std::to_string(from) + " -> " + std::to_string(to) + " [label=1];\n";
   }
-  /// Adds what hangs on something else.
+  /// Adds a child of something else.
   template <class Parent, class Child>
   void add(Parent parent, Child child, std::string_view name) {
     addNode(child.value, name);

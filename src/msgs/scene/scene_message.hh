@@ -11,12 +11,12 @@
 namespace pongsim::msgs {
 
 /// Fills in an `ignition.msgs.Scene` as Fortress does: the models with their links, visuals, lights and sensors, and
-/// the lights of the world. Poses are those of now, each in the frame of what holds it.
-/// @param isWanted Told the id of each model at the top level and each light of the world. Empty: all are.
+/// the world's lights. Poses are the current ones, each in its parent's frame.
+/// @param isWanted Called with the id of each top-level model and each light of the world. Empty: all are included.
 void setScene(const world::Entities& entities, const world::State& state, Message& scene,
               const std::function<bool(std::uint64_t)>& isWanted = {});
 
-/// @return Who holds whom, as text for Graphviz: the same as in the scene.
+/// @return The tree of entities, as text for Graphviz, with the same content as the scene.
 std::string sceneGraph(const world::Entities& entities);
 
 }  // namespace pongsim::msgs

@@ -104,7 +104,7 @@ struct SettingsWriter {
     camera.set_aspect_ratio(settings.aspectRatio);
   }
 
-  /// Of types whose settings have no place in the message.
+  /// For types whose settings have no field in the message.
   template <class Other>
   void operator()(const Other&) const {}
 };
@@ -154,7 +154,7 @@ LidarSettings lidarOf(const im::LidarSensor& message) {
 CameraSettings cameraOf(const im::CameraSensor& message) {
   CameraSettings camera;
   camera.horizontalFov = message.horizontal_fov();
-  // a picture of more pixels than there can be is none of ours
+  // ignore pixel counts that are impossible
   const auto pixels = [](double count) { return count >= 0 && count < 1e9 ? static_cast<std::uint32_t>(count) : 0; };
   camera.width = pixels(message.image_size().x());
   camera.height = pixels(message.image_size().y());

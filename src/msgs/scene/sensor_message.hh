@@ -8,11 +8,11 @@ class Sensor;
 
 namespace pongsim::msgs {
 
-/// Fills in a sensor, but for its id and that of what holds it: name, type, topic, rate, pose, and the settings of
-/// inertial measurement units, magnetometers, altimeters, air pressure sensors, lidars, cameras and logical cameras.
+/// Fills in a sensor, except for its id and its parent's: name, type, topic, rate, pose, and the settings of IMUs,
+/// magnetometers, altimeters, air pressure sensors, lidars, cameras and logical cameras.
 void setSensor(const description::Sensor& sensor, ignition::msgs::Sensor& message);
 
-/// @return What such a message says; of a camera what it has place for.
+/// @return The sensor in such a message; for a camera, as far as the message has fields.
 description::Sensor sensorOf(const ignition::msgs::Sensor& message);
 
 }  // namespace pongsim::msgs

@@ -13,7 +13,7 @@ namespace pongsim::msgs {
 
 namespace {
 
-// sdf::JointType of sdformat 12, from 1
+// sdf::JointType of sdformat 12, starting at 1
 constexpr std::array<std::string_view, 9> kJointTypes{"ball",     "continuous", "fixed", "gearbox",  "prismatic",
                                                       "revolute", "revolute2",  "screw", "universal"};
 

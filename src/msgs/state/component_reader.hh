@@ -14,12 +14,12 @@
 
 namespace pongsim::msgs {
 
-/// The components that a state tells of one entity, by their names in Fortress. It must not outlive the state.
+/// The components of one entity in a state, by their names in Fortress. Must not outlive the state.
 class ComponentReader {
  public:
   explicit ComponentReader(const ignition::msgs::SerializedEntityMap& entity) : entity_(entity) {}
 
-  /// @return The component's bytes; null where the entity has it not.
+  /// @return The component's bytes; null if the entity does not have it.
   const std::string* find(std::string_view name) const {
     const auto found = entity_.components().find(static_cast<std::int64_t>(componentType(name)));
     return found == entity_.components().end() ? nullptr : &found->second.component();
@@ -31,7 +31,7 @@ class ComponentReader {
     return bytes == nullptr ? std::string() : *bytes;
   }
 
-  /// @return Nothing where it has it not, or another thing than a number; likewise below.
+  /// @return Nothing if the entity does not have it, or if it is not a number; likewise below.
   std::optional<long long> number(std::string_view name) const {
     const std::string* const bytes = find(name);
     return bytes == nullptr ? std::nullopt : base::parseInteger(*bytes);

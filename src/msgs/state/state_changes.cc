@@ -20,22 +20,22 @@ namespace {
 
 namespace im = ignition::msgs;
 
-/// Of a micrometre or a microradian.
+/// Resolution: a micrometre or a microradian.
 constexpr double kDigits = 1e6;
-// beyond it a double has no such digits
+// a double has no such digits beyond this
 constexpr double kLargestRounded = 1e9;
 
-/// Appends a number rounded to six digits after the point, without zeros at its end.
+/// Appends a number rounded to six decimals, without trailing zeros.
 void append(double value, std::string& text) {
   char digits[32];
-  // the shortest text of the rounded number has these digits and no more; 0 in place of -0
+  // the shortest text of the rounded number has exactly these digits; turns -0 into 0
   const double rounded = std::abs(value) < kLargestRounded ? std::round(value * kDigits) / kDigits + 0.0 : value;
   char* const end = std::to_chars(digits, digits + sizeof digits, rounded).ptr;
   if (!text.empty()) text += ' ';
   text.append(digits, end);
 }
 
-/// As Fortress's logs have a pose.
+/// Formats a pose as Fortress's logs do.
 void setText(const Pose& pose, std::string& text) {
   text.clear();
   for (const double value : pose.position) append(value, text);
@@ -65,15 +65,15 @@ struct StateChanges::Told {
   const std::uint64_t poseType = msgs::componentType("Pose");
   const std::uint64_t positionType = msgs::componentType("JointPosition");
   const std::uint64_t velocityType = msgs::componentType("JointVelocity");
-  /// Components by the ids of their entities, without those that snapshots have in each step.
+  /// Components by entity id, without those that are in every snapshot.
   std::unordered_map<std::uint64_t, std::map<std::uint64_t, std::string>> entities;
   std::unordered_map<std::uint64_t, Where> places;
   std::unordered_map<std::uint64_t, StateSnapshot::Axes> joints;
   std::string text;
-  /// What is being written, empty between.
+  /// The message being written; empty otherwise.
   std::unique_ptr<im::SerializedStateMap> changes;
 
-  /// @return Whether each snapshot has it. Fortress's logs have no velocities.
+  /// @return Whether every snapshot has it. Fortress's logs have no velocities.
   bool isMoving(std::uint64_t entity, std::uint64_t type) const {
     return type == positionType || type == velocityType || (type == poseType && places.contains(entity));
   }
@@ -135,7 +135,7 @@ bool StateChanges::tell(const StateSnapshot& snapshot, Message& stateMap) {
     for (const StateSnapshot::Place& place : snapshot.places) told_->tellPlace(place, *changes);
     for (const StateSnapshot::Axes& axes : snapshot.joints) told_->tellAxes(axes, *changes);
   } catch (...) {
-    // a map of protobuf's that got no memory to grow crashes where it is destroyed or cleared
+    // a protobuf map that could not get memory to grow crashes when it is destroyed or cleared
     static_cast<void>(changes.release());
     throw;
   }

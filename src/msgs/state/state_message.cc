@@ -48,7 +48,7 @@ class EntityWriter {
   }
   void add(std::string_view name, const Message& message) { add(name, message.SerializeAsString()); }
 
-  /// What all have but the world.
+  /// Adds what all entities but the world have.
   void addPlace(std::string_view kind, std::string_view name, std::uint64_t parent) {
     add(kind);
     add("Name", std::string(name));
@@ -117,7 +117,7 @@ class StateWriter {
     }
   }
 
-  /// @param isAll Of those that stand still, too.
+  /// @param isAll Includes those that do not move.
   void writeMoving(bool isAll) {
     for (Slot slot = 0; slot < entities_.models().size(); ++slot) {
       const world::ModelRecord& model = entities_.models()[slot];
@@ -170,7 +170,7 @@ class StateWriter {
     }
   }
 
-  /// That it goes about is to be told of its script.
+  /// The script in the message tells how the actor moves.
   void writeActor(const world::ActorRecord& actor) {
     EntityWriter entity(actor.id.value, message_);
     im::Actor settings;
@@ -184,8 +184,8 @@ class StateWriter {
     }
   }
 
-  /// Of an actor that a system moves: its height stands in its pose, all else in that of its trajectory, as Fortress's
-  /// FollowActor has it.
+  /// For an actor moved by a system: the height is in its pose, the rest in its trajectory's pose, as in Fortress's
+  /// FollowActor.
   void writeMotion(const world::ActorRecord& actor) {
     const auto moved = std::ranges::find(state_.actors, actor.description, &world::ActorState::description);
     if (moved == state_.actors.end()) return;
@@ -279,7 +279,7 @@ void setState(const world::Entities& entities, const world::State& state, StateC
     if (content == StateContent::kAll) writer.writeAll();
     writer.writeMoving(content == StateContent::kAll);
   } catch (...) {
-    // a map of protobuf's that got no memory to grow crashes where it is destroyed or cleared
+    // a protobuf map that could not get memory to grow crashes when it is destroyed or cleared
     static_cast<void>(message.unsafe_arena_release_state());
     throw;
   }

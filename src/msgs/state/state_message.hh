@@ -7,11 +7,11 @@
 
 namespace pongsim::msgs {
 
-/// Fills in the `state` and the simulated side of the `stats` of an `ignition.msgs.SerializedStepMap`: the entities
-/// with their components, named and written as those of Fortress: numbers as text with blanks between them, a pose as x
-/// y z roll pitch yaw, what is more as the bytes of a message (`Inertial`, `Axis`, `Geometry`, `Material`, `Light`,
+/// Fills in the `state` and the simulated part of the `stats` of an `ignition.msgs.SerializedStepMap`: the entities and
+/// their components, with Fortress's names and formats. Numbers are text separated by spaces, a pose is x y z roll
+/// pitch yaw, and anything more complex is a serialized message (`Inertial`, `Axis`, `Geometry`, `Material`, `Light`,
 /// `Sensor`).
-/// @throws std::bad_alloc for want of memory; the state is empty then, and what was in it is never freed.
+/// @throws std::bad_alloc if memory runs out; the state is then empty, and its previous content is leaked.
 void setState(const world::Entities& entities, const world::State& state, StateContent content, bool isPaused,
               Message& step);
 

@@ -32,7 +32,7 @@ namespace {
 
 namespace im = ignition::msgs;
 
-/// Finds the files that a state names, once each.
+/// Finds the files named in a state, each once.
 class FileSearch {
  public:
   explicit FileSearch(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -85,7 +85,7 @@ class VisibleWorldReader {
   }
 
  private:
-  /// Deeper models of a state are no models that anybody has made.
+  /// Nobody makes models nested deeper than this.
   static constexpr int kDeepest = 100;
 
   ComponentReader componentsOf(std::uint64_t id) const { return ComponentReader(state_.entities().at(id)); }
@@ -144,7 +144,7 @@ class VisibleWorldReader {
     return visual;
   }
 
-  /// Adds the actor, if it is one.
+  /// Adds the entity if it is an actor.
   void addActor(std::uint64_t id, std::vector<description::Actor>& actors) {
     const auto message = componentsOf(id).message<im::Actor>("Actor");
     if (!message) return;
@@ -188,7 +188,7 @@ class VisibleWorldReader {
   }
 
   void complete(description::Material& material) {
-    // those that are drawn
+    // only textures that are drawn
     const auto find = [this](description::Texture& texture) { texture.file = files_.find("texture", texture.uri); };
     for (description::PbrMaps* maps :
          {material.metal ? &material.metal->maps : nullptr, material.gloss ? &material.gloss->maps : nullptr}) {

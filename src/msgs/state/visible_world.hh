@@ -6,11 +6,11 @@
 
 namespace pongsim::msgs {
 
-/// Makes of a world's state what cameras need of its description: models, links, visuals and lights, each where it is
-/// now, actors with their scripts, and what surrounds them.
-/// @param step An `ignition.msgs.SerializedStepMap` with the whole state. What in it can't be read is left out.
-/// @param diagnostics A warning for each file of a mesh, a heightmap or a texture that is not on this machine; it is
-/// looked for under the path that the state names, and where worlds find their files.
+/// Builds the part of a world's description that cameras need from its state: models, links, visuals and lights at
+/// their current poses, actors with their scripts, and the rest of the scene.
+/// @param step An `ignition.msgs.SerializedStepMap` with the complete state. Unreadable parts are left out.
+/// @param diagnostics Gets a warning for each mesh, heightmap or texture file that is not on this machine; files are
+/// searched under the path in the state, and where worlds find their files.
 description::World visibleWorld(const Message& step, Diagnostics& diagnostics);
 
 }  // namespace pongsim::msgs

@@ -16,7 +16,7 @@ namespace {
 
 namespace pb = google::protobuf;
 
-/// @return The comment without the marks of Doxygen, as in "/ \brief Where it is".
+/// @return The comment without Doxygen's marks, as in "/ \brief Where it is".
 std::string plain(const std::string& comment) {
   std::string text;
   std::istringstream lines(comment);
@@ -29,8 +29,8 @@ std::string plain(const std::string& comment) {
   return text;
 }
 
-/// @return What stands about a type at the head of its file: "\interface Twist", then "\brief" and so on. The name is
-/// not always right; in a file of one type it can mean no other.
+/// @return The comment about a type at the head of its file: "\interface Twist", then "\brief" and so on. The name is
+/// not always right, but in a file with one type it can't mean another.
 std::string headComment(const pb::FileDescriptorProto& file, const std::string& type) {
   std::vector<std::string> all;
   for (const pb::SourceCodeInfo::Location& location : file.source_code_info().location()) {
@@ -45,13 +45,13 @@ std::string headComment(const pb::FileDescriptorProto& file, const std::string& 
   return {};
 }
 
-/// Removes the names in JSON, which protoc writes for all fields and nobody has chosen.
+/// Removes JSON names, which protoc writes for all fields although the files set none.
 void removeJsonNames(pb::DescriptorProto& type) {
   for (pb::FieldDescriptorProto& field : *type.mutable_field()) field.clear_json_name();
   for (pb::DescriptorProto& nested : *type.mutable_nested_type()) removeJsonNames(nested);
 }
 
-/// Makes the comments plain, and gives each type of the file the one that stands at its head.
+/// Cleans up the comments, and gives each type of the file the comment at the head.
 void cleanComments(pb::FileDescriptorProto& file) {
   std::vector<std::string> heads;
   for (const pb::DescriptorProto& type : file.message_type()) heads.push_back(headComment(file, type.name()));
@@ -71,7 +71,7 @@ std::optional<std::string> commentedDefinition(const std::string& type, const st
   std::ifstream stream(file, std::ios::binary);
   pb::FileDescriptorSet set;
   if (!stream.is_open() || !set.ParseFromIstream(&stream)) return std::nullopt;
-  // each after those that it makes use of, as protoc writes them
+  // each after those that it depends on, which is protoc's order
   pb::DescriptorPool pool;
   for (pb::FileDescriptorProto& each : *set.mutable_file()) {
     cleanComments(each);

@@ -23,7 +23,7 @@ std::string contentOf(const std::filesystem::path& file) {
 }  // namespace
 
 DescribedTypes::DescribedTypes(const std::filesystem::path& file) : bytes_(contentOf(file)) {
-  // a FileDescriptorSet: each file is the field 1, of a length
+  // a FileDescriptorSet: each file is a length-delimited field 1
   constexpr std::uint32_t kFileTag = google::protobuf::FileDescriptorSet::kFileFieldNumber << 3U | 2U;
   io::CodedInputStream stream(reinterpret_cast<const std::uint8_t*>(bytes_.data()), static_cast<int>(bytes_.size()));
   while (stream.CurrentPosition() < static_cast<int>(bytes_.size())) {

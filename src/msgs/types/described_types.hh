@@ -11,14 +11,14 @@
 
 namespace pongsim::msgs {
 
-/// Message types that a file describes; each is read when it is first asked for. Their messages know their fields by
-/// reflection only: there is no class to cast to.
+/// Message types described in a file, each read on first use. Their messages are accessible only by reflection: there
+/// is no class to cast to.
 class DescribedTypes {
  public:
-  /// @param file What `protoc --include_imports --descriptor_set_out` writes.
-  /// @throws std::runtime_error where that can't be read, or is something else.
+  /// @param file Written by `protoc --include_imports --descriptor_set_out`.
+  /// @throws std::runtime_error if it can't be read or is not such a file.
   explicit DescribedTypes(const std::filesystem::path& file);
-  // the database knows where the bytes are
+  // the database points to the bytes
   DescribedTypes(const DescribedTypes&) = delete;
   DescribedTypes& operator=(const DescribedTypes&) = delete;
 

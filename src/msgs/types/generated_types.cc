@@ -9,7 +9,7 @@ namespace pongsim::msgs {
 
 const TypeSource& typeSource() {
   static const TypeSource source = [] {
-    // The calls make the linker keep the libraries whose static initialisers register all types.
+    // The calls make the linker keep the libraries whose static initializers register all types.
     (void)ignition::msgs::Empty::descriptor();
     (void)ignition::msgs::EntityWrench::descriptor();
     return TypeSource{*google::protobuf::DescriptorPool::generated_pool(),

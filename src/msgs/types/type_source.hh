@@ -8,16 +8,16 @@ class MessageFactory;
 
 namespace pongsim::msgs {
 
-/// Where a program has its message types from.
+/// Where a program gets its message types from.
 struct TypeSource {
   const google::protobuf::DescriptorPool& pool;
-  /// Of the same types: it can list their names.
+  /// The same types: can list their names.
   google::protobuf::DescriptorDatabase& database;
   google::protobuf::MessageFactory& factory;
 };
 
-/// @return This program's source: types that were compiled (`generated_types.cc`), or, where nothing but their fields
-/// is asked for, types that a file describes (`DescribedTypes`), for those start quicker.
+/// @return This program's source: compiled types (`generated_types.cc`), or, for programs that only need reflection,
+/// types described in a file (`DescribedTypes`), which start faster.
 const TypeSource& typeSource();
 
 }  // namespace pongsim::msgs

@@ -19,13 +19,14 @@ namespace protobuf = google::protobuf;
 constexpr std::string_view kPackage = "ignition.msgs.";
 constexpr std::string_view kPrefixes[] = {kPackage, ".ignition.msgs.", "ign_msgs.", "gz.msgs.", ".gz.msgs."};
 
-/// What protobuf has to say of a broken payload or text is for developers: every caller here reports errors itself.
+/// Protobuf's own log messages about bad payloads and texts are for developers: every caller here reports errors
+/// itself.
 void tellDevelopers(protobuf::LogLevel, const char*, int, const std::string& message) {
   static const Logger log("protobuf");
   log.debug(message);
 }
 
-/// Set while the library is loaded: there are no other threads yet, which protobuf demands.
+/// Set while the library is loaded: protobuf requires that there are no other threads yet.
 [[maybe_unused]] protobuf::LogHandler* const previousLogHandler = protobuf::SetLogHandler(tellDevelopers);
 
 std::string_view withoutPackage(std::string_view name) {
@@ -38,7 +39,7 @@ std::string_view withoutPackage(std::string_view name) {
 const protobuf::Descriptor* findType(std::string_view name) {
   const protobuf::Descriptor* type =
       msgs::typeSource().pool.FindMessageTypeByName(std::string(kPackage) + std::string(withoutPackage(name)));
-  // The entry of a map is a message to protobuf only.
+  // Map entries are messages only inside protobuf.
   return type == nullptr || type->map_key() != nullptr ? nullptr : type;
 }
 

@@ -9,10 +9,10 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Room on all sides [m].
+/// Margin added to each box on all sides [m].
 constexpr double kRoom = 0.05;
 
-/// Adds pairs of one body and those whose boxes meet its box.
+/// Adds a pair for each body whose box overlaps the box of a given body.
 class PairFinder final : public btDbvt::ICollide {
  public:
   PairFinder(btOverlappingPairCache& pairs, btDbvtProxy& proxy) : pairs_(pairs), proxy_(proxy) {}
@@ -20,7 +20,7 @@ class PairFinder final : public btDbvt::ICollide {
   void Process(const btDbvtNode* node) override {
     auto* other = static_cast<btDbvtProxy*>(node->data);
     if (other == &proxy_) return;
-    // whose number is smaller comes first, whoever has moved
+    // the smaller number comes first, whichever has moved
     const bool isFirst = proxy_.m_uniqueId < other->m_uniqueId;
     pairs_.addOverlappingPair(isFirst ? &proxy_ : other, isFirst ? other : &proxy_);
   }

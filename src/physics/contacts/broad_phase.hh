@@ -6,41 +6,41 @@
 
 namespace pongsim::physics {
 
-/// Which bodies are near each other, by Bullet's trees of boxes: one for what forces move, one for the rest. A body has
-/// room in its box there, so that most steps change nothing in the trees and most bodies need only be looked at, on
-/// several threads at once.
+/// Finds which bodies are near each other, with Bullet's trees of bounding boxes: one tree for bodies moved by forces,
+/// one for the rest. Boxes in the trees have a margin, so most steps leave the trees unchanged and most bodies only
+/// need a check, which several threads can do at once.
 ///
-/// A pair is there while the two have boxes in the trees that meet. Who looks at the pairs takes out the others.
+/// A pair exists while the two boxes in the trees overlap. The caller that goes through the pairs removes the others.
 class BroadPhase final : public btDbvtBroadphase {
  public:
   btBroadphaseProxy* createProxy(const btVector3& lowest, const btVector3& highest, int shape, void* object, int group,
                                  int mask, btDispatcher* dispatcher) override;
-  /// For a body that is somewhere else at once.
+  /// For a body that jumps to another place.
   void setAabb(btBroadphaseProxy* proxy, const btVector3& lowest, const btVector3& highest,
                btDispatcher* dispatcher) override;
-  /// There is nothing left to do in a step: pairs are found as boxes leave those of the tree.
+  /// Does nothing: pairs are found when a box leaves its box in the tree.
   void calculateOverlappingPairs(btDispatcher* dispatcher) override;
 
-  /// Says what holds a body now and at the end of the step. May be called for several at once.
-  /// @return Whether its box in the tree holds that; else `leave` is to be called.
+  /// Sets the bounding box of a body's motion in this step. Can be called for several bodies at once.
+  /// @return Whether the body's box in the tree contains it; if not, call `leave`.
   static bool stay(btBroadphaseProxy& proxy, const btVector3& lowest, const btVector3& highest);
-  /// Gives the body a new box in the tree, with room on the way that it goes.
-  /// @param way Where it gets in some steps [m].
+  /// Gives the body a new box in the tree, with a margin in the direction of motion.
+  /// @param way Expected displacement over the next few steps [m].
   void leave(btBroadphaseProxy& proxy, const btVector3& way);
-  /// Finds the pairs of a body anew, for those that the filter refused before.
+  /// Finds the pairs of a body again, including those that the filter rejected before.
   void findPairs(btBroadphaseProxy& proxy);
 
-  /// Asks for the memory of a body's place here, and then, once that is there, of its box in the tree.
+  /// Prefetches a body's proxy and, once that has arrived, its box in the tree.
   static void prefetch(const btBroadphaseProxy& proxy) { base::prefetch(static_cast<const btDbvtProxy&>(proxy)); }
   static void prefetchLeaf(const btBroadphaseProxy& proxy) {
     base::prefetch(static_cast<const btDbvtProxy&>(proxy).leaf->volume);
   }
 
-  /// @return Whether what holds the two now meets.
+  /// @return Whether the current bounding boxes overlap.
   static bool meet(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
     return TestAabbAgainstAabb2(a.m_aabbMin, a.m_aabbMax, b.m_aabbMin, b.m_aabbMax);
   }
-  /// @return Whether they have boxes in the trees that meet.
+  /// @return Whether their boxes in the trees overlap.
   static bool areNear(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
  private:

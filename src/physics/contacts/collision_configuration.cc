@@ -18,15 +18,15 @@ namespace pongsim::physics {
 
 namespace {
 
-/// How often a body is tilted a little, to find more corners, and below how many points it is.
+/// How many times a body is tilted slightly to find more corners; done only if it has fewer contact points than this.
 constexpr int kTilts = 4;
 
-/// @return A lower bound of a hull's or box's distance from a plane: that of the box around it.
+/// @return A lower bound on the distance of a hull or box from a plane, computed from its bounding box.
 btScalar leastDistance(const btCollisionObjectWrapper& hull, const btCollisionObjectWrapper& plane) {
   const auto& ground = static_cast<const btStaticPlaneShape&>(*plane.getCollisionShape());
   btVector3 low, high;
   hull.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-  // the normal as the hull sees it
+  // the normal in the frame of the hull
   const btVector3 normal = plane.getWorldTransform().getBasis() * ground.getPlaneNormal();
   const btVector3 own = normal * hull.getWorldTransform().getBasis();
   const btVector3 middle = hull.getWorldTransform() * ((low + high) / 2);
@@ -34,8 +34,9 @@ btScalar leastDistance(const btCollisionObjectWrapper& hull, const btCollisionOb
   return normal.dot(middle - plane.getWorldTransform().getOrigin()) - ground.getPlaneConstant() - reach;
 }
 
-/// Finds all corners that a body has on a plane in one step instead of one a step: where few are known, it is tilted by
-/// a little in several directions, as btConvexPlaneCollisionAlgorithm does with sines of the C library.
+/// Finds all corners of a body that touch a plane in one step, rather than one corner a step. With few known points it
+/// tilts the body slightly in several directions, as btConvexPlaneCollisionAlgorithm does, but without the C library's
+/// sine.
 class ConvexOnPlane final : public btConvexPlaneCollisionAlgorithm {
  public:
   ConvexOnPlane(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* a,
@@ -44,11 +45,11 @@ class ConvexOnPlane final : public btConvexPlaneCollisionAlgorithm {
 
   void processCollision(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                         const btDispatcherInfo& info, btManifoldResult* result) override {
-    // one of a thread, for a step allocates nothing
+    // one for each thread, because a step must not allocate
     thread_local btManifoldArray manifolds;
     manifolds.resizeNoInitialize(0);
     getAllContactManifolds(manifolds);
-    // of two that do not touch each other
+    // empty if the two do not touch
     if (manifolds.size() == 0) return;
     const btPersistentManifold& manifold = *manifolds[0];
     const bool isPlaneFirst = a->getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE;
@@ -56,13 +57,13 @@ class ConvexOnPlane final : public btConvexPlaneCollisionAlgorithm {
     const btCollisionObjectWrapper& plane = isPlaneFirst ? *a : *b;
     const int type = convex.getCollisionShape()->getShapeType();
     const bool hasCorners = type == CONVEX_HULL_SHAPE_PROXYTYPE || type == BOX_SHAPE_PROXYTYPE;
-    // where there are points, Bullet forgets those that are far
+    // if there are points, Bullet drops the distant ones
     if (manifold.getNumContacts() == 0 && hasCorners &&
         leastDistance(convex, plane) > manifold.getContactBreakingThreshold()) {
       return;
     }
     collideSingleContact(btQuaternion::getIdentity(), a, b, info, result);
-    // what is round would get points beside its middle, and roll for ever
+    // extra points on a round shape would lie off centre and keep it rolling for ever
     if (convex.getCollisionShape()->isPolyhedral() && manifold.getNumContacts() < kTilts) {
       for (const btQuaternion& tilt : tiltsOf(convex, plane)) collideSingleContact(tilt, a, b, info, result);
     }
@@ -75,7 +76,7 @@ class ConvexOnPlane final : public btConvexPlaneCollisionAlgorithm {
     const btVector3& normal = static_cast<const btStaticPlaneShape&>(*plane.getCollisionShape()).getPlaneNormal();
     btVector3 level, across;
     btPlaneSpace1(normal, level, across);
-    // the outermost corner moves as far as touching reaches
+    // the outermost corner moves by the contact threshold
     const double reach = static_cast<const btConvexShape&>(*convex.getCollisionShape()).getAngularMotionDisc();
     const btQuaternion tilt = turnAbout(level, std::min(gContactBreakingThreshold / reach, std::numbers::pi / 8));
     std::array<btQuaternion, kTilts> tilts;

@@ -5,9 +5,9 @@
 
 namespace pongsim::physics {
 
-/// Bullet's own ways to find where shapes touch, but for planes. A plane has no end, and so is looked at from every
-/// piece of a mesh in each step, for which a hull or box that is far above it is passed over. And a body on it is
-/// tilted a little with sines that are the same on every machine. The points that are found stay the same.
+/// Bullet's collision algorithms, with our own for planes. A plane is infinite and so is tested against every piece of
+/// a mesh in each step; a hull or box far above it is skipped. Bodies on a plane are tilted slightly with sines that
+/// are the same on every machine. The contact points are the same as Bullet's.
 class CollisionConfiguration final : public btDefaultCollisionConfiguration {
  public:
   CollisionConfiguration() { planeUnderConvex_.m_swapped = true; }

@@ -10,15 +10,16 @@
 
 namespace pongsim::physics {
 
-/// Which links may touch: not two that stand still, not two that a joint connects, and two of one model only if model
-/// and links ask for it (`<self_collide>`). Finds a link's slot in its collision object's user index.
+/// Decides which links may collide: not two that don't move, not two connected by a joint, and two of the same model
+/// only if the model and links ask for it (`<self_collide>`). Reads a link's slot from its collision object's user
+/// index.
 class ContactFilter final : public btOverlapFilterCallback {
  public:
   explicit ContactFilter(const world::Entities& entities);
 
-  /// To be called when joints or links have come or gone.
+  /// Call after joints or links have been added or removed.
   void update();
-  /// As `update`, where they have come only.
+  /// Like `update`, for when they have only been added.
   void grow();
 
   bool mayTouch(world::Slot a, world::Slot b) const;
@@ -26,9 +27,9 @@ class ContactFilter final : public btOverlapFilterCallback {
 
  private:
   const world::Entities& entities_;
-  /// Pairs of slots that a joint connects, smaller slot first, sorted.
+  /// Pairs of slots connected by a joint, smaller slot first, sorted.
   std::vector<std::pair<world::Slot, world::Slot>> jointed_;
-  /// How many joints have been looked at.
+  /// Number of joints read so far.
   std::size_t known_ = 0;
 };
 

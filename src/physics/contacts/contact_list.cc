@@ -13,12 +13,12 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Bodies that are nearer touch [m]: some steps' flight of a wheel that bumps over an edge, and far below what can be
-/// seen. The solver stops a body right at the surface, where Fortress's lets it sink in and stay for some steps; what
-/// lasts as long there shall be a touch here.
+/// Bodies closer than this touch [m]. A wheel that bounces over an edge flies this high for a few steps; the gap is far
+/// too small to see. Our solver stops a body exactly at the surface, while Fortress's lets it sink in for some steps;
+/// with this threshold contacts last as long here.
 constexpr double kTouching = 1e-4;
 
-/// @param number Of the collision in its link, which `combineSurfacesAsFortress` has put into the point.
+/// @param number Number of the collision in its link, as `combineSurfacesAsFortress` wrote it into the point.
 CollisionId collisionOf(const btCollisionObject& object, int number, const world::Entities& entities) {
   const auto link = static_cast<world::Slot>(object.getUserIndex());
   return entities.collisions()[entities.links()[link].firstCollision + static_cast<std::size_t>(number)].id;
@@ -53,7 +53,7 @@ void listContacts(btDispatcher& dispatcher, const world::Entities& entities, dou
     const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
     for (int j = 0; j < manifold.getNumContacts(); ++j) {
       const btManifoldPoint& point = manifold.getContactPoint(j);
-      // Bullet keeps points that are near, too
+      // Bullet also keeps points that are only near
       if (point.getDistance() > kTouching && point.m_appliedImpulse <= 0) continue;
       Contact contact = contactAt(point, dt);
       contact.collision1 = collisionOf(*manifold.getBody0(), point.m_index0, entities);

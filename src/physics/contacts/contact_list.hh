@@ -9,8 +9,8 @@
 
 namespace pongsim::physics {
 
-/// Replaces `contacts` by the points at which bodies touched in the last step (were nearer than 0.1 mm or pushed each
-/// other), ordered by their collisions' ids, the smaller one first.
+/// Replaces `contacts` with the points at which bodies touched in the last step (were closer than 0.1 mm or pushed each
+/// other), sorted by their collisions' ids, smaller id first.
 /// @param dt Length of that step [s].
 void listContacts(btDispatcher& dispatcher, const world::Entities& entities, double dt, std::vector<Contact>& contacts);
 

@@ -5,24 +5,24 @@ class btPersistentManifold;
 
 namespace pongsim::physics {
 
-/// What friction does at a point of contact that Bullet's point has no place for.
+/// Friction at a contact point, as far as Bullet's point has no field for it.
 struct PointFriction {
-  /// Whether it differs by direction, slips or runs along; else the three that follow mean nothing.
+  /// Whether friction depends on the direction, slips, or has a surface velocity; if not, ignore the next three values.
   bool isDirected = false;
-  /// Coefficient across the first direction.
+  /// Coefficient along the second friction direction.
   double mu2 = 0;
-  /// How fast the surfaces slip along the two directions by each newton of friction [m/s/N].
+  /// Slip velocity along the two directions per newton of friction [m/s/N].
   double slip1 = 0;
   double slip2 = 0;
-  /// Torque against turning about the normal, by each newton that presses there [m]; 0 for none.
+  /// Torque against spinning about the normal, per newton of normal force [m]; 0: none.
   double torsion = 0;
-  /// How fast it turns by each newton metre all the same [rad/s/(N m)].
+  /// Spin velocity that remains, per newton metre [rad/s/(N m)].
   double torsionSlip = 0;
 };
 
-/// Writes into a point what the two surfaces say of it: restitution, stiffness and damping with their flag, and where
-/// friction is directed its coefficient, directions and motions. The flag that says that the directions are there is
-/// cleared, for who hands the point to Bullet to set.
+/// Writes the surfaces' properties into a contact point: restitution, stiffness and damping with their flag, and for
+/// directed friction the coefficient, directions and velocities. Clears the flag that says that the directions are set;
+/// the caller that hands the point to Bullet sets it.
 PointFriction settlePoint(btManifoldPoint& point, const btPersistentManifold& manifold);
 
 }  // namespace pongsim::physics

@@ -28,8 +28,8 @@ int numberOf(const btCollisionObjectWrapper* wrapper) {
   return part == nullptr ? -1 : partNumber(part->getUserIndex(), part->getUserIndex2());
 }
 
-/// Of what an algorithm was made last on this thread. It makes its manifold when it is made itself, or as the first
-/// thing that it does then.
+/// The pair that an algorithm was last created for on this thread. An algorithm creates its manifold in its
+/// constructor, or as the first thing it does afterwards.
 struct LastPair {
   const btCollisionObject* a = nullptr;
   int partA = -1;
@@ -37,13 +37,13 @@ struct LastPair {
 };
 thread_local LastPair lastPair;
 
-/// What looking for contacts needs of an object stands before that [bytes]: where it is, its shape and numbers.
+/// The part of a collision object that contact detection reads ends here [bytes]: pose, shape and indices.
 constexpr std::size_t kSeenPart = 544;
 
-/// How many pairs a worker takes at a time: one is too little to be worth the asking.
+/// How many pairs a worker takes at a time; fetching them one by one costs too much.
 constexpr std::size_t kPairsAtATime = 16;
 
-/// @return Whether the masks of the two collisions share a bit; true where a whole of several is meant.
+/// @return Whether the bitmasks of the two collisions share a bit; true if a compound shape as a whole is meant.
 bool masksMeet(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b) {
   const btCollisionShape* partA = partOf(a);
   const btCollisionShape* partB = partOf(b);
@@ -51,11 +51,11 @@ bool masksMeet(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper
   return (surfaceOf(*partA).collideBitmask & surfaceOf(*partB).collideBitmask) != 0;
 }
 
-// in a pair's number that is free for use
+// stored in a field of the pair that is free for us
 constexpr int kSettledPair = 1;
 constexpr int kPartedPair = 2;
 
-// a body that does more than that in one step rolls [rad], [m]
+// a body that moves further in one step is rolling [rad], [m]
 constexpr double kSmallTurn = 1e-4;
 constexpr double kSmallShift = 1e-5;
 
@@ -75,7 +75,7 @@ void copyPoints(const btBroadphasePair& pair, btManifoldArray& manifolds, std::v
   }
 }
 
-/// @return Whether the two are the same in all that looking for contacts sets and that counts for others.
+/// @return Whether two points agree in everything that contact detection sets and other code reads.
 bool isSamePoint(const btManifoldPoint& a, const btManifoldPoint& b) {
   const auto same = [](const btVector3& one, const btVector3& other) {
     return std::memcmp(&one[0], &other[0], 3 * sizeof(btScalar)) == 0;
@@ -111,9 +111,9 @@ bool rolls(const btRigidBody& body, const btVector3& normal, double dt) {
          body.getLinearVelocity().cross(normal).length() * dt > kSmallShift;
 }
 
-/// A rolling wheel's old points of contact lie behind it and would push it forward. The step finds those on a plane
-/// anew; a body that does not roll keeps its own, which give it a broader base.
-/// @return Whether points of the pair have been forgotten.
+/// Forgets the points behind a rolling wheel, which would push it forward; the step finds the points on a plane again.
+/// A body that does not roll keeps its points, which give it a broader base.
+/// @return Whether points of the pair were forgotten.
 bool forgetRolled(const btBroadphasePair& pair, double dt, btManifoldArray& manifolds) {
   const btCollisionObject* objects[] = {&objectOf(*pair.m_pProxy0), &objectOf(*pair.m_pProxy1)};
   const auto isPlane = [](const btCollisionObject* object) {
@@ -192,7 +192,7 @@ void Dispatcher::freeCollisionAlgorithm(void* algorithm) {
   btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
 }
 
-// of pairs that come soon after `now`, each time what the time before has led to
+// prefetches pairs that come soon after `now`, each stage following the pointers that the previous one fetched
 void Dispatcher::prefetchPairs(const btBroadphasePair* pairs, std::size_t now, std::size_t count,
                                btManifoldArray& manifolds) const {
   constexpr std::size_t kFar = 8, kNear = 5, kNext = 2;
@@ -265,7 +265,7 @@ void Dispatcher::collectTouches(const btManifoldArray& manifolds, std::vector<To
   }
 }
 
-// from behind, for the last one takes the place of one that goes
+// backwards, because the last pair takes the place of a removed one
 void Dispatcher::removeParted(btOverlappingPairCache& pairs) {
   if (!haveParted_.exchange(false)) return;
   for (int i = pairs.getNumOverlappingPairs() - 1; i >= 0; --i) {
@@ -278,7 +278,7 @@ void Dispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const 
                                            btDispatcher* /*dispatcher*/) {
   for (FoundTouches& found : touches_) {
     found.list.clear();
-    // who finds how much of it differs from step to step
+    // how many of them each worker finds differs from step to step
     found.list.reserve(static_cast<std::size_t>(getNumManifolds()));
   }
   const auto count = static_cast<std::size_t>(pairs->getNumOverlappingPairs());
@@ -287,7 +287,7 @@ void Dispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const 
     std::vector<Touch>& touches = touches_[static_cast<std::size_t>(worker)].list;
     Look& memory = looks_[static_cast<std::size_t>(worker)];
     const std::size_t end = std::min(count, (chunk + 1) * kPairsAtATime);
-    // others may be at the pairs behind these
+    // other threads may be working on the pairs after these
     const std::size_t seen = workers_.count() == 1 ? count : end;
     for (std::size_t i = chunk * kPairsAtATime; i < end; ++i) {
       prefetchPairs(first, i, seen, memory.manifolds);

@@ -15,23 +15,24 @@
 
 namespace pongsim::physics {
 
-/// @return Number of a part of a link: of the collision in the link and of the piece in the collision.
+/// @return Number of a part of a link, made of the collision's number in the link and the piece's in the collision.
 constexpr int partNumber(int collision, int piece) { return collision << 10 | piece; }
-/// @return Of such a number, the collision's.
+/// @return The collision's number in such a part number.
 constexpr int collisionOfPart(int part) { return part >> 10; }
 
-/// Finds where pairs of bodies touch, and knows of each manifold (the points at which two parts touch) whose it is: the
-/// numbers of the two parts in their links are its companion ids A and B, -1 where a body is made of several parts and
-/// all of it is meant. Collisions whose `<collide_bitmask>` share no bit do not touch.
+/// Finds where pairs of bodies touch, and knows which parts each manifold (the points at which two parts touch) belongs
+/// to: its companion ids A and B are the numbers of the two parts in their links, or -1 for a body with several parts
+/// as a whole. Collisions whose `<collide_bitmask>`s share no bit do not touch.
 ///
-/// Pairs are shared out among workers. What is found for one depends on nothing that is found for another: each writes
-/// to its own manifolds only, and what they share, the pools that algorithms and manifolds come from, is locked. The
-/// order in which manifolds are made then depends on the threads; nothing else does. Where neither body has moved, and
-/// looking has changed nothing in the step before, it is not looked again. Two that are apart, with room between what
-/// holds them, are not looked at; those that have gone from the broad phase's trees are forgotten.
+/// Workers process the pairs in parallel. The result for one pair does not depend on any other: each writes only to its
+/// own manifolds, and the shared pools of algorithms and manifolds are locked. Only the order in which manifolds are
+/// created depends on the threads. A pair is skipped if neither body has moved and the previous step's detection
+/// changed nothing. Pairs whose bounding boxes are apart are skipped too; those whose boxes in the broad phase's trees
+/// no longer overlap are removed.
 class Dispatcher final : public btCollisionDispatcher {
  public:
-  /// @param mostContacts At how many points two collisions may touch, where neither says how many; negative: no limit.
+  /// @param mostContacts Maximum number of contact points of two collisions, unless one of them sets it; negative: no
+  /// limit.
   Dispatcher(btCollisionConfiguration& configuration, base::Workers& workers, Rest& rest, long long mostContacts)
       : btCollisionDispatcher(&configuration),
         workers_(workers),
@@ -40,7 +41,7 @@ class Dispatcher final : public btCollisionDispatcher {
         touches_(static_cast<std::size_t>(workers.count())),
         looks_(touches_.size()) {}
 
-  /// @return What touches, of which at least one is moved by forces, as it was found last.
+  /// @return The last known contacts in which at least one body is moved by forces.
   std::span<const FoundTouches> touches() const { return touches_; }
 
   btCollisionAlgorithm* findAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
@@ -53,12 +54,12 @@ class Dispatcher final : public btCollisionDispatcher {
                                  btDispatcher* dispatcher) override;
 
  private:
-  /// For two parts that do not touch.
+  /// For two parts that can't touch.
   btCollisionAlgorithm* noAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                     btPersistentManifold* shared);
 
-  /// What looking at a pair takes, kept for the next one. Not the thread's own (`thread_local`): to find that in a
-  /// library was 7 % of a step of shapes that fall.
+  /// Working memory of contact detection, kept for the next pair. Not `thread_local`: accessing that from a library
+  /// took 7 % of a step of falling shapes.
   struct alignas(64) Look {
     btManifoldArray manifolds;
     std::vector<btManifoldPoint> before;
@@ -66,7 +67,7 @@ class Dispatcher final : public btCollisionDispatcher {
 
   void prefetchPairs(const btBroadphasePair* pairs, std::size_t now, std::size_t count,
                      btManifoldArray& manifolds) const;
-  /// Finds where a pair touches, where that is not known.
+  /// Finds where a pair touches, unless that is known already.
   void findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory);
   void look(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Look& memory);
   void part(btBroadphasePair& pair, Look& memory);
@@ -79,9 +80,9 @@ class Dispatcher final : public btCollisionDispatcher {
   /// One for each worker.
   std::vector<FoundTouches> touches_;
   std::vector<Look> looks_;
-  /// Whether there are pairs that are no longer near.
+  /// Whether there are pairs that are no longer near each other.
   std::atomic<bool> haveParted_ = false;
-  /// Of Bullet's pools and list of manifolds.
+  /// Guards Bullet's pools and its list of manifolds.
   std::mutex pools_;
 };
 

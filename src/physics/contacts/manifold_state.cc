@@ -14,7 +14,7 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Whose points they are: slots of the links, numbers of their collisions.
+/// Identifies a manifold: slots of the links, numbers of their collisions.
 using Key = std::array<int, 4>;
 
 Key keyOf(const btPersistentManifold& manifold) {
@@ -35,7 +35,7 @@ void transferPoint(StateArchive& archive, btManifoldPoint& point) {
         &point.m_contactMotion2, &point.m_contactCFM, &point.m_contactERP, &point.m_frictionCFM}) {
     archive(*value);
   }
-  // how many steps it is old, nothing depends on
+  // nothing depends on its age in steps
   for (int* value :
        {&point.m_partId0, &point.m_partId1, &point.m_index0, &point.m_index1, &point.m_contactPointFlags}) {
     archive(*value);
@@ -48,13 +48,13 @@ void ManifoldPoints::transfer(StateArchive& archive) {
   std::size_t count = points.size();
   archive(count);
   for (int* value : {&linkA, &partA, &linkB, &partB}) archive(*value);
-  // four is the most that a manifold has
+  // a manifold has at most four
   if (archive.isGiving()) points.resize(std::min<std::size_t>(count, MANIFOLD_CACHE_SIZE));
   for (btManifoldPoint& point : points) transferPoint(archive, point);
 }
 
 std::vector<ManifoldPoints> listManifolds(Dispatcher& dispatcher) {
-  // in the order of their keys: that in which they were made depends on threads and on the past
+  // sorted by key: the order of creation depends on threads and on the past
   std::map<Key, btPersistentManifold*> manifolds;
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
@@ -78,7 +78,7 @@ void restoreManifolds(const std::vector<ManifoldPoints>& list, Dispatcher& dispa
   for (const ManifoldPoints& entry : list) {
     const auto found = manifolds.find({entry.linkA, entry.partA, entry.linkB, entry.partB});
     if (found == manifolds.end() || found->second->getNumContacts() != 0) continue;
-    // "predictive": it is not looked at whether the point is near enough
+    // "predictive": skips the check that the point is near enough
     for (const btManifoldPoint& point : entry.points) found->second->addManifoldPoint(point, true);
   }
 }

@@ -9,7 +9,7 @@
 
 namespace pongsim::physics {
 
-/// The points at which two parts touch, with the impulses that the next step begins with.
+/// The contact points of two parts, with the impulses that warm-start the next step.
 struct ManifoldPoints {
   /// Slots of the links, and numbers of their collisions.
   int linkA = 0;
@@ -21,15 +21,15 @@ struct ManifoldPoints {
   void transfer(StateArchive& archive);
 };
 
-/// @return All that touch, in the order of their slots.
+/// @return All manifolds with contacts, sorted by slot.
 std::vector<ManifoldPoints> listManifolds(Dispatcher& dispatcher);
 
-/// Gives points back to the manifolds of the same two parts, and empties the others. Points of two parts that are not
-/// near each other now, and have no manifold, are left out: the next step would have dropped them. Of several entries
-/// for two parts the first one counts.
+/// Restores points to the manifolds of the same two parts, and empties all others. Points of two parts that are not
+/// near each other now, and so have no manifold, are left out: the next step would have dropped them. If there are
+/// several entries for two parts, the first one counts.
 void restoreManifolds(const std::vector<ManifoldPoints>& list, Dispatcher& dispatcher);
 
-/// Takes the points of all manifolds, or gives them back as `restoreManifolds` does.
+/// Saves the points of all manifolds, or restores them as `restoreManifolds` does.
 void transferManifolds(StateArchive& archive, Dispatcher& dispatcher);
 
 }  // namespace pongsim::physics

@@ -34,7 +34,7 @@ bool combine(btManifoldPoint& point, const btCollisionObjectWrapper* wrapperA, i
   }
   point.m_combinedFriction = std::min(surfaceOf(*a).mu, surfaceOf(*b).mu);
   point.m_combinedRestitution = surfaceOf(*a).restitution * surfaceOf(*b).restitution;
-  // which collisions of their links; Bullet leaves the number of a triangle here, or none
+  // numbers of the collisions in their links; Bullet leaves a triangle's number here, or nothing
   point.m_index0 = a->getUserIndex();
   point.m_index1 = b->getUserIndex();
   return true;

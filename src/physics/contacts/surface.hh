@@ -9,18 +9,18 @@ struct Surface;
 
 namespace pongsim::physics {
 
-/// @return The shape of the collision that is in touch, also where it is a part of a compound, or where a triangle of
-/// it is; null where none of ours is.
+/// @return The shape of the colliding collision, also if it is part of a compound or if one of its triangles collides;
+/// null if it is not one of ours.
 const btCollisionShape* partOf(const btCollisionObjectWrapper* wrapper);
 
-/// @return What the description says of such a shape.
+/// @return The surface description of such a shape.
 const description::Surface& surfaceOf(const btCollisionShape& part);
 
-/// Makes Bullet ask us how two surfaces act on each other. Bullet keeps this in one place for the whole process; any
-/// number of engines may call it, at any time.
+/// Installs our rule for combining two surfaces in Bullet. Bullet has one such hook for the whole process; any number
+/// of engines may call this, at any time.
 ///
-/// As Fortress's default engine DART does: the smaller of the two friction coefficients, the product of the two
-/// coefficients of restitution. Friction that differs by direction is that of `directedFriction`.
+/// Follows DART, Fortress's default engine: the smaller friction coefficient, and the product of the coefficients of
+/// restitution. For friction that depends on the direction see `directedFriction`.
 void combineSurfacesAsFortress();
 
 }  // namespace pongsim::physics

@@ -19,15 +19,15 @@ using Triangle = TriangleChain::Triangle;
 /// How many planes along re-entrant edges are tried, and how many across each axis.
 constexpr std::size_t kEdgePlanes = 12;
 constexpr int kAxisPlanes = 9;
-/// A plane with less of the whole on one of its sides does not cut [1].
+/// A plane does not cut if one of its sides has less than this part of the whole [1].
 constexpr double kThinnest = 1e-3;
-/// Of hulls with more points only the outermost in that many directions are looked at, to find what is worth a closer
-/// look; and so many planes are.
+/// For a rough first estimate, hulls with more points are reduced to the outermost in this many directions; then this
+/// many planes get a closer look.
 constexpr std::size_t kRoughDirections = 48;
 constexpr std::size_t kCloserLooks = 4;
-/// What hulls take too much counts by half where they are small, for that can be cut better; and where no re-entrant
-/// edge lies in the plane, there is a quarter of it more. Between planes that are as good as each other, the one that
-/// cuts in half is taken.
+/// Weights of a plane's cost. The excess volume of a hull counts down to half if the hull is small, because small hulls
+/// can be cut better later. A plane without re-entrant edges costs a quarter of the excess more. Between equally good
+/// planes, the one that cuts in half wins.
 constexpr double kSizeCounts = 0.5;
 constexpr double kEdgesCount = 0.25;
 constexpr double kBalance = 0.005;
@@ -50,13 +50,13 @@ std::uint32_t thirdCorner(const Triangle& t, const DirectedEdge& edge) {
   return t.c;
 }
 
-/// Planes that are about the same are one: each counts with the length of the edges that ask for it.
+/// Merges planes that are nearly the same; each is weighted by the length of the edges that vote for it.
 class PlaneVotes {
  public:
   PlaneVotes(const Vector3& middle, double size) : middle_(middle), size_(size) {}
 
   void add(Vector3 normal, const Vector3& point, double weight) {
-    // which way it looks is all the same
+    // its orientation does not matter
     int first = 0;
     normal.cwiseAbs().maxCoeff(&first);
     if (normal[first] < 0) normal = -normal;
@@ -70,7 +70,7 @@ class PlaneVotes {
     votes_[place->second].weight += weight;
   }
 
-  /// @return Those with the most weight.
+  /// @return Those with the largest weights.
   std::vector<Plane> best(std::size_t count) {
     std::ranges::stable_sort(votes_, [](const Vote& a, const Vote& b) { return a.weight > b.weight; });
     std::vector<Plane> planes;
@@ -95,9 +95,9 @@ class PlaneVotes {
 /// An edge at which a body is not convex, or any edge of a sheet.
 struct Reentrant {
   Vector3 from, to;
-  /// Of the triangles beside it.
+  /// Normals of the two adjacent triangles.
   Vector3 normal1, normal2;
-  /// Its length by the sine of its angle [m].
+  /// Its length times the sine of its angle [m].
   double weight;
 };
 
@@ -110,7 +110,7 @@ std::vector<Reentrant> reentrantEdges(const TriangleChain& chain) {
     const Vector3& at = chain.points[pair.edge.from];
     const Vector3 along = chain.points[pair.edge.to] - at;
     const Vector3 across = chain.points[thirdCorner(other, pair.edge)] - at;
-    // flatter ones are the facets of what is round
+    // flatter edges are facets of a round surface
     constexpr double kSmallestSine = 0.02;
     const double sine = n1.cross(n2).norm();
     const bool isReentrant = n1.dot(across) > 0;
@@ -145,7 +145,7 @@ std::vector<Plane> planesAcrossAxes(const Eigen::AlignedBox3d& box) {
   return planes;
 }
 
-/// How good a plane is.
+/// Rates planes.
 class Judge {
  public:
   Judge(const TriangleChain& chain, const ConvexHull& hull, const std::vector<Reentrant>& edges, double tolerance)
@@ -167,10 +167,10 @@ class Judge {
     return std::min(-lowest, highest) > std::max(2 * tolerance_, kThinnest * (highest - lowest));
   }
 
-  /// @return What both hulls take that the body does not, weighted as said above [m^3].
+  /// @return The excess volume of both hulls over the body, weighted as said above [m^3].
   double cost(const Plane& plane, bool isRough) const {
     const Halves halves = cut(chain_, plane, tolerance_, false);
-    // seen from a point in the plane, what closes the cut has no volume
+    // seen from a point in the plane, the caps of the cut have no volume
     const Vector3 eye = middle_ - (plane.normal.dot(middle_) - plane.distance) * plane.normal;
     double sum = 0;
     std::array<double, 2> hullVolumes{};

@@ -7,10 +7,10 @@
 
 namespace pongsim::physics {
 
-/// @return Points that are nearer to a plane than that lie in it [m]: files round.
+/// @return Points closer to a plane than this lie in it [m]; allows for rounding in mesh files.
 double cutTolerance(const TriangleChain& chain);
 
-/// @return The plane after which the hulls of both sides stand out least; nothing where none cuts it.
+/// @return The plane that leaves the least excess volume in the hulls of the two sides; nothing if no plane cuts it.
 std::optional<Plane> bestCut(const TriangleChain& chain, const ConvexHull& hull);
 
 }  // namespace pongsim::physics

@@ -17,7 +17,7 @@ using base::Loop;
 using Point = Eigen::Vector2d;
 using Index = std::uint32_t;
 
-/// The edges the other way, as closed lines that come by no point twice.
+/// Joins the reversed edges to closed loops that pass each point at most once.
 std::vector<Loop> loopsOf(const std::vector<DirectedEdge>& boundary) {
   std::unordered_map<Index, std::vector<Index>> next;
   for (const auto& [from, to] : boundary) next[to].push_back(from);
@@ -56,7 +56,7 @@ class Cap {
     for (const Loop& loop : loops_) areas_.push_back(twiceAreaOf(loop));
   }
 
-  /// @return Whether the triangles cover what the lines enclose, once.
+  /// @return Whether the triangles cover the area enclosed by the loops exactly once.
   bool fill() {
     base::Triangulation triangulation(flat_);
     std::vector<std::vector<Loop>> holes(loops_.size());
@@ -91,14 +91,14 @@ class Cap {
     return sum;
   }
 
-  /// @return The smallest line around a hole; how many there are, where none is.
+  /// @return The smallest loop around a hole; the number of loops if there is none.
   std::size_t holderOf(std::size_t hole) const {
     std::size_t holder = loops_.size();
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       if (areas_[i] < -areas_[hole] || (holder != loops_.size() && areas_[i] >= areas_[holder])) continue;
       std::vector<Point> line;
       for (const Index index : loops_[i]) line.push_back(flat_[index]);
-      // they may touch in places
+      // loops may touch in places
       const auto isWithin = [&](Index index) { return base::encloses(line, flat_[index]); };
       if (2 * std::ranges::count_if(loops_[hole], isWithin) > std::ssize(loops_[hole])) holder = i;
     }
@@ -108,7 +108,7 @@ class Cap {
   std::vector<Point> flat_;
   std::vector<Index> numbers_;
   std::vector<Loop> loops_;
-  /// Twice.
+  /// Twice the areas.
   std::vector<double> areas_;
   std::vector<std::array<Index, 3>> triangles_;
 };

@@ -13,7 +13,7 @@ namespace {
 using Triangle = TriangleChain::Triangle;
 using Index = std::uint32_t;
 
-/// Cuts the triangles of a chain, and gives both sides the same new points.
+/// Cuts the triangles of a chain; both sides get the same new points.
 class Cutter {
  public:
   Cutter(const TriangleChain& chain, const Plane& plane, double tolerance)
@@ -48,7 +48,7 @@ class Cutter {
     }
   }
 
-  /// The corners on one side and the points where edges meet the plane, as one or two triangles.
+  /// Adds the corners on one side and the points where edges meet the plane, as one or two triangles.
   void addPart(const Triangle& t, const std::array<double, 3>& h, int sign, std::vector<Triangle>& side) {
     const std::array<Index, 3> corners{t.a, t.b, t.c};
     std::array<Index, 4> part{};
@@ -96,7 +96,7 @@ class Cutter {
   const TriangleChain& chain_;
   const Vector3 normal_;
   std::vector<Vector3> points_;
-  /// Of the chain's own points.
+  /// One for each point of the chain.
   std::vector<double> heights_;
   std::unordered_map<std::uint64_t, Index> crossings_;
   std::vector<Triangle> front_;

@@ -13,7 +13,7 @@ using Triangle = TriangleChain::Triangle;
 using Index = std::uint32_t;
 
 struct Pass {
-  /// The smaller number first.
+  /// Both point numbers, the smaller one first.
   std::uint64_t edge;
   std::uint32_t triangle;
   bool isForwards;
@@ -35,7 +35,7 @@ std::vector<Pass> passesOf(const std::vector<Triangle>& triangles, bool withCaps
   return passes;
 }
 
-/// Calls `work(first, end)` for the passes of each edge.
+/// Calls `work(first, end)` with the passes of each edge.
 template <class Work>
 void forEachEdge(const std::vector<Pass>& passes, Work&& work) {
   for (auto first = passes.begin(); first != passes.end();) {

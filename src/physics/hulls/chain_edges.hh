@@ -8,7 +8,7 @@
 
 namespace pongsim::physics {
 
-/// Sets of numbers that are united by and by (union by the smaller number).
+/// Disjoint sets of numbers (union-find; the smaller number becomes the representative).
 class Sets {
  public:
   explicit Sets(std::size_t count);
@@ -23,30 +23,30 @@ struct DirectedEdge {
   std::uint32_t from, to;
 };
 
-/// @return The edges that are passed more often one way than the other, that way, in the order of their points'
+/// @return The edges that are passed more often one way than the other, in that direction, sorted by their points'
 /// numbers.
 std::vector<DirectedEdge> boundaryOf(const std::vector<TriangleChain::Triangle>& triangles);
 
-/// @return The edges in parts that have no point in common.
+/// @return The edges grouped into parts that have no point in common.
 std::vector<std::vector<DirectedEdge>> connectedParts(const std::vector<DirectedEdge>& edges);
 
-/// Closes what these edges bound by triangles from one of their points, which are caps.
+/// Closes the area bounded by these edges with triangles from one of their points, marked as caps.
 void addFan(const std::vector<DirectedEdge>& boundary, std::vector<TriangleChain::Triangle>& triangles);
 
-/// Two triangles with an edge in common, the only ones there.
+/// Two triangles that share an edge with no others.
 struct Neighbours {
   std::size_t one, other;
   DirectedEdge edge;
-  /// Whether both pass the edge the same way: one of them is turned round.
+  /// Whether both pass the edge the same way, so one of them is flipped.
   bool areTwisted;
 };
-/// @return Those of all edges between triangles that are no caps, in the order of their points' numbers.
+/// @return The neighbours at all edges between triangles other than caps, sorted by their points' numbers.
 std::vector<Neighbours> neighboursIn(const std::vector<TriangleChain::Triangle>& triangles);
 
-/// Turns triangles round until neighbours show the same side.
+/// Flips triangles until neighbours face the same side.
 void orientAlike(std::vector<TriangleChain::Triangle>& triangles);
 
-/// Takes out pairs of a triangle and the same one turned round.
+/// Removes pairs of a triangle and its flipped copy.
 void cancelOpposites(std::vector<TriangleChain::Triangle>& triangles);
 
 }  // namespace pongsim::physics

@@ -11,18 +11,18 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Splitting goes that much beyond the pieces that may remain, for joining has a better view than cutting.
+/// Splitting makes this many times more pieces than allowed, because joining judges better than cutting.
 constexpr double kSurplus = 1.5;
-/// A piece that fills so much of its hull is convex: what is missing is less than can be felt.
+/// A piece that fills this much of its hull counts as convex; the rest can't be felt.
 constexpr double kFilled = 0.99;
 
-/// Of all pieces' volume; what is smaller is none.
+/// Pieces smaller than this part of the total volume are dropped.
 constexpr double kSmallest = 1e-6;
 
 struct Part {
   TriangleChain chain;
   Piece piece;
-  /// No plane makes anything better.
+  /// No plane improves it.
   bool isDone = false;
 };
 
@@ -104,7 +104,7 @@ std::vector<PieceCorners> decompose(const TriangleChain& chain, const Decomposit
   double volume = 0;
   for (const Piece& piece : pieces) volume += piece.hull.volume;
   for (Piece& piece : pieces) {
-    // splinters that cuts leave
+    // slivers left by cuts
     if (chain.isClosed && piece.hull.volume <= kSmallest * volume) continue;
     corners.push_back(std::move(piece.hull.corners));
   }

@@ -11,18 +11,19 @@ namespace pongsim::physics {
 struct DecompositionSettings {
   /// [1, 1000]
   std::size_t mostPieces = 64;
-  /// How far a piece may stand off the surface on average, in parts of the longest edge of the mesh's box.
+  /// Allowed mean distance of a piece from the surface, relative to the longest edge of the mesh's bounding box.
   double standOff = 0.005;
 };
 
 /// The corners of a convex piece.
 using PieceCorners = std::vector<Vector3>;
 
-/// Cuts a body or a sheet into pieces that are nearly convex, and takes the convex hull of each. Planes along faces and
-/// edges that are re-entrant, and such across the axes, are tried; the one after which hulls stand out least is taken
-/// (greedily, as K. Mamou and F. Ghorbel do with voxels, A simple and efficient approach for 3D mesh approximate convex
-/// decomposition, 2009). Then pieces that are convex together are joined again. The same bits for the same chain.
-/// @return One piece, the hull of all, where the whole is convex within the tolerance; nothing where there are no
+/// Convex decomposition: cuts a body or a sheet into nearly convex pieces and takes the convex hull of each. It tries
+/// planes along re-entrant faces and edges and across the axes, and takes the one that leaves the least excess volume
+/// in the hulls (greedily, as K. Mamou and F. Ghorbel do with voxels, A simple and efficient approach for 3D mesh
+/// approximate convex decomposition, 2009). Then it joins pieces that are convex together. The same chain gives the
+/// same bits.
+/// @return One piece, the hull of everything, if the whole is convex within the tolerance; nothing if there are no
 /// triangles.
 std::vector<PieceCorners> decompose(const TriangleChain& chain, const DecompositionSettings& settings);
 

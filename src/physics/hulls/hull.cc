@@ -15,11 +15,11 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Making a hull takes time with each point: of more, only the outermost in so many directions are looked at.
+/// The time to build a hull grows with its points: of more, only the outermost in this many directions are used.
 constexpr std::size_t kMostPoints = 5000;
 constexpr std::size_t kDirections = 2000;
 
-/// @param margin How far the faces draw back inwards; less where there is no room.
+/// @param margin How far the faces are moved inwards; less if there is no room.
 std::vector<Vector3> cornersOf(const std::vector<Vector3>& points, double margin) {
   btConvexHullComputer computer;
   computer.compute(points[0].data(), sizeof(Vector3), static_cast<int>(points.size()), margin, 1);
@@ -65,7 +65,7 @@ std::vector<Vector3> outermost(std::span<const Vector3> points, std::size_t dire
 Hull makeHull(const std::vector<Vector3>& points) {
   Eigen::AlignedBox3d box;
   for (const Vector3& point : points) box.extend(point);
-  // Bullet adds the margin to a hull: the faces draw back by as much first
+  // Bullet adds the margin to a hull, so the faces are moved in by as much first
   const double margin = marginFor(box.sizes().minCoeff() / 2);
   return drawBack(points, margin, margin);
 }
@@ -86,7 +86,7 @@ ConvexHull convexHull(std::span<const Vector3> points) {
   btConvexHullComputer computer;
   computer.compute(points[0].data(), sizeof(Vector3), static_cast<int>(points.size()), 0, 0);
   const int count = computer.vertices.size();
-  // the computer rounds: these are the points themselves
+  // undo rounding: these are the original points
   for (int i = 0; i < count; ++i) {
     hull.corners.push_back(points[static_cast<std::size_t>(computer.original_vertex_index[i])]);
   }

@@ -10,28 +10,28 @@
 
 namespace pongsim::physics {
 
-/// A convex piece of a shape as Bullet takes it: corners that have drawn back by the margin [m], which Bullet adds
-/// again and rounds the edges by.
+/// A convex piece of a shape in Bullet's form: its corners are moved in by the margin [m], which Bullet adds again,
+/// rounding the edges.
 struct Hull {
   std::vector<Vector3> corners;
   double margin = 0;
   bool operator==(const Hull&) const = default;
 };
 
-/// No hull has more corners: finding what touches it takes time with each of them.
+/// Maximum number of corners of a hull: contact detection takes time for each of them.
 inline constexpr std::size_t kMostCorners = 500;
 
-/// @param points At least one. Of many, only the outermost are looked at.
+/// @param points At least one. If there are many, only the outermost are used.
 Hull makeHull(const std::vector<Vector3>& points);
 
-/// @param points Of a sheet without a thickness. They do not draw back: what is of no thickness gets twice the margin.
+/// @param points Of a sheet without thickness. They are not moved in: the sheet becomes two margins thick.
 Hull makeSheet(const std::vector<Vector3>& points, double margin);
 
 std::unique_ptr<btConvexHullShape> makeShape(const Hull& hull);
 
 /// A convex hull and its size.
 struct ConvexHull {
-  /// Some of the points that it was made of.
+  /// A subset of the points it was made of.
   std::vector<Vector3> corners;
   /// [m^3], [m^2]
   double volume = 0;
@@ -39,7 +39,7 @@ struct ConvexHull {
 };
 ConvexHull convexHull(std::span<const Vector3> points);
 
-/// @return The points that lie outermost in one of so many directions, which are spread evenly (a Fibonacci lattice).
+/// @return The points that lie outermost in one of this many evenly spread directions (a Fibonacci lattice).
 std::vector<Vector3> outermost(std::span<const Vector3> points, std::size_t directions);
 
 }  // namespace pongsim::physics

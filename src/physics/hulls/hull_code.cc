@@ -17,7 +17,7 @@ void append(std::uint64_t number, std::string& to) {
 
 void append(double number, std::string& to) { append(std::bit_cast<std::uint64_t>(number), to); }
 
-/// Takes numbers of eight bytes each.
+/// Reads numbers of eight bytes each.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : rest_(bytes) {}

@@ -9,10 +9,10 @@
 
 namespace pongsim::physics {
 
-/// @return The hulls as bytes, every bit of them.
+/// @return The hulls as bytes, bit for bit.
 std::string encodeHulls(const std::vector<Hull>& hulls);
 
-/// @return The hulls; nothing where the bytes are not those of one hull at least, with corners and margins that can be.
+/// @return The hulls; nothing unless the bytes encode at least one hull with valid corners and margins.
 std::optional<std::vector<Hull>> decodeHulls(std::string_view bytes);
 
 }  // namespace pongsim::physics

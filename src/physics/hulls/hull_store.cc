@@ -22,11 +22,11 @@ namespace pongsim::physics {
 
 namespace {
 
-/// To be counted up when the hulls of the same mesh become others.
+/// Increase this whenever the same mesh gives other hulls than before.
 constexpr std::uint64_t kMethod = 1;
-/// What has fewer triangles is worked out sooner than a file is read.
+/// With fewer triangles, computing the hulls is faster than reading a file.
 constexpr std::size_t kFewTriangles = 256;
-/// Of a mesh with more triangles a coarser one is cut.
+/// Meshes with more triangles are coarsened before cutting.
 constexpr std::size_t kMostTriangles = 6000;
 
 const Logger& logger() {
@@ -34,7 +34,7 @@ const Logger& logger() {
   return logger;
 }
 
-/// @return The name of the file: 128 bits of what the hulls depend on.
+/// @return The file's name: 128 bits of a hash of everything the hulls depend on.
 std::string fileNameOf(const HullRequest& request) {
   base::Hash hashes[2];
   hashes[1].add(std::string_view("second"));
@@ -73,7 +73,7 @@ Eigen::AlignedBox3d boxOf(const std::vector<Vector3>& points) {
   return box;
 }
 
-/// @return Whether hulls may be those of the mesh: all within its box.
+/// @return Whether the hulls can be the mesh's: all lie within its bounding box.
 bool fits(const std::vector<Hull>& hulls, const Eigen::AlignedBox3d& box) {
   const double slack = 1e-3 * box.sizes().maxCoeff();
   const Eigen::AlignedBox3d wide(box.min() - Vector3::Constant(slack), box.max() + Vector3::Constant(slack));
@@ -86,7 +86,7 @@ bool fits(const std::vector<Hull>& hulls, const Eigen::AlignedBox3d& box) {
 
 std::vector<Hull> makeHulls(const HullRequest& request, const std::vector<Vector3>& points) {
   const Eigen::AlignedBox3d box = boxOf(points);
-  // beyond, numbers have no meaning for a shape
+  // larger values make no sense for a shape
   constexpr double kLargest = 1e9;
   if (request.mostPieces == 1 || !(box.min().cwiseAbs().maxCoeff() + box.max().cwiseAbs().maxCoeff() < kLargest)) {
     return {makeHull(points)};
@@ -122,7 +122,7 @@ HullRequest requestFor(const description::Geometry& geometry) {
     } else if (mesh->optimization == description::MeshOptimization::kConvexDecomposition) {
       request.mostPieces = mesh->maxConvexHulls;
       request.fillsOpen = false;
-      // half a voxel and less, as the one that is usual does of 200,000 voxels
+      // half a voxel or less, like the usual decomposition with 200,000 voxels
       request.standOff = 0.3 / math::exp(math::log(static_cast<double>(mesh->voxelResolution)) / 3);
     }
   } else if (const auto* line = std::get_if<description::Polyline>(&geometry)) {
@@ -181,7 +181,7 @@ std::vector<Hull> HullStore::fetch(const HullRequest& request) const {
   char text[32];
   std::snprintf(text, sizeof text, ", computed in %.2f s", taken.count());
   const std::string sentence = sentenceOf(request, hulls.size()) + text;
-  // what is quick and stays whole is not worth a word
+  // not worth telling if it was quick and gave one piece
   hulls.size() > 1 ? logger().info(sentence) : logger().debug(sentence);
   if (isCached) keep(name, hulls);
   return hulls;

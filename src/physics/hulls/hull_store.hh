@@ -17,33 +17,33 @@
 
 namespace pongsim::physics {
 
-/// A mesh and how its hulls are to be made.
+/// A mesh and how to make its hulls.
 struct HullRequest {
   std::shared_ptr<const description::TriangleMesh> mesh;
   Vector3 scale{1, 1, 1};
-  /// One: the convex hull of all.
+  /// 1: the convex hull of everything.
   std::size_t mostPieces = 1;
-  /// As `DecompositionSettings` has it.
+  /// See `DecompositionSettings`.
   double standOff = 0;
-  /// Whether an open mesh is filled; else it is a sheet.
+  /// Whether an open mesh is filled; if not, it is a sheet.
   bool fillsOpen = true;
-  /// What it is, for messages: "mesh '/a/b.obj'".
+  /// Its name in messages: "mesh '/a/b.obj'".
   std::string name = {};
 };
 
-/// @return How a shape moves, where that is as hulls; `mesh` is null where it is not.
+/// @return The hulls that a moving shape needs; `mesh` is null if it needs none.
 HullRequest requestFor(const description::Geometry& geometry);
 
-/// The hulls of meshes, each worked out once: what takes long is kept for later runs in a folder.
+/// The hulls of meshes, each computed once. Slow results are also cached in a folder for later runs.
 class HullStore {
  public:
   /// @param cacheFolder Empty: nothing is kept beyond this store.
   explicit HullStore(std::filesystem::path cacheFolder = {});
 
-  /// Works out those that are not known yet, side by side.
+  /// Computes those that are not known yet, in parallel.
   void prepare(std::span<const HullRequest> requests);
 
-  /// @return The hulls of a mesh, one at least; empty where it has no vertex.
+  /// @return The hulls of a mesh, at least one; empty if it has no vertices.
   const std::vector<Hull>& find(const HullRequest& request);
 
  private:

@@ -7,7 +7,7 @@ namespace pongsim::physics {
 
 namespace {
 
-/// Pieces whose boxes are farther from each other, in parts of their size, are not joined before they must be.
+/// Pieces whose bounding boxes are further apart than this, relative to their size, are joined only if they must be.
 constexpr double kGap = 1e-3;
 
 Eigen::AlignedBox3d boxOf(const Piece& piece) {
@@ -19,7 +19,7 @@ Eigen::AlignedBox3d boxOf(const Piece& piece) {
 Piece joined(const Piece& a, const Piece& b) {
   std::vector<Vector3> points = a.hull.corners;
   points.insert(points.end(), b.hull.corners.begin(), b.hull.corners.end());
-  // where they overlap, volume counts once; how much that is their boxes tell at least
+  // overlapping volume counts once; their bounding boxes give a lower bound of it
   const Eigen::AlignedBox3d common = boxOf(a).intersection(boxOf(b));
   const double overlap = common.isEmpty() ? 0 : std::min({common.volume(), a.hull.volume, b.hull.volume});
   const double disjoint = a.hull.volume + b.hull.volume - overlap;
@@ -28,7 +28,7 @@ Piece joined(const Piece& a, const Piece& b) {
   return whole;
 }
 
-/// What joining each two of the pieces costs.
+/// The cost of joining each pair of pieces.
 class Offers {
  public:
   explicit Offers(std::vector<Piece>& pieces) : pieces_(pieces), offers_(pieces.size() * pieces.size()) {

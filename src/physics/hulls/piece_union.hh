@@ -9,18 +9,18 @@
 
 namespace pongsim::physics {
 
-/// A part of a body, and the hull that stands for it.
+/// A part of a body, and the hull that represents it.
 struct Piece {
   ConvexHull hull;
-  /// Of the part itself [m^3].
+  /// Volume of the part itself [m^3].
   double volume = 0;
 
-  /// What the hull takes beside that [m^3].
+  /// Volume that the hull has beyond that [m^3].
   double excess() const { return std::max(0.0, hull.volume - volume); }
 };
 
-/// Joins pieces that touch and make one that is convex, and, while there are more than `most`, those that are nearest
-/// to it, the best ones first.
+/// Joins touching pieces that together are convex. While there are more than `most`, it also joins those that are
+/// nearest to convex. The best unions come first.
 std::vector<Piece> joinPieces(std::vector<Piece> pieces, std::size_t most,
                               const std::function<bool(const Piece&)>& isConvex);
 

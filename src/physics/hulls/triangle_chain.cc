@@ -19,9 +19,9 @@ namespace {
 using Triangle = TriangleChain::Triangle;
 using Index = std::uint32_t;
 
-/// A hole is closed if what closes it has no larger part of the surface than that.
+/// A hole is closed if its cap is at most this part of the surface.
 constexpr double kLargestHole = 0.05;
-/// A body that fills a smaller part of its box is a sheet that is shown from both sides.
+/// A body that fills a smaller part of its bounding box is a sheet with triangles on both sides.
 constexpr double kSmallestFilling = 1e-6;
 
 double areaOf(const TriangleChain& chain, const Triangle& t) {
@@ -36,7 +36,7 @@ Eigen::AlignedBox3d boxOf(const TriangleChain& chain) {
   return box;
 }
 
-/// Makes one of the points in the same place.
+/// Merges points in the same place.
 /// @return The new number of each.
 std::vector<Index> weld(std::vector<Vector3>& points) {
   std::vector<Index> order(points.size());
@@ -56,7 +56,7 @@ void dropFlat(TriangleChain& chain) {
                 [&](const Triangle& t) { return t.a == t.b || t.b == t.c || t.c == t.a || !(areaOf(chain, t) > 0); });
 }
 
-/// Of triangles with the same corners one stays.
+/// Keeps one of several triangles with the same corners.
 void dropDoubles(TriangleChain& chain) {
   const auto key = [](const Triangle& t) {
     std::array<Index, 3> corners{t.a, t.b, t.c};
@@ -68,8 +68,8 @@ void dropDoubles(TriangleChain& chain) {
   chain.triangles.erase(rest.begin(), rest.end());
 }
 
-/// @return The chain with caps on its holes, if that makes a body of it; else as it is, a sheet.
-/// @param isAny Whether also large holes are closed.
+/// @return The chain with its holes capped, if that makes it a body; else unchanged, a sheet.
+/// @param isAny Whether large holes are closed too.
 TriangleChain closed(TriangleChain chain, bool isAny) {
   TriangleChain body = chain;
   double surface = 0;
@@ -86,7 +86,7 @@ TriangleChain closed(TriangleChain chain, bool isAny) {
   return isBody ? body : chain;
 }
 
-/// Leaves out the points that no triangle has.
+/// Removes points that no triangle uses.
 void compact(TriangleChain& chain) {
   constexpr Index kNone = ~Index{0};
   std::vector<Index> place(chain.points.size(), kNone);
@@ -103,8 +103,8 @@ void compact(TriangleChain& chain) {
   chain.points = std::move(points);
 }
 
-/// @return How often the chain goes round the point: the solid angle that it fills, in parts of a ball, by the formula
-/// of A. Van Oosterom and J. Strackee, The solid angle of a plane triangle, 1983.
+/// @return The winding number of the chain around the point: its solid angle relative to the whole sphere, by the
+/// formula of A. Van Oosterom and J. Strackee, The solid angle of a plane triangle, 1983.
 double windingAround(const TriangleChain& chain, const Vector3& point) {
   double sum = 0;
   for (const Triangle& t : chain.triangles) {
@@ -128,7 +128,7 @@ void append(const TriangleChain& from, TriangleChain& to) {
   }
 }
 
-/// @return The triangles in parts that have no point in common.
+/// @return The triangles grouped into parts that have no point in common.
 std::vector<TriangleChain> partsOf(const TriangleChain& chain) {
   Sets sets(chain.points.size());
   for (const Triangle& t : chain.triangles) {
@@ -170,7 +170,7 @@ TriangleChain makeChain(const description::TriangleMesh& mesh, const Vector3& sc
   dropFlat(chain);
   compact(chain);
 
-  // some show each triangle from both sides, or do not care which side shows: that with the least open edges counts
+  // some meshes have each triangle on both sides, or mixed orientations: the variant with the fewest open edges wins
   TriangleChain best = closed(chain, closesAll);
   std::size_t fewest = best.isClosed ? boundaryOf(chain.triangles).size() : ~std::size_t{0};
   if (fewest == 0) return best;
@@ -191,7 +191,7 @@ TriangleChain makeChain(const description::TriangleMesh& mesh, const Vector3& sc
 void coarsen(TriangleChain& chain, std::size_t mostTriangles) {
   const Eigen::AlignedBox3d box = boxOf(chain);
   for (double cells = 200; chain.triangles.size() > mostTriangles && cells > 4; cells *= 0.7) {
-    // a map of points to points: what was closed stays so
+    // this maps points to points, so what was closed stays closed
     const double edge = box.sizes().maxCoeff() / cells;
     std::unordered_map<std::uint64_t, Index> firstIn;
     std::vector<Index> first(chain.points.size());
@@ -226,7 +226,7 @@ std::vector<TriangleChain> separateBodies(TriangleChain chain) {
   for (TriangleChain& part : parts) (volumeOf(part) >= 0 ? bodies : hollows).push_back(std::move(part));
   const std::size_t solid = bodies.size();
   for (TriangleChain& hollow : hollows) {
-    // the smallest one around it; a hollow may touch a cut, where it is half within
+    // the smallest body around it; a cavity may touch a cut, where its winding number is one half
     constexpr double kWithin = 0.25;
     const Eigen::AlignedBox3d box = boxOf(hollow);
     std::size_t holder = solid;

@@ -12,7 +12,7 @@ EllipsoidShape::EllipsoidShape(const btVector3& radii) : radii_(radii) {
 }
 
 btVector3 EllipsoidShape::localGetSupportingVertex(const btVector3& direction) const {
-  // with S = diag(radii), the point outermost along d is S S d / |S d|
+  // with S = diag(radii), the outermost point along d is S S d / |S d|
   const btVector3 scaled = radii_ * direction;
   const btScalar length = scaled.length();
   return length > 0 ? radii_ * scaled / length : btVector3(radii_.x(), 0, 0);

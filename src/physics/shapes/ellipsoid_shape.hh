@@ -4,7 +4,7 @@
 
 namespace pongsim::physics {
 
-/// An ellipsoid around its frame's origin, which Bullet has no shape for.
+/// An ellipsoid centred on its frame's origin, a shape that Bullet lacks.
 class EllipsoidShape : public btConvexInternalShape {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -16,7 +16,7 @@ class EllipsoidShape : public btConvexInternalShape {
   btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
   void batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector3* directions, btVector3* supports,
                                                          int count) const override;
-  /// @param inertia Becomes that of a solid of that mass [kg m^2].
+  /// @param inertia Set to that of a solid ellipsoid of this mass [kg m^2].
   void calculateLocalInertia(btScalar mass, btVector3& inertia) const override;
   void getAabb(const btTransform& X_WorldShape, btVector3& lower, btVector3& upper) const override;
   const char* getName() const override { return "ellipsoid"; }

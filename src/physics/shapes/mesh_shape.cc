@@ -17,7 +17,7 @@ TriangleSurface::TriangleSurface(const description::TriangleMesh& mesh, const Ve
     triangles_.findOrAddVertex(toBullet(vertices.back()), false);
   }
   for (const auto& [a, b, c] : mesh.triangles) {
-    // one without an area has no side to push to
+    // a triangle without area has no side to push to
     if ((vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).isZero(0)) continue;
     triangles_.addTriangleIndices(static_cast<int>(a), static_cast<int>(b), static_cast<int>(c));
     corners.push_back({toBullet(vertices[a]), toBullet(vertices[b]), toBullet(vertices[c])});

@@ -11,16 +11,16 @@
 
 namespace pongsim::physics {
 
-/// The triangles of a mesh, for a body that does not move. What slides over them does not catch on the edges between
-/// them, if this is the only part of its body.
+/// The triangles of a mesh, for a body that does not move. Bodies that slide over them do not catch on the edges
+/// between triangles, if this is the only part of its body.
 class TriangleSurface {
  public:
-  /// @param X_BodyMesh The shape lies in the body's own frame.
+  /// @param X_BodyMesh The shape's points are given in the body frame.
   TriangleSurface(const description::TriangleMesh& mesh, const Vector3& scale, const Pose& X_BodyMesh);
   TriangleSurface(const TriangleSurface&) = delete;
   TriangleSurface& operator=(const TriangleSurface&) = delete;
 
-  /// @return Null where no triangle has an area.
+  /// @return Null if no triangle has an area.
   btCollisionShape* shape() { return shape_.get(); }
   int triangleCount() const { return triangles_.getNumTriangles(); }
 

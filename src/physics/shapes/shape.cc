@@ -14,7 +14,7 @@ namespace pongsim::physics {
 
 namespace {
 
-/// @return The triangles that a shape is made of, and their scale; null where it is not.
+/// @return The triangles of a mesh-like shape and their scale; null for other shapes.
 std::pair<const description::TriangleMesh*, Vector3> trianglesOf(const description::Geometry& geometry) {
   if (const auto* mesh = std::get_if<description::Mesh>(&geometry)) return {mesh->triangles.get(), mesh->scale};
   if (const auto* map = std::get_if<description::Heightmap>(&geometry)) return {map->triangles.get(), {1, 1, 1}};
@@ -69,7 +69,7 @@ LinkShape::LinkShape(const description::Link& link, const Pose& X_BodyLink, bool
   assemble(poses);
 }
 
-// one shape of all parts
+// makes one shape of all parts
 void LinkShape::assemble(const std::vector<Pose>& poses) {
   if (parts_.empty()) {
     holder_ = std::make_unique<btEmptyShape>();
@@ -77,7 +77,7 @@ void LinkShape::assemble(const std::vector<Pose>& poses) {
     return;
   }
 
-  // one part that lies as the body does needs no compound
+  // a single part in the body's own pose needs no compound
   const bool inPlace = poses[0].position.isZero(0) && poses[0].rotation.vec().isZero(0);
   if (parts_.size() == 1 && inPlace) {
     root_ = parts_[0];

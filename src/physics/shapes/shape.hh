@@ -18,50 +18,50 @@
 
 namespace pongsim::physics {
 
-/// @return Whether a shape collides as convex pieces of its triangles.
+/// @return Whether a shape collides as convex hulls of its triangles.
 bool usesHulls(const description::Geometry& geometry, bool moves);
 
-/// What a link collides with: all its collisions as one Bullet shape. Each part's user pointer is the
-/// `description::Surface` of its collision, its user index the number of that collision in the link; of several pieces
-/// that one collision is made of, the second user index is the piece's number.
+/// The collision shape of a link: all its collisions as one Bullet shape. Each part's user pointer is the
+/// `description::Surface` of its collision, its user index the number of that collision in the link. If a collision has
+/// several pieces, the second user index is the piece's number.
 class LinkShape {
  public:
-  /// Shapes of kinds that are not built yet are left out.
-  /// @param X_BodyLink Pose of the link frame in the frame of the body that bears the shape.
-  /// @param moves Forces move the body: a mesh is made of convex pieces then, else of its triangles.
-  /// @param shared What others may have, too.
+  /// Shapes of unsupported kinds are left out.
+  /// @param X_BodyLink Pose of the link frame in the frame of the body that carries the shape.
+  /// @param moves Whether forces move the body: then a mesh becomes convex pieces, else its triangles are used.
+  /// @param shared Shapes and surfaces that other links may use too.
   LinkShape(const description::Link& link, const Pose& X_BodyLink, bool moves, HullStore& hulls, SharedShapes& shared);
 
   LinkShape(const LinkShape&) = delete;
   LinkShape& operator=(const LinkShape&) = delete;
 
-  /// What is known of a collision.
+  /// What is known about a collision.
   struct Part {
     const description::Surface* surface = nullptr;
-    /// How fast it slips along the friction directions by each newton [m/s/N].
+    /// Slip velocity along the friction directions per newton of friction [m/s/N].
     double slip1 = 0;
     double slip2 = 0;
     /// Orientation of the collision frame in the body frame.
     Quaternion q_BodyCollision = Quaternion::Identity();
-    /// How the surface runs along, its axis a unit vector in the body frame.
+    /// Motion of the surface; its axis is a unit vector in the body frame.
     std::optional<SurfaceMotion> motion = std::nullopt;
-    /// The first friction direction in the world frame, where it is that of another link; set before each step.
+    /// The first friction direction in the world frame, if it is fixed to another link; set before each step.
     std::optional<Vector3> fdir1_World = std::nullopt;
   };
   /// @param collision Its number in the link.
   const Part& part(std::size_t collision) const { return collisions_[collision]; }
   Part& part(std::size_t collision) { return collisions_[collision]; }
   std::size_t partCount() const { return collisions_.size(); }
-  /// Asks for the memory of what is known of the first collision; most links have one.
+  /// Prefetches the data of the first collision; most links have one.
   void prefetch() const {
     if (!collisions_.empty()) base::prefetch(collisions_.front());
   }
 
-  /// What of its collisions may change while running.
+  /// Saves or restores the properties of its collisions that can change at run time.
   void transfer(StateArchive& archive);
 
   bool empty() const { return parts_.empty(); }
-  /// @return The whole; an empty shape where there is nothing to collide with.
+  /// @return The whole shape; an empty shape if there is nothing to collide with.
   btCollisionShape* root() const { return root_; }
 
  private:
@@ -70,9 +70,9 @@ class LinkShape {
   std::vector<std::unique_ptr<TriangleSurface>> surfaces_;
   std::vector<std::shared_ptr<btCollisionShape>> owned_;
   std::vector<std::shared_ptr<const description::Surface>> surfacesOfParts_;
-  /// One a collision.
+  /// One for each collision.
   std::vector<Part> collisions_;
-  /// Some of the above shapes each.
+  /// Each is some of the above shapes.
   std::vector<btCollisionShape*> parts_;
   std::unique_ptr<btCollisionShape> holder_;
   btCollisionShape* root_ = nullptr;

@@ -45,7 +45,7 @@ struct MakeShape {
     shape->setMargin(0);
     return shape;
   }
-  // what is made of triangles is each link's own
+  // shapes made of triangles are not shared between links
   Result operator()(const description::Mesh&) const { return nullptr; }
   Result operator()(const description::Heightmap&) const { return nullptr; }
   Result operator()(const description::Polyline&) const { return nullptr; }
@@ -53,7 +53,7 @@ struct MakeShape {
   Result operator()(const description::Image&) const { return nullptr; }
 };
 
-// of what tells most of them apart
+// hashes the values in which most of them differ
 struct AddTo {
   void operator()(const description::Box& box) const { add(box.size); }
   void operator()(const description::Sphere& sphere) const { hash.add(sphere.radius); }
@@ -96,8 +96,8 @@ std::uint64_t hashOf(const description::Geometry& geometry, int collision) {
   return hash.value();
 }
 
-/// Drops what nobody has any more, where there are many. What is left may double until then again, so that it costs
-/// little for each.
+/// Drops unused entries, if there are many. The table may then double before the next time, which keeps the cost per
+/// entry low.
 template <class Table>
 void prune(Table& table, std::size_t& most) {
   if (table.size() < most) return;

@@ -11,19 +11,19 @@
 
 namespace pongsim::physics {
 
-/// Surfaces and simple shapes of which many links have the same: a thousand robots have those of one, which then stay
-/// in the caches nearest to a processor. What nobody has any more is forgotten.
+/// Surfaces and simple shapes shared by links with the same ones: a thousand robots share those of one, which then stay
+/// in the processor's nearest caches. Unused ones are dropped.
 class SharedShapes {
  public:
   std::shared_ptr<const description::Surface> surface(const description::Surface& surface);
 
-  /// @param surface As `surface` gives it; becomes the shape's user pointer.
+  /// @param surface As returned by `surface`; becomes the shape's user pointer.
   /// @param collision The collision's number in its link; becomes the shape's user index.
-  /// @return Null where it is not a simple shape: that of triangles, or none.
+  /// @return Null if it is not a simple shape but triangles, or nothing.
   std::shared_ptr<btCollisionShape> shape(const description::Geometry& geometry, const description::Surface& surface,
                                           int collision);
 
-  /// How many things are known, some of which nobody may have any more.
+  /// Number of entries, some of which may be unused.
   std::size_t size() const { return surfaces_.size() + shapes_.size(); }
 
  private:
@@ -34,13 +34,13 @@ class SharedShapes {
     std::weak_ptr<btCollisionShape> shape;
     bool expired() const { return shape.expired(); }
   };
-  /// By hash, in which some may be alike.
+  /// Keyed by hash; several entries can have the same one.
   template <class Entry>
   using Table = std::unordered_multimap<std::uint64_t, Entry>;
 
   Table<std::weak_ptr<const description::Surface>> surfaces_;
   Table<ShapeEntry> shapes_;
-  /// How many entries each table may have before those that nobody has are looked for.
+  /// How many entries each table may have before unused ones are looked for.
   std::size_t mostSurfaces_ = 64;
   std::size_t mostShapes_ = 64;
 };

@@ -18,11 +18,11 @@ namespace {
 
 using Corners = TriangleEdges::Corners;
 
-// corners that are nearer than a tenth of a millimetre are one; likewise of areas, squared
+// corners closer than a tenth of a millimetre are the same, squared; likewise for areas
 constexpr double kSamePlace = 1e-4 * 1e-4;
-// sine squared of an angle below which a surface is flat
+// squared sine of the angle below which a surface is flat
 constexpr double kFlat = 1e-4;
-// a contact that is farther from an edge [m] is none of it
+// a contact further from an edge [m] does not belong to it
 constexpr double kNearEdge = 0.1;
 
 btVector3 normalOf(const btVector3& a, const btVector3& b, const btVector3& c) {
@@ -33,13 +33,13 @@ double areaSquared(const btVector3* corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).length2();
 }
 
-/// @return The direction in a triangle's plane, square to one of its edges, on the side of its third corner.
+/// @return The direction in a triangle's plane that is perpendicular to one of its edges, towards its third corner.
 btVector3 inwards(const btVector3& edge, const btVector3& normal, const btVector3& toThirdCorner) {
   const btVector3 across = edge.cross(normal).normalized();
   return across.dot(toThirdCorner) < 0 ? -across : across;
 }
 
-/// @return How far `point` is from the line between two others.
+/// @return Distance of `point` from the line through the two others.
 double distanceFrom(const btVector3& begin, const btVector3& end, const btVector3& point) {
   const btVector3 line = end - begin;
   if (line.fuzzyZero()) return (point - begin).length();
@@ -47,12 +47,12 @@ double distanceFrom(const btVector3& begin, const btVector3& end, const btVector
   return (point - (begin + line * part)).length();
 }
 
-/// The corners that two triangles share, as numbers of corners of each.
+/// The corners that two triangles share, as corner numbers in each.
 struct SharedCorners {
   std::array<std::size_t, 2> own;
   std::array<std::size_t, 2> others;
 
-  /// @return None where there are not exactly two.
+  /// @return Nothing unless there are exactly two.
   static std::optional<SharedCorners> of(const Corners& own, const btVector3* others) {
     SharedCorners shared{};
     std::size_t count = 0;
@@ -65,7 +65,7 @@ struct SharedCorners {
       }
     }
     if (count != 2) return std::nullopt;
-    // round about the triangle
+    // keep the order around the triangle
     if (shared.own[0] == 0 && shared.own[1] == 2) {
       std::swap(shared.own[0], shared.own[1]);
       std::swap(shared.others[0], shared.others[1]);
@@ -76,7 +76,7 @@ struct SharedCorners {
 
 }  // namespace
 
-/// Is shown all triangles that may lie beside one.
+/// Called with every triangle that may be adjacent to a given one.
 class TriangleEdges::Connector final : public btTriangleCallback {
  public:
   Connector(const Corners& corners, int index, Edges& edges) : corners_(corners), index_(index), edges_(edges) {}
@@ -100,7 +100,7 @@ class TriangleEdges::Connector final : public btTriangleCallback {
       found.isConvex = normal.dot(theirSide) < 0;
       found.angle = found.isConvex ? -angle : angle;
     }
-    // the corner that it does not have tells which edge it is
+    // the corner that is not shared tells which edge it is
     edges_[(third + 1) % 3] = found;
   }
 
@@ -151,7 +151,7 @@ void TriangleEdges::smooth(btManifoldPoint& point, const btCollisionObjectWrappe
   const bool isAbove =
       normal.dot(up) >= 0 || normal.dot(beyond.isConvex ? beyond.normalBeyond : -beyond.normalBeyond) >= 0;
   if (beyond.angle != 0 && isAbove) {
-    // a normal between those of both triangles stays, others are turned to the one beyond
+    // a normal between those of both triangles stays; others become that of the neighbour
     const btVector3 edge = (corners[nearest] - corners[(nearest + 1) % 3]).normalized();
     const double angle = math::atan2(normal.dot(edge.cross(up).normalized()), normal.dot(up));
     if (beyond.angle < 0 ? angle >= beyond.angle : angle <= beyond.angle) return;

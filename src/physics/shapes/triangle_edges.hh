@@ -11,29 +11,30 @@
 
 namespace pongsim::physics {
 
-/// How the triangles of a surface go on beyond their edges, so that what slides over them does not catch there. Bullet
-/// has the same (btInternalEdgeUtility), with sines and angles of the C library.
+/// How the triangles of a surface continue beyond their edges, so that sliding bodies do not catch there. Bullet's
+/// btInternalEdgeUtility does the same with sines and angles of the C library.
 class TriangleEdges final : public btTriangleInfoMap {
  public:
   using Corners = std::array<btVector3, 3>;
 
-  /// Finds who lies beside whom, and lets the shape know.
-  /// @param triangles Those of the shape, in its order. This must outlive the shape.
+  /// Finds adjacent triangles, and attaches this to the shape.
+  /// @param triangles The shape's triangles, in its order. This must outlive the shape.
   void connect(btBvhTriangleMeshShape& shape, const std::vector<Corners>& triangles);
 
-  /// Turns the normal of a point of contact to where a surface without edges would have it.
-  /// @param triangle Which touches, as part B of the contact. Nothing happens where its body is of more than one shape.
+  /// Turns a contact's normal to that of a surface without inner edges.
+  /// @param triangle The colliding triangle, as part B of the contact. Does nothing if its body has more than one
+  /// shape.
   static void smooth(btManifoldPoint& point, const btCollisionObjectWrapper& triangle, int index);
 
  private:
   struct Edge {
-    /// By how much the surface turns there, up or down [rad]; 0: it goes straight on.
+    /// Angle by which the surface bends there, up or down [rad]; 0: flat.
     double angle;
     bool isConvex;
-    /// The normal of the triangle beyond.
+    /// The normal of the adjacent triangle.
     btVector3 normalBeyond;
   };
-  /// From its first corner to its second, to the third, and back; without those where nobody is beyond.
+  /// Edges from the first corner to the second, to the third, and back; empty where no triangle is adjacent.
   using Edges = std::array<std::optional<Edge>, 3>;
   class Connector;
 

@@ -15,7 +15,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// What is above a world, or above a model that stands in none.
+/// The frame that contains a world, or a model that is in no world.
 constexpr std::string_view kRoot = "__root__";
 
 std::string inQuotes(std::string_view text) {
@@ -33,7 +33,7 @@ std::string poseText(const Pose& pose) {
   for (const double value :
        {pose.position.x(), pose.position.y(), pose.position.z(), angles.x(), angles.y(), angles.z()}) {
     std::array<char, 32> number{};
-    // adding zero leaves no minus before one
+    // adding zero turns -0 into 0
     std::snprintf(number.data(), number.size(), "%.4g", std::round(value * 1e9) / 1e9 + 0.0);
     text += (text.empty() ? "" : " ") + std::string(number.data());
   }
@@ -75,13 +75,13 @@ class DotWriter {
     nodes_.push_back(id + " [label=" + inQuotes(name) + "];");
   }
 
-  /// @param X_FromTo Told of poses only.
+  /// @param X_FromTo Printed for poses only.
   void addEdge(std::string from, std::string to, const std::optional<Pose>& X_FromTo) {
     const bool isTold = kind_ == FrameGraphKind::kPose && X_FromTo;
     edges_.push_back({std::move(from), std::move(to), isTold ? " [label=" + inQuotes(poseText(*X_FromTo)) + "]" : ""});
   }
 
-  /// @param prefix "model::" for what stands in a model.
+  /// @param prefix "model::" for entries of a model.
   void addNodes(const Scope& scope, const std::string& prefix) {
     for (const Scope::Entry& entry : scope.entries()) {
       addNode(prefix + entry.name);

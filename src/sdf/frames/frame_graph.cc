@@ -12,7 +12,7 @@ FrameOrder orderFrames(std::span<const std::size_t> next) {
   result.order.reserve(next.size());
 
   for (std::size_t start = 0; start < next.size(); ++start) {
-    // follow the nodes until something known, the end, or the path itself
+    // follow the nodes to a known one, to the end, or back into the path itself
     path.clear();
     std::size_t node = start;
     while (node != kNoNode && marks[node] == Mark::kNew) {

@@ -10,7 +10,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-// A longer cycle is told in part.
+// Longer cycles are printed in part.
 constexpr std::size_t kLongestCycleTold = 8;
 
 std::string_view kindName(FrameKind kind) {
@@ -75,7 +75,7 @@ std::optional<Scope::Reference> Scope::lookUp(std::string_view path) const {
   if (const auto local = entryOfName_.find(std::string(path)); local != entryOfName_.end()) {
     return Reference{local->second, std::nullopt};
   }
-  // The model's name may hold the separator itself, in files from before SDF 1.8.
+  // Before SDF 1.8 the model's name may contain the separator itself.
   for (std::size_t at = path.find(kNameSeparator); at != std::string_view::npos;
        at = path.find(kNameSeparator, at + 1)) {
     const auto model = entryOfName_.find(std::string(path.substr(0, at)));
@@ -92,7 +92,7 @@ std::string Scope::nearestPath(std::string_view path) const {
   std::vector<std::string> paths;
   for (const Entry& entry : entries_) {
     paths.push_back(entry.name);
-    // within the one that the path begins with
+    // inside the entry that the path starts with
     const bool isInside = entry.inside != nullptr && path.starts_with(entry.name) &&
                           path.substr(entry.name.size()).starts_with(kNameSeparator);
     if (!isInside) continue;
@@ -143,7 +143,7 @@ void Scope::resolveLinks(Context& context) {
     } else if (entry.kind == FrameKind::kModel) {
       if (entry.inside != nullptr) resolved_[i].link = joined(entry.name, entry.inside->link(0));
     } else if (entry.attachedTo.empty()) {
-      // a joint without a child is an error already
+      // a joint without a child has been reported already
       if (entry.kind == FrameKind::kFrame) next[i] = 0;
     } else {
       const std::string verb = entry.kind == FrameKind::kJoint ? " names child link" : " is attached to";
@@ -163,7 +163,7 @@ void Scope::resolveLinks(Context& context) {
   }
   for (const std::vector<std::size_t>& cycle : frames.cycles) {
     complainOfCycle(cycle, "attached to", context);
-    // the same cycle is not to be found again among the poses
+    // do not report the same cycle again for the poses
     for (const std::size_t i : cycle) attachments_[i].reset();
   }
 }
@@ -189,7 +189,7 @@ void Scope::resolvePoses(Context& context) {
     if (references[i] && references[i]->inside)
       X_ScopeReference = X_ScopeReference * references[i]->inside->X_ScopeFrame;
     const Pose X_ScopeFrame = X_ScopeReference * entries_[i].pose.value * placementOf(entries_[i], context);
-    // a place that the physics lets something be in
+    // further away, the physics gives up
     constexpr double kLargestPosition = 1e9;
     if (X_ScopeFrame.position.cwiseAbs().maxCoeff() <= kLargestPosition && X_ScopeFrame.rotation.coeffs().allFinite()) {
       resolved_[i].X_ScopeFrame = X_ScopeFrame;

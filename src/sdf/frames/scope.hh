@@ -17,11 +17,11 @@ namespace pongsim::sdf {
 
 enum class FrameKind { kRoot, kLink, kJoint, kFrame, kModel };
 
-/// The frames that one world or model names, which may be measured in each other in any order. Add them all, then
-/// `resolve` once, then ask.
+/// The frames named in one world or model. They can be relative to each other in any order: add all, call `resolve`
+/// once, then look them up.
 ///
-/// Defaults, as SDF 1.9 has them: links, models and frames are measured in the scope's own frame, joints in the frame
-/// of their child, a frame that is attached to something in the frame of that.
+/// Defaults as in SDF 1.9: links, models and frames are relative to the scope's own frame, joints to the frame of their
+/// child, and an attached frame to what it is attached to.
 class Scope {
  public:
   /// @param rootName Name of the scope's own frame: "__model__" or "world".
@@ -36,48 +36,48 @@ class Scope {
     /// What a frame is attached to, or a joint's child; empty: the scope's own frame.
     std::string attachedTo;
     SourcePosition attachedToPosition;
-    /// A model's own scope, resolved already.
+    /// A model's own scope, already resolved.
     std::unique_ptr<Scope> inside = nullptr;
-    /// The frame inside the model that `pose` is the pose of, if not the model's own.
+    /// The frame inside the model that `pose` places; empty: the model's own.
     std::string placementFrame = {};
   };
 
-  /// @return The number by which to ask for it.
+  /// @return The index for looking it up.
   std::size_t add(Entry entry);
 
-  /// Something of this scope could not be read, so that a name which is missing is no error of its own.
+  /// Call if part of this scope could not be read: names that are missing are then no further errors.
   void setIncomplete() { isIncomplete_ = true; }
 
-  /// The link that the scope's own frame moves with: "link", "inner::link", "world"; empty where there is none.
-  /// Without a call: the first link, of the first model inside if there is none here, and so on.
+  /// Sets the link that the scope's own frame moves with: "link", "inner::link", "world"; empty: none. The default is
+  /// the first link, or that of the first nested model if there is no link here, and so on.
   void setCanonicalLink(std::string link);
 
-  /// The scope's own frame is a static model's: it moves with no link.
+  /// Call if the scope's own frame is a static model's and moves with no link.
   void setStatic() { isStatic_ = true; }
   bool isStatic() const { return isStatic_; }
 
-  /// @return The canonical link by default.
+  /// @return The default canonical link.
   std::string firstLink() const;
 
-  /// Finds all poses and attachments. What is wrong with them is an error each, and their pose the identity.
+  /// Computes all poses and attachments. Each fault adds an error, and the pose becomes the identity.
   void resolve(Context& context);
 
-  /// What a name stands for.
+  /// The result of looking up a name.
   struct Found {
     FrameKind kind = FrameKind::kFrame;
     Pose X_ScopeFrame;
-    /// The link that it moves with, as this scope names it; empty if it is not known.
+    /// The link that it moves with, named as in this scope; empty if unknown.
     std::string link;
   };
 
   /// @param path "frame", "__model__", "inner::frame".
   std::optional<Found> find(std::string_view path) const;
 
-  /// As `find`; where there is none, adds the error "`what` 'path', which is not in model 'robot'".
+  /// Like `find`, but adds the error "`what` 'path', which is not in model 'robot'" if nothing is found.
   std::optional<Found> findOrComplain(std::string_view path, const std::string& what, const SourcePosition& position,
                                       Context& context) const;
 
-  /// @return All that was added, the scope's own frame first.
+  /// @return All entries, the scope's own frame first.
   const std::vector<Entry>& entries() const { return entries_; }
 
   const Pose& pose(std::size_t entry) const { return resolved_[entry].X_ScopeFrame; }
@@ -89,7 +89,7 @@ class Scope {
     Pose X_ScopeFrame;
     std::string link;
   };
-  /// An entry of this scope, or something inside the model that an entry is.
+  /// An entry of this scope, or something inside the model of an entry.
   struct Reference {
     std::size_t entry = 0;
     std::optional<Found> inside;
@@ -109,7 +109,7 @@ class Scope {
   std::string label_;
   std::vector<Entry> entries_;
   std::vector<Resolved> resolved_;
-  /// For each entry what it is attached to, if that is known.
+  /// What each entry is attached to, if known.
   std::vector<std::optional<Reference>> attachments_;
   std::unordered_map<std::string, std::size_t> entryOfName_;
   bool isIncomplete_ = false;

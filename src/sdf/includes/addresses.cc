@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// @return Whether elements of that name hold the address of a file, or may do so.
+/// @return Whether elements with this name may contain a file's address.
 bool isAddress(std::string_view name) {
-  // the last two are those of a heightmap's texture; a material's are colours
+  // the last two are a heightmap's textures; in a material they are colours, which are no addresses
   constexpr std::array<std::string_view, 4> kNames{"uri", "filename", "diffuse", "normal"};
   return std::ranges::find(kNames, name) != kNames.end() || name.ends_with("_map");
 }

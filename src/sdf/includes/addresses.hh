@@ -8,12 +8,12 @@
 
 namespace pongsim::sdf {
 
-/// Makes the relative addresses of files in an element absolute, so that they stay true where it is put into another
-/// file. What is in a plugin, and what names no file, stays as it is.
-/// @param folder That of the element's file.
+/// Makes relative file addresses in an element absolute, so that they still hold when it is moved to another file.
+/// Leaves plugins and addresses that do not name files unchanged.
+/// @param folder Folder of the element's file.
 void makeAddressesAbsolute(Element& element, const std::filesystem::path& folder);
 
-/// @return The addresses of Fuel servers that stand in an element or anywhere below, in plugins too.
+/// @return The addresses on Fuel servers in an element and everything below it, including plugins.
 std::vector<std::string> fuelAddressesIn(const Element& element);
 
 }  // namespace pongsim::sdf

@@ -11,30 +11,30 @@
 
 namespace pongsim::sdf {
 
-/// The file that a shape is made of.
+/// A file that a shape is read from.
 struct AssetFile {
-  /// As it stands in the file.
+  /// As written in the SDF file.
   std::string uri;
-  /// Empty where it is not there.
+  /// Empty if the file does not exist.
   std::filesystem::path path;
-  /// For warnings: what it is, where it is named, and what follows if it is of no use.
+  /// For warnings: what the file is, which element names it, and what happens without it.
   std::string kind;
   SourcePosition position;
   std::string effect;
 
-  /// Warns that the file is of no use.
+  /// Warns that the file can't be used.
   void warn(const assets::Problem& problem, Context& context) const;
 };
 
-/// Finds what the `<uri>` of a shape names. A file that is not there is a warning, no `<uri>` an error.
+/// Finds the file named by a shape's `<uri>`. A missing file gives a warning, a missing `<uri>` an error.
 /// @param kind "mesh"
 /// @param owner "collision 'c' of link 'l'"
 AssetFile findAsset(const Element& shape, const std::string& kind, const std::string& owner, bool isCollision,
                     Context& context);
 
-/// Finds what an element's child names: a texture, an animation. A file that is not there is a warning, once an
-/// address.
-/// @return Both empty where the child is not there or names nothing.
+/// Finds the file named by a child element, such as a texture or an animation. A missing file gives a warning, once for
+/// each address.
+/// @return Both fields empty if the child is missing or empty.
 description::Texture readTexture(const Element& parent, std::string_view child, Context& context);
 
 }  // namespace pongsim::sdf

@@ -7,10 +7,10 @@
 
 namespace pongsim::sdf {
 
-/// The frame of the model that a part stands in.
+/// Name of the enclosing model's frame.
 inline constexpr std::string_view kModelFrame = "__model__";
 
-/// @return The attribute, to be changed; null where there is none of the name.
+/// @return The attribute, for changing it; null if there is none with this name.
 inline Element::Attribute* attributeOf(Element& element, std::string_view name) {
   const auto found = std::ranges::find(element.attributes, name, &Element::Attribute::name);
   return found != element.attributes.end() ? &*found : nullptr;

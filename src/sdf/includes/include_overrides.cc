@@ -16,7 +16,7 @@ void setAttribute(Element& element, std::string_view name, const Element& source
   }
 }
 
-/// Puts it in place of the first child of its name, the only one that counts, or behind all others.
+/// Replaces the first child with the same name, the only one that counts; appends it if there is none.
 void setChild(Element& element, const Element& source) {
   const auto found = std::ranges::find(element.children, source.name, &Element::name);
   if (found != element.children.end()) {
@@ -43,7 +43,7 @@ void applyOverrides(const Element& include, Element& included, Context& context)
       included.children.push_back(child);
     } else if (child.name == "placement_frame") {
       setAttribute(included, "placement_frame", child);
-      // the pose that the model has without this is that of another frame
+      // without this, the model's own pose would place another frame
       if (include.child("pose") == nullptr) {
         context.diagnostics.error(child.position, "<include> has a <placement_frame> but no <pose>",
                                   "the pose is that of the placement frame");

@@ -5,10 +5,9 @@
 
 namespace pongsim::sdf {
 
-/// Puts what an `<include>` says (name, pose, static, placement_frame, plugins) in place of what the included element
-/// says itself.
+/// Applies the overrides in an `<include>` (name, pose, static, placement_frame, plugins) to the included element.
 /// @param included A `<model>`, `<light>` or `<actor>`.
-/// @param context That of the file of the `<include>`.
+/// @param context Context of the file with the `<include>`.
 void applyOverrides(const Element& include, Element& included, Context& context);
 
 }  // namespace pongsim::sdf

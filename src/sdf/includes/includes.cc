@@ -33,7 +33,7 @@ void setFileName(Element& element, const std::shared_ptr<const std::string>& nam
   for (Element& child : element.children) setFileName(child, name);
 }
 
-/// @return What of a file others include; nothing, and an error added, where there is no such thing.
+/// @return The part of a file that other files include; nothing, with an error, if there is none.
 std::optional<Element> contentOf(Element& root, Diagnostics& diagnostics) {
   constexpr std::array<std::string_view, 3> kKinds{"model", "light", "actor"};
   const auto isContent = [&](const Element& child) { return std::ranges::find(kKinds, child.name) != kKinds.end(); };
@@ -94,7 +94,7 @@ void Includes::resolve(Element& element) {
       children.push_back(std::move(child));
       continue;
     }
-    // swapped, so that the includes among them stay where they are known by their addresses
+    // swapped, because the includes among them are identified by their addresses, which must not change
     Element holder;
     holder.children.swap(replacement->second);
     resolve(holder);
@@ -154,7 +154,7 @@ bool Includes::isWithinBounds(const Element& include, const File& file) {
     diagnostics_.error(include.position, std::move(message));
     return false;
   };
-  // told once: whoever includes so much does so many times
+  // reported once: a file that includes too much does so many times
   const bool wasWithin = count_ <= kMostIncludes && size_ <= kLargestFile;
   if (!wasWithin) return false;
   ++count_;

@@ -18,51 +18,51 @@
 
 namespace pongsim::sdf {
 
-/// The files that one load includes, each of which is parsed once, and who includes what.
+/// The files included in one load, each parsed once, and where each is included.
 class Includes {
  public:
-  /// Models within models, across files.
+  /// Maximum depth of nested models, across files.
   static constexpr int kDeepestModel = 100;
   static constexpr std::size_t kDeepestInclude = 50;
   static constexpr std::size_t kMostIncludes = 20'000;
 
-  /// @param unsimulated As in the contexts of the files.
+  /// @param unsimulated As in the files' contexts.
   Includes(assets::Finder finder, Diagnostics& diagnostics, Diagnostics& unsimulated);
 
-  /// Where the load begins: a file that includes this one includes itself.
+  /// Starts the load: a file that includes this one includes itself.
   void begin(const std::filesystem::path& file);
 
-  /// Downloads what is on a Fuel server and named anywhere in a file, all of it at once.
+  /// Downloads everything that a file names on Fuel servers, all at once.
   void bring(const Element& root) const { finder_.bring(fuelAddressesIn(root)); }
 
-  /// Called with what an `<include>` stands for: a `<model>`, `<light>` or `<actor>` with what the `<include>` says of
-  /// it in place of its own, to keep or change; and the context of its file.
+  /// Called with the element that an `<include>` stands for (a `<model>`, `<light>` or `<actor>`, with the overrides
+  /// applied), to keep or change, and with the context of its file.
   using Read = std::function<void(Element& included, Context& context)>;
 
-  /// Opens what an `<include>` names, and calls `read` with it.
-  /// @param context That of the file of the `<include>`.
-  /// @return False, and an error added by the first such `<include>` at least, where it can't be opened.
+  /// Opens the file named by an `<include>` and calls `read` with its element.
+  /// @param context Context of the file with the `<include>`.
+  /// @return False if it can't be opened; at least the first such `<include>` adds an error.
   bool follow(const Element& include, Context& context, const Read& read);
 
-  /// Readies the load for a result that is printed: from now on elements get what Fortress adds to them.
-  /// @param keepsReplacements What stands in place of each `<include>` is kept, and relative addresses in it are made
+  /// Prepares for printing the result: from now on elements get those that Fortress adds.
+  /// @param keepsReplacements Whether the elements that replace each `<include>` are kept, with relative addresses made
   /// absolute.
   void prepareToPrint(bool keepsReplacements) {
     isForPrint_ = true;
     keepsReplacements_ = keepsReplacements;
   }
 
-  /// To SDF 1.9; for the print also what Fortress adds.
+  /// Upgrades to SDF 1.9; for printing, also adds what Fortress adds.
   void modernize(Element& root, Context& context) const;
 
-  /// Notes what stands in place of an `<include>`.
-  /// @return Those elements, to be read: `parts`, or the copy that is kept of them.
+  /// Records the elements that replace an `<include>`.
+  /// @return Those elements, for reading: `parts`, or the copy that is kept of them.
   const std::vector<Element>& replace(const Element& include, std::vector<Element>& parts);
 
-  /// Puts what was kept in place of the includes in `element`, all the way down.
+  /// Replaces all includes in `element`, at any depth, by what was kept.
   void resolve(Element& element);
 
-  /// Finds another file that one names, as a mesh: see `assets::Finder`.
+  /// Finds another file, such as a mesh: see `assets::Finder`.
   std::optional<std::filesystem::path> findAsset(std::string_view uri, const std::filesystem::path& folder,
                                                  const SourcePosition& position, Diagnostics& diagnostics) const {
     return finder_(uri, folder, position, diagnostics);
@@ -72,17 +72,17 @@ class Includes {
   /// @return Where the file of `position` is included, where that file is included, and so on.
   std::vector<SourcePosition> chainOf(const SourcePosition& position) const;
 
-  /// Notes that a model begins.
-  /// @return False, and an error added, where it nests too deep.
+  /// Call at the start of a model.
+  /// @return False, with an error, if models are nested too deep.
   bool enterModel(const SourcePosition& position);
   void leaveModel() { --modelDepth_; }
 
  private:
   struct File {
-    /// As found on the disk, without links, to know it again.
+    /// Canonical path, to recognize the file.
     std::filesystem::path path;
     std::size_t size = 0;
-    /// What it holds for others; nothing if it can't be read.
+    /// The part that other files include; nothing if the file can't be read.
     std::optional<Element> content;
     Context context;
   };
@@ -100,11 +100,11 @@ class Includes {
   Diagnostics& diagnostics_;
   Diagnostics& unsimulated_;
   std::unordered_map<std::string, std::unique_ptr<File>> files_;
-  /// By the folder of each model its SDF file, where its model.config names one.
+  /// The SDF file of each model folder, if its model.config names one.
   std::unordered_map<std::string, std::optional<std::filesystem::path>> modelFiles_;
-  /// Where each name of a file comes from: every inclusion has a name of its own.
+  /// Where the file of each name was included; every inclusion has a name of its own.
   std::unordered_map<Name, SourcePosition> includedFrom_;
-  /// The files that are open, the innermost last.
+  /// The open files, innermost last.
   std::vector<std::filesystem::path> open_;
   std::size_t count_ = 0;
   std::size_t size_ = 0;

@@ -12,13 +12,13 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// Puts the frame in place of the model's in an attribute that names one.
+/// Replaces the model frame by `frame` in an attribute that names a frame.
 void rename(Element& element, std::string_view attributeName, const std::string& frame) {
   Element::Attribute* attribute = attributeOf(element, attributeName);
   if (attribute != nullptr && attribute->value == kModelFrame) attribute->value = frame;
 }
 
-/// As `rename`, where no name stands for the model frame too.
+/// Like `rename`, but a missing or empty name also means the model frame.
 void renameDefault(Element& element, std::string_view attributeName, const std::string& frame) {
   Element::Attribute* attribute = attributeOf(element, attributeName);
   if (attribute == nullptr) {
@@ -28,7 +28,7 @@ void renameDefault(Element& element, std::string_view attributeName, const std::
   }
 }
 
-/// Renames the model frame in what stands in a part.
+/// Renames the model frame in everything inside a part.
 void renameInside(Element& element, const std::string& frame) {
   for (Element& child : element.children) {
     if (child.name == "plugin") continue;
@@ -39,7 +39,7 @@ void renameInside(Element& element, const std::string& frame) {
   }
 }
 
-/// @return Whether the part goes with those that are merged; others tell of the model itself.
+/// @return Whether the part is merged; the other parts describe the model itself.
 bool isMerged(const Element& part) {
   constexpr std::array<std::string_view, 7> kMerged{"link", "model", "joint", "frame", "gripper", "plugin", "include"};
   return std::ranges::find(kMerged, part.name) != kMerged.end() || part.name.find(':') != std::string::npos;
@@ -72,9 +72,9 @@ std::string mergedFrameName(const std::string& model) { return "_merged__" + mod
 void setModelFrame(Element& part, const std::string& frame) {
   const bool isFrame = part.name == "frame";
   if (isFrame) renameDefault(part, "attached_to", frame);
-  // what a nested model holds has a model frame of its own
+  // a nested model's content refers to a model frame of its own
   if (part.name != "model") renameInside(part, frame);
-  // by default frames are measured in what they are attached to, and joints in their child
+  // by default, frames are relative to what they are attached to, and joints to their child
   if (isFrame || part.name == "joint") return;
   auto pose = std::ranges::find(part.children, "pose", &Element::name);
   if (pose == part.children.end()) {

@@ -8,27 +8,27 @@
 
 namespace pongsim::sdf {
 
-/// What has to be known of a model to merge it into another one.
+/// What is needed to merge a model into another one.
 struct MergedModel {
   const Element& element;
   std::string name;
   /// The link that its frame is attached to.
   std::string canonicalLink;
-  /// Pose of the model frame in the frame `relativeTo` of what it is merged into.
+  /// Pose of the model frame in the frame `relativeTo` of the enclosing model.
   Pose X_ReferenceModel;
   std::string relativeTo;
   /// Where it is included.
   SourcePosition includedFrom;
 };
 
-/// @return The name that Fortress gives to the frame that stands for a merged model's own.
+/// @return Fortress's name for the frame that replaces a merged model's own.
 std::string mergedFrameName(const std::string& model);
 
-/// @return That frame, and the model's parts with its name in place of the model frame that they name or are measured
-/// in. Includes stay as they are: what they stand for has to be given to `setModelFrame`.
+/// @return That frame, and the model's parts with its name wherever they named the model frame or were relative to it.
+/// Includes are unchanged: pass their content to `setModelFrame`.
 std::vector<Element> mergedParts(const MergedModel& model);
 
-/// Measures a part of a merged model, of any kind, in that frame where it is measured in the model's own.
+/// Makes a part of a merged model, of any kind, relative to that frame if it is relative to the model's own.
 void setModelFrame(Element& part, const std::string& frame);
 
 }  // namespace pongsim::sdf

@@ -11,16 +11,16 @@
 
 namespace pongsim::sdf {
 
-/// A file that describes something.
+/// A parsed model file.
 struct ModelDocument {
   /// The `<sdf>` element.
   Element sdf;
-  /// What it was made from, where the file is URDF; else null.
+  /// The URDF source if the file is URDF; else null.
   std::shared_ptr<const UrdfSource> urdf;
 };
 
-/// As `parseDocument`, for a file that describes something: an `<sdf>`, or a `<robot>` in URDF, which becomes one.
-/// @return Nothing, and errors added, where there is neither.
+/// Like `parseDocument`, for a model file: an `<sdf>`, or a URDF `<robot>`, which is converted.
+/// @return Nothing, with errors, if it is neither.
 std::optional<ModelDocument> parseModelDocument(std::string_view text, std::shared_ptr<const std::string> file,
                                                 Diagnostics& diagnostics);
 

@@ -17,7 +17,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// @return The model that the part was in, "" where it has always been in this one.
+/// @return The model that the part came from; "" if it always was in this one.
 std::string_view innerModel(const Element& part) {
   constexpr std::array<std::string_view, 5> kKinds{"model", "link", "joint", "frame", "gripper"};
   if (std::ranges::find(kKinds, part.name) == kKinds.end()) return {};
@@ -28,14 +28,14 @@ std::string_view innerModel(const Element& part) {
   return end == std::string_view::npos ? std::string_view() : text.substr(0, end);
 }
 
-/// @return Whether the name is one of too many models within each other.
+/// @return Whether the name has too many nested models.
 bool isTooDeep(std::string_view name) {
   int depth = 0;
   for (std::size_t at = name.find(kNameSeparator); at != name.npos; at = name.find(kNameSeparator, at + 2)) ++depth;
   return depth > Includes::kDeepestModel;
 }
 
-/// Takes the model's name away from the names in the part, for it stands in that model from now on.
+/// Removes the model's name from the names in a part that becomes part of that model.
 class PrefixRemover {
  public:
   explicit PrefixRemover(std::string_view model) : prefix_(std::string(model) + std::string(kNameSeparator)) {}
@@ -67,7 +67,7 @@ class PrefixRemover {
   std::string prefix_;
 };
 
-/// The frame "__model__" tells where the model is and by which link it is held.
+/// Moves pose and attachment from the frame "__model__" to the model.
 void takeModelFrame(Element& frame, Element& model) {
   if (const Element::Attribute* link = frame.attribute("attached_to")) {
     model.attributes.push_back({"canonical_link", link->value, link->position});
@@ -106,7 +106,7 @@ void unflatten(Element& model, Context& context) {
     } else {
       target.children.push_back(std::move(part));
     }
-    // what has gone
+    // marks it as moved
     part.name.clear();
   }
   std::erase_if(model.children, [](const Element& part) { return part.name.empty(); });

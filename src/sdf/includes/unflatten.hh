@@ -5,8 +5,8 @@
 
 namespace pongsim::sdf {
 
-/// To SDF 1.8: in older files an included model was flattened into the one that included it, its links, joints and
-/// frames named "inner::link". Each of those becomes a `<model name="inner">` again.
+/// Upgrades to SDF 1.8. In older files, included models were flattened into the enclosing model, with links, joints and
+/// frames named "inner::link". This turns them into a `<model name="inner">` again.
 void unflattenAll(Element& root, Context& context);
 
 }  // namespace pongsim::sdf

@@ -55,7 +55,7 @@ void readAnimations(const Element& element, const std::string& label, descriptio
   }
 }
 
-/// Adds what a link of an actor shows.
+/// Adds the visuals of an actor's link.
 void readActorLink(const Element& element, const std::string& owner, description::Actor& actor, Context& context) {
   const std::string label = partLabel(element, readName(element, owner, context), owner);
   const auto poseOf = [&context](const Element& part) {

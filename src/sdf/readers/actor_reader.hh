@@ -10,7 +10,7 @@
 
 namespace pongsim::sdf {
 
-/// An actor, complete but for its pose, which waits for the frames around it.
+/// An actor whose pose is still to be resolved.
 struct ActorDraft {
   description::Actor actor;
   PoseText pose;
@@ -19,8 +19,8 @@ struct ActorDraft {
 /// @param owner "world 'w'"
 ActorDraft readActor(const Element& element, const std::string& owner, Context& context);
 
-/// Completes the actor's pose.
-/// @param scope That of the world, which is resolved.
+/// Resolves the actor's pose.
+/// @param scope Scope of the world, resolved.
 description::Actor finishActor(ActorDraft&& draft, const Scope& scope, Context& context);
 
 }  // namespace pongsim::sdf

@@ -11,12 +11,12 @@ namespace pongsim::sdf {
 
 namespace {
 
-// That of the largest textures there are.
+// Edge length of the largest textures there are.
 constexpr long long kLongestEdge = 65'536;
 
 PixelFormat readFormat(const Element& image, Context& context) {
   using enum PixelFormat;
-  // each of them under the name that libsdformat writes, too
+  // each also under the name that libsdformat writes
   constexpr std::array<std::string_view, 14> kNames{
       "L8",          "L16",         "R8G8B8",      "B8G8R8", "R_FLOAT16", "R_FLOAT32", "BAYER_RGGB8",
       "BAYER_BGGR8", "BAYER_GBRG8", "BAYER_GRBG8", "L_INT8", "L_INT16",   "RGB_INT8",  "BGR_INT8"};

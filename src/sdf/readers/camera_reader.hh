@@ -8,8 +8,8 @@
 
 namespace pongsim::sdf {
 
-/// Reads the `<camera>` of a sensor, but for its pose.
-/// @param element Null: there is none.
+/// Reads the `<camera>` of a sensor, except for its pose.
+/// @param element Null if there is none.
 /// @param label "sensor 's'", for errors.
 CameraSettings readCamera(const Element* element, const std::string& label, Context& context);
 

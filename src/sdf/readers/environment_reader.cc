@@ -36,7 +36,7 @@ description::SphericalCoordinates readSphericalCoordinates(const Element& elemen
 
 Vector3 readWind(const Element& element, Context& context) {
   const Vector3 wind = readVector(element, "linear_velocity", Vector3::Zero(), context);
-  // squares of what is finite need not be
+  // the square of a finite number can be infinite
   if (wind.stableNorm() <= kFastestWind) return wind;
   context.diagnostics.warning(element.child("linear_velocity")->position,
                               "a wind of '" + element.child("linear_velocity")->text +

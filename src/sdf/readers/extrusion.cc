@@ -18,7 +18,7 @@ using base::twiceArea;
 using Point = Eigen::Vector2d;
 using Index = std::uint32_t;
 
-/// @return How many of the other lines each line lies within.
+/// @return For each line, how many of the others it lies within.
 std::vector<std::size_t> depthsOf(const Outline& outline) {
   std::vector<std::size_t> depths(outline.size(), 0);
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -51,7 +51,7 @@ bool crosses(const Outline& outline) {
       const auto [a, b] = edges[i];
       const auto [c, d] = edges[j];
       if (b == c || d == a) {
-        // one after the other: they must not go back the way that they came
+        // consecutive edges must not run back along each other
         const Point &common = b == c ? *b : *a, &one = b == c ? *a : *b, &other = b == c ? *d : *c;
         const bool areBoth = b == c && d == a;
         if (areBoth || (twiceArea(one, common, other) == 0 && (one - common).dot(other - common) > 0)) return true;
@@ -73,7 +73,7 @@ std::shared_ptr<const description::TriangleMesh> extrude(const Outline& outline,
       loop.push_back(static_cast<Index>(points.size()));
       points.push_back(point);
     }
-    // what is filled lies to the left of each line
+    // the filled side is to the left of each line
     const bool isHole = depths[i] % 2 == 1;
     if (isCounterClockwise(outline[i]) == isHole) std::ranges::reverse(loop);
   }

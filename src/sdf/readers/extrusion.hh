@@ -10,18 +10,18 @@
 
 namespace pongsim::sdf {
 
-/// Closed lines in the xy plane, each without its first point at its end.
+/// Closed lines in the xy plane; the first point is not repeated at the end.
 using Outline = std::vector<std::vector<Eigen::Vector2d>>;
 
-/// No outline has more points: what it takes to fill one grows faster than their number.
+/// Maximum number of points of an outline: the time to fill it grows faster than their number.
 inline constexpr std::size_t kMostOutlinePoints = 5'000;
 
-/// @return Whether a line meets itself or another one anywhere but from one point to the next.
+/// @return Whether a line meets itself or another one anywhere but at the points that join its own edges.
 bool crosses(const Outline& outline);
 
-/// Fills what the lines enclose, from z = 0 to `height` [m], which is above zero: what is within an odd number of them.
-/// Triangles are wound counter-clockwise seen from outside, and share the vertices of their edges.
-/// @param outline At least three points a line; must not cross.
+/// Extrudes the area enclosed by an odd number of lines from z = 0 to `height` [m], which must be positive. Triangles
+/// are counter-clockwise seen from outside, and share the vertices of their edges.
+/// @param outline At least three points for each line; must not cross.
 std::shared_ptr<const description::TriangleMesh> extrude(const Outline& outline, double height);
 
 }  // namespace pongsim::sdf

@@ -17,7 +17,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// Three lengths above zero.
+/// Three positive lengths.
 Vector3 readLengths(const Element& shape, std::string_view child, const Vector3& fallback, Context& context) {
   const Vector3 lengths = readVector(shape, child, fallback, context);
   if (lengths.minCoeff() > 0) return lengths;
@@ -54,7 +54,7 @@ description::Image readImage(const Element& shape, const std::string& owner, boo
   return image;
 }
 
-/// @param geometry Holds the shape.
+/// @param geometry The parent of the shape.
 description::Geometry readShape(const Element& geometry, const Element& shape, const std::string& owner,
                                 bool isCollision, Context& context) {
   if (shape.name == "empty") return description::Empty{};
@@ -74,7 +74,7 @@ description::Geometry readShape(const Element& geometry, const Element& shape, c
   return readImage(shape, owner, isCollision, context);
 }
 
-/// @return Whether the format knows it as a shape.
+/// @return Whether the format has a shape with this name.
 bool isShape(std::string_view name) {
   static const Schema::ElementType& kGeometry = *Schema::instance().shared("geometry")->type;
   return Schema::find(kGeometry.children, name) != nullptr;

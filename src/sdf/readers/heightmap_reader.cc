@@ -12,7 +12,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// Reads how the ground looks.
+/// Reads the textures and how they are blended.
 void readLooks(const Element& element, description::Heightmap& heightmap, Context& context) {
   heightmap.sampling = readUnsigned(element, "sampling", heightmap.sampling, context);
   heightmap.usesPaging = readFlag(element, "use_terrain_paging", heightmap.usesPaging, context);

@@ -8,9 +8,9 @@
 
 namespace pongsim::sdf {
 
-/// Reads a `<heightmap>`. What is wrong with its image is a warning, as in Fortress.
+/// Reads a `<heightmap>`. Faults of its image give warnings, as in Fortress.
 /// @param owner "collision 'c' of link 'l'", for warnings.
-/// @param isCollision Its triangles are needed.
+/// @param isCollision Whether its triangles are needed.
 description::Heightmap readHeightmap(const Element& element, const std::string& owner, bool isCollision,
                                      Context& context);
 

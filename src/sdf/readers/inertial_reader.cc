@@ -6,19 +6,19 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// That of the sun [kg]. Squares of larger ones would soon be infinite.
+/// Mass of the sun [kg]. Squares of much larger masses are infinite.
 constexpr double kLargestMass = 1e30;
 
-/// Of the trace: how far a tensor may be off and still be taken for one of a body, since files round.
+/// Allowed error of a tensor relative to its trace, because files round.
 constexpr double kTolerance = 1e-4;
 
 bool isPositiveDefinite(const Matrix3& m) {
   return m(0, 0) > 0 && m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0) > 0 && m.determinant() > 0;
 }
 
-/// @return Whether no principal moment is more than the other two together, as holds for every body.
+/// @return Whether no principal moment exceeds the sum of the other two, as holds for every body.
 bool fulfilsTriangleInequality(const Matrix3& moments) {
-  // The moments of the mass distribution itself, which can't be negative: trace / 2 - I.
+  // Second moments of the mass distribution, trace / 2 - I, which can't be negative.
   const double trace = moments.trace();
   return isPositiveDefinite((trace / 2 + trace * kTolerance) * Matrix3::Identity() - moments);
 }
@@ -51,7 +51,7 @@ description::Inertial readInertial(const Element& link, const std::string& owner
   if (inertia == nullptr) return inertial;
   inertial.moments = readMoments(*inertia, context);
   if (isStatic) return inertial;
-  // Scaled, so that small and large bodies are judged alike and nothing overflows.
+  // Scaled, so that the tolerance suits small and large bodies and nothing overflows.
   const double largest = inertial.moments.cwiseAbs().maxCoeff();
   const Matrix3 scaled = largest > 0 ? Matrix3(inertial.moments / largest) : inertial.moments;
   if (!isPositiveDefinite(scaled)) {

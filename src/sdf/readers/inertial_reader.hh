@@ -8,9 +8,9 @@
 
 namespace pongsim::sdf {
 
-/// Reads the `<inertial>` of a link: 1 kg and a unit inertia tensor where there is none.
+/// Reads the `<inertial>` of a link; without one: 1 kg and a unit inertia tensor.
 /// @param owner "link 'l' of model 'm'"
-/// @param isStatic The link never moves, so that any mass will do.
+/// @param isStatic The link never moves, so any mass will do.
 description::Inertial readInertial(const Element& link, const std::string& owner, bool isStatic, Context& context);
 
 }  // namespace pongsim::sdf

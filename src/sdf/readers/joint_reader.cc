@@ -35,10 +35,10 @@ std::size_t axisCount(JointType type) {
   }
 }
 
-// farther than this the physics lets nothing go [rad or m]
+// the physics lets nothing move further than this [rad or m]
 constexpr double kLargestPosition = 1e9;
 
-// below this sine of the angle between them, two axes are one
+// two axes are parallel if the sine of the angle between them is below this
 constexpr double kSmallestSine = 1e-3;
 
 std::string labelOf(const description::Joint& joint) {
@@ -61,7 +61,7 @@ std::optional<JointType> readType(const Element& element, const std::string& lab
   return std::nullopt;
 }
 
-/// Negative: not limited.
+/// A negative value means no limit.
 double readMaximum(const Element& limit, std::string_view child, Context& context) {
   const double value = readLimit(limit, child, -1, context);
   return value < 0 ? std::numeric_limits<double>::infinity() : value;
@@ -75,7 +75,7 @@ void readLimits(const Element& element, const std::string& label, JointType type
   axis.effort = readMaximum(element, "effort", context);
   axis.velocity = readMaximum(element, "velocity", context);
   for (const auto& [name, value] : {std::pair("lower", axis.lower), std::pair("upper", axis.upper)}) {
-    // what is no limit is infinite, the other way
+    // "no limit" is infinite in the opposite direction
     const bool isOut = name[0] == 'l' ? value > kLargestPosition : value < -kLargestPosition;
     if (!isOut) continue;
     context.diagnostics.error(element.child(name)->position, "the " + std::string(name) + " limit of " + label +
@@ -145,7 +145,7 @@ JointDraft::FrameName readLinkName(const Element& joint, std::string_view child,
   return {"", joint.position};
 }
 
-// the hinges that bear its gears are joints of their own
+// the hinges of a gearbox's gears are separate joints
 void warnOfIdleAxis(const JointAxis& axis, const std::string& label, SourcePosition position, Context& context) {
   constexpr double kNoLimit = 1e16;
   const bool isIdle = axis.lower <= -kNoLimit && axis.upper >= kNoLimit && std::isinf(axis.effort) &&
@@ -263,7 +263,7 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
     }
     joint.parent = parent ? parent->link : "";
     joint.X_ParentJoint = poseOf(joint.parent).inverse() * X_ScopeJoint;
-    // Fortress loads such a joint, and nothing moves by it
+    // Fortress loads such a joint, but it has no effect
     if (!joint.parent.empty() && joint.parent == joint.child) {
       context.diagnostics.warning(draft.child.position, "parent '" + draft.parent.name + "' and child '" +
                                                             draft.child.name + "' of " + label + " are both link '" +

@@ -13,20 +13,20 @@
 
 namespace pongsim::sdf {
 
-/// A joint and what of it waits for the frames of its model or world.
+/// A joint whose frames are still to be resolved.
 struct JointDraft {
   description::Joint joint;
   PoseText pose;
-  /// A frame as the file names it, and where.
+  /// A frame's name and its position in the file.
   struct FrameName {
     std::string name;
     SourcePosition position;
   };
   FrameName parent;
   FrameName child;
-  /// Of a gearbox.
+  /// Only for gearboxes.
   FrameName reference;
-  /// For each axis the frame that its vector is given in; empty: the joint's.
+  /// The frame in which each axis is given; empty: the joint's.
   std::vector<FrameName> axisFrames;
   std::vector<SensorDraft> sensors;
 };
@@ -34,10 +34,10 @@ struct JointDraft {
 /// @param owner "model 'robot'" or "world 'w'"
 JointDraft readJoint(const Element& element, const std::string& owner, Context& context);
 
-/// Completes the joint's links, poses and axes. Where the parent is the world and the scope is a model's,
-/// `X_ParentJoint` is the pose in the model frame, for the model's place in the world is not known yet.
-/// @param entry The joint's number in the scope, which is resolved.
-/// @return Nothing, and a warning added, where it ties a link to itself.
+/// Resolves the joint's links, poses and axes. If the parent is the world and the scope is a model's, `X_ParentJoint`
+/// is the pose in the model frame, because the model's pose in the world is not known yet.
+/// @param entry Index of the joint in the resolved scope.
+/// @return Nothing, with a warning, if it connects a link to itself.
 std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry,
                                               Context& context);
 

@@ -54,7 +54,7 @@ class LevelsReader {
   }
 
   /// @param label "level 'l'"
-  /// @return Its lengths; nothing, and a warning given, where it has no box.
+  /// @return Its side lengths; nothing, with a warning, if it has no box.
   std::optional<Vector3> readBox(const Element& element, const std::string& label) {
     const char* const hint = "write <geometry><box><size>X Y Z</size></box></geometry>";
     const Element* geometry = element.child("geometry");
@@ -160,7 +160,7 @@ class LevelsReader {
   }
 
   Context& context_;
-  /// Names of what may perform, and of what may be in a level.
+  /// Names of the entities that can be performers, and of those that can be in a level.
   std::vector<std::string_view> movers_;
   std::vector<std::string_view> all_;
 };

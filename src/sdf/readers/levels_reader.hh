@@ -5,8 +5,8 @@
 
 namespace pongsim::sdf {
 
-/// Reads levels and performers from the first of the world's plugins that holds them. A level or performer that can't
-/// be used is left out with a warning, as in Fortress.
+/// Reads levels and performers from the first world plugin that has any. Unusable levels and performers are left out
+/// with a warning, as in Fortress.
 /// @param world With its models, lights, actors and plugins.
 description::LevelPlan readLevels(const description::World& world, Context& context);
 

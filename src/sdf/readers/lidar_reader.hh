@@ -9,7 +9,7 @@
 namespace pongsim::sdf {
 
 /// Reads the `<lidar>` or `<ray>` of a sensor.
-/// @param element Null: there is none.
+/// @param element Null if there is none.
 /// @param label "sensor 's'", for errors.
 LidarSettings readLidar(const Element* element, const std::string& label, Context& context);
 

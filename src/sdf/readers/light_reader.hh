@@ -10,7 +10,7 @@
 
 namespace pongsim::sdf {
 
-/// A light of a world or link, complete but for its pose, which waits for the frames around it.
+/// A light of a world or link whose pose is still to be resolved.
 struct LightDraft {
   description::Light light;
   PoseText pose;
@@ -19,9 +19,9 @@ struct LightDraft {
 /// @param owner "world 'w'", "link 'l' of model 'm'"
 LightDraft readLight(const Element& element, const std::string& owner, Context& context);
 
-/// Completes the light's pose.
-/// @param scope That of the world or model, which is resolved.
-/// @param X_ScopeParent Pose of what holds it: the world, or a link.
+/// Resolves the light's pose.
+/// @param scope Scope of the world or model, resolved.
+/// @param X_ScopeParent Pose of its parent: the world, or a link.
 description::Light finishLight(LightDraft&& draft, const Scope& scope, const Pose& X_ScopeParent, Context& context);
 
 }  // namespace pongsim::sdf

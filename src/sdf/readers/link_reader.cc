@@ -17,7 +17,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// 16 bits, of a larger number the lowest, as Fortress has it.
+/// 16 bits; of larger numbers the lowest 16, as in Fortress.
 std::uint16_t readMask(const Element& parent, std::string_view child, std::uint16_t fallback, Context& context) {
   const std::string_view text = childText(parent, child);
   std::uint64_t bits = 0;
@@ -39,7 +39,7 @@ description::Torsion readTorsion(const Element& element, Context& context) {
   return torsion;
 }
 
-// from the format's own value on, "rigid" is meant
+// the format's default and larger values mean "rigid"
 void readStiffness(const Element& ode, description::Surface& surface, Context& context) {
   constexpr double kRigid = 1e12;
   const double stiffness = readNotNegative(ode, "kp", kRigid, context);
@@ -53,7 +53,7 @@ void readStiffness(const Element& ode, description::Surface& surface, Context& c
   }
 }
 
-/// @return What names the link in whose frame a friction direction is given; null where nothing does.
+/// @return The attribute that names the link in whose frame a friction direction is given, or null.
 const Element::Attribute* frameOfDirection(const Element& direction) {
   const Element::Attribute* frame = direction.attribute("ignition:expressed_in");
   return frame != nullptr ? frame : direction.attribute("gz:expressed_in");

@@ -13,11 +13,11 @@
 
 namespace pongsim::sdf {
 
-/// A link and what of it waits for the frames of its model.
+/// A link whose frames are still to be resolved.
 struct LinkDraft {
   description::Link link;
   PoseText pose;
-  /// Collisions and visuals that are measured in another frame than the link's.
+  /// A collision or visual whose pose is relative to a frame other than the link's.
   struct Part {
     bool isVisual;
     std::size_t index;
@@ -29,11 +29,11 @@ struct LinkDraft {
 };
 
 /// @param owner "model 'robot'"
-/// @param isStatic The model never moves, so that masses mean nothing.
+/// @param isStatic The model never moves, so masses don't matter.
 LinkDraft readLink(const Element& element, const std::string& owner, bool isStatic, Context& context);
 
-/// Completes the link's poses.
-/// @param entry The link's number in the scope, which is resolved.
+/// Resolves the link's poses.
+/// @param entry Index of the link in the resolved scope.
 description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t entry, Context& context);
 
 }  // namespace pongsim::sdf

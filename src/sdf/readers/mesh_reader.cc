@@ -32,7 +32,7 @@ void readOptimization(const Element& element, description::Mesh& mesh, Context& 
   mesh.optimization = kMeanings.at(readWordAttribute(element, "optimization", kWords.size(), kWords, context));
   const Element* settings = element.child("convex_decomposition");
   if (settings == nullptr) return;
-  // as many as a collision can have here
+  // maximum for a collision in pongsim
   constexpr long long kMostHulls = 1000;
   mesh.maxConvexHulls = static_cast<std::uint32_t>(
       readInteger(*settings, "max_convex_hulls", mesh.maxConvexHulls, 1, kMostHulls, context));

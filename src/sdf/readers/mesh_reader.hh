@@ -8,9 +8,9 @@
 
 namespace pongsim::sdf {
 
-/// Reads a `<mesh>`. What is wrong with its file is a warning, as in Fortress.
+/// Reads a `<mesh>`. Faults of its file give warnings, as in Fortress.
 /// @param owner "collision 'c' of link 'l'", for warnings.
-/// @param isCollision Its triangles are needed.
+/// @param isCollision Whether its triangles are needed.
 description::Mesh readMesh(const Element& element, const std::string& owner, bool isCollision, Context& context);
 
 }  // namespace pongsim::sdf

@@ -29,7 +29,7 @@ void readCanonicalLink(const Element& element, Scope& scope, Context& context) {
   }
 }
 
-/// Friction directions in the frame of a link that is not there are in that of their collision, with a warning.
+/// If the link of a friction direction does not exist, warns and uses the collision's frame.
 void checkFrictionFrames(description::Model& model, const std::string& label, Context& context) {
   std::vector<std::string_view> names;
   for (const description::Link& link : model.links) names.push_back(link.name);
@@ -56,7 +56,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   if (!context.includes.enterModel(element.position)) return draft;
   model.name = readName(element, owner, context);
   model.position = element.position;
-  // of what is nested in it no model is the file's
+  // the source is that of the file's own model, not of a nested one
   model.urdf = {std::exchange(context.urdf, nullptr)};
   model.isStatic = readFlag(element, "static", false, context);
   model.selfCollide = readFlag(element, "self_collide", false, context);

@@ -11,17 +11,17 @@
 
 namespace pongsim::sdf {
 
-/// A model, complete but for its own pose, which waits for the frames around it.
+/// A model whose own pose is still to be resolved.
 struct ModelDraft {
   description::Model model;
-  /// Its frames, resolved.
+  /// The resolved frames.
   std::unique_ptr<Scope> scope;
   PoseText pose;
   std::string placementFrame;
 };
 
-/// @param owner "world 'w'" or the model that it is nested in, "model 'robot'"
-/// @param isInStatic It is nested in a static model.
+/// @param owner "world 'w'", or the enclosing model, "model 'robot'"
+/// @param isInStatic Whether it is nested in a static model.
 ModelDraft readModel(const Element& element, const std::string& owner, bool isInStatic, Context& context);
 
 }  // namespace pongsim::sdf

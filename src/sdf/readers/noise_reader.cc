@@ -12,7 +12,7 @@ namespace {
 
 NoiseSettings::Type readType(const Element& noise, NoiseSettings::Type fallback, Context& context) {
   using Type = NoiseSettings::Type;
-  // SDF 1.6 and older have it as an element
+  // an element up to SDF 1.6
   const Element::Attribute* attribute = noise.attribute("type");
   const Element* child = noise.child("type");
   const std::string type = attribute != nullptr ? attribute->value : child != nullptr ? child->text : "";

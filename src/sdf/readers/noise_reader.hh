@@ -8,11 +8,11 @@
 
 namespace pongsim::sdf {
 
-/// Reads the `<noise>` of an element; null, or without one: none.
-/// @param fallback Its type where the file gives none.
+/// Reads the `<noise>` of an element; none if the element is null or has none.
+/// @param fallback The type if the file does not give one.
 NoiseSettings readNoiseIn(const Element* holder, NoiseSettings::Type fallback, Context& context);
 
-/// Reads the `<noise>` of an element's child of that name: of `<x>` in `<angular_velocity>`. None where it is missing.
+/// Reads the `<noise>` of a child element, such as `<x>` in `<angular_velocity>`. None if the child is missing.
 NoiseSettings readNoise(const Element* parent, std::string_view child, Context& context);
 
 /// Reads the noise of `<x>`, `<y>` and `<z>` in an element; null: none.

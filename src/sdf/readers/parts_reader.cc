@@ -13,7 +13,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-// Links, joints, frames and models stand for frames, so no two may have the same name.
+// Links, joints, frames and models are frames, so their names must differ.
 constexpr std::string_view kFrames = "frame";
 
 }  // namespace
@@ -139,7 +139,7 @@ void PartsReader::readInclude(const Element& include, const Source& source) {
 }
 
 void PartsReader::readMerged(const Element& element, const Element& include, Context& context) {
-  // first as a model of its own: it must be sound, and tells where its frame is
+  // first read it as a separate model: it must be valid, and this locates its frame
   const SourcePosition& includedFrom = include.position;
   ModelDraft draft = readModel(element, scope_.label(), isStatic_, context);
   if (draft.model.name.empty()) return scope_.setIncomplete();
@@ -156,7 +156,7 @@ void PartsReader::readMerged(const Element& element, const Element& include, Con
   }
   if (pose.relativeTo.empty()) pose.relativeTo = "__model__";
 
-  // then its parts, with a frame that stands for its own
+  // then read its parts, with a frame that replaces its own
   std::vector<Element> parts = mergedParts({.element = element,
                                             .name = draft.model.name,
                                             .canonicalLink = draft.model.canonicalLink,

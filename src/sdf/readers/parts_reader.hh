@@ -16,16 +16,16 @@
 
 namespace pongsim::sdf {
 
-/// Reads what worlds and models have in common: models, links, joints, frames, lights, actors and plugins, their own
-/// and included ones, which refer to each other in any order. First `read` the children, then resolve the scope, then
+/// Reads the parts that worlds and models have in common: models, links, joints, frames, lights, actors and plugins,
+/// included or not, which can refer to each other in any order. First `read` the children, then resolve the scope, then
 /// `take` the parts.
 class PartsReader {
  public:
-  /// @param scope That of the world or model; must outlive this.
-  /// @param isStatic What stands here never moves.
+  /// @param scope Scope of the world or model; must outlive this.
+  /// @param isStatic Whether the parts never move.
   PartsReader(Scope& scope, bool isStatic, Context& context);
 
-  /// Reads all children of a world or model, or of a file's root, that are such parts.
+  /// Reads all such children of a world or model, or of a file's root.
   void read(const Element& holder);
 
   std::vector<description::Model> takeModels();
@@ -37,13 +37,13 @@ class PartsReader {
   std::vector<description::Plugin> takePlugins() { return std::move(plugins_); }
 
  private:
-  /// Whose parts are read.
+  /// Where parts come from.
   struct Source {
-    /// That of the file that they stand in.
+    /// Context of their file.
     Context& context;
-    /// Of a model whose parts are merged into this one: the frame that stands for its own, for what it includes.
+    /// If they belong to a model that is merged into this one: the frame that replaces its own, for its includes.
     std::string modelFrame = {};
-    /// Where the file is included, to tell of clashes with what stands around it; else null.
+    /// Where their file is included, for reporting name clashes with their surroundings; else null.
     const SourcePosition* includedFrom = nullptr;
   };
 
@@ -60,9 +60,9 @@ class PartsReader {
   template <class Part>
   struct Read {
     Part part;
-    /// Number in the scope.
+    /// Index in the scope.
     std::size_t entry;
-    /// That of its file.
+    /// Context of its file.
     Context* context;
   };
 

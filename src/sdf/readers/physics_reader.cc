@@ -15,11 +15,11 @@ namespace pongsim::sdf {
 
 namespace {
 
-// Seconds, so that a step is at least a nanosecond and time does not run out.
+// In seconds: a step is at least a nanosecond, and time does not overflow.
 constexpr double kShortestStep = 1e-9;
 constexpr double kLongestStep = 1e6;
 
-/// Reads what the engines of Gazebo are told. Nothing is done with numbers, so that any is good.
+/// Reads settings for Gazebo's physics engines. The values are not used, so any number is valid.
 class EngineReader {
  public:
   explicit EngineReader(Context& context) : context_(context) {}
@@ -157,7 +157,7 @@ description::PhysicsProfile chosenProfile(const std::vector<description::Physics
 }
 
 Vector3 readGravity(const Element& world, Context& context) {
-  // far beyond any star's surface but a neutron star's, and far below where the physics gives up
+  // more than on the surface of any star but a neutron star, and far less than the physics can handle
   constexpr double kMost = 1e6;
   const Vector3 usual = description::World().gravity;
   const Vector3 gravity = readVector(world, "gravity", usual, context);

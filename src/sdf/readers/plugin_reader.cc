@@ -8,7 +8,7 @@ description::Plugin readPlugin(const Element& element, const std::string& owner,
     context.diagnostics.error(element.position, "a plugin of " + owner + " has no filename",
                               "write <plugin filename=\"...\" name=\"...\">");
   }
-  // an empty one asks for the library's first class
+  // an empty name means the library's first class
   if (element.attribute("name") == nullptr) {
     context.diagnostics.error(element.position, "a plugin of " + owner + " has no name",
                               "its name is that of the class in the library, as 'ignition::gazebo::systems::Physics'");

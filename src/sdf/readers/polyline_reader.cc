@@ -12,7 +12,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// @return The points, those left out that are where the one before is.
+/// @return The points, without those equal to the one before.
 std::vector<Eigen::Vector2d> readLine(const Element& polyline, Context& context) {
   std::vector<Eigen::Vector2d> line;
   for (const Element* element : polyline.childrenNamed("point")) {

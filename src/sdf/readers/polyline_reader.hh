@@ -8,8 +8,8 @@
 
 namespace pongsim::sdf {
 
-/// Reads all `<polyline>`s of a `<geometry>` as one shape. What can't be filled is a warning.
-/// @param geometry Holds one at least.
+/// Reads all `<polyline>`s of a `<geometry>` as one shape. Warns if it can't be filled.
+/// @param geometry Contains at least one.
 /// @param owner "collision 'c' of link 'l'", for warnings.
 description::Polyline readPolylines(const Element& geometry, const std::string& owner, bool isCollision,
                                     Context& context);

@@ -6,7 +6,7 @@
 
 namespace pongsim::sdf {
 
-/// Reads the `<scene>` of a world; the format's defaults where there is none.
+/// Reads the `<scene>` of a world; without one: the format's defaults.
 description::Scene readScene(const Element& world, Context& context);
 
 }  // namespace pongsim::sdf

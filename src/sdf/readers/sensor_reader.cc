@@ -54,7 +54,7 @@ ImuSettings readImu(const Element* element, Context& context) {
   return settings;
 }
 
-/// Reads whom a contact sensor watches, and its topic, which takes the place of the sensor's.
+/// Reads which collisions a contact sensor watches, and its topic, which overrides the sensor's.
 ContactSettings readContact(const Element* element, const std::string& label, description::Sensor& sensor,
                             Context& context) {
   ContactSettings settings;
@@ -87,7 +87,7 @@ AirPressureSettings readAirPressure(const Element* element, Context& context) {
   return {altitude, readNoise(element, "pressure", context)};
 }
 
-/// Reads whose axes a force-torque sensor speaks of, and in which direction it measures.
+/// Reads the frame in which a force-torque sensor reports, and its direction of measurement.
 void readForceTorqueFrame(const Element& element, ForceTorqueSettings& settings, Context& context) {
   using enum ForceTorqueSettings::Frame;
   constexpr std::array<std::string_view, 3> kFrameWords{"child", "parent", "sensor"};
@@ -160,7 +160,7 @@ TransceiverSettings readTransceiver(const Element* element, Context& context) {
   return settings;
 }
 
-/// A type of sensor, and the element of what it says, which may have an older name.
+/// A type of sensor and the name of its settings element, which may have an older name too.
 struct TypeRow {
   std::string_view type;
   std::string_view element;
@@ -204,7 +204,7 @@ constexpr auto kSensorTypes = std::to_array<TypeRow>({
     {"wireless_transmitter", "transceiver", "", false},
 });
 
-/// Warns, once a type, of a sensor that will not speak.
+/// Warns about a sensor that will not publish, once for each type.
 void warnIfSilent(const TypeRow* row, const description::Sensor& sensor, Context& context) {
   if (row != nullptr && row->isSimulated) return;
   if (!context.firstTime("sensor type " + sensor.type)) return;
@@ -218,7 +218,7 @@ void warnIfSilent(const TypeRow* row, const description::Sensor& sensor, Context
                               base::didYouMean(sensor.type, known));
 }
 
-/// Warns of what the sensor says of another type than its own.
+/// Warns about settings for other types of sensor.
 void warnOfOtherTypes(const Element& element, const TypeRow& row, Context& context) {
   for (const Element& child : element.children) {
     if (child.name == row.element || child.name == row.olderElement) continue;
@@ -231,7 +231,7 @@ void warnOfOtherTypes(const Element& element, const TypeRow& row, Context& conte
   }
 }
 
-/// Reads the element of the sensor's own type.
+/// Reads the settings element of the sensor's own type.
 SensorSettings readSettings(const Element& element, description::Sensor& sensor, Context& context) {
   const auto row = std::ranges::find(kSensorTypes, sensor.type, &TypeRow::type);
   warnIfSilent(row != kSensorTypes.end() ? &*row : nullptr, sensor, context);
@@ -297,7 +297,7 @@ description::Sensor finishSensor(SensorDraft&& draft, const Scope& scope, const 
     if (const std::optional<Scope::Found> frame = scope.find(pose.relativeTo)) {
       return X_ScopeHolder.inverse() * frame->X_ScopeFrame * pose.value;
     }
-    // Fortress complains, too, and runs the world
+    // Fortress also complains, and still runs the world
     context.diagnostics.warning(
         pose.position,
         "the pose of " + what + " is relative to '" + pose.relativeTo + "', which is not in " + scope.label(),

@@ -10,21 +10,21 @@
 
 namespace pongsim::sdf {
 
-/// A sensor and what of it waits for the frames of its model.
+/// A sensor whose frames are still to be resolved.
 struct SensorDraft {
   description::Sensor sensor;
   PoseText pose;
-  /// Of the eye of a camera.
+  /// Pose of a camera's optical centre.
   PoseText cameraPose;
 };
 
-/// Warns, once a type, of one that is not simulated yet.
+/// Warns, once for each type, if it is not simulated yet.
 /// @param owner "link 'l' of model 'robot'"
 SensorDraft readSensor(const Element& element, const std::string& owner, Context& context);
 
-/// Completes the sensor's pose.
-/// @param scope That of the model, which is resolved.
-/// @param X_ScopeParent Pose of the link or the joint that holds it.
+/// Resolves the sensor's pose.
+/// @param scope Scope of the model, resolved.
+/// @param X_ScopeParent Pose of its parent link or joint.
 description::Sensor finishSensor(SensorDraft&& draft, const Scope& scope, const Pose& X_ScopeParent, Context& context);
 
 }  // namespace pongsim::sdf

@@ -8,7 +8,7 @@
 
 namespace pongsim::sdf {
 
-/// Reads a `<visual>`, but for its pose.
+/// Reads a `<visual>`, except for its pose.
 /// @param owner "link 'l' of model 'm'"
 description::Visual readVisual(const Element& element, const std::string& owner, Context& context);
 

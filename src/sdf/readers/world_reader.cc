@@ -14,7 +14,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// Completes the joints that tie a part of the model to the world, now that the model's place is known.
+/// Updates the joints that connect the model to the world, now that the model's pose is known.
 void placeWorldJoints(description::Model& model, const Pose& X_WorldParent) {
   const Pose X_WorldModel = X_WorldParent * model.X_ParentModel;
   for (description::Joint& joint : model.joints) {

@@ -12,18 +12,18 @@ namespace pongsim::sdf {
 
 struct WorldParts {
   description::World world;
-  /// Its frames, resolved.
+  /// The resolved frames.
   std::unique_ptr<Scope> scope;
 };
 
 WorldParts readWorld(const Element& element, Context& context);
 
-/// What stands at the root of a file, outside of any world.
+/// What a file's root contains outside of worlds.
 struct RootParts {
   std::vector<description::Model> models;
   std::vector<description::Light> lights;
   std::vector<description::Actor> actors;
-  /// Their frames, resolved.
+  /// The resolved frames.
   std::unique_ptr<Scope> scope;
 };
 

@@ -15,7 +15,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// What must be there, in the order of the format where that is not the alphabet's.
+/// Required elements, in the format's order where that is not alphabetical.
 constexpr auto kOrder = std::to_array<std::string_view>(
     {"world.gravity", "world.magnetic_field", "world.atmosphere", "world.physics", "world.scene",
      // physics
@@ -60,25 +60,25 @@ std::size_t rankOf(const Schema::Part* part) {
 }
 
 bool isInNewest(const Schema::Part& part) {
-  // Fortress reads them beside the format
+  // Fortress reads these although the format lacks them
   const bool isBeside = part.row.path == "sensor.ignition_frame_id" || part.row.path == "sensor.gz_frame_id";
   return part.row.removedIn == 0 && part.row.since <= kNewestVersion && !isBeside;
 }
 
-/// @return The part of that name of SDF 1.9, or null.
+/// @return The part with this name in SDF 1.9, or null.
 const Schema::Part* find(std::span<const Schema::Part> parts, std::string_view name) {
   const Schema::Part* part = Schema::find(parts, name);
   return part != nullptr && isInNewest(*part) ? part : nullptr;
 }
 
-/// @return What stands in what must be there where a file gives nothing.
+/// @return The value of a required element that the file does not give.
 std::string defaultText(const SchemaRow& row) {
   const bool isNone = row.type == "string" && row.fallback.empty() && row.path != "frame@name";
   return std::string(isNone && row.presence != '0' ? kNoText : row.fallback);
 }
 
-/// @return How often it stands in its parent, as Fortress takes it: of what has a file of its own in the format, that
-/// file says so, and not the one that includes it.
+/// @return How often the part occurs in its parent, by Fortress's rules: if a part has a file of its own in the
+/// format's description, that file counts and not the one that includes it.
 char presenceOf(const Schema::Part& part) {
   const Schema& schema = Schema::instance();
   if (part.type == nullptr) return part.row.presence;
@@ -87,8 +87,8 @@ char presenceOf(const Schema::Part& part) {
   return isAnyNumber ? '*' : part.row.presence;
 }
 
-/// @param presences Those that are asked for.
-/// @return What must stand in an element, in the order of the format.
+/// @param presences The wanted ones.
+/// @return The required children of an element, in the format's order.
 std::vector<const Schema::Part*> requiredChildren(const Schema::ElementType& type, std::string_view presences) {
   std::vector<const Schema::Part*> parts;
   for (const Schema::Part& part : type.children) {

@@ -21,7 +21,7 @@ std::string hintFor(std::string_view name, std::span<const Schema::Part> parts) 
   return base::didYouMean(name, known);
 }
 
-/// An element or an attribute, to be named in messages.
+/// The name of an element or attribute in messages.
 struct Label {
   const std::string& name;
   bool isAttribute;
@@ -30,7 +30,7 @@ struct Label {
   std::string text() const { return isAttribute ? "attribute '" + name + "'" : "<" + name + ">"; }
 };
 
-/// @return The part, or null, and a warning given, where this version of the format does not have it.
+/// @return The part; null, with a warning, if this version of the format does not have it.
 const Schema::Part* knownPart(const Label& which, std::span<const Schema::Part> parts, const Element& holder,
                               const SourcePosition& position, Context& context) {
   const std::string& name = which.name;
@@ -69,8 +69,8 @@ void checkRequired(const Element& element, const Schema::ElementType& type, Cont
   }
 }
 
-/// @param isPassed No reader looks at the element, so that its values are checked here.
-/// @param isActorLink It is a link of an actor, of which readers look at pose and visuals only.
+/// @param isPassed No reader handles the element, so its values are checked here.
+/// @param isActorLink It is an actor's link, of which only the pose and the visuals are read.
 void check(const Element& element, const Schema::ElementType* type, bool isPassed, bool isActorLink, Context& context) {
   static const Schema::ElementType kNothing;
   if (type == nullptr) type = &kNothing;

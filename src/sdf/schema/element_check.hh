@@ -5,8 +5,8 @@
 
 namespace pongsim::sdf {
 
-/// Warns of elements and attributes that the format does not know, once a name. What stands below a plugin, and
-/// whatever has a name prefix ("ignition:expressed_in"), is the user's own. Where no reader looks, values of the wrong
+/// Warns about elements and attributes unknown to the format, once for each name. Anything inside a plugin, and names
+/// with a prefix ("ignition:expressed_in"), are the user's own. In elements that no reader handles, values of the wrong
 /// type and missing attributes are errors, as in Fortress.
 /// @param root The `<sdf>` element.
 void checkElements(const Element& root, Context& context);

@@ -10,23 +10,23 @@
 
 namespace pongsim::sdf {
 
-/// Which elements and attributes the format knows, where, and what of each: SDF 1.4 to 1.9 in one.
+/// The elements and attributes of SDF 1.4 to 1.9 in one schema.
 class Schema {
  public:
   struct ElementType;
 
-  /// An element or an attribute as a part of an element.
+  /// An element or attribute as part of an element.
   struct Part {
     std::string_view name;
-    /// As in the table, with what a row that is referred to says in place of what is empty.
+    /// The table's row; its empty fields are filled from the row that it refers to.
     SchemaRow row;
-    /// What may stand in it; null: neither elements nor attributes.
+    /// What it can contain; null: neither elements nor attributes.
     const ElementType* type = nullptr;
-    /// Anything may stand in it.
+    /// Whether it can contain anything.
     bool isFreeForm = false;
   };
 
-  /// Each sorted by name.
+  /// Both sorted by name.
   struct ElementType {
     std::vector<Part> attributes;
     std::vector<Part> children;
@@ -37,16 +37,16 @@ class Schema {
   /// @return `<sdf>`.
   const Part& root() const { return *shared("sdf"); }
 
-  /// @return An element whose meaning is the same wherever it stands, or null.
+  /// @return An element that means the same everywhere, or null.
   const Part* shared(std::string_view name) const;
 
   /// @return All of those, sorted by name.
   std::span<const Part> allShared() const { return shared_; }
 
-  /// @return What may stand in the element of that path in the table ("joint.axis"), or null.
+  /// @return What the element with this path in the table ("joint.axis") can contain, or null.
   const ElementType* typeOf(std::string_view path) const;
 
-  /// @return The part of that name, or null.
+  /// @return The part with this name, or null.
   static const Part* find(std::span<const Part> parts, std::string_view name);
 
  private:

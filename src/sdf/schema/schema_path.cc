@@ -9,10 +9,10 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// More are not listed for the user to choose from.
+/// If there are more candidates, they are not listed.
 constexpr std::size_t kMostListed = 12;
 
-/// @return The names in the path, an attribute's with "@" before it.
+/// @return The names in the path; attributes start with "@".
 std::vector<std::string> split(std::string_view path) {
   std::vector<std::string> names(1);
   for (const char letter : path) {
@@ -29,7 +29,7 @@ std::string_view holderOf(std::string_view tablePath) {
   return mark == std::string_view::npos ? "" : tablePath.substr(0, mark);
 }
 
-/// Calls `take` with each element and attribute that stands in an element.
+/// Calls `take` with each element and attribute of an element.
 template <class Take>
 void forEachPart(Take take) {
   const Schema& schema = Schema::instance();
@@ -61,7 +61,7 @@ std::vector<Candidate> candidatesFor(const std::string& name) {
   return found;
 }
 
-/// @return What of that name stands in the candidates.
+/// @return The candidates' children with this name.
 std::vector<Candidate> stepInto(const std::vector<Candidate>& candidates, const std::string& name) {
   std::vector<Candidate> found;
   for (const Candidate& candidate : candidates) {
@@ -79,7 +79,7 @@ std::string labelOf(const std::string& name) {
   return name.starts_with('@') ? "attribute '" + name.substr(1) + "'" : "element '" + name + "'";
 }
 
-/// @param holders Where it was looked for; none: everywhere.
+/// @param holders Where it was looked for; empty: everywhere.
 NoPart unknown(const std::string& name, const std::vector<Candidate>& holders) {
   std::set<std::string> known;
   const auto add = [&known](std::string_view part, bool isAttribute) {
@@ -108,7 +108,7 @@ NoPart ambiguous(const std::string& name, const std::vector<Candidate>& candidat
   return {labelOf(name) + " is in several elements, with different meanings", "one of " + list};
 }
 
-/// @return All elements in which the shared element of that name stands.
+/// @return All elements that contain the shared element with this name.
 std::vector<std::string_view> holdersOfShared(std::string_view name) {
   std::vector<std::string_view> holders;
   for (const std::span<const SchemaRow> table : schemaTables()) {

@@ -9,23 +9,23 @@
 
 namespace pongsim::sdf {
 
-/// What a path names in the format.
+/// The part of the format that a path names.
 struct NamedPart {
   const Schema::Part* part;
   bool isAttribute;
-  /// The elements in which it stands, by their paths in the table ("joint.axis"), sorted; none for `<sdf>`.
+  /// Paths in the table of the elements that contain it ("joint.axis"), sorted; none for `<sdf>`.
   std::vector<std::string_view> holders;
 };
 
-/// Why a path names nothing, or not one thing.
+/// Why a path names nothing, or more than one thing.
 struct NoPart {
   std::string message;
   std::string hint;
 };
 
 /// Finds an element or attribute of the format.
-/// @param path "joint", "joint/axis/limit", "//link/inertial", "joint/@type". It may begin anywhere, as long as only
-/// one thing is meant.
+/// @param path "joint", "joint/axis/limit", "//link/inertial", "joint/@type". Leading elements can be left out as long
+/// as the path is unambiguous.
 std::variant<NamedPart, NoPart> findPart(std::string_view path);
 
 /// @return "joint/axis/xyz/@expressed_in" for a path of the table.

@@ -1,4 +1,4 @@
-// The descriptions are those of sdformat 12, Copyright 2012 Open Source Robotics Foundation, Apache License 2.0.
+// Descriptions taken from sdformat 12, Copyright 2012 Open Source Robotics Foundation, Apache License 2.0.
 #include "sdf/schema/schema_table.hh"
 
 namespace pongsim::sdf {

@@ -7,43 +7,42 @@
 namespace pongsim::sdf {
 
 enum class Use {
-  /// The description holds what it says.
+  /// Read into the description.
   kRead,
-  /// The description holds the element that it is in as it stands in the file; its type is checked.
+  /// The enclosing element is kept in the description as written; the type is checked.
   kKept,
-  /// It is known, its type is checked, and the description does not tell of it.
+  /// Known, and its type is checked, but not part of the description.
   kPassed,
 };
 
-/// One line of the table of elements: an element or an attribute, SDF 1.4 to 1.9 in one, and what of later versions is
-/// read in any.
+/// A row of the table: an element or attribute of SDF 1.4 to 1.9, or of a later version if it is read in any.
 struct SchemaRow {
-  /// From the outermost element whose meaning is the same wherever it stands: "joint", "joint.axis",
-  /// "joint.axis.xyz@expressed_in". "plugin.*" stands for any child.
+  /// Starts at the outermost element that means the same everywhere: "joint", "joint.axis",
+  /// "joint.axis.xyz@expressed_in". "plugin.*" is any child.
   std::string_view path;
-  /// Of the value: "double", "pose"; empty where there is none. "+pose": as the row "pose" and those below it say.
+  /// Type of the value: "double", "pose"; empty: no value. "+pose": see the row "pose" and those below it.
   std::string_view type;
-  /// The value where the file gives none; empty: there is no such value, or it is the empty text.
+  /// Default value; empty: none, or the empty text.
   std::string_view fallback;
-  /// How often it stands in its parent: '0' once at most, '1' once, '*' any number of times, '+' once at least.
+  /// How often it occurs in its parent: '0' at most once, '1' once, '*' any number of times, '+' at least once.
   char presence;
-  /// SDF 1.`since` is the first version to have it.
+  /// The first version that has it is SDF 1.`since`.
   int since;
-  /// SDF 1.`removedIn` no longer has it; 0: 1.9 has it.
+  /// The first version without it is SDF 1.`removedIn`; 0: 1.9 has it.
   int removedIn;
   Use use;
-  /// What it means, in one paragraph; empty: as the row says that `type` refers to.
+  /// Its meaning, in one paragraph; empty: see the row that `type` refers to.
   std::string_view description;
 };
 
-// The table, a part each, each sorted by path.
+// The parts of the table, each sorted by path.
 std::span<const SchemaRow> worldRows();
 std::span<const SchemaRow> modelRows();
 std::span<const SchemaRow> shapeRows();
 std::span<const SchemaRow> sensorRows();
 std::span<const SchemaRow> cameraRows();
 
-/// @return All of it.
+/// @return The whole table.
 inline std::array<std::span<const SchemaRow>, 5> schemaTables() {
   return {worldRows(), modelRows(), shapeRows(), sensorRows(), cameraRows()};
 }

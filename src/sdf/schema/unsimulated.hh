@@ -5,7 +5,7 @@
 
 namespace pongsim::sdf {
 
-/// Warns of a part of a world or model if it would act on it in Fortress and does not here, once a kind.
+/// Warns about a part of a world or model that has an effect in Fortress but not here, once for each kind.
 void warnIfUnsimulated(const Element& element, Context& context);
 
 }  // namespace pongsim::sdf

@@ -47,7 +47,7 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
   return words;
 }
 
-/// @return Whether the word is an integer as masks are written: "0x1f".
+/// @return Whether the word is a hexadecimal integer, as masks often are: "0x1f".
 bool isHexadecimal(std::string_view word) {
   if (!word.starts_with("0x") && !word.starts_with("0X")) return false;
   unsigned long long value = 0;

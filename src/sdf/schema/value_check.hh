@@ -10,29 +10,29 @@
 
 namespace pongsim::sdf {
 
-/// What is wrong with a value of the format.
+/// A value that does not fit its type.
 struct WrongValue {
-  /// A warning where Fortress takes a part of the text.
+  /// A warning if Fortress reads part of the text.
   Severity severity;
   /// "three numbers"
   std::string_view expected;
 };
 
-/// @param type As the table of the format names it: "vector3".
-/// @return Nothing where the text is of that type, or empty, which stands for the default.
+/// @param type Name of the type in the format's table: "vector3".
+/// @return Nothing if the text has this type, or is empty, which means the default.
 std::optional<WrongValue> checkValue(std::string_view type, std::string_view text);
 
-/// The text as a message quotes it: shortened where it is long.
+/// The text as quoted in messages: shortened if long.
 std::string quoted(const std::string& text);
 
-/// @return The number that a text begins with, as Fortress reads it: 5 of "5m".
+/// @return The number at the start of a text, as Fortress reads it: 5 in "5m".
 std::optional<double> leadingNumber(std::string_view text);
 
-/// @return The integer that a text begins with, decimal or as "0x1f".
+/// @return The integer at the start of a text, decimal or as "0x1f".
 std::optional<long long> leadingInteger(std::string_view text);
 
-/// @return The numbers that the words of a text begin with, `most` of them at most, up to the first that begins with
-/// none.
+/// @return The numbers at the start of each word of a text: at most `most`, up to the first word that does not start
+/// with one.
 std::vector<double> leadingNumbers(std::string_view text, std::size_t most);
 
 }  // namespace pongsim::sdf

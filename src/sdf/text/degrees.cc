@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kDegreesInRadian = 180 / std::numbers::pi;
 
-/// @param numbers Of a pose: three of its position, then those of its rotation.
-/// @return Roll, pitch, yaw [degrees]; nothing where the numbers are no rotation.
+/// @param numbers A pose: first the position, then the rotation.
+/// @return Roll, pitch, yaw [degrees]; nothing if the numbers are not a rotation.
 std::optional<Vector3> anglesOf(const Element& pose, const std::vector<double>& numbers) {
   if (pose.attributeOr("rotation_format", "euler_rpy") == "quat_xyzw") {
     if (numbers.size() != 7) return std::nullopt;
@@ -35,14 +35,14 @@ std::optional<Vector3> anglesOf(const Element& pose, const std::vector<double>& 
 }
 
 double snapped(double angle, const DegreeOptions& options) {
-  // what is next to nothing is rounding
+  // anything smaller is rounding error
   if (std::abs(angle) < 1e-6) return 0;
   if (options.snapTo == 0) return angle;
   const double multiple = std::round(angle / options.snapTo) * options.snapTo;
   return std::abs(angle - multiple) < options.tolerance ? multiple : angle;
 }
 
-/// @return The number in six digits, without the minus of a zero.
+/// @return The number with six digits; zero without a minus sign.
 std::string digits(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g", value == 0 ? 0 : value);

@@ -6,14 +6,14 @@ namespace pongsim::sdf {
 
 /// How rotations are printed in degrees.
 struct DegreeOptions {
-  /// Angles that are nearer than `tolerance` to a multiple of this become the multiple; 0: none does [degrees].
+  /// Angles closer than `tolerance` to a multiple of this snap to the multiple; 0: no snapping [degrees].
   int snapTo = 0;
   double tolerance = 0.01;
 };
 
-/// Turns the rotation of each `<pose>` below `root` into roll, pitch and yaw in degrees, and says so in its attributes.
-/// What stands in a `<plugin>` is left as it is, for its system reads it.
-/// @param root Without errors: a pose that can't be read is left as it is.
+/// Converts the rotation of each `<pose>` below `root` to roll, pitch and yaw in degrees, and sets the pose's
+/// attributes accordingly. Leaves the content of `<plugin>`s to their systems.
+/// @param root Without errors: a pose that can't be read stays unchanged.
 void turnToDegrees(Element& root, const DegreeOptions& options);
 
 }  // namespace pongsim::sdf

@@ -20,8 +20,8 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// Copies tinyxml2's tree and finds the columns, which tinyxml2 does not know: the names of its elements and
-/// attributes point into its copy of the text, so that their distance from the first node is known.
+/// Copies tinyxml2's tree and computes columns, which tinyxml2 does not know. tinyxml2's names of elements and
+/// attributes point into its copy of the text, so their offsets from the first node are known.
 class TreeCopier {
  public:
   TreeCopier(const tinyxml2::XMLDocument& document, std::string_view text, std::shared_ptr<const std::string> file)
@@ -57,7 +57,7 @@ class TreeCopier {
   }
 
  private:
-  /// @param before Characters between the position to give and the name.
+  /// @param before Number of characters between the wanted position and the name.
   SourcePosition position(const char* name, std::string_view expected, int line, std::size_t before) {
     const std::ptrdiff_t signedOffset = static_cast<std::ptrdiff_t>(anchorOffset_) + (name - anchor_);
     const auto offset = static_cast<std::size_t>(signedOffset);
@@ -90,7 +90,7 @@ void explainFault(const tinyxml2::XMLDocument& document, std::string_view text,
   diagnostics.error({file, cursor.line(), cursor.column()}, fault->message, fault->hint);
 }
 
-/// Warns of entities that the file defines: tinyxml2 knows those only that every XML has, and takes others as text.
+/// Warns about entities defined in the file: tinyxml2 knows only the predefined ones, and treats others as text.
 void warnOfEntities(const tinyxml2::XMLDocument& document, std::string_view text,
                     const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics) {
   constexpr std::string_view kMark = "<!ENTITY";
@@ -108,7 +108,7 @@ void warnOfEntities(const tinyxml2::XMLDocument& document, std::string_view text
 
 std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<const std::string> file,
                                      Diagnostics& diagnostics) {
-  // tinyxml2 would stop at a zero byte and take what stands before it for the whole.
+  // tinyxml2 would stop at a zero byte and ignore the rest.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
     TextCursor cursor(text);
     cursor.advanceTo(zero);

@@ -10,10 +10,10 @@
 
 namespace pongsim::sdf {
 
-/// Reads XML, as leniently as Fortress does: "--" in comments, undeclared name prefixes, stray text.
-/// @param file What diagnostics call the text.
-/// @return The root element with the position of every part (an element's is that of its "<"), or nothing, and one
-/// error added, where the text is not well-formed.
+/// Parses XML as leniently as Fortress: it accepts "--" in comments, undeclared name prefixes and stray text.
+/// @param file Name of the text in diagnostics.
+/// @return The root element with the position of every part (an element's is that of its "<"); nothing, with one error,
+/// if the text is not well-formed.
 std::optional<Element> parseDocument(std::string_view text, std::shared_ptr<const std::string> file,
                                      Diagnostics& diagnostics);
 

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Enough to find a misspelt name in; a folder with more entries is not searched to its end.
+// Enough to find a misspelt name; in folders with more entries the search stops here.
 constexpr std::size_t kMostNeighbours = 10'000;
 
 std::string hintForMissing(const fs::path& file) {

@@ -14,8 +14,8 @@ namespace pongsim::sdf {
 inline constexpr std::size_t kLargestFile = std::size_t{256} << 20U;
 
 /// Reads a whole file.
-/// @param name What diagnostics call it.
-/// @return Nothing, and an error added, if it can't be read, is empty or is too large.
+/// @param name Its name in diagnostics.
+/// @return Nothing, with an error, if it can't be read, is empty or is too large.
 std::optional<std::string> readFileText(const std::filesystem::path& file, std::shared_ptr<const std::string> name,
                                         Diagnostics& diagnostics);
 

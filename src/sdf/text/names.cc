@@ -17,7 +17,7 @@ std::string readName(const Element& element, std::string_view owner, Context& co
                               "'world' and names like __model__ are reserved");
     return {};
   }
-  // In older files it is a name like others, and at the world's level nothing else is meant by it.
+  // Older files can use "::" like any other text, and at world level it has no other meaning.
   if (context.version >= 8 && name.find("::") != std::string::npos) {
     if (context.isInWorld) {
       context.diagnostics.warning(attribute->position, element.name + " is named '" + name + "'" + ending,

@@ -36,7 +36,7 @@ std::string printDocument(const Element& root) {
 std::string printChildren(const Element& element) {
   std::string text;
   for (const Element& child : element.children) {
-    // one of its own, for between the elements at the top another one puts empty lines
+    // one printer for each, because a single one would put empty lines between top-level elements
     Printer printer;
     print(child, printer);
     text += printer.CStr();

@@ -6,10 +6,10 @@
 
 namespace pongsim::sdf {
 
-/// @return The element and all below it as a file of XML, two spaces a level.
+/// @return The element and everything below it as an XML file, indented by two spaces for each level.
 std::string printDocument(const Element& root);
 
-/// @return What stands in the element, in the same way, without a file's first line.
+/// @return The content of the element in the same form, without the XML declaration.
 std::string printChildren(const Element& element);
 
 }  // namespace pongsim::sdf

@@ -5,15 +5,15 @@
 
 namespace pongsim::sdf {
 
-/// What stands between the words of a text, as isspace has it in the C locale.
+/// Characters that separate words, like isspace in the C locale.
 inline constexpr std::string_view kWhiteSpace = " \t\r\n\f\v";
 
-/// Turns offsets into lines and columns. Offsets must not decrease, so that all of them together cost one pass.
+/// Converts offsets to lines and columns. Offsets must not decrease, so that all together take one pass.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) : text_(text), offset_(startOf(text)) {}
 
-  /// @return Where the text begins: behind the byte order mark, if there is one.
+  /// @return Where the text begins: after the byte order mark, if there is one.
   static std::size_t startOf(std::string_view text) { return text.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
 
   void advanceTo(std::size_t offset) {
@@ -23,7 +23,7 @@ class TextCursor {
         ++line_;
         column_ = 1;
       } else if ((byte & 0xC0U) != 0x80U) {
-        ++column_;  // once a character, not once a byte of it
+        ++column_;  // counts characters, not bytes
       }
     }
   }

@@ -29,13 +29,13 @@ void complain(const Element::Attribute& attribute, std::string_view expected, Co
                                                     "', which is not " + std::string(expected));
 }
 
-/// @return The child, or null where there is nothing to read in it.
+/// @return The child; null if it is missing or empty.
 const Element* filledChild(const Element& parent, std::string_view child) {
   const Element* element = parent.child(child);
   return element != nullptr && !element->text.empty() ? element : nullptr;
 }
 
-/// Says what is wrong with the element's text as a value of that type of the format.
+/// Reports what is wrong with the element's text as a value of a type of the format.
 /// @return Whether Fortress would read as much of it as it can.
 bool isReadable(const Element& element, std::string_view type, Context& context) {
   const std::optional<WrongValue> wrong = checkValue(type, element.text);
@@ -74,7 +74,7 @@ std::string listOf(std::span<const std::string_view> words) {
 }
 
 /// @param label "<frame>" or "attribute 'type'"
-/// @return Its place among the words.
+/// @return Its index among the words.
 std::optional<std::size_t> findWord(const std::string& text, const std::string& label, const SourcePosition& position,
                                     std::span<const std::string_view> words, Context& context) {
   const auto found = std::ranges::find(words, text);
@@ -86,7 +86,7 @@ std::optional<std::size_t> findWord(const std::string& text, const std::string& 
   return std::nullopt;
 }
 
-/// Reads six numbers. Fortress runs worlds with one too few or too many, so that is no error.
+/// Reads six numbers. A missing or extra number is not an error, because Fortress runs such worlds.
 std::optional<std::vector<double>> readEulerNumbers(const Element& element, Context& context) {
   constexpr std::size_t kCount = 6;
   std::optional<std::vector<double>> values = base::parseDoubles(element.text);
@@ -100,7 +100,7 @@ std::optional<std::vector<double>> readEulerNumbers(const Element& element, Cont
   return values;
 }
 
-/// @return Whether the first three are a place that the physics lets something be in; else it has complained.
+/// @return Whether the first three are a position that the physics can handle; if not, adds an error.
 bool isWithinReach(const std::vector<double>& values, const Element& element, Context& context) {
   constexpr double kLargestPosition = 1e9;
   if (std::all_of(values.begin(), values.begin() + 3, [](double x) { return std::abs(x) <= kLargestPosition; })) {

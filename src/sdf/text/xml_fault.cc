@@ -9,7 +9,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-// One less than tinyxml2's limit, which counts the document itself.
+// One less than tinyxml2's limit, which counts the document too.
 constexpr std::size_t kDeepest = 98;
 constexpr std::size_t kLongestName = 40;
 
@@ -62,7 +62,7 @@ class FaultFinder {
   }
 
   void skipUntil(std::string_view end, std::string messageIfMissing) {
-    // The opening mark must not count for the closing one, as in "<!-->".
+    // The opening mark must not also count as the closing one, as in "<!-->".
     const std::size_t body = at_ + (end == "-->" ? 4 : 2);
     const std::size_t found = text_.find(end, body);
     if (found == std::string_view::npos) return fail(at_, std::move(messageIfMissing));

@@ -9,14 +9,14 @@ namespace pongsim::sdf {
 
 /// Why a text is not well-formed XML.
 struct XmlFault {
-  /// Where in the text.
+  /// Offset of the fault in the text.
   std::size_t offset = 0;
   std::string message;
   std::string hint;
 };
 
-/// Looks for the first fault of a text that the XML parser has refused, to say more than the parser does.
-/// @return Nothing where no fault of a known kind is found.
+/// Finds the first fault in a text that the XML parser has rejected, to report it better than the parser does.
+/// @return Nothing if no known kind of fault is found.
 std::optional<XmlFault> findXmlFault(std::string_view text);
 
 }  // namespace pongsim::sdf
