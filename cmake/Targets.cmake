@@ -66,7 +66,8 @@ function(pongsim_test name)
     set(arg_LINKS pongsim_layers)
   endif()
   if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 120)
+    # against those that hang: waits of a minute each on a machine that is busy are none
+    set(arg_TIMEOUT 300)
   endif()
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test
@@ -74,7 +75,7 @@ function(pongsim_test name)
   target_link_libraries(${name} PRIVATE ${arg_LINKS} pongsim_test_support pongsim_test_settings
                                         GTest::gtest_main ${arg_USES})
   target_precompile_headers(${name} REUSE_FROM pongsim_test_precompiled)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300
                        PROPERTIES TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test/cache"
                        ENVIRONMENT_MODIFICATION "PONGSIM_OFFLINE=set:1")
 endfunction()

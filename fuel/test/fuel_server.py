@@ -15,6 +15,7 @@ import socket
 import ssl
 import stat
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -25,6 +26,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("PONGSIM_BUILD", ROOT / "build/release"))
 PONGSIM = BUILD / "bin/pongsim"
 FUEL = BUILD / "libexec/pongsim/pongsim-fuel"
+sys.path.append(str(ROOT / "test/support"))
+from test_domain import take_domain  # noqa: E402
+
+DOMAIN = str(take_domain())
 NAMES = ["fuel.gazebosim.org", "fuel.ignitionrobotics.org", "models.example.org", "storage.example.org"]
 # For what must come true, on a busy machine too.
 PATIENCE = 120.0
@@ -344,7 +349,7 @@ class Place:
         self.cache = pathlib.Path(cache) if cache else self.home / ".ignition/fuel"
         self.environment = {name: value for name, value in os.environ.items()
                             if name not in ("PONGSIM_OFFLINE", "IGN_FUEL_CACHE_PATH") and not name.lower().endswith("_proxy")}
-        self.environment |= {"HOME": str(self.home), "PONGSIM_FUEL_TIMEOUT": "60", "XDG_CACHE_HOME": str(self.home / "xdg")}
+        self.environment |= {"HOME": str(self.home), "PONGSIM_DOMAIN": DOMAIN, "PONGSIM_FUEL_TIMEOUT": "60", "XDG_CACHE_HOME": str(self.home / "xdg")}
         if cache:
             self.environment["IGN_FUEL_CACHE_PATH"] = str(cache)
         if server is not None:

@@ -4,14 +4,10 @@ import json
 import os
 import shutil
 import signal
-import sys
 import time
 import unittest
 
-from fuel_server import PATIENCE, PONGSIM, ROOT, Place, Server, model_files
-
-sys.path.append(str(ROOT / "test/support"))
-from test_domain import take_domain  # noqa: E402
+from fuel_server import PATIENCE, PONGSIM, Place, Server, model_files
 
 NAO = model_files("Nao", body="".join(f"""
     <link name="{part}"><pose>0 0 {height} 0 0 0</pose>
@@ -161,7 +157,6 @@ class World(unittest.TestCase):
         world = self.write("".join(f"""
             <include><name>nao_{i}</name><uri>{url}/2</uri><pose>{i} 0 0 0 0 0</pose></include>
             <joint name="stand_{i}" type="fixed"><parent>world</parent><child>nao_{i}::body</child></joint>""" for i in (1, 2)))
-        self.place.environment["PONGSIM_DOMAIN"] = str(take_domain())
         process = self.place.start(PONGSIM, "run", world)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
@@ -178,7 +173,8 @@ class World(unittest.TestCase):
 
         for model, joint, angle in (("nao_1", "HeadYaw", 0.5), ("nao_2", "LShoulderPitch", -0.7)):
             topic = f"/model/{model}/joint/{joint}/0/cmd_pos"
-            sent = self.place.run(PONGSIM, "topic", "-t", topic, "-m", "ignition.msgs.Double", "-p", f"data: {angle}")
+            sent = self.place.run(PONGSIM, "topic", "-t", topic, "-m", "ignition.msgs.Double", "-p", f"data: {angle}",
+                                  "--timeout", "60")
             self.assertEqual(sent.returncode, 0, sent.stderr)
             end = time.monotonic() + PATIENCE
             while abs(position(model, joint) - angle) > 0.05:

@@ -13,6 +13,7 @@
 #include "log/tlog/tlog_reader.hh"
 #include "support/process.hh"
 #include "support/temp_folder.hh"
+#include "support/test_domain.hh"
 
 namespace pongsim::log {
 namespace {
@@ -86,6 +87,7 @@ TEST_F(SeveralRecordedWorlds, ArePackedTogether) {
 
 TEST_F(SeveralRecordedWorlds, ArePlayedOneAtATime) {
   record();
+  test::testDomain();
   const auto run = [](const fs::path& path) {
     auto process = std::make_unique<test::Process>(
         std::vector<std::string>{PONGSIM_PROGRAM, "run", "--playback", path.string(), "-z", "0", "--iterations", "5"});

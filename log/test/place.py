@@ -1,5 +1,6 @@
 """What tests of pongsim log share: a folder and a domain of their own, a world that runs, a recorder beside it."""
 
+import json
 import os
 import pathlib
 import signal
@@ -63,6 +64,29 @@ class Place:
         recorder = self.start("log", "record", *words)
         wait_until(lambda: "recording to" in self.said(recorder), "a recorder")
         return recorder
+
+    def counts(self, name):
+        """How many messages of each topic the whole chunks of a recording have."""
+        return {topic["name"]: topic["count"] for topic in json.loads(self.log("info", name, "--json"))["topics"]}
+
+    def wait_for_messages(self, name, least):
+        """Waits until a recording that goes on has so many of each topic, and another chunk behind them."""
+        def has_enough():
+            counts = self.counts(name)
+            return all(counts.get(topic, 0) >= count for topic, count in least.items())
+
+        wait_until(has_enough, f"{least} in {name}")
+        before = sum(self.counts(name).values())
+        wait_until(lambda: sum(self.counts(name).values()) > before, f"more in {name}")
+
+    def cut(self, name, to):
+        """What is left of a recording of several chunks whose last one was written by half."""
+        from mcap.reader import make_reader
+
+        with open(self.path / name, "rb") as stream:
+            last = make_reader(stream).get_summary().chunk_indexes[-1]
+        whole = (self.path / name).read_bytes()
+        (self.path / to).write_bytes(whole[:last.chunk_start_offset + last.chunk_length // 2])
 
     def end(self, process, with_signal=signal.SIGINT):
         process.send_signal(with_signal)

@@ -12,7 +12,7 @@ from google.protobuf import json_format
 from mcap.reader import NonSeekingReader, make_reader
 from mcap.writer import CompressionType, Writer
 from mcap_protobuf.decoder import DecoderFactory
-from place import FORTRESS, Place, wait_until
+from place import FORTRESS, Place
 
 
 def messages(file, topics=None):
@@ -38,15 +38,14 @@ class Recorded(unittest.TestCase):
             sys.exit(77)
         cls.place = Place().__enter__()
         cls.addClassCleanup(cls.place.__exit__, None, None, None)
-        file = cls.place.path / "run.mcap"
         recorder = cls.place.record("-o", "run.mcap")
         # topics that come later
         cls.place.start("run", worlds[0])
-        wait_until(lambda: size_of(file) > 60_000, "a recording")
+        cls.place.wait_for_messages("run.mcap", {"/clock": 100, "/model/vehicle_green/odometry": 5})
         assert cls.place.end(recorder) == 0, cls.place.said(recorder)
         cls.said = cls.place.said(recorder)
-        cls.file = file
-        cls.messages = messages(file)
+        cls.file = cls.place.path / "run.mcap"
+        cls.messages = messages(cls.file)
 
     def test_others_read_it(self):
         types = {topic: kind for topic, kind, *_ in self.messages}
@@ -122,8 +121,7 @@ class Recorded(unittest.TestCase):
         self.assertEqual(len(everything), len(self.messages))
 
     def test_a_cut_off_file_is_read_up_to_there(self):
-        whole = self.file.read_bytes()
-        (self.place.path / "cut.mcap").write_bytes(whole[: len(whole) * 2 // 3])
+        self.place.cut("run.mcap", "cut.mcap")
         info = json.loads(self.place.log("info", "cut.mcap", "--json"))
         self.assertRegex(info["torn"], r"'cut.mcap': byte \d+: it is truncated")
         self.place.log("convert", "cut.mcap", "-o", "saved.mcap", "--force")

@@ -80,7 +80,7 @@ class Options(unittest.TestCase):
         self.addCleanup(listener.kill)
         self.addCleanup(listener.stdout.close)
         self.place.log("playback", "--file", "rec/state.tlog", "--remap", "/model/box/pose:=/elsewhere", "--wait",
-                       "10000", "-f")
+                       "60000", "-f")
         heard = [json.loads(line) for line in listener.communicate(timeout=PATIENCE)[0].splitlines()]
         self.assertEqual([message["name"] for message in heard], ["box::body"] * 3)
         self.assertIn("is not a renaming", self.place.log("playback", "--file", "rec/state.tlog", "--remap", "/a", code=2))

@@ -1,5 +1,6 @@
 import os
 import pathlib
+import signal
 import sys
 
 import pytest
@@ -8,6 +9,12 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "test/support"))
 
 import pongsim  # noqa: E402
+from test_domain import take_domain  # noqa: E402
+
+# for the programs that tests run
+os.environ["PONGSIM_DOMAIN"] = str(take_domain())
+# a shell lets what it runs in the background ignore Ctrl-C, and so would they
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 COURT = PROJECT / "worlds/pong_world.sdf"
 LIDAR = PROJECT / "worlds/pong_lidar.sdf"

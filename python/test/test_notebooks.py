@@ -20,5 +20,5 @@ def test_notebook(file, tmp_path, monkeypatch):
     nbformat.validate(notebook)
     # kept without what it prints, which would only grow old
     assert all(not cell.outputs for cell in notebook.cells if cell.cell_type == "code")
-    NotebookClient(notebook, timeout=300, kernel_name="python3",
+    NotebookClient(notebook, timeout=300, startup_timeout=300, kernel_name="python3",
                    resources={"metadata": {"path": str(file.parent)}}).execute()

@@ -86,8 +86,11 @@ HEAR = """
 import sys
 sys.path.insert(0, sys.argv[1])
 import peers
-peers.take_one(peers.Peer().reader("/clock", peers.Clock))
-print("heard")
+reader = peers.Peer().reader("/clock", peers.Clock)
+print("listens", flush=True)
+while True:
+    peers.take_one(reader, patience=float(sys.argv[2]))
+    print("heard", flush=True)
 """
 
 TEST_FOLDER = pathlib.Path(__file__).parent
@@ -199,15 +202,19 @@ def forged_packets():
 def nodes_outside():
     """Whether a node elsewhere hears the clock of a closed simulation while one here does, and of an open one."""
     with peers.running(WORLD):
-        node = elsewhere(HEAR, TEST_FOLDER)
+        node = elsewhere(HEAR, TEST_FOLDER, 3600)
+        assert node.stdout.readline() == "listens\n"
         # several meetings of nodes here are time enough for one that could be met
         for _ in range(5):
             peers.take_one(peers.Peer().reader("/clock", peers.Clock))
-        closed = node.poll() is None
+        assert node.poll() is None
         node.kill()
+        closed = node.communicate()[0] == ""
     with peers.running(WORLD, "--network", "here"):
-        node = elsewhere(HEAR, TEST_FOLDER)
-        opened = node.communicate(timeout=60)[0] == "heard\n"
+        node = elsewhere(HEAR, TEST_FOLDER, peers.PATIENCE)
+        opened = [node.stdout.readline() for _ in range(2)] == ["listens\n", "heard\n"]
+        node.kill()
+        node.communicate()
     print(json.dumps({"closed": closed, "opened": opened}))
 
 

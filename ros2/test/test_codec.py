@@ -59,7 +59,7 @@ def codec():
 
     yield ask
     process.stdin.close()
-    assert process.wait(20) == 0
+    assert process.wait(60) == 0
 
 
 def some_primitive(chance, kind):

@@ -41,6 +41,15 @@ def node(name="/pongsim"):
     return None
 
 
+def node_with(publishers=(), subscribers=(), name="/pongsim"):
+    """Waits until a node has these topics. The names of all that it has then."""
+    def there():
+        known = node(name)
+        return known and set(publishers) <= set(known["publishers"]) and set(subscribers) <= set(known["subscribers"]) and known
+
+    return peers.until(there, f"{name} with {publishers} and {subscribers}")
+
+
 def configuration(folder, text, name="bridge.yaml"):
     file = folder / name
     file.write_text(text)
@@ -56,10 +65,9 @@ def test_a_file_gives_a_topic_another_name(tmp_path):
     file = configuration(tmp_path, lidar_as("scan", "  frame_id: laser\n"))
     with peers.running(WORLD, "--ros2-config", file):
         assert peers.take_one(peers.Peer().reader("/scan", peers.LaserScan)).header.frame_id == "laser"
-        known = peers.until(node, "the node")
-        assert "/scan" in known["publishers"] and "/lidar" not in known["publishers"]
         # what no rule speaks of is there as ever
-        assert "/clock" in known["publishers"] and "/cmd_vel" in known["subscribers"]
+        known = node_with(publishers=("/scan", "/clock"), subscribers=("/cmd_vel",))
+        assert "/lidar" not in known["publishers"]
 
 
 def test_a_world_names_its_file_from_its_own_folder(tmp_path):
@@ -70,8 +78,7 @@ def test_a_world_names_its_file_from_its_own_folder(tmp_path):
         'name="pongsim::systems::Ros2"><config_file>bridge.yaml</config_file><bridge_all>false</bridge_all></plugin>'))
     with peers.running(world):
         peers.take_one(peers.Peer().reader("/front/scan", peers.LaserScan))
-        known = peers.until(node, "the node")
-        assert known["publishers"] == ["/front/scan"] and known["subscribers"] == []
+        assert node_with(publishers=("/front/scan",)) == {"publishers": ["/front/scan"], "subscribers": []}
 
 
 def test_an_argument_carries_both_ways():
@@ -99,8 +106,8 @@ def test_an_argument_with_a_bracket_carries_one_way():
     with peers.running(WORLD, *one_way):
         scans = peers.Peer().reader("/lidar", peers.LaserScan)
         ahead = peers.take_one(scans).ranges[30]
-        known = peers.until(node, "the node")
-        assert known == {"publishers": ["/lidar"], "subscribers": ["/cmd_vel"]}
+        assert node_with(publishers=("/lidar",), subscribers=("/cmd_vel",)) == {
+            "publishers": ["/lidar"], "subscribers": ["/cmd_vel"]}
         command = peers.Peer().writer("/cmd_vel", peers.Twist)
 
         def nearer():
@@ -172,7 +179,8 @@ def test_two_namespaces_stand_side_by_side(tmp_path):
         for name in ("red", "blue"):
             scan = peers.take_one(peer.reader(f"/{name}/scan", peers.LaserScan))
             assert scan.header.frame_id == f"{name}/rover/chassis/lidar"
-            assert peers.until(lambda: node(f"/{name}/simulator"), "the node")["publishers"] == [f"/{name}/scan"]
+            known = node_with(publishers=(f"/{name}/scan",), name=f"/{name}/simulator")
+            assert known["publishers"] == [f"/{name}/scan"]
 
 
 def test_names_of_the_simulation_are_expanded_too():
@@ -213,11 +221,17 @@ def test_what_is_bridged_can_be_asked_for():
     with peers.running(WORLD, "--ros2"):
         reader = peers.Peer().reader("/clock", peers.Clock)
         peers.take_one(reader)
-        topics = {each["ros"]: each for each in json.loads(pongsim("ros2", "topics", "--json").stdout)}
+
+        def goes_on():
+            topics = {each["ros"]: each for each in json.loads(pongsim("ros2", "topics", "--json").stdout)}
+            known = {"/clock", "/cmd_vel", "/lidar"} <= topics.keys()
+            return known and topics["/clock"]["hz_to_ros"] > 0 and topics
+
+        topics = peers.until(goes_on, "a clock that is bridged")
         clock = topics["/clock"]
         assert clock["ros_type"] == "rosgraph_msgs/msg/Clock" and clock["ignition_type"] == "ignition.msgs.Clock"
         assert clock["to_ros"] and not clock["from_ros"]
-        assert clock["readers"] == 1 and clock["sent"] > 0 and clock["hz_to_ros"] > 0
+        assert clock["readers"] == 1 and clock["sent"] > 0
         assert topics["/cmd_vel"]["from_ros"] and topics["/lidar"]["sent"] == 0
         table = pongsim("ros2", "topics", "-d", "0.1").stdout
         assert re.search(r"^/clock \[rosgraph_msgs/msg/Clock\] +<-  /clock \[ignition.msgs.Clock\] +to ROS: 1 reader, ",
@@ -229,11 +243,13 @@ def test_who_asks_hears_why_nothing_is_bridged():
     nobody = pongsim("ros2", "topics", "--timeout", "0", check=False)
     assert nobody.returncode == 1 and "no world runs" in nobody.stderr
     with peers.running(peers.ROOT / "worlds/pong_world.sdf"):
-        peers.until(lambda: pongsim("service", "-l").stdout, "the world")
-        unbridged = pongsim("ros2", "topics", "--timeout", "0", check=False)
-        assert unbridged.returncode == 1
-        assert "world 'pong_world' is not bridged to ROS 2\n  hint: start it with pongsim run WORLD --ros2" \
-            in unbridged.stderr
+        def said_why():
+            unbridged = pongsim("ros2", "topics", "--timeout", "0", check=False)
+            assert unbridged.returncode == 1
+            return "world 'pong_world' is not bridged to ROS 2\n  hint: start it with pongsim run WORLD --ros2" \
+                in unbridged.stderr
+
+        peers.until(said_why, "the world")
 
 
 def test_the_example_of_the_documentation_does_what_it_says(tmp_path):
@@ -245,6 +261,5 @@ def test_the_example_of_the_documentation_does_what_it_says(tmp_path):
     with peers.running(WORLD, "--ros2-config", file):
         peer = peers.Peer()
         assert peers.take_one(peer.reader("/scan", peers.LaserScan, peers.BEST_EFFORT)).header.frame_id == "laser"
-        known = peers.until(node, "the node")
-        assert "/scan" in known["publishers"] and "/cmd" in known["subscribers"]
+        known = node_with(publishers=("/scan",), subscribers=("/cmd",))
         assert "/lidar" not in known["publishers"] and "/cmd_vel" not in known["subscribers"]

@@ -3,6 +3,7 @@
 import peers
 import pytest
 import ros_messages
+from client import Steps
 
 ros_messages.install()
 
@@ -23,13 +24,18 @@ def world_in(folder, name):
     return file
 
 
+def nanoseconds(scan):
+    return scan.header.stamp.sec * 10**9 + scan.header.stamp.nanosec
+
+
 def test_twenty_nodes_hear_every_scan_of_the_simulation_in_their_namespace(tmp_path):
     # the simulations' own topics have the same names
     other = {"PONGSIM_DOMAIN": str(peers.take_domain())}
-    # at half the pace: a writer keeps ten scans for who is slow, and so a second of them
-    pace = ["-z", "500"]
-    with (peers.running(world_in(tmp_path, "red"), *pace),
-          peers.running(world_in(tmp_path, "blue"), *pace, environment=other)):
+    # a writer keeps ten scans for who is slow: no more of them at once, and on when they have been heard
+    stepped = ["--paused", "-z", "0"]
+    with (peers.running(world_in(tmp_path, "red"), *stepped),
+          peers.running(world_in(tmp_path, "blue"), *stepped, environment=other)):
+        steps = [Steps(peers.Peer(), f"/{name}/pongsim") for name in ("red", "blue")]
         nodes = [peers.Peer() for _ in range(NODES)]
         names = ["red" if i % 2 == 0 else "blue" for i in range(NODES)]
         # every fourth as sensors' readers usually are
@@ -38,18 +44,32 @@ def test_twenty_nodes_hear_every_scan_of_the_simulation_in_their_namespace(tmp_p
                    for node, name, quality in zip(nodes, names, qualities)]
         command = nodes[0].writer("/red/cmd_vel", Twist)
         heard = [[] for _ in range(NODES)]
+        now = 0
 
-        def all_have_enough():
-            command.write(Twist(linear=Vector3(x=0.3)))
+        def hear():
             for scans, reader in zip(heard, readers):
                 scans.extend(peers.take(reader))
+
+        def last_is_heard():
+            """By all who have heard some and miss none."""
+            hear()
+            return all(nanoseconds(scans[-1]) == now for scans, quality in zip(heard, qualities)
+                       if quality is DEEP and scans)
+
+        def all_have_enough():
+            nonlocal now
+            command.write(Twist(linear=Vector3(x=0.3)))
+            for each in steps:
+                each(200)
+            now += 200_000_000
+            peers.until(last_is_heard, f"the scan of {now} ns")
             return all(len(scans) > 30 for scans in heard)
 
-        peers.until(all_have_enough, "thirty scans for each")
+        peers.until(all_have_enough, "thirty scans for each", patience=200)
         step = 50_000_000
         for scans, name, quality in zip(heard, names, qualities):
             assert {scan.header.frame_id for scan in scans} == {f"{name}/rover/chassis/lidar"}
-            stamps = [scan.header.stamp.sec * 10**9 + scan.header.stamp.nanosec for scan in scans]
+            stamps = [nanoseconds(scan) for scan in scans]
             if quality is DEEP:
                 # the first of all is that of the first step, one step late
                 stamps = [0 if stamp == 1_000_000 else stamp for stamp in stamps]

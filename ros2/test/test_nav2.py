@@ -37,6 +37,7 @@ def test_the_frames_of_the_robot_are_one_tree():
         # what the description has are the frames, and the joints are those of /joint_states
         robot = xml.fromstring(peers.take_one(peer.reader("/robot_description", String, peers.LATCHED)).data)
         links = {link.get("name") for link in robot.findall("link")}
+        peers.until(lambda: tree.update() or links <= tree.parents.keys(), "a transform for each link")
         assert links == tree.parents.keys()
         joints = peers.take_one(peer.reader("/joint_states", JointState))
         assert list(joints.name) == [joint.get("name") for joint in robot.findall("joint")
@@ -53,8 +54,8 @@ def test_a_node_that_comes_late_has_the_frames_that_do_not_move():
     with peers.running(WORLD, "--ros2"):
         peers.take_one(peers.Peer().reader("/clock", Clock), where=lambda each: each.clock.sec >= 1)
         tree = TfTree(peers.Peer())
-        peers.until(lambda: tree.update() or "base_scan" in tree.static, "the lidar's frame")
-        assert {"base_link", "base_scan", "imu_link", "camera_link", "camera_optical_frame"} <= tree.static.keys()
+        frames = {"base_link", "base_scan", "imu_link", "camera_link", "camera_optical_frame"}
+        peers.until(lambda: tree.update() or frames <= tree.static.keys(), "the frames that do not move")
 
 
 def test_messages_come_as_often_as_the_robot_says():
@@ -104,7 +105,8 @@ def test_what_the_lidar_sees_falls_on_the_walls_while_the_robot_drives_and_turns
                 while known and waiting and nanoseconds(waiting[0].header.stamp) <= known:
                     scan = waiting.pop(0)
                     time = nanoseconds(scan.header.stamp)
-                    if time < first:
+                    # a reader that the machine gave no time has lost transforms, and a line between others is no drive
+                    if time < first or tree.gap("base_scan", "odom", time) > 30_000_000:
                         continue
                     points = in_odom(scan, tree.lookup("base_scan", "odom", time))
                     on_ground = (house.start @ points.T).T
@@ -133,19 +135,6 @@ def test_what_the_lidar_sees_falls_on_the_walls_while_the_robot_drives_and_turns
         assert each.child_frame_id == "base_footprint"
         pose = matrix(each.pose.pose.position, each.pose.pose.orientation)
         assert told[nanoseconds(each.header.stamp)] == pytest.approx(pose, abs=1e-9)
-
-
-def test_nav2_of_kilted_drives_by_stamped_commands_where_a_rule_says_so():
-    rule = "/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist"
-    with peers.running(WORLD, "--ros2-topic", rule):
-        peer = peers.Peer()
-        commands, odometry = peer.writer("/cmd_vel", TwistStamped), peer.reader("/odom", Odometry)
-
-        def drives():
-            commands.write(TwistStamped(twist=Twist(linear=Vector3(x=0.2))))
-            return [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.19]
-
-        peers.until(drives, "a robot that drives")
 
 
 def test_nav2_of_kilted_drives_by_stamped_commands_where_a_rule_says_so():

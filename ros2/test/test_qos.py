@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+import time
 from dataclasses import dataclass, field
 
 from cyclonedds.core import Policy, Qos
@@ -54,8 +55,8 @@ def test_a_late_reader_hears_what_comes_from_then_on():
     with peers.running(WORLD):
         early = peers.Peer().reader("/clock", peers.Clock)
         first = peers.take_one(early).clock
-        late = peers.Peer().reader("/clock", peers.Clock)
-        assert (peers.take_one(late).clock.sec, peers.take_one(late).clock.nanosec) > (first.sec, first.nanosec)
+        late = peers.take_one(peers.Peer().reader("/clock", peers.Clock)).clock
+        assert (late.sec, late.nanosec) > (first.sec, first.nanosec)
 
 
 def world_with(folder, name, settings):
@@ -89,6 +90,7 @@ class Damaged(IdlStruct, typename="geometry_msgs::msg::dds_::Twist_"):
 
 def test_what_is_damaged_or_no_number_is_said_and_the_rest_goes_on(tmp_path):
     log_file = tmp_path / "log"
+    begin = time.monotonic()
     with open(log_file, "w") as log, peers.running(WORLD, log=log):
         peer = peers.Peer()
         scans = peer.reader("/lidar", peers.LaserScan)
@@ -112,7 +114,7 @@ def test_what_is_damaged_or_no_number_is_said_and_the_rest_goes_on(tmp_path):
             good.write(nan)
         peers.take_one(scans)
     lines = [line for line in log_file.read_text().splitlines() if "is damaged" in line]
-    assert len(lines) < 60
+    assert len(lines) <= time.monotonic() - begin + 1
 
 
 def hash_of(*arguments):

@@ -7,22 +7,12 @@ shows."""
 from dataclasses import dataclass, field
 
 import peers
+from client import MSG, SRV, Client, Result, StepSimulationRequest, StepSimulationResponse
 from cyclonedds.idl import IdlStruct
-from cyclonedds.idl.types import float64, sequence, uint8, uint16, uint32, uint64
-from cyclonedds.pub import DataWriter, Publisher
-from cyclonedds.sub import DataReader, Subscriber
-from cyclonedds.topic import Topic
+from cyclonedds.idl.types import float64, sequence, uint8, uint16, uint32
 
-MSG = "simulation_interfaces::msg::dds_::"
-SRV = "simulation_interfaces::srv::dds_::"
 GZ = "ros_gz_interfaces::"
 GEOMETRY = "geometry_msgs::msg::dds_::"
-
-
-@dataclass
-class Result(IdlStruct, typename=MSG + "Result_"):
-    result: uint8 = 0
-    error_message: str = ""
 
 
 @dataclass
@@ -116,16 +106,6 @@ class GetEntityStateResponse(IdlStruct, typename=SRV + "GetEntityState_Response_
 
 
 @dataclass
-class StepSimulationRequest(IdlStruct, typename=SRV + "StepSimulation_Request_"):
-    steps: uint64 = 1
-
-
-@dataclass
-class StepSimulationResponse(IdlStruct, typename=SRV + "StepSimulation_Response_"):
-    result: Result = field(default_factory=Result)
-
-
-@dataclass
 class DeleteEntityRequest(IdlStruct, typename=SRV + "DeleteEntity_Request_"):
     entity: str = ""
 
@@ -160,21 +140,6 @@ class ControlWorldRequest(IdlStruct, typename=GZ + "srv::dds_::ControlWorld_Requ
 @dataclass
 class ControlWorldResponse(IdlStruct, typename=GZ + "srv::dds_::ControlWorld_Response_"):
     success: bool = False
-
-
-class Client:
-    def __init__(self, peer, service, request, response):
-        participant = peer.participant
-        self._writer = DataWriter(Publisher(participant), Topic(participant, f"rq{service}Request", request),
-                                  qos=peers.RELIABLE)
-        self._reader = DataReader(Subscriber(participant), Topic(participant, f"rr{service}Reply", response),
-                                  qos=peers.RELIABLE)
-        peers.until(lambda: self._writer.get_matched_subscriptions() and self._reader.get_matched_publications(),
-                    service)
-
-    def __call__(self, request):
-        self._writer.write(request)
-        return peers.take_one(self._reader)
 
 
 BOX = "<sdf version='1.9'><model name='box'><static>true</static><link name='l'/></model></sdf>"

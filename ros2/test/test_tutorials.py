@@ -55,14 +55,20 @@ def test_moving_the_robot():
 
         # it goes as far as it says, and the transform says the same
         far = peers.take_one(odometry, where=lambda each: each.pose.pose.position.x > 1)
-        same = peers.take_one(transforms, where=lambda each: each.transforms[0].header.stamp == far.header.stamp
-                              or seconds(each.transforms[0].header.stamp) > seconds(far.header.stamp))
+        told, seen = {}, {}
+
+        def both_said():
+            """What the transform says and where it is, at times that lie beside each other, when it had come so far."""
+            for reader, to in ((transforms, told), (truth, seen)):
+                to.update((seconds(each.transforms[0].header.stamp), each) for each in peers.take(reader))
+            return [(told[at], seen[then]) for at in told if at >= seconds(far.header.stamp)
+                    for then in seen if abs(then - at) <= 0.02]
+
+        same, place = peers.until(both_said, "the transform and the truth of a time")[0]
         assert same.transforms[0].header.frame_id == "vehicle_blue/odom"
         assert same.transforms[0].child_frame_id == "vehicle_blue/chassis"
         assert same.transforms[0].transform.translation.x >= far.pose.pose.position.x
-        stamp = seconds(same.transforms[0].header.stamp)
-        seen = peers.take_one(truth, where=lambda each: seconds(each.transforms[0].header.stamp) >= stamp)
-        assert poses(seen)["vehicle_blue"].translation.x == pytest.approx(
+        assert poses(place)["vehicle_blue"].translation.x == pytest.approx(
             same.transforms[0].transform.translation.x, abs=0.1)
 
 

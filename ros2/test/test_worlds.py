@@ -10,7 +10,7 @@ WORLDS = ("fine", "coarse", "fast")
 
 
 def pongsim(*arguments):
-    result = subprocess.run([peers.PONGSIM, *map(str, arguments)], capture_output=True, text=True, timeout=peers.PATIENCE)
+    result = subprocess.run([peers.PONGSIM, *map(str, arguments)], capture_output=True, text=True, timeout=90)
     assert result.returncode == 0, result.stderr
     return result.stdout
 
@@ -29,9 +29,12 @@ def test_each_world_is_a_node():
         names = [f"/pongsim_{world}" for world in sorted(WORLDS)]
         peers.until(lambda: names_of_nodes() == names, "a node for each world")
         for world in WORLDS:
-            topics = json.loads(pongsim("ros2", "topics", "--world", world, "--json"))
-            own = [each["ros"] for each in topics]
-            assert f"/model/cart_{world}/odometry" in own
+            def own_topics(world=world):
+                topics = json.loads(pongsim("ros2", "topics", "--world", world, "--timeout", "60000", "-d", "0", "--json"))
+                own = [each["ros"] for each in topics]
+                return f"/model/cart_{world}/odometry" in own and ("/clock" in own or world != "fine") and own
+
+            own = peers.until(own_topics, f"the topics of {world}")
             assert ("/clock" in own) == (world == "fine")
             assert not [name for name in own if name.startswith("/model/cart_") and f"cart_{world}" not in name]
 

@@ -84,6 +84,17 @@ class TfTree:
             result = self._at(each, time) @ result
         return result
 
+    def gap(self, frame, root, time):
+        """The longest time [ns] between the transforms on either side of `time`, which lie farther apart where some of
+        them were lost."""
+        gaps = [0]
+        for each in self.chain(frame)[:self.chain(frame).index(root)]:
+            if each in self.moving:
+                times, _ = self.moving[each]
+                after = bisect.bisect_left(times, time)
+                gaps.append(times[after] - times[after - 1] if 0 < after < len(times) else 0)
+        return max(gaps)
+
     def _at(self, frame, time):
         if frame in self.static:
             return self.static[frame]

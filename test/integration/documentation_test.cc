@@ -19,6 +19,9 @@
 namespace pongsim {
 namespace {
 
+/// What a page with dozens of commands may take, on a machine that is busy with other tests.
+constexpr std::chrono::seconds kPage{280};
+
 /// A page with commands, which tools/cli-tour types, with this build's pongsim.
 class Tour : public testing::TestWithParam<const char*> {};
 
@@ -26,7 +29,7 @@ TEST_P(Tour, GoesAsThePageSays) {
   test::testDomain();
   test::Process tour({"tools/cli-tour", GetParam()},
                      {.environment = {{"PONGSIM", PONGSIM_PROGRAM}}, .folder = test::projectFolder()});
-  const std::optional<int> code = tour.wait(std::chrono::seconds(110));
+  const std::optional<int> code = tour.wait(kPage);
   ASSERT_TRUE(code.has_value()) << tour.output() << tour.error();
   if (*code == 77) GTEST_SKIP() << tour.error();
   EXPECT_EQ(*code, 0) << tour.output() << tour.error();
@@ -74,7 +77,7 @@ class DocumentationTest : public testing::Test {
     const std::string path = std::filesystem::path(PONGSIM_PROGRAM).parent_path().string();
     test::Process shell({"bash", "-em", "-c", "export PATH=" + path + ":$PATH\n" + script},
                         {.environment = {}, .folder = test::projectFolder()});
-    const std::optional<int> code = shell.wait();
+    const std::optional<int> code = shell.wait(kPage);
     ASSERT_TRUE(code.has_value()) << shell.output() << shell.error();
     EXPECT_EQ(*code, 0) << script << "\n" << shell.output() << shell.error();
     output_ = shell.output();

@@ -167,7 +167,9 @@ TEST(Run, TellsWhoWaitsForItWhenItIsReadyAndWhenItStops) {
   testDomain();
   Process process({PONGSIM_PROGRAM, "run", ownWorld(kWorld)}, {.environment = {{"NOTIFY_SOCKET", path}}, .folder = {}});
   EXPECT_TRUE(next().starts_with("READY=1\nSTATUS=world 'pong_world': "));
-  EXPECT_EQ(runToEnd({"service", "-s", "/world/pong_world/control", "--req", "pause: true"}).exitCode, 0);
+  EXPECT_EQ(
+      runToEnd({"service", "-s", "/world/pong_world/control", "--req", "pause: true", "--timeout", "60000"}).exitCode,
+      0);
   process.kill(SIGTERM);
   EXPECT_EQ(next(), "STOPPING=1\n");
   EXPECT_EQ(process.wait(), 0) << process.error();
@@ -203,6 +205,7 @@ TEST(Run, StandsStillWhilePaused) {
 }
 
 TEST(Run, FindsAWorldByItsNameInTheResourcePath) {
+  testDomain();
   const Process::Options options{.environment = {{"IGN_GAZEBO_RESOURCE_PATH", ownWorld("")}}, .folder = "/"};
   Process process({PONGSIM_PROGRAM, "run", kWorld, "--iterations", "1", "-z", "0"}, options);
   EXPECT_EQ(process.wait(), 0) << process.error();

@@ -20,7 +20,6 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
-#include "support/test_domain.hh"
 #include "support/working_folder.hh"
 
 namespace pongsim::test {
@@ -50,14 +49,11 @@ std::vector<Command> commandsIn(const fs::path& file) {
 /// @return The topics that a world's systems publish, with their types; without the scene, which is told when somebody
 /// comes and when something changes, and never because of a step.
 std::vector<std::pair<std::string, std::string>> topicsOf(const fs::path& file) {
-  Transport transport({.network = true, .domain = testDomain()});
   Diagnostics diagnostics;
-  const auto simulation = Simulation::fromFile(file, {.transport = &transport}, diagnostics);
+  const auto simulation = Simulation::fromFile(file, {}, diagnostics);
   std::vector<std::pair<std::string, std::string>> topics;
-  Transport looker({.network = true, .domain = testDomain()});
-  for (const TopicInfo& topic : looker.discover(std::chrono::seconds(60))) {
-    if (!topic.publishers.empty() && !topic.name.ends_with("/scene/info"))
-      topics.emplace_back(topic.name, topic.publishers.front().type);
+  for (const OwnTopic& topic : simulation->transport().node().ownTopics()) {
+    if (topic.publishers > 0 && !topic.name.ends_with("/scene/info")) topics.emplace_back(topic.name, topic.type);
   }
   return topics;
 }

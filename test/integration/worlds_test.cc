@@ -69,7 +69,8 @@ TEST_F(SeveralWorlds, HaveTopicsAndServicesOfTheirOwn) {
   ASSERT_TRUE(process->waitForError("world 'lab'")) << process->error();
   for (const char* world : {"maze", "yard", "lab"}) {
     const std::string rover = "/model/rover_" + std::string(world);
-    const Outcome drive = runToEnd({"topic", "-t", rover + "/cmd_vel", "-m", "Twist", "-p", "linear: {x: 0.5}"});
+    const Outcome drive =
+        runToEnd({"topic", "-t", rover + "/cmd_vel", "-m", "Twist", "-p", "linear: {x: 0.5}", "--timeout", "60"});
     EXPECT_EQ(drive.exitCode, 0) << drive.error;
     const Outcome far =
         runToEnd({"topic", "wait", "-t", rover + "/odometry", "--field", "pose.position.x > 0.05", "--timeout", "60"});

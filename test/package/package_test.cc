@@ -97,7 +97,7 @@ TEST_F(PackageTest, BuildsAProgramThatAvoidsWalls) {
       "  pongsim topic -e -t /cmd_vel -n 1 --field linear.x --field angular.z > answer &\n"
       "  echo=$!\n"
       "  while kill -0 $echo 2>/dev/null; do\n"
-      "    pongsim topic -t /lidar -m LaserScan -p \"$1\"\n"
+      "    pongsim topic -t /lidar -m LaserScan -p \"$1\" --timeout 60\n"
       "  done\n"
       "  cat answer\n"
       "}\n";

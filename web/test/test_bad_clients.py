@@ -63,10 +63,10 @@ class BadClients(unittest.TestCase):
         return connection
 
     def check_that_it_goes_on(self):
-        connection = self.connect()
-        listen(connection, ["/clock"])
-        for _ in range(3):
-            next_data(connection)
+        with Connection(self.host, self.port) as connection:
+            listen(connection, ["/clock"])
+            for _ in range(3):
+                next_data(connection)
 
     def test_rubbish(self):
         rubbish = [b"\0" * 10, b"\xff" * 1000, os.urandom(5000), b"{", b"[]", b"{\"op\": 7}", b"{\"op\": \"fly\"}",
@@ -109,6 +109,9 @@ class BadClients(unittest.TestCase):
     def test_twenty_killed_clients_leave_nothing_behind(self):
         self.check_that_it_goes_on()
         before = memory(self.simulation.process.pid)
+        sockets = pathlib.Path(f"/proc/{self.simulation.process.pid}/fd")
+        # that of the check may be there still
+        quiet = len(list(sockets.iterdir()))
         program = ("import sys; sys.path.insert(0, sys.argv[1])\n"
                    "from test_bad_clients import Connection, listen, next_data\n"
                    "connection = Connection(sys.argv[2], int(sys.argv[3]))\n"
@@ -124,8 +127,6 @@ class BadClients(unittest.TestCase):
             client.send_signal(signal.SIGKILL)
             client.wait()
             client.stdout.close()
-        sockets = pathlib.Path(f"/proc/{self.simulation.process.pid}/fd")
-        quiet = len(list(sockets.iterdir()))
         self.check_that_it_goes_on()
         until(lambda: len(list(sockets.iterdir())) <= quiet, "the end of the sockets")
         self.assertLess(memory(self.simulation.process.pid) - before, 40 * MEGABYTE)

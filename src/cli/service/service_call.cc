@@ -31,7 +31,12 @@ nlohmann::ordered_json jsonOf(const ServiceInfo& service) {
 /// @return The exit code, after an error message, if they are not known.
 std::optional<int> findTypes(Transport& transport, CallOptions& options) {
   if (!options.requestType.empty() && !options.replyType.empty()) return std::nullopt;
-  const ServiceInfo service = transport.waitForService(options.service, options.timeout.value_or(kArrivalTime));
+  ServiceInfo service = transport.waitForService(options.service, options.timeout.value_or(kArrivalTime));
+  if (service.providers.empty() && !options.timeout) {
+    // on a busy machine, who is there may not have told so by then
+    servicesAround(transport);
+    service = transport.waitForService(options.service, {});
+  }
   if (service.providers.empty()) return failWithoutService(transport, options.service);
   const ServiceInfo::Provider& provider = service.providers.front();
   const bool agree = std::ranges::all_of(service.providers, [&](const ServiceInfo::Provider& other) {

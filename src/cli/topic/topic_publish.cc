@@ -14,9 +14,11 @@ namespace pongsim::cli {
 
 namespace {
 
-/// @return The exit code, after reporting why nobody is listening.
-int failWithoutSubscriber(Transport& transport, const PublishOptions& options) {
-  const std::vector<TopicInfo> topics = topicsAround(transport);
+// A subscriber on a busy machine may take so long to confirm.
+constexpr std::chrono::seconds kDeliveryTime{5};
+
+/// @return The exit code, after reporting why none of those who are there is listening.
+int failWithoutSubscriber(const std::vector<TopicInfo>& topics, const PublishOptions& options) {
   for (const TopicInfo& topic : topics) {
     if (topic.name != options.topic || topic.subscribers.empty()) continue;
     const std::string& theirs = topic.subscribers.front().type;
@@ -40,6 +42,14 @@ bool waitForSubscribers(const Publisher& publisher, std::chrono::nanoseconds tim
     if (publisher.waitForSubscribers(std::clamp(left, std::chrono::nanoseconds::zero(), kLongestPause))) return true;
   } while (Steady::now() < end && !signal.stopped());
   return false;
+}
+
+/// @return Whether one of those who are there listens, whether or not there is a way to it yet.
+bool hasSubscriber(const std::vector<TopicInfo>& topics, const PublishOptions& options) {
+  return std::ranges::any_of(topics, [&](const TopicInfo& topic) {
+    return topic.name == options.topic &&
+           std::ranges::count(topic.subscribers, options.type, &TopicInfo::Endpoint::type) > 0;
+  });
 }
 
 /// Publishes, and waits for the period after each message but the last.
@@ -67,12 +77,20 @@ int publish(const PublishOptions& options) {
   Transport transport;
   Publisher publisher = transport.node().advertise(options.topic, options.type);
   if (!waitForSubscribers(publisher, options.timeout, signal)) {
-    return signal.stopped() ? kFailed : failWithoutSubscriber(transport, options);
+    if (signal.stopped()) return kFailed;
+    // on a busy machine, who is there may not have told so by then
+    const std::vector<TopicInfo> topics = topicsAround(transport);
+    const bool isThere = publisher.hasSubscribers() || hasSubscriber(topics, options);
+    if (!isThere || !waitForSubscribers(publisher, kDiscoveryTime, signal)) {
+      return signal.stopped() ? kFailed : failWithoutSubscriber(topics, options);
+    }
   }
   signal.onStop([&transport] { transport.wake(); });
   const bool isAll = publishAll(transport, publisher, options, signal);
   signal.onStop({});
-  if (!isAll || publisher.waitForDelivery(options.timeout)) return kDone;
+  if (!isAll || publisher.waitForDelivery(std::max<std::chrono::nanoseconds>(options.timeout, kDeliveryTime))) {
+    return kDone;
+  }
   return fail("no subscriber on " + options.topic + " confirmed the message in time");
 }
 

@@ -39,7 +39,9 @@ before(async () => {
   client.on('fetchAssetResponse', (event) => assets.set(event.requestId, event));
   client.on('serviceCallResponse', (event) => answers.set(event.callId, event));
   client.on('serviceCallFailure', (event) => failures.push(event.message));
-  await until(() => services.has('/world/clients/control') && channels.has('/foxglove/world/clients/tf'), 'the world');
+  const topics = ['/camera', '/foxglove/camera', '/foxglove/log', '/foxglove/world/clients/tf', '/model/car/cmd_vel',
+    '/world/clients/pose/info'];
+  await until(() => services.has('/world/clients/control') && topics.every((topic) => channels.has(topic)), 'the world');
 });
 
 after(async () => {

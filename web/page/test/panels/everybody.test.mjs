@@ -87,7 +87,7 @@ test('panels over the view never cover each other', async () => {
 
 test('what pongsim warns of is in the messages', async () => {
   const messages = await openPanel(page.tab, 'Messages');
-  pongsim('topic', '-t', '/cmd_vel', '-m', 'ignition.msgs.Twist', '-p', 'linear: {x: 1e300}');
+  pongsim('topic', '-t', '/cmd_vel', '-m', 'ignition.msgs.Twist', '-p', 'linear: {x: 1e300}', '--timeout', '60');
   await messages.locator('li.warning', { hasText: 'cmd_vel' }).waitFor();
 });
 

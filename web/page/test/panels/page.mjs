@@ -51,6 +51,7 @@ export async function openPage(world, { options = ['--paused'], flags = [], view
   const simulator = await run(world, options);
   const browser = await chromium.launch({
     executablePath: process.env.PONGSIM_CHROMIUM,
+    timeout: 2 * patience,
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...flags],
   });
   const context = await browser.newContext({ viewport, colorScheme: 'dark', acceptDownloads: true });

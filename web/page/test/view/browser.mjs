@@ -54,9 +54,11 @@ export async function openView(flags = []) {
   const server = await serve();
   const browser = await chromium.launch({
     executablePath: browserPath(),
+    timeout: 120_000,
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...flags],
   });
   const tab = await browser.newPage({ viewport: { width: 320, height: 240 } });
+  tab.setDefaultTimeout(60_000);
   const errors = [];
   tab.on('pageerror', (error) => errors.push(error.stack ?? String(error)));
   tab.on('console', (line) => {
