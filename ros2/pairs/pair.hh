@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,12 +24,46 @@ using Sink = std::function<void(std::size_t size, const Fill& fill)>;
 
 /// Turns the messages of one topic into payloads of ROS. It keeps what it works with, so that a steady flow allocates
 /// nothing; for one thread at a time.
-/// @param bulk What the message's field of bytes is to have, where it is not in there; else null.
-using ToRos = std::function<void(const Message& from, const Bulk* bulk, const Sink& to)>;
+class ToRos {
+ public:
+  /// For the types of one pair.
+  class Conversion {
+   public:
+    virtual ~Conversion() = default;
+    virtual void convert(const Message& from, const Bulk* bulk, const Sink& to) = 0;
+  };
 
-/// Turns payloads of ROS into messages.
-/// @return The message, there until the next call; null where the payload is none, and `error` says why.
-using ToIgnition = std::function<const Message*(std::span<const std::byte> payload, std::string& error)>;
+  /// Nothing that can be called yet.
+  ToRos() = default;
+  explicit ToRos(std::unique_ptr<Conversion> conversion) : conversion_(std::move(conversion)) {}
+  /// @param bulk What the message's field of bytes is to have, where it is not in there; else null.
+  void operator()(const Message& from, const Bulk* bulk, const Sink& to) const { conversion_->convert(from, bulk, to); }
+
+ private:
+  std::unique_ptr<Conversion> conversion_;
+};
+
+/// Turns payloads of ROS into messages; for one thread at a time.
+class ToIgnition {
+ public:
+  /// For the types of one pair.
+  class Conversion {
+   public:
+    virtual ~Conversion() = default;
+    virtual const Message* convert(std::span<const std::byte> payload, std::string& error) = 0;
+  };
+
+  /// Nothing that can be called yet.
+  ToIgnition() = default;
+  explicit ToIgnition(std::unique_ptr<Conversion> conversion) : conversion_(std::move(conversion)) {}
+  /// @return The message, there until the next call; null where the payload is none, and `error` says why.
+  const Message* operator()(std::span<const std::byte> payload, std::string& error) const {
+    return conversion_->convert(payload, error);
+  }
+
+ private:
+  std::unique_ptr<Conversion> conversion_;
+};
 
 /// Two types that go into each other.
 struct Pair {
@@ -83,48 +118,73 @@ void setFrame(Ros& message, const Frames& frames) {
 }
 
 template <class P>
-ToRos toRosOf(const Frames& frames) {
-  using Ignition = typename P::Ignition;
-  if constexpr (HasBulk<P>) {
-    return [frames, ros = typename P::RosOut()](const Message& from, const Bulk* bulk, const Sink& to) mutable {
-      const auto& message = static_cast<const Ignition&>(from);
-      P::convert(message, ros, frames);
-      setFrame(ros, frames);
-      const std::string& data = message.data();
-      if (bulk != nullptr) {
-        ros.data = {bulk->size, [bulk](std::span<std::byte> place) { bulk->write(place); }};
-      } else {
-        ros.data = {data.size(),
-                    [&data](std::span<std::byte> place) { std::memcpy(place.data(), data.data(), data.size()); }};
-      }
-      to(cdrSize(ros), [&ros](std::span<std::byte> place) { writeCdr(ros, place); });
-    };
-  } else {
-    return [frames, ros = typename P::Ros()](const Message& from, const Bulk*, const Sink& to) mutable {
-      P::convert(static_cast<const Ignition&>(from), ros, frames);
-      setFrame(ros, frames);
-      to(cdrSize(ros), [&ros](std::span<std::byte> place) { writeCdr(ros, place); });
-    };
-  }
-}
+struct RosTypeOf {
+  using Type = typename P::Ros;
+};
+template <HasBulk P>
+struct RosTypeOf<P> {
+  using Type = typename P::RosOut;
+};
 
 template <class P>
-ToIgnition toIgnitionOf(const Frames& frames) {
-  return [frames, ros = typename P::Ros(), message = typename P::Ignition()](
-             std::span<const std::byte> payload, std::string& error) mutable -> const Message* {
-    if (const auto wrong = readCdr(payload, ros)) {
+class PairToRos final : public ToRos::Conversion {
+ public:
+  explicit PairToRos(const Frames& frames) : frames_(frames) {}
+
+  void convert(const Message& from, [[maybe_unused]] const Bulk* bulk, const Sink& to) override {
+    const auto& message = static_cast<const typename P::Ignition&>(from);
+    P::convert(message, ros_, frames_);
+    setFrame(ros_, frames_);
+    if constexpr (HasBulk<P>) {
+      const std::string& data = message.data();
+      if (bulk != nullptr) {
+        ros_.data = {bulk->size, [bulk](std::span<std::byte> place) { bulk->write(place); }};
+      } else {
+        ros_.data = {data.size(),
+                     [&data](std::span<std::byte> place) { std::memcpy(place.data(), data.data(), data.size()); }};
+      }
+    }
+    to(cdrSize(ros_), [this](std::span<std::byte> place) { writeCdr(ros_, place); });
+  }
+
+ private:
+  Frames frames_;
+  typename RosTypeOf<P>::Type ros_;
+};
+
+template <class P>
+class PairToIgnition final : public ToIgnition::Conversion {
+ public:
+  explicit PairToIgnition(const Frames& frames) : frames_(frames) {}
+
+  const Message* convert(std::span<const std::byte> payload, std::string& error) override {
+    if (const auto wrong = readCdr(payload, ros_)) {
       error = *wrong;
       return nullptr;
     }
     if constexpr (requires { P::kMustBeFinite; }) {
-      if (!isFinite(ros)) {
+      if (!isFinite(ros_)) {
         error = "a number in it is not finite";
         return nullptr;
       }
     }
-    P::convert(ros, message, frames);
-    return &message;
-  };
+    P::convert(ros_, message_, frames_);
+    return &message_;
+  }
+
+ private:
+  Frames frames_;
+  typename P::Ros ros_;
+  typename P::Ignition message_;
+};
+
+template <class P>
+ToRos toRosOf(const Frames& frames) {
+  return ToRos(std::make_unique<PairToRos<P>>(frames));
+}
+template <class P>
+ToIgnition toIgnitionOf(const Frames& frames) {
+  return ToIgnition(std::make_unique<PairToIgnition<P>>(frames));
 }
 
 }  // namespace detail
