@@ -74,6 +74,25 @@ void ServerEnds::readersChanged() {
   std::erase_if(waiting_, [&](const Waiting& each) { return each.until < now || send(each); });
 }
 
+std::unique_ptr<RosServer> serve(RosNode& node, const std::string& service, const ServerEnds::Types& types,
+                                 ReadRequest read) {
+  const auto ends = std::make_shared<std::weak_ptr<ServerEnds>>();
+  auto owned = std::make_shared<ServerEnds>(
+      node, service, types, [&node, service, ends, read = std::move(read)](const Sample& sample) {
+        std::string error;
+        Handling handling = read(sample.payload, error);
+        if (!handling) {
+          node.complainOf(service, error);
+          return;
+        }
+        node.mailbox().post([ends, caller = ServerEnds::callerOf(sample), handling = std::move(handling)] {
+          if (ends->lock()) handling(*ends, caller);
+        });
+      });
+  *ends = owned;
+  return std::make_unique<RosServer>(std::move(owned));
+}
+
 ClientEnds::ClientEnds(RosNode& node, const std::string& service, const ServerEnds::Types& types) : node_(node) {
   const WireEnds ends = wireEnds(node, service, types);
   reader_ = node.participant().makeReader(ends.reply, [this](const Sample& sample) { received(sample); });

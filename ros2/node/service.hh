@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +94,19 @@ class RosServer {
   std::shared_ptr<detail::ServerEnds> ends_;
 };
 
+namespace detail {
+
+/// Hands a request to its handler, with whom to answer.
+using Handling = std::function<void(const std::weak_ptr<ServerEnds>& ends, const SampleId& caller)>;
+/// Reads a request of some type.
+/// @return How it is handled; where the payload is none, nothing, and `error` says why.
+using ReadRequest = std::function<Handling(std::span<const std::byte> payload, std::string& error)>;
+/// Offers a service of any types.
+std::unique_ptr<RosServer> serve(RosNode& node, const std::string& service, const ServerEnds::Types& types,
+                                 ReadRequest read);
+
+}  // namespace detail
+
 /// Offers a service.
 /// @param handler Called from `RosNode::mailbox().dispatch()` with each request and the object for answering it.
 /// @throws std::invalid_argument for a bad name.
@@ -101,23 +115,19 @@ std::unique_ptr<RosServer> serve(
     RosNode& node, const std::string& service,
     std::function<void(const typename Service::Request&, const Responder<Service>&)> handler) {
   using Request = typename Service::Request;
-  const auto shared = std::make_shared<decltype(handler)>(std::move(handler));
-  const auto ends = std::make_shared<std::weak_ptr<detail::ServerEnds>>();
-  auto owned = std::make_shared<detail::ServerEnds>(
-      node, service, detail::ServerEnds::Types{typeInfo<Request>(), typeInfo<typename Service::Response>()},
-      [&node, service, shared, ends](const Sample& sample) {
-        Request request;
-        if (const auto error = readCdr(sample.payload, request)) {
-          node.complainOf(service, *error);
-          return;
-        }
-        const SampleId caller = detail::ServerEnds::callerOf(sample);
-        node.mailbox().post([shared, ends, caller, request = std::move(request)] {
-          if (ends->lock()) (*shared)(request, Responder<Service>(*ends, caller));
-        });
-      });
-  *ends = owned;
-  return std::make_unique<RosServer>(std::move(owned));
+  return detail::serve(node, service, {typeInfo<Request>(), typeInfo<typename Service::Response>()},
+                       [shared = std::make_shared<decltype(handler)>(std::move(handler))](
+                           std::span<const std::byte> payload, std::string& error) -> detail::Handling {
+                         const auto request = std::make_shared<Request>();
+                         if (auto wrong = readCdr(payload, *request)) {
+                           error = std::move(*wrong);
+                           return {};
+                         }
+                         return
+                             [shared, request](const std::weak_ptr<detail::ServerEnds>& ends, const SampleId& caller) {
+                               (*shared)(*request, Responder<Service>(ends, caller));
+                             };
+                       });
 }
 
 /// As above, for a handler that answers immediately.

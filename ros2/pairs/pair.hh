@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,12 +24,46 @@ using Sink = std::function<void(std::size_t size, const Fill& fill)>;
 
 /// Converts messages of a topic to ROS payloads. Reuses its memory, so that a steady stream allocates nothing; for one
 /// thread at a time.
-/// @param bulk Content of the message's bytes field if it is stored separately; else null.
-using ToRos = std::function<void(const Message& from, const Bulk* bulk, const Sink& to)>;
+class ToRos {
+ public:
+  /// For the types of one pair.
+  class Conversion {
+   public:
+    virtual ~Conversion() = default;
+    virtual void convert(const Message& from, const Bulk* bulk, const Sink& to) = 0;
+  };
 
-/// Converts ROS payloads to messages.
-/// @return The message, valid until the next call; null, with the reason in `error`, if the payload is invalid.
-using ToIgnition = std::function<const Message*(std::span<const std::byte> payload, std::string& error)>;
+  /// Cannot be called yet.
+  ToRos() = default;
+  explicit ToRos(std::unique_ptr<Conversion> conversion) : conversion_(std::move(conversion)) {}
+  /// @param bulk Content of the message's bytes field if it is stored separately; else null.
+  void operator()(const Message& from, const Bulk* bulk, const Sink& to) const { conversion_->convert(from, bulk, to); }
+
+ private:
+  std::unique_ptr<Conversion> conversion_;
+};
+
+/// Converts ROS payloads to messages; for one thread at a time.
+class ToIgnition {
+ public:
+  /// For the types of one pair.
+  class Conversion {
+   public:
+    virtual ~Conversion() = default;
+    virtual const Message* convert(std::span<const std::byte> payload, std::string& error) = 0;
+  };
+
+  /// Cannot be called yet.
+  ToIgnition() = default;
+  explicit ToIgnition(std::unique_ptr<Conversion> conversion) : conversion_(std::move(conversion)) {}
+  /// @return The message, valid until the next call; null, with the reason in `error`, if the payload is invalid.
+  const Message* operator()(std::span<const std::byte> payload, std::string& error) const {
+    return conversion_->convert(payload, error);
+  }
+
+ private:
+  std::unique_ptr<Conversion> conversion_;
+};
 
 /// Two types that convert to each other.
 struct Pair {
@@ -84,48 +119,73 @@ void setFrame(Ros& message, const Frames& frames) {
 }
 
 template <class P>
-ToRos toRosOf(const Frames& frames) {
-  using Ignition = typename P::Ignition;
-  if constexpr (HasBulk<P>) {
-    return [frames, ros = typename P::RosOut()](const Message& from, const Bulk* bulk, const Sink& to) mutable {
-      const auto& message = static_cast<const Ignition&>(from);
-      P::convert(message, ros, frames);
-      setFrame(ros, frames);
-      const std::string& data = message.data();
-      if (bulk != nullptr) {
-        ros.data = {bulk->size, [bulk](std::span<std::byte> place) { bulk->write(place); }};
-      } else {
-        ros.data = {data.size(),
-                    [&data](std::span<std::byte> place) { std::memcpy(place.data(), data.data(), data.size()); }};
-      }
-      to(cdrSize(ros), [&ros](std::span<std::byte> place) { writeCdr(ros, place); });
-    };
-  } else {
-    return [frames, ros = typename P::Ros()](const Message& from, const Bulk*, const Sink& to) mutable {
-      P::convert(static_cast<const Ignition&>(from), ros, frames);
-      setFrame(ros, frames);
-      to(cdrSize(ros), [&ros](std::span<std::byte> place) { writeCdr(ros, place); });
-    };
-  }
-}
+struct RosTypeOf {
+  using Type = typename P::Ros;
+};
+template <HasBulk P>
+struct RosTypeOf<P> {
+  using Type = typename P::RosOut;
+};
 
 template <class P>
-ToIgnition toIgnitionOf(const Frames& frames) {
-  return [frames, ros = typename P::Ros(), message = typename P::Ignition()](
-             std::span<const std::byte> payload, std::string& error) mutable -> const Message* {
-    if (const auto wrong = readCdr(payload, ros)) {
+class PairToRos final : public ToRos::Conversion {
+ public:
+  explicit PairToRos(const Frames& frames) : frames_(frames) {}
+
+  void convert(const Message& from, [[maybe_unused]] const Bulk* bulk, const Sink& to) override {
+    const auto& message = static_cast<const typename P::Ignition&>(from);
+    P::convert(message, ros_, frames_);
+    setFrame(ros_, frames_);
+    if constexpr (HasBulk<P>) {
+      const std::string& data = message.data();
+      if (bulk != nullptr) {
+        ros_.data = {bulk->size, [bulk](std::span<std::byte> place) { bulk->write(place); }};
+      } else {
+        ros_.data = {data.size(),
+                     [&data](std::span<std::byte> place) { std::memcpy(place.data(), data.data(), data.size()); }};
+      }
+    }
+    to(cdrSize(ros_), [this](std::span<std::byte> place) { writeCdr(ros_, place); });
+  }
+
+ private:
+  Frames frames_;
+  typename RosTypeOf<P>::Type ros_;
+};
+
+template <class P>
+class PairToIgnition final : public ToIgnition::Conversion {
+ public:
+  explicit PairToIgnition(const Frames& frames) : frames_(frames) {}
+
+  const Message* convert(std::span<const std::byte> payload, std::string& error) override {
+    if (const auto wrong = readCdr(payload, ros_)) {
       error = *wrong;
       return nullptr;
     }
     if constexpr (requires { P::kMustBeFinite; }) {
-      if (!isFinite(ros)) {
+      if (!isFinite(ros_)) {
         error = "a number in it is not finite";
         return nullptr;
       }
     }
-    P::convert(ros, message, frames);
-    return &message;
-  };
+    P::convert(ros_, message_, frames_);
+    return &message_;
+  }
+
+ private:
+  Frames frames_;
+  typename P::Ros ros_;
+  typename P::Ignition message_;
+};
+
+template <class P>
+ToRos toRosOf(const Frames& frames) {
+  return ToRos(std::make_unique<PairToRos<P>>(frames));
+}
+template <class P>
+ToIgnition toIgnitionOf(const Frames& frames) {
+  return ToIgnition(std::make_unique<PairToIgnition<P>>(frames));
 }
 
 }  // namespace detail

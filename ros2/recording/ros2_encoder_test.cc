@@ -12,6 +12,7 @@
 #include "ros2/types/geometry_msgs.hh"
 #include "ros2/types/sensor_msgs.hh"
 #include "ros2/types/tf2_msgs.hh"
+#include "ros2/types/type_hash.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::ros2 {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "pongsim/geometry/rotation_between.hh"
+
 namespace pongsim::ros2 {
 
 namespace {
@@ -87,8 +89,7 @@ std::vector<UrdfShape> urdfShapesOf(const ignition::msgs::Geometry& geometry, st
       return ellipsoidOf(vectorOf(geometry.ellipsoid().radii()), warning);
     case Kind::PLANE: {
       UrdfShape sheet = boxOf({geometry.plane().size().x(), geometry.plane().size().y(), kSheet});
-      sheet.X_ShapePart.rotation =
-          Quaternion::FromTwoVectors(Vector3::UnitZ(), vectorOf(geometry.plane().normal()).normalized());
+      sheet.X_ShapePart.rotation = rotationBetween(Vector3::UnitZ(), vectorOf(geometry.plane().normal()).normalized());
       return {sheet};
     }
     case Kind::MESH:

@@ -22,10 +22,10 @@
 ///       bool operator==(const Quaternion&) const = default;
 ///     };
 ///
-/// Reading and writing in CDR (cdr.hh) and the type's hash (type_hash.hh) follow from that. Field types are bool, the
-/// fixed-width integers, float, double, `std::byte` for `byte`, `std::uint8_t` for `char`, `std::string`, `std::vector`
-/// for `T[]`, `std::array` for `T[N]`, `Bounded` for `T[<=N]` and `string<=N`, and other such structs. A type with a
-/// composed name has `static std::string name()` instead of `kName`.
+/// Reading and writing in CDR (cdr.hh) and a description of the type (type_description.hh) follow from that. Field types
+/// are bool, the fixed-width integers, float, double, `std::byte` for `byte`, `std::uint8_t` for `char`, `std::string`,
+/// `std::vector` for `T[]`, `std::array` for `T[N]`, `Bounded` for `T[<=N]` and `string<=N`, and other such structs. A type
+/// with a composed name has `static std::string name()` instead of `kName`.
 namespace pongsim::ros2 {
 
 /// A string or list of at most N characters or elements.
@@ -61,23 +61,10 @@ std::string nameOf() {
   }
 }
 
-namespace detail {
-struct CountFields {
-  std::size_t count = 0;
-  void operator()(const char*, const auto&) { ++count; }
-};
-}  // namespace detail
-
 /// @return Whether the type has no fields. On the wire it then has a dummy field, as IDL requires.
 template <Structure Type>
-bool isEmpty() {
-  static const bool empty = [] {
-    detail::CountFields count;
-    const Type value{};
-    Type::visit(value, count);
-    return count.count == 0;
-  }();
-  return empty;
+constexpr bool isEmpty() {
+  return std::is_empty_v<Type>;
 }
 inline constexpr const char* kFieldOfEmpty = "structure_needs_at_least_one_member";
 
@@ -85,7 +72,7 @@ inline constexpr const char* kFieldOfEmpty = "structure_needs_at_least_one_membe
 template <class Value, class Field>
 void visitFields(Value& value, Field&& field) {
   using Type = std::remove_const_t<Value>;
-  if (isEmpty<Type>()) {
+  if constexpr (isEmpty<Type>()) {
     std::uint8_t nothing = 0;
     field(kFieldOfEmpty, nothing);
   } else {

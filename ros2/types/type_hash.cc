@@ -1,29 +1,57 @@
 #include "ros2/types/type_hash.hh"
 
+#include <map>
+#include <string_view>
+
 #include "ros2/types/sha256.hh"
 
-namespace pongsim::ros2::detail {
+namespace pongsim::ros2 {
 
-std::string describeField(std::string_view name, int typeId, std::size_t capacity, std::size_t stringCapacity,
-                          std::string_view nested) {
-  return "{\"name\": \"" + std::string(name) + "\", \"type\": {\"type_id\": " + std::to_string(typeId) +
-         ", \"capacity\": " + std::to_string(capacity) + ", \"string_capacity\": " + std::to_string(stringCapacity) +
-         ", \"nested_type_name\": \"" + std::string(nested) + "\"}}";
+namespace {
+
+/// Descriptions by the names of the types: "{\"type_name\": ..., \"fields\": [...]}".
+using Descriptions = std::map<std::string, std::string>;
+
+/// One field, as the message type_description_interfaces/msg/FieldType has it.
+std::string describeField(std::string_view name, const FieldType& type, std::string_view nested) {
+  return "{\"name\": \"" + std::string(name) +
+         "\", \"type\": {\"type_id\": " + std::to_string(int{type.list} + int{type.id}) +
+         ", \"capacity\": " + std::to_string(type.capacity) +
+         ", \"string_capacity\": " + std::to_string(type.stringCapacity) + ", \"nested_type_name\": \"" +
+         std::string(nested) + "\"}}";
 }
 
-std::string describeType(std::string_view name, const std::string& fields) {
-  return "{\"type_name\": \"" + std::string(name) + "\", \"fields\": [" + fields + "]}";
+/// Adds the type and all types in it.
+void describe(const TypeDescription& type, Descriptions& all) {
+  if (!all.try_emplace(type.name).second) return;
+  std::string fields;
+  for (const auto& [name, fieldType] : type.fields) {
+    std::string nested;
+    if (fieldType.nested != nullptr) {
+      const TypeDescription inner = fieldType.nested();
+      nested = inner.name;
+      describe(inner, all);
+    }
+    if (!fields.empty()) fields += ", ";
+    fields += describeField(name, fieldType, nested);
+  }
+  if (fields.empty()) fields = describeField(kFieldOfEmpty, {.id = FieldType::kUint8}, "");
+  all[type.name] = "{\"type_name\": \"" + type.name + "\", \"fields\": [" + fields + "]}";
 }
 
-std::string hashOf(const std::string& name, const Descriptions& all) {
+}  // namespace
+
+std::string typeHash(const TypeDescription& type) {
+  Descriptions all;
+  describe(type, all);
   std::string others;
   for (const auto& [each, text] : all) {
-    if (each == name) continue;
+    if (each == type.name) continue;
     if (!others.empty()) others += ", ";
     others += text;
   }
-  return "RIHS01_" +
-         sha256("{\"type_description\": " + all.at(name) + ", \"referenced_type_descriptions\": [" + others + "]}");
+  return "RIHS01_" + sha256("{\"type_description\": " + all.at(type.name) + ", \"referenced_type_descriptions\": [" +
+                            others + "]}");
 }
 
-}  // namespace pongsim::ros2::detail
+}  // namespace pongsim::ros2

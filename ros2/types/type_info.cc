@@ -1,10 +1,14 @@
 #include "ros2/types/type_info.hh"
 
+#include "ros2/types/type_hash.hh"
+
 namespace pongsim::ros2 {
 
 namespace {
 constexpr std::string_view kBetween = "::dds_::";
 }
+
+TypeInfo typeInfo(const TypeDescription& type) { return {type.name, typeHash(type)}; }
 
 std::string ddsTypeName(std::string_view name) {
   const std::size_t slash = name.rfind('/');

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "ros2/types/type_hash.hh"
+#include "ros2/types/type_description.hh"
 
 namespace pongsim::ros2 {
 
@@ -15,9 +15,11 @@ struct TypeInfo {
   std::string hash;
 };
 
+TypeInfo typeInfo(const TypeDescription& type);
+
 template <Structure Type>
 TypeInfo typeInfo() {
-  return {nameOf<Type>(), typeHash<Type>()};
+  return typeInfo(typeDescription<Type>());
 }
 
 /// @return The name on the wire: "sensor_msgs::msg::dds_::LaserScan_".

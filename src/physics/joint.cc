@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "physics/convert.hh"
+#include "pongsim/geometry/rotation_between.hh"
 #include "pongsim/math.hh"
 
 namespace pongsim::physics {
@@ -39,8 +40,8 @@ int heldTurns(JointType type) {
 
 // turns x into the joint's first axis: y and z are then the held directions
 Quaternion turnOf(const description::Joint& joint) {
-  if (joint.axes.empty()) return Quaternion::FromTwoVectors(Vector3::UnitX(), Vector3::UnitZ());
-  return Quaternion::FromTwoVectors(Vector3::UnitX(), joint.axes.front().xyz);
+  if (joint.axes.empty()) return rotationBetween(Vector3::UnitX(), Vector3::UnitZ());
+  return rotationBetween(Vector3::UnitX(), joint.axes.front().xyz);
 }
 
 btTransform alongAxis(const btTransform& X_BodyJoint, const description::Joint& joint) {

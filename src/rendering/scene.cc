@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "assets/ground.hh"
+#include "pongsim/geometry/rotation_between.hh"
 #include "world/actor_motion.hh"
 
 namespace pongsim::rendering {
@@ -52,7 +53,7 @@ struct MakeBodies {
   // the size of its visual, as in Fortress
   Bodies operator()(const description::Plane& plane) const {
     return {{shape("plane", planeSurface),
-             {Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal)},
+             {Vector3::Zero(), rotationBetween(Vector3::UnitZ(), plane.normal)},
              {std::abs(plane.size.x()), std::abs(plane.size.y()), 1},
              true}};
   }

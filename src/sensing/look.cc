@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "assets/ground.hh"
+#include "pongsim/geometry/rotation_between.hh"
 
 namespace pongsim::sensing {
 
@@ -26,7 +27,7 @@ struct MakeLook {
   // as large as its picture, as in Fortress
   Look operator()(const description::Plane& plane) const {
     return {Shape(Sheet{plane.size.cwiseAbs() / 2}),
-            {Vector3::Zero(), Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal)}};
+            {Vector3::Zero(), rotationBetween(Vector3::UnitZ(), plane.normal)}};
   }
 
   Look operator()(const description::Polyline& polyline) const {

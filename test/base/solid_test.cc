@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "pongsim/geometry/rotation_between.hh"
+
 namespace pongsim {
 namespace {
 
@@ -166,7 +168,7 @@ TEST(Solid, HasMomentsThatAreVolumeTimesCentroid) {
       const Volume below = solid.below(kUp, height);
       EXPECT_EQ(moments.volume, below.size);
       EXPECT_NEAR((moments.first - below.size * below.center).norm(), 0, 1e-14);
-      const Quaternion R = Quaternion::FromTwoVectors(kUp, Vector3::UnitZ());
+      const Quaternion R = rotationBetween(kUp, Vector3::UnitZ());
       const VolumeMoments turned = solid.momentsBelowLevel(R, height);
       EXPECT_NEAR(turned.volume, moments.volume, 1e-13);
       EXPECT_NEAR((turned.first - R * moments.first).norm(), 0, 1e-13);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "pongsim/geometry/rotation_between.hh"
 #include "sensing/shape.hh"
 #include "support/png_file.hh"
 #include "support/temp_folder.hh"
@@ -105,7 +106,7 @@ class RandomBodies {
   }
   SurfacePoint on(const description::Plane& plane) {
     const Vector3 point(between(-0.5, 0.5) * plane.size.x(), between(-0.5, 0.5) * plane.size.y(), 0);
-    const Quaternion turned = Quaternion::FromTwoVectors(Vector3::UnitZ(), plane.normal);
+    const Quaternion turned = rotationBetween(Vector3::UnitZ(), plane.normal);
     return {turned * point, plane.normal};
   }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "pongsim/geometry/rotation_between.hh"
 #include "xml_writer.hh"
 
 namespace pongsim {
@@ -213,7 +214,7 @@ void writePartNode(const std::string& number, const Pose& X_WorldPart, XmlWriter
 void writeLightNode(const std::string& number, const VisibleLight& light, XmlWriter& xml) {
   Pose X_WorldNode = light.X_WorldLight;
   if (light.type != VisibleLight::Type::kPoint) {
-    X_WorldNode.rotation = X_WorldNode.rotation * Quaternion::FromTwoVectors(-Vector3::UnitZ(), light.direction);
+    X_WorldNode.rotation = X_WorldNode.rotation * rotationBetween(-Vector3::UnitZ(), light.direction);
   }
   xml.begin("node", {{"id", "light_node_" + number}});
   xml.add("matrix", {{"sid", "matrix"}}, matrixText(X_WorldNode));
