@@ -10,7 +10,7 @@ namespace pongsim::base {
 
 /// A thread pool for a piece of work that recurs thousands of times a second: its threads spin for a moment before they
 /// sleep. Each starts with its own part, the same each time, so that its data stays in its processor's caches, and then
-/// helps the others. Allocates nothing after construction.
+/// helps the others from the far ends of their parts, which these reach last. Allocates nothing after construction.
 class Workers {
  public:
   /// @param threads Number of threads, including the caller of `forEach`; at least 1.
@@ -23,9 +23,9 @@ class Workers {
 
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls `work(index, worker)` for each index below `count`, and returns after all calls. `worker` is below
-  /// `this->count()`, and concurrent calls have different workers. Which worker gets which index is unspecified. The
-  /// work must not throw.
+  /// Calls `work(index, worker)` for each index below `count` (less than 2^32), and returns after all calls. `worker` is
+  /// below `this->count()`, and concurrent calls have different workers. Which worker gets which index is unspecified.
+  /// The work must not throw.
   template <class Work>
   void forEach(std::size_t count, Work&& work) {
     if (threads_.empty() || count < 2) {
@@ -39,9 +39,20 @@ class Workers {
 
  private:
   /// A thread's own part of the work, on a separate cache line.
-  struct alignas(64) Part {
-    std::atomic<std::size_t> next = 0;
-    std::size_t end = 0;
+  class alignas(64) Part {
+   public:
+    void set(std::size_t begin, std::size_t end) { left_.store(begin | end << kBits, std::memory_order_relaxed); }
+    /// Takes an index off an end of what is left.
+    /// @return Whether there was one.
+    bool takeFirst(std::size_t& index);
+    bool takeLast(std::size_t& index);
+
+   private:
+    static constexpr unsigned kBits = 32;
+    static constexpr std::uint64_t kLow = 0xffffffff;
+
+    /// The first index that is left in the lower half, the one behind the last in the upper half.
+    std::atomic<std::uint64_t> left_ = 0;
   };
   using Call = void (*)(void* context, std::size_t index, int worker);
 

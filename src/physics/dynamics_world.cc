@@ -70,6 +70,7 @@ void DynamicsWorld::add(btRigidBody& body, std::uint64_t number) {
 void DynamicsWorld::moved(btRigidBody& body) {
   if (body.getBroadphaseProxy() == nullptr) return;
   world_.updateSingleAabb(&body);
+  world_.forgetBox(body);
   broadphase_.getOverlappingPairCache()->cleanProxyFromPairs(body.getBroadphaseProxy(), &dispatcher_);
 }
 
@@ -99,7 +100,7 @@ void DynamicsWorld::forgetRest() {
 void DynamicsWorld::step(double dt) {
   if (std::exchange(lastStep_, dt) != dt) forgetRest();
   hasStepped_ = true;
-  world_.stepSimulation(dt, 0);
+  world_.step(dt);
 }
 
 }  // namespace pongsim::physics

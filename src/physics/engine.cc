@@ -308,6 +308,7 @@ void Engine::addLinkWrench(world::Slot link, const Vector3& force, const Vector3
 bool Engine::setLinkVelocity(world::Slot link, const Vector3& linear, const Vector3& angular) {
   if (!parts_->bodies[link]->moves()) return false;
   parts_->bodies[link]->setVelocity(linear, angular);
+  parts_->world.bullet().forgetBox(parts_->bodies[link]->rigid());
   return true;
 }
 

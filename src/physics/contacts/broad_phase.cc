@@ -78,8 +78,10 @@ void BroadPhase::put(btDbvtProxy& proxy, btDbvtVolume volume) {
 
 void BroadPhase::findPairs(btBroadphaseProxy& absolute) {
   auto& proxy = static_cast<btDbvtProxy&>(absolute);
+  const int before = m_paircache->getNumOverlappingPairs();
   PairFinder finder(*m_paircache, proxy);
   for (const btDbvt& set : m_sets) set.collideTV(set.m_root, proxy.leaf->volume, finder);
+  haveNewPairs_ = haveNewPairs_ || m_paircache->getNumOverlappingPairs() != before;
 }
 
 bool BroadPhase::areNear(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {

@@ -2,6 +2,8 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
+#include <utility>
+
 #include "base/prefetch.hh"
 
 namespace pongsim::physics {
@@ -29,6 +31,8 @@ class BroadPhase final : public btDbvtBroadphase {
   void leave(btBroadphaseProxy& proxy, const btVector3& way);
   /// Finds the pairs of a body again, including those that the filter rejected before.
   void findPairs(btBroadphaseProxy& proxy);
+  /// @return Whether pairs have come since this was asked last.
+  bool takeNewPairs() { return std::exchange(haveNewPairs_, false); }
 
   /// Prefetches a body's proxy and, once that has arrived, its box in the tree.
   static void prefetch(const btBroadphaseProxy& proxy) { base::prefetch(static_cast<const btDbvtProxy&>(proxy)); }
@@ -45,6 +49,8 @@ class BroadPhase final : public btDbvtBroadphase {
 
  private:
   void put(btDbvtProxy& proxy, btDbvtVolume volume);
+
+  bool haveNewPairs_ = false;
 };
 
 }  // namespace pongsim::physics

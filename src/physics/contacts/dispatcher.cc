@@ -192,33 +192,41 @@ void Dispatcher::freeCollisionAlgorithm(void* algorithm) {
   btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
 }
 
-// prefetches pairs that come soon after `now`, each stage following the pointers that the previous one fetched
-void Dispatcher::prefetchPairs(const btBroadphasePair* pairs, std::size_t now, std::size_t count,
-                               btManifoldArray& manifolds) const {
-  constexpr std::size_t kFar = 8, kNear = 5, kNext = 2;
-  if (now + kFar < count) {
-    BroadPhase::prefetch(*pairs[now + kFar].m_pProxy0);
-    BroadPhase::prefetch(*pairs[now + kFar].m_pProxy1);
-  }
-  if (now + kNear < count) {
-    const btBroadphasePair& pair = pairs[now + kNear];
-    base::prefetch(objectOf(*pair.m_pProxy0), kSeenPart);
-    base::prefetch(objectOf(*pair.m_pProxy1), kSeenPart);
-    if (pair.m_algorithm != nullptr) base::prefetch(*pair.m_algorithm);
-  }
-  if (now + kNext >= count) return;
-  for (const btBroadphaseProxy* proxy : {pairs[now + kNext].m_pProxy0, pairs[now + kNext].m_pProxy1}) {
-    const int tag = objectOf(*proxy).getIslandTag();
-    if (tag >= 0) rest_.prefetch(static_cast<std::size_t>(tag));
-  }
-  listManifolds(pairs[now + kNext], manifolds);
+std::pair<int, int> Dispatcher::numbersOf(const btBroadphasePair& pair) {
+  return {objectOf(*pair.m_pProxy0).getIslandTag(), objectOf(*pair.m_pProxy1).getIslandTag()};
+}
+
+void Dispatcher::prefetchProxies(const btBroadphasePair& pair) {
+  BroadPhase::prefetch(*pair.m_pProxy0);
+  BroadPhase::prefetch(*pair.m_pProxy1);
+}
+
+void Dispatcher::prefetchObjects(const btBroadphasePair& pair) {
+  base::prefetch(objectOf(*pair.m_pProxy0), kSeenPart);
+  base::prefetch(objectOf(*pair.m_pProxy1), kSeenPart);
+  if (pair.m_algorithm != nullptr) base::prefetch(*pair.m_algorithm);
+}
+
+void Dispatcher::prefetchManifolds(const btBroadphasePair& pair, std::size_t worker) {
+  btManifoldArray& manifolds = looks_[worker].manifolds;
+  listManifolds(pair, manifolds);
   for (int i = 0; i < manifolds.size(); ++i) {
+    // most have one point; what says how many stands behind all of them
     base::prefetch(manifolds[i]->getContactPoint(0));
     base::prefetch(manifolds[i]->m_companionIdA);
   }
 }
 
-void Dispatcher::findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory) {
+void Dispatcher::findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, std::size_t worker,
+                             std::vector<Touch>& touches) {
+  Look& memory = looks_[worker];
+  findUnknownTouches(pair, info, memory);
+  if (pair.m_algorithm == nullptr) return;
+  listManifolds(pair, memory.manifolds);
+  collectTouches(memory.manifolds, touches);
+}
+
+void Dispatcher::findUnknownTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory) {
   bool isStill = pair.m_algorithm != nullptr && rest_.isStill(objectOf(*pair.m_pProxy0)) &&
                  rest_.isStill(objectOf(*pair.m_pProxy1));
   if (pair.m_algorithm != nullptr && forgetRolled(pair, info.m_timeStep, memory.manifolds)) isStill = false;
@@ -231,7 +239,8 @@ void Dispatcher::findTouches(btBroadphasePair& pair, const btDispatcherInfo& inf
 }
 
 void Dispatcher::look(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Look& memory) {
-  auto& [manifolds, before] = memory;
+  btManifoldArray& manifolds = memory.manifolds;
+  std::vector<btManifoldPoint>& before = memory.before;
   before.clear();
   if (isStill) copyPoints(pair, manifolds, before);
   const bool hadPoints = havePoints(pair, manifolds);
@@ -276,25 +285,14 @@ void Dispatcher::removeParted(btOverlappingPairCache& pairs) {
 
 void Dispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
                                            btDispatcher* /*dispatcher*/) {
-  for (FoundTouches& found : touches_) {
-    found.list.clear();
-    // how many of them each worker finds differs from step to step
-    found.list.reserve(static_cast<std::size_t>(getNumManifolds()));
-  }
   const auto count = static_cast<std::size_t>(pairs->getNumOverlappingPairs());
   btBroadphasePair* const first = pairs->getOverlappingPairArrayPtr();
   workers_.forEach((count + kPairsAtATime - 1) / kPairsAtATime, [&](std::size_t chunk, int worker) {
-    std::vector<Touch>& touches = touches_[static_cast<std::size_t>(worker)].list;
-    Look& memory = looks_[static_cast<std::size_t>(worker)];
+    const auto number = static_cast<std::size_t>(worker);
+    looks_[number].touches.clear();
     const std::size_t end = std::min(count, (chunk + 1) * kPairsAtATime);
-    // other threads may be working on the pairs after these
-    const std::size_t seen = workers_.count() == 1 ? count : end;
     for (std::size_t i = chunk * kPairsAtATime; i < end; ++i) {
-      prefetchPairs(first, i, seen, memory.manifolds);
-      findTouches(first[i], info, memory);
-      if (first[i].m_algorithm == nullptr) continue;
-      listManifolds(first[i], memory.manifolds);
-      collectTouches(memory.manifolds, touches);
+      findTouches(first[i], info, number, looks_[number].touches);
     }
   });
   removeParted(*pairs);

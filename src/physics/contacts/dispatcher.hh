@@ -5,8 +5,9 @@
 #include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 
 #include <atomic>
+#include <cstddef>
 #include <mutex>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/workers.hh"
@@ -38,11 +39,24 @@ class Dispatcher final : public btCollisionDispatcher {
         workers_(workers),
         rest_(rest),
         mostContacts_(mostContacts),
-        touches_(static_cast<std::size_t>(workers.count())),
-        looks_(touches_.size()) {}
+        looks_(static_cast<std::size_t>(workers.count())) {}
 
-  /// @return The last known contacts in which at least one body is moved by forces.
-  std::span<const FoundTouches> touches() const { return touches_; }
+  /// Finds where a pair touches, unless that is known already. May be called for several pairs at once.
+  /// @param worker Number of the calling worker.
+  /// @param touches The touching parts of the two bodies are appended to it.
+  void findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, std::size_t worker,
+                   std::vector<Touch>& touches);
+  /// Forgets pairs that are no longer near each other; to be called after their touches have been found.
+  void removeParted(btOverlappingPairCache& pairs);
+
+  /// @return Numbers of the two bodies; `kNoMember` for a body that forces do not move.
+  static std::pair<int, int> numbersOf(const btBroadphasePair& pair);
+
+  /// These prefetch what `findTouches` needs, each following the pointers that the previous one fetched. No other thread
+  /// may work on the pair when its algorithm and manifolds are prefetched.
+  static void prefetchProxies(const btBroadphasePair& pair);
+  static void prefetchObjects(const btBroadphasePair& pair);
+  void prefetchManifolds(const btBroadphasePair& pair, std::size_t worker);
 
   btCollisionAlgorithm* findAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                       btPersistentManifold* shared, ebtDispatcherQueryType type) override;
@@ -50,6 +64,7 @@ class Dispatcher final : public btCollisionDispatcher {
   void releaseManifold(btPersistentManifold* manifold) override;
   void* allocateCollisionAlgorithm(int size) override;
   void freeCollisionAlgorithm(void* algorithm) override;
+  /// Of all pairs, beside a step.
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override;
 
@@ -63,22 +78,18 @@ class Dispatcher final : public btCollisionDispatcher {
   struct alignas(64) Look {
     btManifoldArray manifolds;
     std::vector<btManifoldPoint> before;
+    std::vector<Touch> touches;
   };
 
-  void prefetchPairs(const btBroadphasePair* pairs, std::size_t now, std::size_t count,
-                     btManifoldArray& manifolds) const;
-  /// Finds where a pair touches, unless that is known already.
-  void findTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory);
+  void findUnknownTouches(btBroadphasePair& pair, const btDispatcherInfo& info, Look& memory);
   void look(btBroadphasePair& pair, const btDispatcherInfo& info, bool isStill, Look& memory);
   void part(btBroadphasePair& pair, Look& memory);
   void collectTouches(const btManifoldArray& manifolds, std::vector<Touch>& touches) const;
-  void removeParted(btOverlappingPairCache& pairs);
 
   base::Workers& workers_;
   Rest& rest_;
   const long long mostContacts_;
   /// One for each worker.
-  std::vector<FoundTouches> touches_;
   std::vector<Look> looks_;
   /// Whether there are pairs that are no longer near each other.
   std::atomic<bool> haveParted_ = false;

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <tuple>
-#include <vector>
 
 class btPersistentManifold;
 
@@ -23,11 +22,6 @@ struct Touch {
 
   /// As bodies, points of contact and joints are always ordered, whatever was found first.
   bool operator<(const Touch& other) const { return std::tie(links, parts) < std::tie(other.links, other.parts); }
-};
-
-/// What one of several threads has found, in no order.
-struct alignas(64) FoundTouches {
-  std::vector<Touch> list;
 };
 
 }  // namespace pongsim::physics

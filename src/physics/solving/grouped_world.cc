@@ -19,25 +19,11 @@ namespace pongsim::physics {
 
 namespace {
 
-// how many a worker takes at a time: one is too little to be worth the asking
-constexpr std::size_t kBodiesAtATime = 16;
-
-/// What a step reads and writes of a body stands before that [bytes]; behind it is what Bullet's own solver needs.
-constexpr std::size_t kMovingPart = 1024;
-
-/// For how long a body that has left its box gets room in its new one [s], but for no more than its own size.
-constexpr double kAhead = 0.1;
-
-// Where it will be after `dt`, for its box only: turned to first order, which makes it larger by half the square of the
-// angle.
-btTransform roughlyMoved(const btRigidBody& body, double dt) {
-  const btTransform& now = body.getWorldTransform();
-  const btMatrix3x3& R = now.getBasis();
-  const btVector3 turn = body.getAngularVelocity() * dt;
-  const btMatrix3x3 turned(R[0] + turn.y() * R[2] - turn.z() * R[1], R[1] + turn.z() * R[0] - turn.x() * R[2],
-                           R[2] + turn.x() * R[1] - turn.y() * R[0]);
-  return btTransform(turned, now.getOrigin() + body.getLinearVelocity() * dt);
-}
+/// How many pairs of a crowd a worker takes at a time: one is too little to be worth the asking.
+constexpr std::size_t kPairsAtATime = 16;
+/// Into how many batches the neighbourhoods are divided for each worker, where there are several: the fewer, the longer
+/// one may wait for another at the end.
+constexpr std::size_t kBatchesOfAWorker = 16;
 
 /// @return How much of a speed is left after `dt`, of which 1 - `damping` is left after a second.
 double leftAfter(double dt, double damping) { return math::exp(dt * math::log1p(-damping)); }
@@ -48,36 +34,13 @@ void damp(btRigidBody& body, double dt) {
   body.setAngularVelocity(body.getAngularVelocity() * leftAfter(dt, body.getAngularDamping()));
 }
 
+bool isDamped(const btRigidBody& body) { return body.getLinearDamping() != 0 || body.getAngularDamping() != 0; }
+
 // what is rounded rests to the bit
 void move(btRigidBody& body, double dt) {
   body.setLinearVelocity(roundedVelocity(body.getLinearVelocity()));
   body.setAngularVelocity(roundedVelocity(body.getAngularVelocity()));
   body.proceedToTransform(moved(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(), dt));
-}
-
-struct Aabb {
-  btVector3 lowest;
-  btVector3 highest;
-};
-
-/// @return What holds the body where it is now and where it is going.
-Aabb aabbOf(const btRigidBody& body) {
-  Aabb now, then;
-  body.getCollisionShape()->getAabb(body.getWorldTransform(), now.lowest, now.highest);
-  body.getCollisionShape()->getAabb(body.getInterpolationWorldTransform(), then.lowest, then.highest);
-  now.lowest.setMin(then.lowest);
-  now.highest.setMax(then.highest);
-  const btVector3 margin(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
-  return {now.lowest - margin, now.highest + margin};
-}
-
-btVector3 wayAhead(const btRigidBody& body) {
-  const btBroadphaseProxy& proxy = *body.getBroadphaseProxy();
-  const btVector3 most = proxy.m_aabbMax - proxy.m_aabbMin;
-  btVector3 way = body.getLinearVelocity() * kAhead;
-  way.setMax(-most);
-  way.setMin(most);
-  return way;
 }
 
 }  // namespace
@@ -93,6 +56,7 @@ GroupedWorld::GroupedWorld(Dispatcher& dispatcher, BroadPhase& broadPhase, btCol
       workers_(workers),
       rest_(rest),
       work_(work),
+      boxes_(broadPhase, workers),
       scratches_(solvers_.size()) {}
 
 void GroupedWorld::setBodies(std::size_t first, std::span<btRigidBody* const> bodies) {
@@ -101,6 +65,11 @@ void GroupedWorld::setBodies(std::size_t first, std::span<btRigidBody* const> bo
   for (std::size_t i = first; i < bodies_.size(); ++i) bodies_[i]->setIslandTag(static_cast<int>(i));
   endsAreOld_ = true;
   rest_.resize(first, bodies_.size());
+  boxes_.resize(first, bodies_.size());
+  damped_.clear();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (isDamped(*bodies_[i])) damped_.push_back(i);
+  }
 }
 
 void GroupedWorld::setJoints(std::size_t first, std::span<btTypedConstraint* const> joints) {
@@ -109,133 +78,189 @@ void GroupedWorld::setJoints(std::size_t first, std::span<btTypedConstraint* con
   endsAreOld_ = true;
 }
 
+void GroupedWorld::forgetBox(const btRigidBody& body) {
+  if (body.getIslandTag() >= 0) boxes_.forget(static_cast<std::size_t>(body.getIslandTag()));
+}
+
 // of all joints: any may hold a body that has another number now
 void GroupedWorld::findEnds() {
   ends_.clear();
   for (const btTypedConstraint* joint : joints_) {
     ends_.emplace_back(joint->getRigidBodyA().getIslandTag(), joint->getRigidBodyB().getIslandTag());
   }
-  endsAreOld_ = false;
 }
 
-GroupedWorld::Stay GroupedWorld::stayOf(btRigidBody& body) const {
-  // Bullet has its own way with what is as large as that, or not a number
-  constexpr double kSanest = 1e12;
-  const Aabb aabb = aabbOf(body);
-  if (!((aabb.highest - aabb.lowest).length2() < kSanest)) return Stay::kAbsurd;
-  return BroadPhase::stay(*body.getBroadphaseProxy(), aabb.lowest, aabb.highest) ? Stay::kYes : Stay::kNo;
-}
-
-template <class Work>
-void GroupedWorld::forEachBody(Work&& work) {
-  workers_.forEach((bodies_.size() + kBodiesAtATime - 1) / kBodiesAtATime, [&](std::size_t chunk, int) {
-    const std::size_t end = std::min(bodies_.size(), (chunk + 1) * kBodiesAtATime);
-    for (std::size_t i = chunk * kBodiesAtATime; i < end; ++i) work(*bodies_[i], i);
-  });
-}
-
-// as Bullet's own, but side by side, and with the boxes that it will ask for next
-void GroupedWorld::predictUnconstraintMotion(btScalar dt) {
-  stays_.resize(bodies_.size());
-  forEachBody([&](btRigidBody& body, std::size_t i) {
-    prefetchBodies(i);
-    if (rest_.keepsAabb(body)) {
-      stays_[i] = Stay::kYes;
-      return;
+void GroupedWorld::step(double dt) {
+  // asked for by who finds contacts and by who solves
+  getDispatchInfo().m_timeStep = dt;
+  getSolverInfo().m_timeStep = dt;
+  dampBodies(dt);
+  boxes_.update(bodies_, dt, *this);
+  computeOverlappingPairs();
+  formNeighbourhoods();
+  pairs_ = getPairCache()->getOverlappingPairArrayPtr();
+  const std::size_t chunks = (neighbourhoods_.crowds().pairs.size() + kPairsAtATime - 1) / kPairsAtATime;
+  workers_.forEach(chunks + neighbourhoods_.batchCount(), [&](std::size_t i, int number) {
+    const auto worker = static_cast<std::size_t>(number);
+    if (i < chunks) {
+      findCrowdTouches(i, worker);
+    } else {
+      advance(neighbourhoods_.batch(i - chunks), worker);
     }
-    if (body.getLinearDamping() != 0 || body.getAngularDamping() != 0) damp(body, dt);
-    body.setInterpolationWorldTransform(roughlyMoved(body, dt));
-    stays_[i] = stayOf(body);
   });
-  staysAreNew_ = true;
+  if (!neighbourhoods_.crowds().bodies.empty()) solveCrowds();
+  dispatcher_.removeParted(*getPairCache());
 }
 
-void GroupedWorld::updateAabbs() {
-  if (!staysAreNew_) {
-    stays_.resize(bodies_.size());
-    forEachBody([this](btRigidBody& body, std::size_t i) { stays_[i] = stayOf(body); });
-  }
-  staysAreNew_ = false;
-  for (std::size_t i = 0; i < stays_.size(); ++i) {
-    if (stays_[i] == Stay::kNo) broadPhase_.leave(*bodies_[i]->getBroadphaseProxy(), wayAhead(*bodies_[i]));
-    if (stays_[i] == Stay::kAbsurd) updateSingleAabb(bodies_[i]);
-  }
+// their boxes are found here, for what they have at the end of a step is not what they move with in the next
+void GroupedWorld::dampBodies(double dt) {
+  workers_.forEach(damped_.size(), [&](std::size_t i, int) {
+    damp(*bodies_[damped_[i]], dt);
+    boxes_.sweep(*bodies_[damped_[i]], damped_[i], dt);
+  });
 }
 
-void GroupedWorld::solveConstraints(btContactSolverInfo& info) {
+void GroupedWorld::formNeighbourhoods() {
+  const auto count = static_cast<std::size_t>(getPairCache()->getNumOverlappingPairs());
+  // those that have gone make them fewer
+  const bool pairsAreOld = broadPhase_.takeNewPairs() || count != pairEnds_.size();
+  if (!pairsAreOld && !endsAreOld_) return;
   if (endsAreOld_) findEnds();
-  groups_.form(bodies_.size(), dispatcher_.touches(), ends_);
-  workers_.forEach(groups_.count(),
-                   [&](std::size_t group, int worker) { solveGroup(group, static_cast<std::size_t>(worker), info); });
+  endsAreOld_ = false;
+  const btBroadphasePair* const pairs = getPairCache()->getOverlappingPairArrayPtr();
+  pairEnds_.clear();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    constexpr std::uint32_t kFar = 12, kNear = 6;
+    if (i + kFar < count) Dispatcher::prefetchProxies(pairs[i + kFar]);
+    if (i + kNear < count) Dispatcher::prefetchObjects(pairs[i + kNear]);
+    pairEnds_.push_back(Dispatcher::numbersOf(pairs[i]));
+  }
+  const auto workers = static_cast<std::size_t>(workers_.count());
+  neighbourhoods_.form(bodies_.size(), pairEnds_, ends_, workers == 1 ? 1 : kBatchesOfAWorker * workers);
 }
 
-void GroupedWorld::gather(std::size_t group, Scratch& scratch) {
-  scratch.bodies.clear();
-  scratch.manifolds.clear();
-  scratch.joints.clear();
-  for (const std::uint32_t body : groups_.bodies(group)) scratch.bodies.push_back(bodies_[body]);
-  for (const std::uint32_t joint : groups_.joints(group)) scratch.joints.push_back(joints_[joint]);
-  const std::span<Touch> touches = groups_.touches(group);
-  std::ranges::sort(touches, std::less<>());
-  const std::size_t count = scratch.pieces.limit(touches, mostContacts_);
-  for (const Touch& touch : touches.first(count)) scratch.manifolds.push_back(touch.manifold);
-}
-
-// of those that come soon after `now`, each time what the time before has led to
-void GroupedWorld::prefetchBodies(std::size_t now) const {
+void GroupedWorld::findTouches(std::span<const std::uint32_t> pairs, std::size_t worker, std::vector<Touch>& touches) {
+  // of pairs that come soon, each time what the time before has led to
   constexpr std::size_t kFar = 8, kNear = 5, kNext = 2;
-  if (now + kFar < bodies_.size()) {
-    base::prefetch(*bodies_[now + kFar], kMovingPart);
-    rest_.prefetch(now + kFar);
-  }
-  if (now + kNear < bodies_.size()) BroadPhase::prefetch(*bodies_[now + kNear]->getBroadphaseProxy());
-  if (now + kNext < bodies_.size()) BroadPhase::prefetchLeaf(*bodies_[now + kNext]->getBroadphaseProxy());
-}
-
-void GroupedWorld::prefetchBodiesOf(std::size_t group) const {
-  if (group >= groups_.count()) return;
-  for (const std::uint32_t body : groups_.bodies(group)) {
-    work_.prefetch(std::size_t{body});
-    rest_.prefetch(body);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i + kFar < pairs.size()) Dispatcher::prefetchProxies(pairs_[pairs[i + kFar]]);
+    if (i + kNear < pairs.size()) Dispatcher::prefetchObjects(pairs_[pairs[i + kNear]]);
+    if (i + kNext < pairs.size()) dispatcher_.prefetchManifolds(pairs_[pairs[i + kNext]], worker);
+    dispatcher_.findTouches(pairs_[pairs[i]], getDispatchInfo(), worker, touches);
   }
 }
 
-void GroupedWorld::prefetchHoldsOf(std::size_t group) {
-  if (group >= groups_.count()) return;
-  for (const std::uint32_t joint : groups_.joints(group)) work_.prefetch(*joints_[joint]);
-  // else another worker may be sorting them
-  if (workers_.count() > 1) return;
-  for (const Touch& touch : groups_.touches(group)) {
-    // most have one point; what says how many stands behind all of them
-    base::prefetch(touch.manifold->getContactPoint(0));
-    base::prefetch(touch.manifold->m_companionIdA);
+void GroupedWorld::findCrowdTouches(std::size_t chunk, std::size_t worker) {
+  const std::span<const std::uint32_t> pairs = neighbourhoods_.crowds().pairs;
+  const std::size_t begin = chunk * kPairsAtATime;
+  findTouches(pairs.subspan(begin, std::min(kPairsAtATime, pairs.size() - begin)), worker,
+              scratches_[worker].crowdTouches);
+}
+
+void GroupedWorld::solveCrowds() {
+  crowds_.touches.clear();
+  for (Scratch& scratch : scratches_) {
+    crowds_.touches.insert(crowds_.touches.end(), scratch.crowdTouches.begin(), scratch.crowdTouches.end());
+    scratch.crowdTouches.clear();
+    // who finds how much of it differs from step to step
+    scratch.crowdTouches.reserve(static_cast<std::size_t>(dispatcher_.getNumManifolds()));
   }
+  const Neighbourhoods::Members members = neighbourhoods_.crowds();
+  formGroups(members, crowds_);
+  workers_.forEach(crowds_.groups.count(), [&](std::size_t group, int worker) {
+    solveGroup(members, crowds_, group, static_cast<std::size_t>(worker));
+  });
 }
 
-void GroupedWorld::prefetchSurfacesOf(std::size_t group) const {
-  if (group >= groups_.count()) return;
-  for (const std::uint32_t body : groups_.bodies(group)) work_.prefetchSurface(body);
+void GroupedWorld::advance(const Neighbourhoods::Members& members, std::size_t worker) {
+  Touching& touching = scratches_[worker].touching;
+  touching.touches.clear();
+  findTouches(members.pairs, worker, touching.touches);
+  formGroups(members, touching);
+  for (std::size_t group = 0; group < touching.groups.count(); ++group) solveGroup(members, touching, group, worker);
 }
 
-void GroupedWorld::solveGroup(std::size_t group, std::size_t worker, const btContactSolverInfo& info) {
-  prefetchBodiesOf(group + 1);
+void GroupedWorld::formGroups(const Neighbourhoods::Members& members, Touching& touching) const {
+  touching.touchEnds.clear();
+  touching.jointEnds.clear();
+  for (const Touch& touch : touching.touches) {
+    touching.touchEnds.push_back(neighbourhoods_.placesOf({touch.a, touch.b}));
+  }
+  for (const std::uint32_t joint : members.joints) {
+    touching.jointEnds.push_back(neighbourhoods_.placesOf(ends_[joint]));
+  }
+  touching.groups.form(members.bodies.size(), touching.touchEnds, touching.jointEnds);
+}
+
+void GroupedWorld::gather(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
+                          Scratch& scratch) const {
+  auto& [bodies, manifolds, joints] = scratch.group;
+  bodies.clear();
+  manifolds.clear();
+  joints.clear();
+  scratch.touches.clear();
+  for (const std::uint32_t place : touching.groups.bodies(group)) {
+    bodies.push_back(bodies_[members.bodies[place]]);
+  }
+  for (const std::uint32_t place : touching.groups.joints(group)) {
+    joints.push_back(joints_[members.joints[place]]);
+  }
+  for (const std::uint32_t touch : touching.groups.touches(group)) scratch.touches.push_back(touching.touches[touch]);
+  std::ranges::sort(scratch.touches, std::less<>());
+  const std::size_t count = scratch.pieces.limit(scratch.touches, mostContacts_);
+  for (std::size_t i = 0; i < count; ++i) manifolds.push_back(scratch.touches[i].manifold);
+}
+
+void GroupedWorld::solveGroup(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
+                              std::size_t worker) {
+  prefetchBodies(members, touching, group + 1);
   Scratch& scratch = scratches_[worker];
-  gather(group, scratch);
-  auto& [bodies, manifolds, joints, pieces, before] = scratch;
+  gather(members, touching, group, scratch);
+  auto& [bodies, manifolds, joints] = scratch.group;
   if (!joints.empty() || !rest_.isSettled(bodies, manifolds)) {
+    const btContactSolverInfo& info = getSolverInfo();
     const double dt = info.m_timeStep;
-    rest_.begin(bodies, manifolds, !joints.empty(), before);
+    rest_.begin(bodies, manifolds, !joints.empty(), scratch.before);
     work_.prepare(bodies, joints, dt);
-    prefetchHoldsOf(group + 1);
+    prefetchJoints(members, touching, group + 1);
     solvers_[worker]->solveGroup(bodies.data(), static_cast<int>(bodies.size()), manifolds.data(),
                                  static_cast<int>(manifolds.size()), joints.data(), static_cast<int>(joints.size()),
                                  info, getDebugDrawer(), getDispatcher());
-    prefetchSurfacesOf(group + 1);
+    prefetchSurfaces(members, touching, group + 1);
     for (btCollisionObject* object : bodies) move(static_cast<btRigidBody&>(*object), dt);
     work_.finish(bodies, joints);
-    rest_.end(bodies, manifolds, !joints.empty(), before);
+    rest_.end(bodies, manifolds, !joints.empty(), scratch.before);
+    for (const std::uint32_t place : touching.groups.bodies(group)) {
+      const std::uint32_t number = members.bodies[place];
+      if (!isDamped(*bodies_[number])) boxes_.sweep(*bodies_[number], number, dt);
+    }
   }
   for (btCollisionObject* object : bodies) static_cast<btRigidBody&>(*object).clearForces();
+}
+
+void GroupedWorld::prefetchBodies(const Neighbourhoods::Members& members, const Touching& touching,
+                                  std::size_t group) const {
+  if (group >= touching.groups.count()) return;
+  for (const std::uint32_t place : touching.groups.bodies(group)) {
+    work_.prefetch(std::size_t{members.bodies[place]});
+    rest_.prefetch(members.bodies[place]);
+  }
+}
+
+void GroupedWorld::prefetchJoints(const Neighbourhoods::Members& members, const Touching& touching,
+                                  std::size_t group) const {
+  if (group >= touching.groups.count()) return;
+  for (const std::uint32_t place : touching.groups.joints(group)) work_.prefetch(*joints_[members.joints[place]]);
+}
+
+void GroupedWorld::prefetchSurfaces(const Neighbourhoods::Members& members, const Touching& touching,
+                                    std::size_t group) const {
+  if (group >= touching.groups.count()) return;
+  for (const std::uint32_t place : touching.groups.bodies(group)) {
+    const std::uint32_t body = members.bodies[place];
+    work_.prefetchSurface(body);
+    BroadPhase::prefetchLeaf(*bodies_[body]->getBroadphaseProxy());
+  }
 }
 
 }  // namespace pongsim::physics

@@ -3,7 +3,6 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,8 +10,10 @@
 #include "base/workers.hh"
 #include "physics/contacts/broad_phase.hh"
 #include "physics/contacts/dispatcher.hh"
+#include "physics/contacts/swept_boxes.hh"
 #include "physics/solving/contact_limits.hh"
 #include "physics/solving/groups.hh"
+#include "physics/solving/neighbourhoods.hh"
 #include "physics/solving/rest.hh"
 
 namespace pongsim::physics {
@@ -39,6 +40,10 @@ class GroupWork {
 /// own grouping gives depends on the order in which pairs have come near each other, and so on a past that no saved
 /// state has. Groups share nothing but bodies that do not move, so that it makes no difference to the result which of
 /// several threads takes which, and when.
+///
+/// A step goes neighbourhood by neighbourhood: one thread finds where its bodies touch, solves its groups, moves them
+/// and finds their boxes for the next step, while all of that is in its processor's cache. The pairs of crowds are
+/// shared out among the threads first, and then their groups.
 class GroupedWorld final : public btDiscreteDynamicsWorld {
  public:
   /// @param solvers One for each of the `workers`.
@@ -52,47 +57,55 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   void setBodies(std::size_t first, std::span<btRigidBody* const> bodies);
   /// Likewise which joints are solved. Bullet's own list of joints is not used.
   void setJoints(std::size_t first, std::span<btTypedConstraint* const> joints);
+  /// A body has been moved, or its velocity set, since the last step.
+  void forgetBox(const btRigidBody& body);
 
- protected:
-  // gravity is among the forces of `GroupWork`, and each group is moved and its forces cleared once it is solved
-  void applyGravity() override {}
-  void clearForces() override {}
-  void synchronizeMotionStates() override {}
-  void integrateTransforms(btScalar) override {}
-  void calculateSimulationIslands() override {}
-  void updateActivationState(btScalar) override {}
-  void createPredictiveContacts(btScalar) override {}
-  void predictUnconstraintMotion(btScalar dt) override;
-  // what is put somewhere is there at once; Bullet makes a speed of the rounding of its turn
-  void saveKinematicState(btScalar) override {}
-  void updateAabbs() override;
-  void solveConstraints(btContactSolverInfo& info) override;
+  /// Makes a step of exactly `dt` [s].
+  void step(double dt);
+  void updateAabbs() override { boxes_.updateInPlace(bodies_, *this); }
 
  private:
-  /// What solving a group takes, kept for the next one.
-  struct alignas(64) Scratch {
+  /// What touches in a neighbourhood or in the crowds, and the groups that follow from it. Bodies have the numbers of
+  /// their places there.
+  struct Touching {
+    std::vector<Touch> touches;
+    std::vector<Groups::Ends> touchEnds;
+    std::vector<Groups::Ends> jointEnds;
+    Groups groups;
+  };
+  struct Group {
     std::vector<btCollisionObject*> bodies;
     std::vector<btPersistentManifold*> manifolds;
     std::vector<btTypedConstraint*> joints;
+  };
+  /// What solving a group takes, kept for the next one.
+  struct alignas(64) Scratch {
+    std::vector<Touch> crowdTouches;
+    Touching touching;
+    std::vector<Touch> touches;
+    Group group;
     PieceLimits pieces;
     Rest::Before before;
   };
-  /// Whether a body's box in the broad phase's tree still holds it.
-  enum class Stay : std::uint8_t { kYes, kNo, kAbsurd };
 
-  Stay stayOf(btRigidBody& body) const;
-  /// Calls `work(body, its number)` for each moving body, shared out among the workers.
-  template <class Work>
-  void forEachBody(Work&& work);
+  void dampBodies(double dt);
   void findEnds();
-  void gather(std::size_t group, Scratch& scratch);
-  void prefetchBodies(std::size_t now) const;
+  void formNeighbourhoods();
+  void findTouches(std::span<const std::uint32_t> pairs, std::size_t worker, std::vector<Touch>& touches);
+  void findCrowdTouches(std::size_t chunk, std::size_t worker);
+  void solveCrowds();
+  /// Makes a whole step of a batch.
+  void advance(const Neighbourhoods::Members& members, std::size_t worker);
+  void formGroups(const Neighbourhoods::Members& members, Touching& touching) const;
+  void gather(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
+              Scratch& scratch) const;
+  void solveGroup(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
+                  std::size_t worker);
   // these ask for the memory of a group, if there is such a one: some at a time, for a processor waits for who asks for
   // too much at once
-  void prefetchBodiesOf(std::size_t group) const;
-  void prefetchHoldsOf(std::size_t group);
-  void prefetchSurfacesOf(std::size_t group) const;
-  void solveGroup(std::size_t group, std::size_t worker, const btContactSolverInfo& info);
+  void prefetchBodies(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group) const;
+  void prefetchJoints(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group) const;
+  void prefetchSurfaces(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group) const;
 
   const std::vector<std::unique_ptr<btConstraintSolver>> solvers_;
   const long long mostContacts_;
@@ -101,19 +114,23 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   base::Workers& workers_;
   Rest& rest_;
   GroupWork& work_;
+  SweptBoxes boxes_;
   /// One for each worker.
   std::vector<Scratch> scratches_;
 
   std::vector<btRigidBody*> bodies_;
+  /// Numbers of those that are damped.
+  std::vector<std::size_t> damped_;
   std::vector<btTypedConstraint*> joints_;
   /// Of each joint; new only once they are found anew where bodies or joints have come, gone or moved up.
   std::vector<Groups::Ends> ends_;
   bool endsAreOld_ = false;
-  Groups groups_;
-
-  /// Of each moving body; new where the bodies have not moved since.
-  std::vector<Stay> stays_;
-  bool staysAreNew_ = false;
+  /// Likewise of each pair of the broad phase.
+  std::vector<Groups::Ends> pairEnds_;
+  /// Those themselves, while a step is made.
+  btBroadphasePair* pairs_ = nullptr;
+  Neighbourhoods neighbourhoods_;
+  Touching crowds_;
 };
 
 }  // namespace pongsim::physics

@@ -5,46 +5,36 @@
 
 namespace pongsim::physics {
 
-void Groups::form(std::size_t bodies, std::span<const FoundTouches> touches, std::span<const Ends> joints) {
+void Groups::form(std::size_t bodies, std::span<const Ends> touches, std::span<const Ends> joints) {
   parents_.resize(bodies);
   std::iota(parents_.begin(), parents_.end(), 0U);
-  for (const FoundTouches& found : touches) {
-    for (const Touch& touch : found.list) unite(touch.a, touch.b);
-  }
-  for (const auto& [a, b] : joints) unite(a, b);
+  for (const Ends& ends : touches) unite(ends);
+  for (const Ends& ends : joints) unite(ends);
   number();
 
-  std::size_t count = 0;
-  for (const FoundTouches& found : touches) {
-    count += found.list.size();
-    for (const Touch& touch : found.list) ++countsOf(touch.a, touch.b, starts_).touches;
-  }
-  for (const auto& [a, b] : joints) ++countsOf(a, b, starts_).joints;
+  for (const Ends& ends : touches) ++countsOf(ends, starts_).touches;
+  for (const Ends& ends : joints) ++countsOf(ends, starts_).joints;
   sumUp();
 
   next_ = starts_;
   bodies_.resize(bodies);
-  touches_.resize(count);
+  touches_.resize(touches.size());
   joints_.resize(joints.size());
   for (std::uint32_t body = 0; body < bodies; ++body) bodies_[next_[parents_[body]].bodies++] = body;
-  for (const FoundTouches& found : touches) {
-    for (const Touch& touch : found.list) touches_[countsOf(touch.a, touch.b, next_).touches++] = touch;
-  }
-  for (std::uint32_t joint = 0; joint < joints.size(); ++joint) {
-    joints_[countsOf(joints[joint].first, joints[joint].second, next_).joints++] = joint;
-  }
+  for (std::uint32_t i = 0; i < touches.size(); ++i) touches_[countsOf(touches[i], next_).touches++] = i;
+  for (std::uint32_t i = 0; i < joints.size(); ++i) joints_[countsOf(joints[i], next_).joints++] = i;
 }
 
 std::span<const std::uint32_t> Groups::bodies(std::size_t group) const {
   return std::span(bodies_).subspan(starts_[group].bodies, starts_[group + 1].bodies - starts_[group].bodies);
 }
 
-std::span<const std::uint32_t> Groups::joints(std::size_t group) const {
-  return std::span(joints_).subspan(starts_[group].joints, starts_[group + 1].joints - starts_[group].joints);
+std::span<const std::uint32_t> Groups::touches(std::size_t group) const {
+  return std::span(touches_).subspan(starts_[group].touches, starts_[group + 1].touches - starts_[group].touches);
 }
 
-std::span<Touch> Groups::touches(std::size_t group) {
-  return std::span(touches_).subspan(starts_[group].touches, starts_[group + 1].touches - starts_[group].touches);
+std::span<const std::uint32_t> Groups::joints(std::size_t group) const {
+  return std::span(joints_).subspan(starts_[group].joints, starts_[group + 1].joints - starts_[group].joints);
 }
 
 std::uint32_t Groups::rootOf(std::uint32_t body) {
@@ -55,10 +45,10 @@ std::uint32_t Groups::rootOf(std::uint32_t body) {
   return body;
 }
 
-void Groups::unite(int a, int b) {
-  if (a == kNoMember || b == kNoMember) return;
-  const std::uint32_t rootA = rootOf(static_cast<std::uint32_t>(a));
-  const std::uint32_t rootB = rootOf(static_cast<std::uint32_t>(b));
+void Groups::unite(const Ends& ends) {
+  if (ends.first == kNoMember || ends.second == kNoMember) return;
+  const std::uint32_t rootA = rootOf(static_cast<std::uint32_t>(ends.first));
+  const std::uint32_t rootB = rootOf(static_cast<std::uint32_t>(ends.second));
   parents_[std::max(rootA, rootB)] = std::min(rootA, rootB);
 }
 
@@ -74,8 +64,8 @@ void Groups::number() {
 }
 
 // of whichever of the two forces move
-Groups::Counts& Groups::countsOf(int a, int b, std::vector<Counts>& counts) {
-  return counts[parents_[static_cast<std::size_t>(a != kNoMember ? a : b)]];
+Groups::Counts& Groups::countsOf(const Ends& ends, std::vector<Counts>& counts) {
+  return counts[parents_[static_cast<std::size_t>(ends.first != kNoMember ? ends.first : ends.second)]];
 }
 
 // from how many to where they begin

@@ -10,22 +10,20 @@
 
 namespace pongsim::physics {
 
-/// Which bodies hold or touch each other: numbers of bodies that forces move, sorted by the groups that they form. A
-/// group has its bodies and joints in ascending order, and is known by its first body, so that it does not matter in
-/// which order touches were found.
+/// Which bodies are connected: numbers of bodies that forces move, sorted by the groups that they form. A group has its
+/// bodies, touches and joints in ascending order, and is known by its first body.
 class Groups {
  public:
-  /// Numbers of the two bodies that a joint connects; `kNoMember` for what forces do not move.
+  /// Numbers of the two bodies that touch or that a joint connects; `kNoMember` for what forces do not move.
   using Ends = std::pair<int, int>;
 
-  /// @param touches In several lists, as they were found, each of at least one body that forces move, as `joints` are.
-  void form(std::size_t bodies, std::span<const FoundTouches> touches, std::span<const Ends> joints);
+  /// @param touches Each of at least one body that forces move, as `joints` are.
+  void form(std::size_t bodies, std::span<const Ends> touches, std::span<const Ends> joints);
 
-  std::size_t count() const { return starts_.size() - 1; }
+  std::size_t count() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   std::span<const std::uint32_t> bodies(std::size_t group) const;
+  std::span<const std::uint32_t> touches(std::size_t group) const;
   std::span<const std::uint32_t> joints(std::size_t group) const;
-  /// In no order.
-  std::span<Touch> touches(std::size_t group);
 
  private:
   /// Numbers of members, or places of the first ones.
@@ -35,10 +33,10 @@ class Groups {
     std::uint32_t joints = 0;
   };
 
-  void unite(int a, int b);
+  void unite(const Ends& ends);
   std::uint32_t rootOf(std::uint32_t body);
   void number();
-  Counts& countsOf(int a, int b, std::vector<Counts>& counts);
+  Counts& countsOf(const Ends& ends, std::vector<Counts>& counts);
   void sumUp();
 
   /// Of each body, one that it is connected with and that stands before it, or itself; then its group.
@@ -47,8 +45,8 @@ class Groups {
   std::vector<Counts> starts_;
   std::vector<Counts> next_;
   std::vector<std::uint32_t> bodies_;
+  std::vector<std::uint32_t> touches_;
   std::vector<std::uint32_t> joints_;
-  std::vector<Touch> touches_;
 };
 
 }  // namespace pongsim::physics

@@ -55,12 +55,6 @@ void Rest::disturb(const btCollisionObject& object) {
   if (object.getIslandTag() >= 0) recordOf(object).isDisturbed.store(true, std::memory_order_relaxed);
 }
 
-bool Rest::keepsAabb(const btRigidBody& body) const {
-  const Record& record = recordOf(body);
-  return record.group.bodies != 0 && isSame(record.linear, body.getLinearVelocity()) &&
-         isSame(record.angular, body.getAngularVelocity());
-}
-
 Rest::Group Rest::groupOf(std::span<btCollisionObject* const> bodies,
                           std::span<btPersistentManifold* const> manifolds) {
   Group group{bodies.front(), bodies.size(), manifolds.size(), 0};

@@ -33,9 +33,6 @@ class Rest {
   /// The object's contacts are not those of the step before.
   void disturb(const btCollisionObject& object);
 
-  /// @return Whether the body's group was left as it was by the last step, and nobody has set its velocity since.
-  bool keepsAabb(const btRigidBody& body) const;
-
   /// Asks for the memory of what is known of a body that has joints.
   void prefetch(std::size_t body) const { base::prefetch(records_[body], offsetof(Record, linear)); }
 

@@ -72,6 +72,17 @@ TEST(BroadPhase, TellsOfThoseThatHaveParted) {
   EXPECT_FALSE(BroadPhase::areNear(a, b));
 }
 
+TEST(BroadPhase, SaysOnceThatPairsHaveCome) {
+  Row row;
+  btBroadphaseProxy& a = row.add(0);
+  EXPECT_FALSE(row.broadPhase.takeNewPairs());
+  row.add(0.5);
+  EXPECT_TRUE(row.broadPhase.takeNewPairs());
+  EXPECT_FALSE(row.broadPhase.takeNewPairs());
+  row.broadPhase.setAabb(&a, Row::low(0.1), Row::high(0.1), nullptr);
+  EXPECT_FALSE(row.broadPhase.takeNewPairs());
+}
+
 TEST(BroadPhase, PutsWhoseNumberIsSmallerFirst) {
   Row row;
   btBroadphaseProxy& a = row.add(5);
