@@ -29,11 +29,11 @@ def cluster(monkeypatch):
     # beside /tmp/ray, where a cluster of the user's would be; a short name, for sockets lie in it
     folder = tempfile.TemporaryDirectory(dir="/tmp", ignore_cleanup_errors=True)
     monkeypatch.setenv("RAY_TMPDIR", folder.name)
-    # a node that has gone is noticed soon, and one that is busy for some seconds is none of those
+    # a node that has gone is noticed soon
     made = cluster_utils.Cluster(initialize_head=True, head_node_args={
         "num_cpus": 1, "include_dashboard": False, "object_store_memory": 80 * 2**20,
         "_system_config": {"health_check_initial_delay_ms": 1000, "health_check_period_ms": 500,
-                           "health_check_failure_threshold": 30}})
+                           "health_check_failure_threshold": 4}})
     yield made
     ray.shutdown()
     made.shutdown()
