@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <memory>
@@ -36,7 +37,7 @@ void forgetsTheKilled() {
   const auto knows = [&](std::size_t count) {
     return becomesTrue([&] { return participant.graph().participants().size() == count; });
   };
-  const Process::Options options{.environment = {{"ROS_DOMAIN_ID", std::to_string(domain)}}};
+  const Process::Options options{.environment = {{"ROS_DOMAIN_ID", std::to_string(domain)}}, .folder = {}};
   for (std::size_t i = 1; i <= 3; ++i) {
     others.push_back(std::make_unique<Process>(std::vector<std::string>{PONGSIM_PROGRAM, "run", "--ros2"}, options));
     ASSERT_TRUE(knows(i));
