@@ -15,6 +15,24 @@ void pause() {
 
 }  // namespace
 
+bool Workers::Part::takeFirst(std::size_t& index) {
+  std::uint64_t left = left_.load(std::memory_order_relaxed);
+  do {
+    index = left & kLow;
+    if (index >= left >> kBits) return false;
+  } while (!left_.compare_exchange_weak(left, left + 1, std::memory_order_relaxed));
+  return true;
+}
+
+bool Workers::Part::takeLast(std::size_t& index) {
+  std::uint64_t left = left_.load(std::memory_order_relaxed);
+  do {
+    index = (left >> kBits) - 1;
+    if ((left & kLow) >= left >> kBits) return false;
+  } while (!left_.compare_exchange_weak(left, left - (1ULL << kBits), std::memory_order_relaxed));
+  return true;
+}
+
 Workers::Workers(int threads, int looks) : looks_(looks), parts_(static_cast<std::size_t>(threads)) {
   for (int worker = 1; worker < threads; ++worker) threads_.emplace_back([this, worker] { help(worker); });
 }
@@ -28,8 +46,7 @@ Workers::~Workers() {
 
 void Workers::share(std::size_t count, Call call, void* context) {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    parts_[i].next.store(count * i / parts_.size(), std::memory_order_relaxed);
-    parts_[i].end = count * (i + 1) / parts_.size();
+    parts_[i].set(count * i / parts_.size(), count * (i + 1) / parts_.size());
   }
   call_ = call;
   context_ = context;
@@ -50,13 +67,12 @@ void Workers::share(std::size_t count, Call call, void* context) {
 }
 
 void Workers::take(int worker) {
-  for (std::size_t turn = 0; turn < parts_.size(); ++turn) {
-    Part& part = parts_[(static_cast<std::size_t>(worker) + turn) % parts_.size()];
-    // who only looks leaves the line where it is
-    while (part.next.load(std::memory_order_relaxed) < part.end) {
-      const std::size_t i = part.next.fetch_add(1, std::memory_order_relaxed);
-      if (i < part.end) call_(context_, i, worker);
-    }
+  const auto own = static_cast<std::size_t>(worker);
+  std::size_t index = 0;
+  while (parts_[own].takeFirst(index)) call_(context_, index, worker);
+  for (std::size_t turn = 1; turn < parts_.size(); ++turn) {
+    Part& part = parts_[(own + turn) % parts_.size()];
+    while (part.takeLast(index)) call_(context_, index, worker);
   }
 }
 

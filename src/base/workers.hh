@@ -10,7 +10,8 @@ namespace pongsim::base {
 
 /// Threads that share a piece of work which comes again and again, thousands of times a second: they wait awake for a
 /// moment before they sleep. Each begins with its own part, the same each time, so that what it needs is in its
-/// processor's caches, and then helps the others. Allocates nothing once made.
+/// processor's caches, and then helps the others, from the far ends of their parts, which they come to last. Allocates
+/// nothing once made.
 class Workers {
  public:
   /// @param threads How many work, the caller of `forEach` included; at least 1.
@@ -23,9 +24,9 @@ class Workers {
 
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls `work(index, worker)` for each index below `count` and returns when all calls have; `worker` is below
-  /// `this->count()`, and no two calls at once have the same. Which worker does what is not said. The work must not
-  /// throw.
+  /// Calls `work(index, worker)` for each index below `count` (less than 2^32) and returns when all calls have;
+  /// `worker` is below `this->count()`, and no two calls at once have the same. Which worker does what is not said. The
+  /// work must not throw.
   template <class Work>
   void forEach(std::size_t count, Work&& work) {
     if (threads_.empty() || count < 2) {
@@ -39,9 +40,20 @@ class Workers {
 
  private:
   /// What of the work is a thread's own, on a cache line of its own.
-  struct alignas(64) Part {
-    std::atomic<std::size_t> next = 0;
-    std::size_t end = 0;
+  class alignas(64) Part {
+   public:
+    void set(std::size_t begin, std::size_t end) { left_.store(begin | end << kBits, std::memory_order_relaxed); }
+    /// Takes an index off an end of what is left.
+    /// @return Whether there was one.
+    bool takeFirst(std::size_t& index);
+    bool takeLast(std::size_t& index);
+
+   private:
+    static constexpr unsigned kBits = 32;
+    static constexpr std::uint64_t kLow = 0xffffffff;
+
+    /// The first index that is left in the lower half, the one behind the last in the upper half.
+    std::atomic<std::uint64_t> left_ = 0;
   };
   using Call = void (*)(void* context, std::size_t index, int worker);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,28 @@ TEST(Workers, GiveNoTwoCallsAtOnceTheSameNumber) {
     });
   }
   EXPECT_EQ(clashes, 0);
+}
+
+TEST(Workers, HelpOthersFromTheFarEndsOfTheirParts) {
+  constexpr std::size_t kCount = 100;
+  Workers workers(2);
+  std::atomic<bool> hasBegun = false;
+  std::atomic<std::size_t> done = 0;
+  std::vector<std::size_t> order;
+  workers.forEach(kCount, [&](std::size_t i, int worker) {
+    if (worker == 0 && i == 0) {
+      // its first piece of work takes until the other worker has done all else
+      hasBegun = true;
+      while (done != kCount - 1) std::this_thread::yield();
+    } else {
+      while (!hasBegun) std::this_thread::yield();
+      if (worker == 1) order.push_back(i);
+      ++done;
+    }
+  });
+  ASSERT_EQ(order.size(), kCount - 1);
+  for (std::size_t i = 0; i < kCount / 2; ++i) EXPECT_EQ(order[i], kCount / 2 + i);
+  for (std::size_t i = kCount / 2; i < kCount - 1; ++i) EXPECT_EQ(order[i], kCount - 1 - i);
 }
 
 TEST(Workers, SeeWhatWasWrittenBefore) {
