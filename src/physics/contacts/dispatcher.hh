@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/arena.hh"
 #include "base/workers.hh"
 #include "physics/contacts/touch.hh"
 #include "physics/solving/rest.hh"
@@ -26,15 +27,17 @@ constexpr int collisionOfPart(int part) { return part >> 10; }
 /// all of it is meant. Collisions whose `<collide_bitmask>` share no bit do not touch.
 ///
 /// Pairs are shared out among workers. What is found for one depends on nothing that is found for another: each writes
-/// to its own manifolds only, and what they share, the pools that algorithms and manifolds come from, is locked. The
+/// to its own manifolds only, and what they share, the arena that algorithms and manifolds come from, is locked. The
 /// order in which manifolds are made then depends on the threads; nothing else does. Where neither body has moved, and
 /// looking has changed nothing in the step before, it is not looked again. Two that are apart, with room between what
 /// holds them, are not looked at; those that have gone from the broad phase's trees are forgotten.
 class Dispatcher final : public btCollisionDispatcher {
  public:
   /// @param mostContacts At how many points two collisions may touch, where neither says how many; negative: no limit.
-  Dispatcher(btCollisionConfiguration& configuration, base::Workers& workers, Rest& rest, long long mostContacts)
+  Dispatcher(btCollisionConfiguration& configuration, base::Arena& arena, base::Workers& workers, Rest& rest,
+             long long mostContacts)
       : btCollisionDispatcher(&configuration),
+        arena_(arena),
         workers_(workers),
         rest_(rest),
         mostContacts_(mostContacts),
@@ -68,6 +71,7 @@ class Dispatcher final : public btCollisionDispatcher {
                                  btDispatcher* dispatcher) override;
 
  private:
+  std::size_t algorithmSize() const;
   /// For two parts that do not touch.
   btCollisionAlgorithm* noAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                     btPersistentManifold* shared);
@@ -85,6 +89,7 @@ class Dispatcher final : public btCollisionDispatcher {
   void part(btBroadphasePair& pair, Look& memory);
   void collectTouches(const btManifoldArray& manifolds, std::vector<Touch>& touches) const;
 
+  base::Arena& arena_;
   base::Workers& workers_;
   Rest& rest_;
   const long long mostContacts_;
@@ -92,8 +97,8 @@ class Dispatcher final : public btCollisionDispatcher {
   std::vector<Look> looks_;
   /// Whether there are pairs that are no longer near.
   std::atomic<bool> haveParted_ = false;
-  /// Of Bullet's pools and list of manifolds.
-  std::mutex pools_;
+  /// Of the arena and Bullet's list of manifolds.
+  std::mutex arenaMutex_;
 };
 
 }  // namespace pongsim::physics
