@@ -23,9 +23,9 @@ class Workers {
 
   int count() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Calls `work(index, worker)` for each index below `count` (less than 2^32), and returns after all calls. `worker` is
-  /// below `this->count()`, and concurrent calls have different workers. Which worker gets which index is unspecified.
-  /// The work must not throw.
+  /// Calls `work(index, worker)` for each index below `count` (less than 2^32), and returns after all calls. `worker`
+  /// is below `this->count()`, and concurrent calls have different workers. Which worker gets which index is
+  /// unspecified. The work must not throw.
   template <class Work>
   void forEach(std::size_t count, Work&& work) {
     if (threads_.empty() || count < 2) {

@@ -35,9 +35,10 @@ std::vector<std::unique_ptr<btConstraintSolver>> makeSolvers(const Settings& set
 
 }  // namespace
 
-DynamicsWorld::DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, GroupWork& work)
+DynamicsWorld::DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, base::Arena& arena,
+                             GroupWork& work)
     : workers_(settings.threads),
-      dispatcher_(configuration, workers_, rest_, settings.maxContacts),
+      dispatcher_(configuration, arena, workers_, rest_, settings.maxContacts),
       world_(dispatcher_, broadphase_, configuration, makeSolvers(settings), settings.maxContacts, workers_, rest_,
              work) {
   world_.setGravity(btVector3(0, 0, 0));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "base/arena.hh"
 #include "physics/contacts/broad_phase.hh"
 #include "physics/contacts/collision_configuration.hh"
 #include "physics/contacts/dispatcher.hh"
@@ -14,8 +15,8 @@ namespace pongsim::physics {
 /// A Bullet world with everything it needs, configured by `Settings`.
 class DynamicsWorld {
  public:
-  /// @param configuration Must outlive this; may be used by another world afterwards.
-  DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, GroupWork& work);
+  /// @param configuration Must outlive this, as `arena` must; may be used by another world afterwards.
+  DynamicsWorld(const Settings& settings, CollisionConfiguration& configuration, base::Arena& arena, GroupWork& work);
 
   GroupedWorld& bullet() { return world_; }
 

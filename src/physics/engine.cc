@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/arena.hh"
 #include "base/prefetch.hh"
 #include "physics/body.hh"
 #include "physics/contacts/collision_configuration.hh"
@@ -28,13 +29,14 @@ namespace pongsim::physics {
 
 struct Engine::Parts final : GroupWork {
   Parts(const world::Entities& entitiesOfWorld, const Settings& settingsOfWorld, HullStore& hullsOfWorld,
-        CollisionConfiguration& configuration, std::shared_ptr<btRigidBody> fixed)
+        CollisionConfiguration& configuration, base::Arena& arenaOfWorld, std::shared_ptr<btRigidBody> fixed)
       : entities(entitiesOfWorld),
         settings(settingsOfWorld),
         hulls(hullsOfWorld),
+        arena(arenaOfWorld),
         gravity(entities.description().gravity),
         filter(entities),
-        world(settings, configuration, *this),
+        world(settings, configuration, arena, *this),
         anchor(std::move(fixed)) {
     world.bullet().getPairCache()->setOverlapFilterCallback(&filter);
     grow();
@@ -70,6 +72,7 @@ struct Engine::Parts final : GroupWork {
   const world::Entities& entities;
   const Settings settings;
   HullStore& hulls;
+  base::Arena& arena;
   SharedShapes shared;
   Vector3 gravity;
   ContactFilter filter;
@@ -77,10 +80,10 @@ struct Engine::Parts final : GroupWork {
   /// What joints to the world hold on to; those that are set aside, too, while all else is made anew.
   const std::shared_ptr<btRigidBody> anchor;
   /// One a link, in the order of their slots.
-  std::vector<std::unique_ptr<Body>> bodies;
+  std::vector<base::Arena::Pointer<Body>> bodies;
   std::vector<Body*> moving;
   /// One a joint, in the order of their slots.
-  std::vector<std::unique_ptr<Joint>> joints;
+  std::vector<base::Arena::Pointer<Joint>> joints;
   /// For each joint, how many constraints the world has of those up to it.
   std::vector<std::size_t> holdingEnd;
   FrictionFrames frictionFrames;
@@ -103,10 +106,11 @@ struct KeptTouch {
 };
 
 struct SetAside::Content {
+  std::shared_ptr<base::Arena> arena;
   std::shared_ptr<btRigidBody> anchor;
-  std::vector<std::unique_ptr<Body>> bodies;
+  std::vector<base::Arena::Pointer<Body>> bodies;
   // behind the bodies, on which they hold
-  std::vector<std::unique_ptr<Joint>> joints;
+  std::vector<base::Arena::Pointer<Joint>> joints;
   std::vector<KeptTouch> touches;
 };
 
@@ -156,9 +160,9 @@ void Engine::Parts::finish(std::span<btCollisionObject* const> groupBodies,
 void Engine::Parts::grow() {
   prepareHulls();
   const world::Slot firstLink = bodies.size(), firstJoint = joints.size();
-  std::vector<std::unique_ptr<Body>> newBodies;
+  std::vector<base::Arena::Pointer<Body>> newBodies;
   for (world::Slot link = bodies.size(); link < entities.links().size(); ++link) {
-    newBodies.push_back(std::make_unique<Body>(entities, link, gravity, hulls, shared));
+    newBodies.push_back(arena.make<Body>(entities, link, gravity, hulls, shared));
   }
   // before a body comes: who may touch it is asked then
   filter.grow();
@@ -191,9 +195,9 @@ void Engine::Parts::addJoints() {
   for (world::Slot slot = joints.size(); slot < entities.joints().size(); ++slot) {
     const world::JointRecord& record = entities.joints()[slot];
     const description::Joint& description = *record.description;
-    joints.push_back(std::make_unique<Joint>(description, end(record.parentLink, description.X_ParentJoint),
-                                             end(record.childLink, description.X_ChildJoint),
-                                             end(record.referenceLink, description.X_ReferenceJoint)));
+    joints.push_back(arena.make<Joint>(description, end(record.parentLink, description.X_ParentJoint),
+                                       end(record.childLink, description.X_ChildJoint),
+                                       end(record.referenceLink, description.X_ReferenceJoint)));
     world.separate(joints.back()->getRigidBodyA(), joints.back()->getRigidBodyB());
   }
 }
@@ -211,7 +215,7 @@ void Engine::Parts::remove(const world::Removal& removal) {
   frictionFrames.remove(removal.links);
   world::eraseSlots(joints, removal.joints);
   // a body that has gone has no place in the broad phase any more, and must live until that has been looked at
-  std::vector<std::unique_ptr<Body>> gone;
+  std::vector<base::Arena::Pointer<Body>> gone;
   for (const world::Slot slot : removal.links) gone.push_back(std::move(bodies[slot]));
   world::eraseSlots(bodies, removal.links);
   renumberFrom(removal.links.empty() ? bodies.size() : removal.links.front(),
@@ -277,7 +281,8 @@ void Engine::Parts::reportExplosion(world::Slot link) const {
 Engine::Engine(const world::Entities& entities, const Settings& settings)
     : hulls_(std::make_unique<HullStore>(settings.hullCache)),
       configuration_(std::make_unique<CollisionConfiguration>()),
-      parts_(std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, makeAnchor())) {
+      arena_(std::make_shared<base::Arena>()),
+      parts_(std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, *arena_, makeAnchor())) {
   combineSurfacesAsFortress();
 }
 
@@ -332,7 +337,7 @@ void Engine::reset() {
   const Settings settings = parts_->settings;
   std::shared_ptr<btRigidBody> anchor = parts_->anchor;
   parts_.reset();
-  parts_ = std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, std::move(anchor));
+  parts_ = std::make_unique<Parts>(entities, settings, *hulls_, *configuration_, *arena_, std::move(anchor));
 }
 
 void Engine::setGravity(const Vector3& gravity) {
@@ -408,6 +413,7 @@ std::vector<SetAside> Engine::setAside(const world::GroupSlots& groups) {
   std::vector<std::size_t> groupOf(parts.bodies.size(), result.size());
   for (std::size_t group = 0; group < result.size(); ++group) {
     result[group].content_ = std::make_unique<SetAside::Content>();
+    result[group].content_->arena = arena_;
     result[group].content_->anchor = parts.anchor;
     for (const world::Slot link : groups.links[group]) groupOf[link] = group;
   }
@@ -435,8 +441,8 @@ std::vector<SetAside> Engine::setAside(const world::GroupSlots& groups) {
 }
 
 void Engine::bringBack(const world::GroupSlots& groups, std::vector<SetAside> parts) {
-  std::vector<std::vector<std::unique_ptr<Body>>> bodies;
-  std::vector<std::vector<std::unique_ptr<Joint>>> joints;
+  std::vector<std::vector<base::Arena::Pointer<Body>>> bodies;
+  std::vector<std::vector<base::Arena::Pointer<Joint>>> joints;
   std::vector<KeptTouch> touches;
   for (SetAside& part : parts) {
     bodies.push_back(std::move(part.content_->bodies));

@@ -15,6 +15,10 @@
 #include "world/entities.hh"
 #include "world/state.hh"
 
+namespace pongsim::base {
+class Arena;
+}  // namespace pongsim::base
+
 namespace pongsim::physics {
 
 class CollisionConfiguration;
@@ -142,8 +146,9 @@ class Engine {
   struct Parts;
   /// Of meshes; kept when everything else is recreated.
   std::unique_ptr<HullStore> hulls_;
-  /// Has memory pools of several MB, which take longer to make than the rest of a small world.
   std::unique_ptr<CollisionConfiguration> configuration_;
+  /// Of bodies, joints and contacts. Those that are set aside hold it, too.
+  std::shared_ptr<base::Arena> arena_;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -41,13 +41,16 @@ TEST(Workers, GiveNoTwoCallsAtOnceTheSameNumber) {
 TEST(Workers, HelpOthersFromTheFarEndsOfTheirParts) {
   constexpr std::size_t kCount = 100;
   Workers workers(2);
+  std::atomic<bool> hasBegun = false;
   std::atomic<std::size_t> done = 0;
   std::vector<std::size_t> order;
   workers.forEach(kCount, [&](std::size_t i, int worker) {
     if (worker == 0 && i == 0) {
       // its first piece of work takes until the other worker has done all else
+      hasBegun = true;
       while (done != kCount - 1) std::this_thread::yield();
     } else {
+      while (!hasBegun) std::this_thread::yield();
       if (worker == 1) order.push_back(i);
       ++done;
     }

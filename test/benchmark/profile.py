@@ -20,8 +20,8 @@ PARTS = [
     ("LCP", r"physics::(Lcp|ReducedLcp|eliminate|substitute|.*take(One|Four))"),
     ("rows", r"physics::(GroupRows|DirectSolver|GroupSolver|ContactSolver|Joint::(getInfo|add|Row)|pointSurface|settlePoint|"
              r".*[fF]riction|.*bend|.*restitution|bounce)|SequentialImpulse"),
-    ("grouping", r"GroupedWorld::(collect|unite|count|sort|root|group|limit)|physics::Rest"),
-    ("broad phase", r"btDbvt|OverlappingPair|[aA]abb|roughlyMoved|ContactFilter"),
+    ("grouping", r"GroupedWorld::(gather|form|find)|physics::(Groups|Neighbourhoods|Rest|PieceLimits)"),
+    ("broad phase", r"btDbvt|OverlappingPair|[aA]abb|SweptBoxes|BroadPhase|ContactFilter"),
     ("narrow phase", r"Algorithm|Manifold|Dispatcher|Shape|btGjk|btVoronoi|HullOnPlane|combine|ContactAdded|collide"
                      r"|forgetRolled|Surface"),
     ("integration", r"GroupedWorld::|btTransformUtil|integrate|updateInertia|gyration|Gyration|Turn|addForces|"

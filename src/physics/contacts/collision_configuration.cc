@@ -88,7 +88,19 @@ class ConvexOnPlane final : public btConvexPlaneCollisionAlgorithm {
   }
 };
 
+btDefaultCollisionConstructionInfo withoutPools() {
+  btDefaultCollisionConstructionInfo info;
+  // a pool has one place at least
+  info.m_defaultMaxPersistentManifoldPoolSize = 1;
+  info.m_defaultMaxCollisionAlgorithmPoolSize = 1;
+  return info;
+}
+
 }  // namespace
+
+CollisionConfiguration::CollisionConfiguration() : btDefaultCollisionConfiguration(withoutPools()) {
+  planeUnderConvex_.m_swapped = true;
+}
 
 btCollisionAlgorithm* CollisionConfiguration::MakeConvexOnPlane::CreateCollisionAlgorithm(
     btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b) {

@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btPoolAllocator.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -166,11 +167,18 @@ btCollisionAlgorithm* Dispatcher::noAlgorithm(const btCollisionObjectWrapper* a,
                                                                                                                b);
 }
 
+// as Bullet's own, but in the arena
 btPersistentManifold* Dispatcher::getNewManifold(const btCollisionObject* a, const btCollisionObject* b) {
+  const btScalar breaking = std::min(a->getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold),
+                                     b->getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold));
+  const btScalar processing = std::min(a->getContactProcessingThreshold(), b->getContactProcessingThreshold());
   btPersistentManifold* manifold = nullptr;
   {
-    const std::lock_guard lock(pools_);
-    manifold = btCollisionDispatcher::getNewManifold(a, b);
+    const std::lock_guard lock(arenaMutex_);
+    void* const place = arena_.allocate(sizeof(btPersistentManifold));
+    manifold = ::new (place) btPersistentManifold(a, b, 0, breaking, processing);
+    manifold->m_index1a = m_manifoldsPtr.size();
+    m_manifoldsPtr.push_back(manifold);
   }
   manifold->m_companionIdA = a == lastPair.a ? lastPair.partA : lastPair.partB;
   manifold->m_companionIdB = a == lastPair.a ? lastPair.partB : lastPair.partA;
@@ -178,18 +186,31 @@ btPersistentManifold* Dispatcher::getNewManifold(const btCollisionObject* a, con
 }
 
 void Dispatcher::releaseManifold(btPersistentManifold* manifold) {
-  const std::lock_guard lock(pools_);
-  btCollisionDispatcher::releaseManifold(manifold);
+  const std::lock_guard lock(arenaMutex_);
+  clearManifold(manifold);
+  const int index = manifold->m_index1a;
+  m_manifoldsPtr.swap(index, m_manifoldsPtr.size() - 1);
+  m_manifoldsPtr[index]->m_index1a = index;
+  m_manifoldsPtr.pop_back();
+  manifold->~btPersistentManifold();
+  arena_.free(manifold, sizeof(btPersistentManifold));
+}
+
+// who frees one does not say how large it is
+std::size_t Dispatcher::algorithmSize() const {
+  return static_cast<std::size_t>(m_collisionAlgorithmPoolAllocator->getElementSize());
 }
 
 void* Dispatcher::allocateCollisionAlgorithm(int size) {
-  const std::lock_guard lock(pools_);
-  return btCollisionDispatcher::allocateCollisionAlgorithm(size);
+  btAssert(static_cast<std::size_t>(size) <= algorithmSize());
+  static_cast<void>(size);
+  const std::lock_guard lock(arenaMutex_);
+  return arena_.allocate(algorithmSize());
 }
 
 void Dispatcher::freeCollisionAlgorithm(void* algorithm) {
-  const std::lock_guard lock(pools_);
-  btCollisionDispatcher::freeCollisionAlgorithm(algorithm);
+  const std::lock_guard lock(arenaMutex_);
+  arena_.free(algorithm, algorithmSize());
 }
 
 std::pair<int, int> Dispatcher::numbersOf(const btBroadphasePair& pair) {
@@ -208,6 +229,10 @@ void Dispatcher::prefetchObjects(const btBroadphasePair& pair) {
 }
 
 void Dispatcher::prefetchManifolds(const btBroadphasePair& pair, std::size_t worker) {
+  for (const btBroadphaseProxy* proxy : {pair.m_pProxy0, pair.m_pProxy1}) {
+    const int number = objectOf(*proxy).getIslandTag();
+    if (number != kNoMember) rest_.prefetch(static_cast<std::size_t>(number));
+  }
   btManifoldArray& manifolds = looks_[worker].manifolds;
   listManifolds(pair, manifolds);
   for (int i = 0; i < manifolds.size(); ++i) {

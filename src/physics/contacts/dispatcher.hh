@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/arena.hh"
 #include "base/workers.hh"
 #include "physics/contacts/touch.hh"
 #include "physics/solving/rest.hh"
@@ -26,16 +27,18 @@ constexpr int collisionOfPart(int part) { return part >> 10; }
 /// as a whole. Collisions whose `<collide_bitmask>`s share no bit do not touch.
 ///
 /// Workers process the pairs in parallel. The result for one pair does not depend on any other: each writes only to its
-/// own manifolds, and the shared pools of algorithms and manifolds are locked. Only the order in which manifolds are
-/// created depends on the threads. A pair is skipped if neither body has moved and the previous step's detection
-/// changed nothing. Pairs whose bounding boxes are apart are skipped too; those whose boxes in the broad phase's trees
-/// no longer overlap are removed.
+/// own manifolds, and the arena of algorithms and manifolds, which they share, is locked. Only the order in which
+/// manifolds are created depends on the threads. A pair is skipped if neither body has moved and the previous step's
+/// detection changed nothing. Pairs whose bounding boxes are apart are skipped too; those whose boxes in the broad
+/// phase's trees no longer overlap are removed.
 class Dispatcher final : public btCollisionDispatcher {
  public:
   /// @param mostContacts Maximum number of contact points of two collisions, unless one of them sets it; negative: no
   /// limit.
-  Dispatcher(btCollisionConfiguration& configuration, base::Workers& workers, Rest& rest, long long mostContacts)
+  Dispatcher(btCollisionConfiguration& configuration, base::Arena& arena, base::Workers& workers, Rest& rest,
+             long long mostContacts)
       : btCollisionDispatcher(&configuration),
+        arena_(arena),
         workers_(workers),
         rest_(rest),
         mostContacts_(mostContacts),
@@ -52,8 +55,8 @@ class Dispatcher final : public btCollisionDispatcher {
   /// @return Numbers of the two bodies; `kNoMember` for a body that forces do not move.
   static std::pair<int, int> numbersOf(const btBroadphasePair& pair);
 
-  /// These prefetch what `findTouches` needs, each following the pointers that the previous one fetched. No other thread
-  /// may work on the pair when its algorithm and manifolds are prefetched.
+  /// These prefetch what `findTouches` needs, each following the pointers that the previous one fetched. No other
+  /// thread may work on the pair when its algorithm and manifolds are prefetched.
   static void prefetchProxies(const btBroadphasePair& pair);
   static void prefetchObjects(const btBroadphasePair& pair);
   void prefetchManifolds(const btBroadphasePair& pair, std::size_t worker);
@@ -69,6 +72,7 @@ class Dispatcher final : public btCollisionDispatcher {
                                  btDispatcher* dispatcher) override;
 
  private:
+  std::size_t algorithmSize() const;
   /// For two parts that can't touch.
   btCollisionAlgorithm* noAlgorithm(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                                     btPersistentManifold* shared);
@@ -86,6 +90,7 @@ class Dispatcher final : public btCollisionDispatcher {
   void part(btBroadphasePair& pair, Look& memory);
   void collectTouches(const btManifoldArray& manifolds, std::vector<Touch>& touches) const;
 
+  base::Arena& arena_;
   base::Workers& workers_;
   Rest& rest_;
   const long long mostContacts_;
@@ -93,8 +98,8 @@ class Dispatcher final : public btCollisionDispatcher {
   std::vector<Look> looks_;
   /// Whether there are pairs that are no longer near each other.
   std::atomic<bool> haveParted_ = false;
-  /// Guards Bullet's pools and its list of manifolds.
-  std::mutex pools_;
+  /// Guards the arena and Bullet's list of manifolds.
+  std::mutex arenaMutex_;
 };
 
 }  // namespace pongsim::physics

@@ -7,7 +7,7 @@
 
 namespace pongsim::physics {
 
-void FrictionFrames::find(std::span<const std::unique_ptr<Body>> bodies, world::Slot first,
+void FrictionFrames::find(std::span<const base::Arena::Pointer<Body>> bodies, world::Slot first,
                           const world::Entities& entities) {
   for (const auto& body : bodies.subspan(first)) {
     LinkShape& shape = body->shape();

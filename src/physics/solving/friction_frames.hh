@@ -1,9 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "base/arena.hh"
 #include "physics/body.hh"
 #include "world/entities.hh"
 
@@ -14,7 +14,7 @@ class FrictionFrames {
  public:
   /// Looks for them in the bodies from `first` on.
   /// @param bodies One a link, in the order of their slots.
-  void find(std::span<const std::unique_ptr<Body>> bodies, world::Slot first, const world::Entities& entities);
+  void find(std::span<const base::Arena::Pointer<Body>> bodies, world::Slot first, const world::Entities& entities);
 
   /// Forgets those of links that go, which know their slots still.
   /// @param links Their slots, in ascending order.

@@ -1,6 +1,5 @@
 #include "physics/solving/grouped_world.hh"
 
-#include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
@@ -10,7 +9,6 @@
 #include <functional>
 #include <utility>
 
-#include "base/prefetch.hh"
 #include "physics/motion.hh"
 #include "physics/solving/rounding.hh"
 #include "pongsim/math.hh"

@@ -1,7 +1,8 @@
 """What a step of each engine costs, and how true it is, in one run: run by tools/bench engines [COUNT...] [--csv FILE].
 
 Engines take turns within each world, so that a noisy machine is noisy for all. What is timed is processor time, of
-steps of 1 ms; the error is measured on its own, at 1 ms and at other steps, for the plot of error against cost.
+steps of 1 ms, and wall time: the best decile of short slices, in which nobody else had the processor. The error is
+measured on its own, at 1 ms and at other steps, for the plot of error against cost.
 """
 
 import argparse
@@ -24,14 +25,22 @@ PATIENCE = 30
 
 
 def slice_cost(made, count):
-    """Processor time of a step [us], of `count` steps or as many as fit."""
+    """Processor time of a step [us], of `count` steps or as many as fit, and the wall times of a step in parts of it."""
     begin = time.process_time()
     done = 0
+    walls = []
     while done < count and (done == 0 or time.process_time() - begin < LONGEST):
         part = min(count - done, max(1, count // 10))
+        start = time.perf_counter()
         made.step(part)
+        walls.append(1e6 * (time.perf_counter() - start) / part)
         done += part
-    return 1e6 * (time.process_time() - begin) / done
+    return 1e6 * (time.process_time() - begin) / done, walls
+
+
+def best_decile(values):
+    """The value that a tenth of them do not exceed."""
+    return sorted(values)[(len(values) - 1) // 10]
 
 
 def settle(made, case):
@@ -78,22 +87,27 @@ def prepare(engine, case, step=STEP):
 def compare(case, engines, rows):
     engines = [engine for engine in engines if takes(engine, case)]
     made = [prepare(engine, case) for engine in engines]
-    times = [[] for _ in engines]
+    times, walls = [[] for _ in engines], [[] for _ in engines]
     for _ in range(ROUNDS):
-        for each, found in zip(made, times):
-            found.append(slice_cost(each, case.measured))
-    for engine, each, found in zip(engines, made, times):
+        for i, each in enumerate(made):
+            cost, parts = slice_cost(each, case.measured)
+            times[i].append(cost)
+            walls[i] += parts
+    for engine, each, found, wall in zip(engines, made, times, walls):
         each.close()
         error = case.error(engine.Engine, STEP)
-        rows.append([case.name, engine.NAME, STEP, statistics.median(found), min(found), max(found), error, case.unit])
+        cost = [statistics.median(found), min(found), max(found), best_decile(wall)]
+        rows.append([case.name, engine.NAME, STEP, *cost, error, case.unit])
     show(rows[-len(engines) :])
 
 
 def show(rows):
-    ours = rows[0][3]
-    for name, engine, _, cost, least, most, error, unit in rows:
+    _, _, _, our_cost, _, _, our_wall, _, _ = rows[0]
+    for name, engine, _, cost, least, most, wall, error, unit in rows:
         said = "" if error is None else f"{error:12.2e} {unit}"
-        print(f"{name:<22} {engine:<14} {cost:12.1f} ({least:.1f} to {most:.1f}) {cost / ours:8.2f} {said}", flush=True)
+        span = f"({least:.1f} to {most:.1f})"
+        print(f"{name:<22} {engine:<14} {cost:12.1f} {span:<22} {cost / our_cost:8.2f} {wall:12.1f} "
+              f"{wall / our_wall:8.2f} {said}", flush=True)
 
 
 def other_steps(case, engines, rows):
@@ -101,9 +115,12 @@ def other_steps(case, engines, rows):
     for step in (0.0005, 0.002, 0.004):
         for engine in engines:
             made = prepare(engine, case, step)
-            cost = statistics.median(slice_cost(made, case.measured) for _ in range(3))
+            slices = [slice_cost(made, case.measured) for _ in range(3)]
+            cost = statistics.median(cost for cost, _ in slices)
+            wall = best_decile([wall for _, parts in slices for wall in parts])
             made.close()
-            rows.append([case.name, engine.NAME, step, cost, cost, cost, case.error(engine.Engine, step), case.unit])
+            error = case.error(engine.Engine, step)
+            rows.append([case.name, engine.NAME, step, cost, cost, cost, wall, error, case.unit])
 
 
 def main():
@@ -115,7 +132,8 @@ def main():
     if any(count < 1 for count in options.count):
         parser.error("a number of robots is at least 1")
     engines, rows = load(), []
-    print(f"processor time of a step of 1 ms [us], medians of {ROUNDS} by turns; in times of pongsim's; error")
+    print(f"a step of 1 ms: processor time [us], medians of {ROUNDS} by turns (least to most), in times of pongsim's; "
+          "wall time [us], best decile, in times of pongsim's; error")
     cases = [case for case in worlds.cases(options.count) if options.only in case.name]
     if not cases:
         parser.error(f"there is no world with '{options.only}' in its name")
@@ -127,7 +145,7 @@ def main():
                 other_steps(case, engines, rows)
         with open(options.csv, "w", newline="") as file:
             writer = csv.writer(file)
-            writer.writerow(["world", "engine", "step [s]", "cost [us]", "least", "most", "error", "unit"])
+            writer.writerow(["world", "engine", "step [s]", "cost [us]", "least", "most", "wall [us]", "error", "unit"])
             writer.writerows(rows)
 
 

@@ -89,6 +89,112 @@ TEST(DirectSolver, FindsInTreesWithGearboxesWhatIterationsComeTo) {
   expectTheSameVelocities(direct, iterated, 1e-5);
 }
 
+constexpr JointType kTypes[] = {JointType::kRevolute, JointType::kContinuous, JointType::kPrismatic, JointType::kBall,
+                                JointType::kFixed,    JointType::kUniversal,  JointType::kRevolute2, JointType::kScrew};
+
+/// A turn that is another one for each number.
+Quaternion turn(int number) { return fromRollPitchYaw(0.4 + number, 0.3 - 0.7 * number, 1.1 * number - 2); }
+
+/// Four links in a row, where a hinge, a joint of that type and a hinge connect them, all in frames of their own.
+description::Model rowWith(JointType type) {
+  std::vector<description::Link> links;
+  std::vector<description::Joint> joints;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "link" + std::to_string(i);
+    links.push_back(test::makeLink(name, {0.2, -0.1, 0.3}, 1 + 0.5 * i, {0.03, 0.04 + 0.01 * i, 0.05}));
+    links.back().X_ModelLink.rotation = turn(7);
+    if (i == 0) continue;
+    const Pose X_ParentJoint({0.2, 0.05, -0.1 * i}, turn(i)), X_ChildJoint({-0.1, 0.2, 0.05 * i}, turn(i + 3));
+    const Vector3 axis = Vector3(1, -2, 0.5 * i).normalized();
+    const std::size_t child = links.size() - 1;
+    links[child].X_ModelLink = links[child - 1].X_ModelLink * X_ParentJoint * X_ChildJoint.inverse();
+    joints.push_back(test::makeJoint(name, i == 2 ? type : JointType::kRevolute, "link" + std::to_string(i - 1), name,
+                                     X_ParentJoint, X_ChildJoint, axis));
+    if (i != 2) continue;
+    joints.back().threadPitch = 0.3;
+    if (type == JointType::kUniversal || type == JointType::kRevolute2) {
+      joints.back().axes.emplace_back().xyz = axis.cross(Vector3(0.3, 1, 2)).normalized();
+    }
+  }
+  description::Model model = test::makeModel("row", links);
+  model.joints = joints;
+  return model;
+}
+
+/// A train of gears with an arm on one of them, turned as a whole.
+description::Model gearsWithArm() {
+  description::Model model = test::makeGearTrain(3);
+  model.X_ParentModel = {{0.5, 0.2, 1}, turn(4)};
+  model.links.push_back(test::makeLink("arm", {0, 2, 0}, 1, {0.1, 0.1, 0.1}));
+  model.joints.push_back(
+      test::makeJoint("hinge_arm", JointType::kRevolute, "b", "arm", test::at(0, 0.5, 0), test::at(0, -0.5, 0)));
+  return model;
+}
+
+/// What floats freely, with links that have all sorts of velocities.
+struct Floating : Rig {
+  explicit Floating(const description::Model& model, const Settings& settings = Settings())
+      : Rig(worldOf(model), settings) {
+    for (world::Slot i = 0; i < state.links.size(); ++i) {
+      const double number = static_cast<double>(i);
+      engine.setLinkVelocity(i, {0.5 - 0.3 * number, 0.2 * number, 0.4}, {0.8 - number, 0.6, 0.5 * number - 0.4});
+    }
+  }
+
+  static description::World worldOf(const description::Model& model) {
+    description::World world;
+    world.gravity = Vector3::Zero();
+    world.models = {model};
+    return world;
+  }
+
+  Vector3 momentum() const {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t i = 0; i < state.links.size(); ++i) {
+      sum += description.models[0].links[i].inertial.mass * state.links[i].v_WorldLink;
+    }
+    return sum;
+  }
+  /// About the world's origin.
+  Vector3 angularMomentum() const {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t i = 0; i < state.links.size(); ++i) {
+      const description::Inertial& inertial = description.models[0].links[i].inertial;
+      const world::LinkState& link = state.links[i];
+      const Matrix3 R = link.X_WorldLink.rotation.toRotationMatrix();
+      sum += inertial.mass * link.X_WorldLink.position.cross(link.v_WorldLink) +
+             R * inertial.moments * R.transpose() * link.w_WorldLink;
+    }
+    return sum;
+  }
+};
+
+TEST(DirectSolver, FindsInTreesWithEachKindOfJointWhatIterationsComeTo) {
+  std::vector<description::Model> models = {gearsWithArm()};
+  for (const JointType type : kTypes) models.push_back(rowWith(type));
+  for (const description::Model& model : models) {
+    SCOPED_TRACE(description::name(model.joints[1].type));
+    Floating direct(model), iterated(model, manyIterations());
+    direct.step();
+    iterated.step();
+    expectTheSameVelocities(direct, iterated, 1e-4);
+  }
+}
+
+TEST(DirectSolver, KeepsTheMomentumOfTreesWithEachKindOfJoint) {
+  std::vector<description::Model> models = {gearsWithArm()};
+  for (const JointType type : kTypes) models.push_back(rowWith(type));
+  for (const description::Model& model : models) {
+    SCOPED_TRACE(description::name(model.joints[1].type));
+    Floating rig(model);
+    rig.step();
+    const Vector3 before = rig.momentum(), angularBefore = rig.angularMomentum();
+    rig.step(500);
+    EXPECT_LT((rig.momentum() - before).norm(), 1e-6 * before.norm());
+    EXPECT_LT((rig.angularMomentum() - angularBefore).norm(), 0.01 * angularBefore.norm());
+  }
+}
+
 /// Rods of 0.1 m on hinges, level at the start.
 description::World hangingChain(int links) {
   description::World world;

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace pongsim::base {
+
+/// Memory for objects that are gone through thousands of times a second: close together, in the order in which they are
+/// made, and in pages of 2 MiB where the kernel has them, so that the processor looks up few addresses. Memory that is
+/// freed is used again for objects of the same size. Not for several threads at once.
+class Arena {
+ public:
+  /// Of all memory that it gives: objects of two threads share no cache line.
+  static constexpr std::size_t kAlignment = 64;
+  /// Larger objects can't be had.
+  static constexpr std::size_t kLargest = 8192;
+
+  Arena() = default;
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+  /// All objects must be gone.
+  ~Arena();
+
+  /// @param bytes At most `kLargest`.
+  /// @throws std::bad_alloc
+  void* allocate(std::size_t bytes);
+  /// @param bytes As many as were asked for.
+  void free(void* memory, std::size_t bytes) noexcept;
+
+  template <class T>
+  struct Delete {
+    Arena* arena = nullptr;
+    void operator()(T* object) const {
+      object->~T();
+      arena->free(object, sizeof(T));
+    }
+  };
+  template <class T>
+  using Pointer = std::unique_ptr<T, Delete<T>>;
+
+  /// @return An object that must not outlive this.
+  template <class T, class... Arguments>
+  Pointer<T> make(Arguments&&... arguments) {
+    static_assert(sizeof(T) <= kLargest && alignof(T) <= kAlignment);
+    void* const place = allocate(sizeof(T));
+    try {
+      return Pointer<T>(::new (place) T(std::forward<Arguments>(arguments)...), {this});
+    } catch (...) {
+      free(place, sizeof(T));
+      throw;
+    }
+  }
+
+ private:
+  struct Free {
+    Free* next;
+  };
+
+  void addBlock();
+
+  std::vector<void*> blocks_;
+  std::byte* next_ = nullptr;
+  std::byte* end_ = nullptr;
+  /// What was freed, by size in units of `kAlignment`.
+  std::array<Free*, kLargest / kAlignment + 1> free_ = {};
+};
+
+}  // namespace pongsim::base
