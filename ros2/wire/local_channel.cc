@@ -7,8 +7,6 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <span>
 #include <stdexcept>
@@ -18,13 +16,10 @@
 
 namespace pongsim::ros2 {
 
-LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver,
-                           NeighbourLeases& leases, bool endsLeases, std::size_t largest)
+LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, std::size_t largest)
     : sockets_(std::move(sockets)),
       at_(at),
       receiver_(receiver),
-      leases_(leases),
-      endsLeases_(endsLeases),
       packet_(largest),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   if (wake_ < 0) throw std::runtime_error("no more file descriptors");
@@ -42,33 +37,16 @@ void LocalChannel::run() {
   std::vector<pollfd> waited{{wake_, POLLIN, 0}};
   for (const UdpSocket& socket : sockets_) waited.push_back({socket.handle(), POLLIN, 0});
   while (!isOver_) {
-    if (poll(waited.data(), waited.size(), endLeases()) < 0) continue;
+    if (poll(waited.data(), waited.size(), -1) < 0) continue;
     for (std::size_t i = 0; i < sockets_.size(); ++i) {
       if (waited[i + 1].revents != 0) drain(sockets_[i]);
     }
   }
 }
 
-int LocalChannel::endLeases() {
-  if (!endsLeases_) return -1;
-  const auto now = std::chrono::steady_clock::now();
-  if (now >= nextLook_) {
-    NeighbourLeases::Endings endings = leases_.endings(now);
-    for (const auto& each : endings.messages) {
-      receiver_.OnDataReceived(each.data(), static_cast<std::uint32_t>(each.size()), at_, at_);
-    }
-    nextLook_ = endings.nextLook;
-  }
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(nextLook_ - std::chrono::steady_clock::now());
-  return std::max(static_cast<int>(left.count()), 0);
-}
-
-/// Hands on what has come, until nothing is left or leases are to be looked at.
 void LocalChannel::drain(const UdpSocket& socket) {
   namespace rtps = eprosima::fastrtps::rtps;
   while (!isOver_) {
-    const auto now = std::chrono::steady_clock::now();
-    if (endsLeases_ && now >= nextLook_) return;
     sockaddr_in sender{};
     socklen_t length = sizeof sender;
     const ssize_t size =
@@ -80,9 +58,7 @@ void LocalChannel::drain(const UdpSocket& socket) {
     from.kind = LOCATOR_KIND_UDPv4;
     from.port = ntohs(sender.sin_port);
     std::memcpy(&from.address[12], &sender.sin_addr.s_addr, sizeof sender.sin_addr.s_addr);
-    const auto message = std::span(packet_).first(static_cast<std::size_t>(size));
-    if (!leases_.admits(message, now)) continue;
-    hastenFirstAcknacks(message);
+    hastenFirstAcknacks(std::span(packet_).first(static_cast<std::size_t>(size)));
     receiver_.OnDataReceived(packet_.data(), static_cast<std::uint32_t>(size), at_, from);
   }
 }

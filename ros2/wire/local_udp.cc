@@ -54,9 +54,6 @@ Locator_t locatorOf(std::uint32_t address, std::uint32_t port) {
 bool isLoopback(std::uint32_t address) { return (ntohl(address) >> 24) == 127; }
 bool isMulticast(const Locator_t& locator) { return (ntohl(addressOf(locator)) >> 28) == 0xe; }
 
-/// @return Whether it is a port where a participant hears of others, rather than one for data (RTPS 9.6.1.1).
-bool isForDiscovery(std::uint32_t port) { return port % 2 == 0; }
-
 class LocalUdpTransport;
 
 /// The way out, once.
@@ -67,8 +64,8 @@ class LocalSender final : public rtps::SenderResource {
 
 class LocalUdpTransport final : public dds_rtps::TransportInterface {
  public:
-  LocalUdpTransport(const LocalUdp& descriptor, const Reach& reach, std::shared_ptr<LocalGate> gate)
-      : TransportInterface(LOCATOR_KIND_UDPv4), descriptor_(descriptor), reach_(reach), gate_(std::move(gate)) {}
+  LocalUdpTransport(const LocalUdp& descriptor, const Reach& reach, std::shared_ptr<std::atomic<bool>> isOpen)
+      : TransportInterface(LOCATOR_KIND_UDPv4), descriptor_(descriptor), reach_(reach), isOpen_(std::move(isOpen)) {}
 
   bool init(const rtps::PropertyPolicy*) override;
   void shutdown() override;
@@ -144,7 +141,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
 
   LocalUdp descriptor_;
   Reach reach_;
-  std::shared_ptr<LocalGate> gate_;
+  std::shared_ptr<std::atomic<bool>> isOpen_;
   UdpSocket sender_;
   /// One by each interface.
   std::vector<UdpSocket> groupSenders_;
@@ -207,10 +204,7 @@ bool LocalUdpTransport::OpenInputChannel(const Locator_t& locator, dds_rtps::Tra
   if (channels_.contains(keyOf(locator))) return true;
   std::vector<UdpSocket> sockets = socketsFor(locator);
   if (sockets.empty()) return false;
-  // there is one such port
-  const bool endsLeases = !isMulticast(locator) && isForDiscovery(locator.port);
-  channels_[keyOf(locator)] =
-      std::make_unique<LocalChannel>(std::move(sockets), locator, *receiver, gate_->leases, endsLeases, kLargestPacket);
+  channels_[keyOf(locator)] = std::make_unique<LocalChannel>(std::move(sockets), locator, *receiver, kLargestPacket);
   return true;
 }
 
@@ -254,7 +248,7 @@ void LocalUdpTransport::sendBy(const UdpSocket& socket, const rtps::octet* bytes
 
 bool LocalUdpTransport::send(const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator& begin,
                              const rtps::LocatorsIterator& end) {
-  if (!gate_->isOpen) return true;
+  if (!*isOpen_) return true;
   for (; begin != end; ++begin) {
     const Locator_t& to = *begin;
     if (!is_locator_allowed(to)) continue;
@@ -357,11 +351,13 @@ Reach reachOf(bool isLoopbackOnly, const std::optional<std::string>& interface) 
   return reach;
 }
 
-LocalUdp::LocalUdp(const Reach& reach, std::shared_ptr<LocalGate> gate)
+LocalUdp::LocalUdp(const Reach& reach, std::shared_ptr<std::atomic<bool>> isOpen)
     : TransportDescriptorInterface(dds_rtps::s_maximumMessageSize, kParticipantsSought),
       reach_(reach),
-      gate_(std::move(gate)) {}
+      isOpen_(std::move(isOpen)) {}
 
-dds_rtps::TransportInterface* LocalUdp::create_transport() const { return new LocalUdpTransport(*this, reach_, gate_); }
+dds_rtps::TransportInterface* LocalUdp::create_transport() const {
+  return new LocalUdpTransport(*this, reach_, isOpen_);
+}
 
 }  // namespace pongsim::ros2

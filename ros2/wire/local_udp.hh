@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "pongsim/program/neighbour_leases.hh"
 #include "ros2/wire/local_sockets.hh"
 
 namespace pongsim::ros2 {
@@ -30,13 +29,6 @@ struct Reach {
 /// @throws std::invalid_argument where there is none of that name.
 Reach reachOf(bool isLoopbackOnly, const std::optional<std::string>& interface);
 
-/// What a participant and its transport share.
-struct LocalGate {
-  /// What is sent before is lost.
-  std::atomic<bool> isOpen = false;
-  NeighbourLeases leases;
-};
-
 /// UDP for Fast DDS that meets the nodes of this machine, whatever they are set up with, and lets in no packet of
 /// another machine: the library's own either is open to everybody, or speaks on 127.0.0.1, where nodes with default
 /// settings are not.
@@ -47,20 +39,18 @@ struct LocalGate {
 ///   members on this machine and never leaves it.
 /// - Nothing is sent to an address that is not this machine's.
 ///
-/// What comes in goes by the leases of the gate.
-///
-/// The gate is shut at first: Fast DDS 2.9 announces a new participant before that hands on what its sockets receive,
-/// and who is there answers at once and once only.
+/// It may be shut at first: Fast DDS 2.9 announces a new participant before that hands on what its sockets receive, and
+/// who is there answers at once and once only.
 class LocalUdp final : public eprosima::fastdds::rtps::TransportDescriptorInterface {
  public:
-  LocalUdp(const Reach& reach, std::shared_ptr<LocalGate> gate);
+  LocalUdp(const Reach& reach, std::shared_ptr<std::atomic<bool>> isOpen);
 
   eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
   std::uint32_t min_send_buffer_size() const override { return maxMessageSize; }
 
  private:
   Reach reach_;
-  std::shared_ptr<LocalGate> gate_;
+  std::shared_ptr<std::atomic<bool>> isOpen_;
 };
 
 }  // namespace pongsim::ros2

@@ -10,8 +10,7 @@
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fastdds/dds/log/Log.hpp>
 
-#include <algorithm>
-#include <chrono>
+#include <atomic>
 #include <stdexcept>
 
 #include "ros2/wire/fast_dds.hh"
@@ -53,11 +52,11 @@ rtps::Locator_t locatorOf(const char* address) {
 
 rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
                                              const std::optional<SecureIdentity>& identity,
-                                             const std::shared_ptr<LocalGate>& gate) {
+                                             const std::shared_ptr<std::atomic<bool>>& isOpen) {
   rtps::RTPSParticipantAttributes attributes;
   attributes.useBuiltinTransports = false;
   attributes.userTransports.push_back(
-      std::make_shared<LocalUdp>(reachOf(options.isLoopbackOnly, options.interface), gate));
+      std::make_shared<LocalUdp>(reachOf(options.isLoopbackOnly, options.interface), isOpen));
   // those who hear no group are looked for on 127.0.0.1
   attributes.builtin.initialPeersList.push_back(locatorOf("239.255.0.1"));
   attributes.builtin.initialPeersList.push_back(locatorOf("127.0.0.1"));
@@ -83,21 +82,22 @@ rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
 
 }  // namespace
 
-Participant::Participant(const ParticipantOptions& options) : options_(options), gate_(std::make_shared<LocalGate>()) {
+Participant::Participant(const ParticipantOptions& options) : options_(options) {
   if (options.domain < 0 || options.domain > kLastDomain) {
     throw std::invalid_argument("ROS_DOMAIN_ID is " + std::to_string(options.domain) + ", not between 0 and 232");
   }
   setUpLibrary();
   const std::optional<SecureIdentity> identity = securityOfEnvironment(options.domain).identity;
+  const auto isOpen = std::make_shared<std::atomic<bool>>(false);
   participant_ = rtps::RTPSDomain::createParticipant(static_cast<std::uint32_t>(options.domain), false,
-                                                     attributesOf(options, identity, gate_), this);
+                                                     attributesOf(options, identity, isOpen), this);
   if (participant_ == nullptr) {
     throw std::runtime_error("can't open the ROS domain " + std::to_string(options.domain) +
                              (identity ? " as identity '" + identity->name + "'" : ""));
   }
   id_ = guidOf(participant_->getGuid());
   participant_->enable();
-  gate_->isOpen = true;
+  *isOpen = true;
   participant_->announceRTPSParticipantState();
 }
 
@@ -118,13 +118,9 @@ std::unique_ptr<Reader> Participant::makeReader(const Contract& contract, Reader
 void Participant::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDiscoveryInfo&& info) {
   using Info = rtps::ParticipantDiscoveryInfo;
   const Guid id = guidOf(info.info.m_guid);
-  NeighbourLeases::Prefix prefix;
-  std::copy_n(id.bytes.begin(), prefix.size(), prefix.begin());
   if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
     graph_.removeParticipant(id);
-    gate_->leases.removed(prefix);
   } else {
-    gate_->leases.discovered(prefix, std::chrono::steady_clock::now());
     graph_.addParticipant(id);
   }
 }

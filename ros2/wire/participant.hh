@@ -36,8 +36,6 @@ struct ParticipantOptions {
   std::optional<std::string> interface = std::nullopt;
 };
 
-struct LocalGate;
-
 /// One participant of a DDS domain.
 class Participant final : private rtps::RTPSParticipantListener {
  public:
@@ -66,7 +64,6 @@ class Participant final : private rtps::RTPSParticipantListener {
   ParticipantOptions options_;
   Graph graph_;
   Outbox outbox_;
-  std::shared_ptr<LocalGate> gate_;
   Guid id_;
   rtps::RTPSParticipant* participant_ = nullptr;
 };

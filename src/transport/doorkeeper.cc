@@ -7,11 +7,14 @@ namespace pongsim::transport {
 
 namespace {
 
-// From one socket and at one port of this machine. Who was killed may be known for a while beside its
+// Of all, from one socket and at one port of this machine. Who was killed may be known for a while beside its
 // successor.
-constexpr std::size_t kMostOfSocket = 4, kMostAtPort = 4;
+constexpr std::size_t kMostKnown = 512, kMostOfSocket = 4, kMostAtPort = 4;
 // Of another machine: as many as a domain has ports for on one.
 constexpr std::ptrdiff_t kMostOfAddress = 128;
+
+// How long a participant may be silent.
+constexpr std::chrono::seconds kShortestLease{1}, kLongestLease{100};
 
 constexpr std::uint32_t kThisMachinesNet = 127;
 
@@ -38,11 +41,16 @@ bool Doorkeeper::Known::isWithinMeans(const RtpsMessage& message, TimePoint now)
          wishes.take(static_cast<double>(message.wishes), now);
 }
 
-Doorkeeper::Doorkeeper(Sockets sockets) : sockets_(std::move(sockets)) {}
+Doorkeeper::Doorkeeper(Sockets sockets) : sockets_(std::move(sockets)), leases_({kShortestLease, kLongestLease}) {}
 
 bool Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now) {
   const std::optional<RtpsMessage> message = readRtpsMessage(bytes);
-  if (!message || !speaksForItself(*message) || message->endpointFragments > 0) return false;
+  if (!message) return false;
+  for (const RtpsDiscovery& sample : message->discovery) {
+    if (sample.prefix != message->source) return false;
+    // the library would take it for none at all, and drop the participant whenever it has met it
+    if (sample.isOfParticipant() && sample.isAlive && !sample.leaseAt) return false;
+  }
   const std::lock_guard lock(mutex_);
   if (leases_.hasEnded(message->source)) return false;
   const auto found = known_.find(message->source);
@@ -112,7 +120,7 @@ Doorkeeper::Known* Doorkeeper::introduce(const RtpsMessage& message, const RtpsA
 /// @return Whether one more may be known, at that port, and its socket is there. Ends the leases of those at that port
 /// of this machine whose socket has gone.
 bool Doorkeeper::isRoomFor(std::uint32_t port, const RtpsAddress& from, Side side) {
-  if (leases_.isFull()) return false;
+  if (leases_.size() >= kMostKnown) return false;
   if (side == Side::kBeyond) {
     return std::ranges::count_if(known_, [&](const auto& each) {
              return each.second.side == side && each.second.sockets.front().address == from.address;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "transport/wire_number.hh"
-
 namespace pongsim::transport {
 
 namespace {
@@ -17,17 +15,26 @@ constexpr int kMostTold = 5;
 // By then it has long been handled.
 constexpr std::chrono::nanoseconds kGoodbye = std::chrono::seconds(10);
 
+std::uint32_t read32(std::span<const std::uint8_t> place, bool isLittleEndian) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) number |= std::uint32_t(place[i]) << 8 * (isLittleEndian ? i : 3 - i);
+  return number;
+}
+
+void write32(std::span<std::uint8_t> place, bool isLittleEndian, std::uint32_t number) {
+  for (std::size_t i = 0; i < 4; ++i) place[i] = static_cast<std::uint8_t>(number >> 8 * (isLittleEndian ? i : 3 - i));
+}
+
 }  // namespace
 
 /// @return The announced lease, within bounds.
 std::chrono::nanoseconds Leases::makeEndless(std::span<std::uint8_t> bytes, const RtpsDiscovery& announcement) const {
   if (!announcement.leaseAt) return bounds_.longest;
-  const auto place = bytes.subspan(*announcement.leaseAt, 4);
-  const std::span<const std::uint8_t> fractionPlace = bytes.subspan(*announcement.leaseAt + 4, 4);
+  const auto place = bytes.subspan(*announcement.leaseAt, 8);
   // unsigned: a negative one is long
-  const std::chrono::seconds seconds(readNumber(std::span<const std::uint8_t>(place), announcement.isLittleEndian));
-  const std::uint64_t fraction = readNumber(fractionPlace, announcement.isLittleEndian);
-  writeNumber(kEndless, place, announcement.isLittleEndian);
+  const std::chrono::seconds seconds(read32(place, announcement.isLittleEndian));
+  const std::uint64_t fraction = read32(place.subspan(4), announcement.isLittleEndian);
+  write32(place, announcement.isLittleEndian, kEndless);
   const std::chrono::nanoseconds lease = seconds + std::chrono::nanoseconds(fraction * 1'000'000'000 >> 32);
   return std::clamp(lease, bounds_.shortest, bounds_.longest);
 }
@@ -40,11 +47,6 @@ bool Leases::hear(const RtpsMessage& message, std::span<std::uint8_t> bytes, Tim
   }
   for (const RtpsDiscovery& sample : message.discovery) {
     if (!sample.isOfParticipant() || sample.prefix != message.source) continue;
-    if (!neighbours_.contains(message.source)) {
-      // the goodbye of one that nobody knows
-      if (!sample.isAlive) continue;
-      if (isFull()) return false;
-    }
     Neighbour& neighbour = neighbours_[message.source];
     neighbour.heard = now;
     // not before the library has heard of the goodbye
@@ -56,7 +58,6 @@ bool Leases::hear(const RtpsMessage& message, std::span<std::uint8_t> bytes, Tim
 
 void Leases::discovered(const RtpsPrefix& prefix, TimePoint now) {
   const auto [place, isNew] = neighbours_.try_emplace(prefix);
-  place->second.isDiscovered = true;
   if (!isNew) return;
   place->second.heard = now;
   place->second.lease = bounds_.longest;
@@ -78,9 +79,9 @@ bool Leases::hasEnded(const RtpsPrefix& prefix) const {
 
 std::vector<std::vector<std::uint8_t>> Leases::endings(TimePoint now) {
   std::vector<std::vector<std::uint8_t>> messages;
-  // those it has never got to know, and has nothing to say of
+  // those it never got to know
   std::erase_if(neighbours_, [now](const auto& each) {
-    return !each.second.isDiscovered && each.second.timesTold >= kMostTold && now - each.second.told >= kTellAgain;
+    return each.second.timesTold == kMostTold && now - each.second.told >= kTellAgain;
   });
   for (auto& [prefix, neighbour] : neighbours_) {
     if (now - neighbour.heard > neighbour.lease) neighbour.hasEnded = true;

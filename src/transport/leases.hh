@@ -21,20 +21,16 @@ namespace pongsim::transport {
 class Leases {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
+  /// Of what is announced.
   struct Bounds {
-    /// Of what is announced.
     std::chrono::nanoseconds shortest, longest;
-    /// Neighbours.
-    std::size_t most;
   };
-  static constexpr Bounds kUsual = {std::chrono::seconds(1), std::chrono::seconds(100), 512};
 
-  explicit Leases(const Bounds& bounds = kUsual) : bounds_(bounds) {}
+  explicit Leases(const Bounds& bounds) : bounds_(bounds) {}
 
   /// Takes note of who speaks. Whoever says goodbye is known until the library has heard it.
   /// @param bytes Of the message; the leases in it become endless.
-  /// @return Whether the library may see it: not from a neighbour whose lease has ended, nor where it announces one too
-  /// many.
+  /// @return Whether the library may see it.
   bool hear(const RtpsMessage& message, std::span<std::uint8_t> bytes, TimePoint now);
 
   /// Takes note of whom the library knows, and of whom it does no longer.
@@ -49,11 +45,9 @@ class Leases {
   bool hasEnded(const RtpsPrefix& prefix) const;
   /// @return How many are known, those whose lease has ended among them.
   std::size_t size() const { return neighbours_.size(); }
-  /// @return Whether there is no room for another one.
-  bool isFull() const { return size() >= bounds_.most; }
 
   /// @return Messages by which the library drops those whose lease has ended, one for each. They are told again every
-  /// second until it has, and a few times where it has never said that it knows the neighbour.
+  /// second, a few times, until it has.
   std::vector<std::vector<std::uint8_t>> endings(TimePoint now);
 
   /// @return When `endings` is to be asked next, in a second at the latest.
@@ -66,8 +60,6 @@ class Leases {
     /// Of its last announcement.
     std::uint64_t sequence = 0;
     bool hasEnded = false;
-    /// Whether the library has said so.
-    bool isDiscovered = false;
     int timesTold = 0;
     TimePoint told;
   };

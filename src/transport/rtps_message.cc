@@ -4,7 +4,6 @@
 #include <initializer_list>
 
 #include "transport/payload.hh"
-#include "transport/wire_number.hh"
 
 namespace pongsim::transport {
 
@@ -42,8 +41,19 @@ class Reading {
     rest_ = rest_.subspan(count);
     return taken;
   }
-  std::uint64_t number(std::size_t size) { return readNumber(take(size), isLittleEndian_); }
-  RtpsEntity entity() { return static_cast<RtpsEntity>(readNumber(take(4), false)); }
+  std::uint64_t number(std::size_t size) {
+    const auto bytes = take(size);
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      number = number << 8 | bytes[isLittleEndian_ ? bytes.size() - 1 - i : i];
+    }
+    return number;
+  }
+  RtpsEntity entity() {
+    RtpsEntity id = 0;
+    for (const std::uint8_t each : take(4)) id = id << 8 | each;
+    return id;
+  }
   std::uint64_t sequence() {
     const std::uint64_t upper = number(4);
     return upper << 32 | number(4);
@@ -145,7 +155,7 @@ bool readData(Reading body, std::uint8_t flags, std::span<const std::uint8_t> wh
   return true;
 }
 
-bool readDataFrag(Reading body, RtpsMessage& message) {
+bool readDataFrag(Reading body) {
   body.take(8);
   const RtpsEntity writer = body.entity();
   const std::uint64_t number = body.sequence();
@@ -153,8 +163,7 @@ bool readDataFrag(Reading body, RtpsMessage& message) {
   const std::uint64_t count = body.number(2);
   const std::uint64_t size = body.number(2);
   const std::uint64_t whole = body.number(4);
-  if (!body.isGood() || writer == kSpdpWriter || number == 0 || number > kLastNumber) return false;
-  if (isDiscovery(writer)) ++message.endpointFragments;
+  if (!body.isGood() || isDiscovery(writer) || number == 0 || number > kLastNumber) return false;
   return first > 0 && count > 0 && size > 0 && whole <= payloadSize(kMaximumMessage) &&
          (first + count - 2) * size < whole;
 }
@@ -194,7 +203,7 @@ bool readSubmessage(std::uint8_t kind, std::uint8_t flags, Reading body, std::sp
     case submessage::kData:
       return readData(body, flags, whole, message);
     case submessage::kDataFrag:
-      return readDataFrag(body, message);
+      return readDataFrag(body);
     case submessage::kHeartbeat:
       return readHeartbeat(body);
     case submessage::kGap:
@@ -234,14 +243,6 @@ std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes) 
   return message;
 }
 
-bool speaksForItself(const RtpsMessage& message) {
-  return std::ranges::all_of(message.discovery, [&](const RtpsDiscovery& sample) {
-    // the library does not know whose end that is, either
-    if (!sample.prefix && !sample.isAlive) return true;
-    return sample.prefix == message.source && (!sample.isOfParticipant() || !sample.isAlive || sample.leaseAt);
-  });
-}
-
 std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant, std::uint64_t sequence) {
   constexpr std::uint8_t kLittle = 1, kWithData = 4;
   std::vector<std::uint8_t> bytes = {'R', 'T', 'P', 'S', 2, 3, 1, 0x0f};
@@ -251,8 +252,7 @@ std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant
     add({0, 0, 1, 0xc1});
   };
   const auto add32 = [&](std::uint64_t number) {
-    bytes.resize(bytes.size() + 4);
-    writeNumber(number, std::span(bytes).last(4));
+    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
   };
   bytes.insert(bytes.end(), participant.begin(), participant.end());
   // without a length, for it is the last one

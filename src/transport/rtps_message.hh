@@ -47,8 +47,6 @@ struct RtpsDiscovery {
 struct RtpsMessage {
   RtpsPrefix source{};
   std::vector<RtpsDiscovery> discovery;
-  /// Fragments of samples that tell of endpoints.
-  std::size_t endpointFragments = 0;
   /// Sequence numbers that it declares to be gaps.
   std::uint64_t gapNumbers = 0;
   /// Submessages that want samples again.
@@ -56,13 +54,9 @@ struct RtpsMessage {
 };
 
 /// @return The message; nothing where its lengths are wrong, or where it says what no honest participant says: that it
-/// is from another one than its header says, that participants are announced in fragments, a set of more than 256
-/// numbers, a gap that ends before it begins, a sequence number beyond 2^48.
+/// is from another one than its header says, that discovery comes in fragments, a set of more than 256 numbers, a gap
+/// that ends before it begins, a sequence number beyond 2^48.
 std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes);
-
-/// @return Whether it tells of its own participant and its endpoints only, and of no participant without a lease: Fast
-/// DDS 2.9 takes that for a lease of no time, and drops the participant whenever it has met it.
-bool speaksForItself(const RtpsMessage& message);
 
 /// @param sequence Of the sample.
 /// @return A message in which a participant announces a lease of no time, and else nothing of itself.

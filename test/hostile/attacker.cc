@@ -367,11 +367,9 @@ void Attacker::endOnTime() {
   using std::chrono::microseconds;
   // of one socket no more are heard, and the attacker itself is one of them
   constexpr std::size_t kAtOnce = 3;
-  // as late as the end of a lease is noticed, on an idle machine or a busy one
-  constexpr std::uint32_t kSoon = 400, kLate = 20'000;
   const auto now = std::chrono::steady_clock::now();
   if (ends_.size() < kAtOnce) {
-    ends_.emplace_back(freshPrefix(), now + std::chrono::seconds(1) + microseconds(below(oneIn(2) ? kSoon : kLate)));
+    ends_.emplace_back(freshPrefix(), now + std::chrono::seconds(1) + microseconds(below(400)));
     for (const Neighbour& each : neighbours_) send(participant(ends_.back().first, true, 1), each.discoveryPort);
     return;
   }

@@ -88,28 +88,6 @@ TEST_F(DoorkeeperTest, LetsNobodySpeakForAnother) {
   EXPECT_FALSE(admits(endpoint(1, 2), {kLoopback, 5000})) << "an endpoint of another's";
 }
 
-TEST_F(DoorkeeperTest, LetsNobodyTellOfEndpointsInFragments) {
-  ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
-  const auto fragment = [](RtpsEntity writer) {
-    Packet packet(prefixOf(1));
-    packet.begin(Kind::kDataFrag);
-    packet.add16(0);
-    packet.add16(28);
-    packet.addEntity(0);
-    packet.addEntity(writer);
-    packet.addSequence(1);
-    packet.add32(1);
-    packet.add16(1);
-    packet.add16(64);
-    packet.add32(1000);
-    packet.addZeros(64);
-    packet.end();
-    return packet;
-  };
-  EXPECT_TRUE(admits(fragment(0x103), {kLoopback, 5000}));
-  EXPECT_FALSE(admits(fragment(kPublicationsWriter), {kLoopback, 5000})) << "which could not be counted";
-}
-
 TEST_F(DoorkeeperTest, LetsInNobodyWhoIsNotThere) {
   EXPECT_FALSE(admits(announcement(1), {kLoopback, 6000})) << "its socket has gone";
   discovery_.clear();

@@ -56,7 +56,7 @@ class LeasesTest : public testing::Test {
 
   std::vector<std::uint8_t> heard_;
   Leases::TimePoint now_ = Leases::TimePoint(std::chrono::hours(1));
-  Leases leases_{{seconds(1), seconds(100), 3}};
+  Leases leases_{{seconds(1), seconds(100)}};
 
  private:
   static Packet begin(const RtpsPrefix& prefix, std::uint8_t flags, std::int64_t sequence) {
@@ -137,29 +137,6 @@ TEST_F(LeasesTest, AreToldSomeTimesWhereTheLibraryNeverKnew) {
   }
   EXPECT_EQ(times, 5);
   EXPECT_EQ(leases_.size(), 0);
-}
-
-TEST_F(LeasesTest, AreToldForAsLongAsTheLibraryKnows) {
-  ASSERT_TRUE(hearAnnouncement(kNeighbour, 1));
-  leases_.discovered(kNeighbour, now_);
-  for (int i = 0; i < 20; ++i) {
-    now_ += seconds(2);
-    EXPECT_TRUE(ending()) << i;
-  }
-  EXPECT_FALSE(hearWord(kNeighbour));
-  leases_.removed(kNeighbour);
-  EXPECT_EQ(leases_.size(), 0);
-}
-
-TEST_F(LeasesTest, AreOfAsManyNeighboursAsThereMayBe) {
-  for (std::uint8_t i = 0; i < 3; ++i) ASSERT_TRUE(hearAnnouncement({1, 15, i}, 20));
-  EXPECT_TRUE(leases_.isFull());
-  EXPECT_FALSE(hearAnnouncement({1, 15, 3}, 20));
-  EXPECT_TRUE(hearAnnouncement({1, 15, 2}, 20, 0, 2));
-  EXPECT_TRUE(hearGoodbye({1, 15, 4})) << "of one that nobody knows";
-  EXPECT_EQ(leases_.size(), 3);
-  leases_.removed({1, 15, 0});
-  EXPECT_TRUE(hearAnnouncement({1, 15, 3}, 20));
 }
 
 TEST_F(LeasesTest, LetNothingByThatCouldMeetTheEnd) {

@@ -192,7 +192,7 @@ TEST(RtpsMessage, RefusesFragmentsThatBelongToNoSample) {
   EXPECT_FALSE(takesFragment(0, 1, 64, 1000));
   EXPECT_FALSE(takesFragment(1, 1, 0, 1000));
   EXPECT_FALSE(takesFragment(1, 1, 64, 0xffffffff)) << "larger than a message may be";
-  EXPECT_FALSE(takesFragment(1, 1, 64, 1000, kSpdpWriter)) << "an announcement";
+  EXPECT_FALSE(takesFragment(1, 1, 64, 1000, kPublicationsWriter)) << "discovery";
 }
 
 TEST(RtpsMessage, RefusesParticipantsOfAnotherEntity) {
