@@ -25,7 +25,7 @@ PATIENCE = 30
 
 
 def slice_cost(made, count):
-    """Processor time of a step [us], of `count` steps or as many as fit, and the wall times of a step in parts of it."""
+    """Processor time of a step [us], of `count` steps or as many as fit, and wall times of a step in parts of it."""
     begin = time.process_time()
     done = 0
     walls = []
