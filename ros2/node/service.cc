@@ -38,6 +38,11 @@ ServerEnds::~ServerEnds() {
   node_.removeReader(reader_->id());
   node_.removeWriter(writer_->id());
   reader_.reset();
+  {
+    // readers still come and go while the writer ends, which is no longer to be used then
+    const std::lock_guard lock(mutex_);
+    waiting_.clear();
+  }
   writer_.reset();
 }
 
@@ -104,6 +109,11 @@ ClientEnds::ClientEnds(RosNode& node, const std::string& service, const ServerEn
 ClientEnds::~ClientEnds() {
   node_.removeReader(reader_->id());
   node_.removeWriter(writer_->id());
+  {
+    // answers still come while the reader ends, which is no longer to be asked for its id then
+    const std::lock_guard lock(mutex_);
+    awaited_ = 0;
+  }
   writer_.reset();
   reader_.reset();
 }
