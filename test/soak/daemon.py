@@ -19,7 +19,11 @@ class Fault(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Footprint:
-    """What a process takes: bytes of memory, open descriptors, threads."""
+    """What a process takes: bytes of memory, open descriptors, threads.
+
+    Memory is what is the process's own. Pages of files that it has mapped, libraries above all, come and go with what else
+    the machine does: another program that reads them makes them part of this process's resident memory, too.
+    """
 
     memory: int
     descriptors: int
@@ -29,7 +33,8 @@ class Footprint:
     def of(pid):
         with open(f"/proc/{pid}/status", encoding="ascii") as lines:
             said = dict(line.split(":", 1) for line in lines)
-        return Footprint(int(said["VmRSS"].split()[0]) * 1024, len(os.listdir(f"/proc/{pid}/fd")), int(said["Threads"]))
+        memory = sum(int(said[kind].split()[0]) * 1024 for kind in ("RssAnon", "RssShmem"))
+        return Footprint(memory, len(os.listdir(f"/proc/{pid}/fd")), int(said["Threads"]))
 
 
 class Daemon:

@@ -33,11 +33,14 @@ std::set<std::string> socketsOf(pid_t pid, const std::string& table) {
 
 std::uint64_t memoryOf(pid_t pid) {
   std::ifstream lines(folderOf(pid) / "status");
+  std::uint64_t bytes = 0;
   for (std::string line; std::getline(lines, line);) {
     unsigned long long kilobytes = 0;
-    if (std::sscanf(line.c_str(), "VmRSS: %llu kB", &kilobytes) == 1) return kilobytes * 1024;
+    for (const char* kind : {"RssAnon: %llu kB", "RssShmem: %llu kB"}) {
+      if (std::sscanf(line.c_str(), kind, &kilobytes) == 1) bytes += kilobytes * 1024;
+    }
   }
-  return 0;
+  return bytes;
 }
 
 std::set<std::string> sharedMemoryOf(pid_t pid) {

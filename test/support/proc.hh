@@ -13,7 +13,8 @@ namespace pongsim::test {
 /// of 127.0.0.1.
 std::set<std::string> socketsOf(pid_t pid, const std::string& table);
 
-/// @return Bytes of a process's memory that are in use now; 0 where it has ended.
+/// @return Bytes of memory that a process takes now, without the files that it has mapped, whose pages come and go with
+/// what else the machine does; 0 where it has ended.
 std::uint64_t memoryOf(pid_t pid);
 
 /// @return The names in /dev/shm of what a process has mapped.
