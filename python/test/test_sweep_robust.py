@@ -21,9 +21,9 @@ HERE = pathlib.Path(__file__).parent
 def waits(sim, parameters):
     name = parameters["name"]
     if name in (HERE / "wait").read_text().split():
-        made = HERE / f"at.{name}"
-        made.with_suffix(".new").write_text(str(os.getpid()))
-        made.with_suffix(".new").rename(HERE / f"pid.{name}")
+        made = HERE / f"new.{name}"
+        made.write_text(str(os.getpid()))
+        made.rename(HERE / f"pid.{name}")
         while name in (HERE / "wait").read_text().split():
             time.sleep(0.01)
     return name
