@@ -32,12 +32,14 @@ nlohmann::ordered_json jsonOf(const ServiceInfo& service) {
 std::optional<int> findTypes(Transport& transport, CallOptions& options) {
   if (!options.requestType.empty() && !options.replyType.empty()) return std::nullopt;
   ServiceInfo service = transport.waitForService(options.service, options.timeout.value_or(kArrivalTime));
-  if (service.providers.empty() && !options.timeout) {
+  if (service.providers.empty()) {
+    const std::vector<ServiceInfo> services = servicesAround(transport);
     // on a busy machine, who is there may not have told so by then
-    servicesAround(transport);
-    service = transport.waitForService(options.service, {});
+    if (!options.timeout) service = transport.waitForService(options.service, {});
+    if (service.providers.empty()) {
+      return fail("no service " + options.service, nearestService(options.service, services));
+    }
   }
-  if (service.providers.empty()) return failWithoutService(transport, options.service);
   const ServiceInfo::Provider& provider = service.providers.front();
   const bool agree = std::ranges::all_of(service.providers, [&](const ServiceInfo::Provider& other) {
     return other.requestType == provider.requestType && other.replyType == provider.replyType;
