@@ -1,5 +1,7 @@
 #include "transport/leases.hh"
 
+#include "transport/wire_number.hh"
+
 #include <algorithm>
 
 namespace pongsim::transport {
@@ -15,16 +17,6 @@ constexpr int kMostTold = 5;
 // By then it has long been handled.
 constexpr std::chrono::nanoseconds kGoodbye = std::chrono::seconds(10);
 
-std::uint32_t read32(std::span<const std::uint8_t> place, bool isLittleEndian) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) number |= std::uint32_t(place[i]) << 8 * (isLittleEndian ? i : 3 - i);
-  return number;
-}
-
-void write32(std::span<std::uint8_t> place, bool isLittleEndian, std::uint32_t number) {
-  for (std::size_t i = 0; i < 4; ++i) place[i] = static_cast<std::uint8_t>(number >> 8 * (isLittleEndian ? i : 3 - i));
-}
-
 }  // namespace
 
 /// @return The announced lease, within bounds.
@@ -32,9 +24,11 @@ std::chrono::nanoseconds Leases::makeEndless(std::span<std::uint8_t> bytes, cons
   if (!announcement.leaseAt) return bounds_.longest;
   const auto place = bytes.subspan(*announcement.leaseAt, 8);
   // unsigned: a negative one is long
-  const std::chrono::seconds seconds(read32(place, announcement.isLittleEndian));
-  const std::uint64_t fraction = read32(place.subspan(4), announcement.isLittleEndian);
-  write32(place, announcement.isLittleEndian, kEndless);
+  const std::chrono::seconds seconds(
+      readNumber(std::span<const std::uint8_t>(place.first(4)), announcement.isLittleEndian));
+  const std::uint64_t fraction =
+      readNumber(std::span<const std::uint8_t>(place.subspan(4)), announcement.isLittleEndian);
+  writeNumber(kEndless, place.first(4), announcement.isLittleEndian);
   const std::chrono::nanoseconds lease = seconds + std::chrono::nanoseconds(fraction * 1'000'000'000 >> 32);
   return std::clamp(lease, bounds_.shortest, bounds_.longest);
 }

@@ -5,6 +5,8 @@
 
 #include "transport/payload.hh"
 
+#include "transport/wire_number.hh"
+
 namespace pongsim::transport {
 
 namespace {
@@ -41,14 +43,7 @@ class Reading {
     rest_ = rest_.subspan(count);
     return taken;
   }
-  std::uint64_t number(std::size_t size) {
-    const auto bytes = take(size);
-    std::uint64_t number = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      number = number << 8 | bytes[isLittleEndian_ ? bytes.size() - 1 - i : i];
-    }
-    return number;
-  }
+  std::uint64_t number(std::size_t size) { return readNumber(take(size), isLittleEndian_); }
   RtpsEntity entity() {
     RtpsEntity id = 0;
     for (const std::uint8_t each : take(4)) id = id << 8 | each;

@@ -6,17 +6,35 @@
 
 namespace pongsim::transport {
 
+/// @param bytes 8 at most, of std::byte or std::uint8_t.
+/// @return The unsigned number that all of them are.
+template <class Byte>
+std::uint64_t readNumber(std::span<const Byte> bytes, bool isLittleEndian = true) {
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    number = number << 8 | static_cast<std::uint64_t>(bytes[isLittleEndian ? bytes.size() - 1 - i : i]);
+  }
+  return number;
+}
+
+/// Writes the lowest bytes of a number, as many as `place` has, which are 8 at most.
+template <class Byte>
+void writeNumber(std::uint64_t number, std::span<Byte> place, bool isLittleEndian = true) {
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    place[isLittleEndian ? i : place.size() - 1 - i] = static_cast<Byte>(number >> (8 * i));
+  }
+}
+
 /// Writes an unsigned number of `size` bytes, least significant first, to the beginning of `place`, and removes them
 /// from it. There must be room.
 inline void putNumber(std::uint64_t number, std::size_t size, std::span<std::byte>& place) {
-  for (std::size_t i = 0; i < size; ++i) place[i] = static_cast<std::byte>(number >> (8 * i));
+  writeNumber(number, place.first(size));
   place = place.subspan(size);
 }
 
 /// Reads such a number from the beginning of `bytes`, which must have as many, and removes it.
 inline std::uint64_t takeNumber(std::size_t size, std::span<const std::byte>& bytes) {
-  std::uint64_t number = 0;
-  for (std::size_t i = 0; i < size; ++i) number |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
+  const std::uint64_t number = readNumber(bytes.first(size));
   bytes = bytes.subspan(size);
   return number;
 }

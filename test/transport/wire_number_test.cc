@@ -21,4 +21,15 @@ TEST(WireNumber, HasItsLeastSignificantByteFirstAndComesBack) {
   EXPECT_TRUE(rest.empty());
 }
 
+TEST(WireNumber, HasEitherByteOrder) {
+  std::array<std::uint8_t, 3> bytes{};
+  const std::span<std::uint8_t> place = bytes;
+  writeNumber(0x010203, place, false);
+  EXPECT_EQ(bytes, (std::array<std::uint8_t, 3>{1, 2, 3}));
+  EXPECT_EQ(readNumber(std::span<const std::uint8_t>(bytes), false), 0x010203);
+  EXPECT_EQ(readNumber(std::span<const std::uint8_t>(bytes), true), 0x030201);
+  writeNumber(0xff010203, place, true);
+  EXPECT_EQ(bytes, (std::array<std::uint8_t, 3>{3, 2, 1})) << "what has no room is left out";
+}
+
 }  // namespace pongsim::transport
