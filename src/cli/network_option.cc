@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/console.hh"
-#include "transport/interfaces.hh"
+#include "transport/udp/interfaces.hh"
 
 namespace pongsim::cli {
 

@@ -6,7 +6,7 @@
 #include "physics/bullet_version.hh"
 #include "rendering/mesa_version.hh"
 #include "sensing/embree_version.hh"
-#include "transport/fast_dds_version.hh"
+#include "transport/network/fast_dds_version.hh"
 
 namespace pongsim::cli {
 

@@ -8,9 +8,9 @@
 
 #include "pongsim/log.hh"
 #include "transport/bus.hh"
-#include "transport/network.hh"
-#include "transport/topic_name.hh"
-#include "transport/type_name.hh"
+#include "transport/names/topic_name.hh"
+#include "transport/names/type_name.hh"
+#include "transport/network/network.hh"
 
 namespace pongsim::transport {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "pongsim/node.hh"
-#include "transport/endpoint.hh"
 #include "transport/inbox.hh"
+#include "transport/network/endpoint.hh"
 
 namespace pongsim::transport {
 

@@ -8,10 +8,10 @@
 #include "pongsim/log.hh"
 #include "transport/any_type.hh"
 #include "transport/deadline.hh"
-#include "transport/network.hh"
+#include "transport/names/topic_name.hh"
+#include "transport/names/type_name.hh"
+#include "transport/network/network.hh"
 #include "transport/payload.hh"
-#include "transport/topic_name.hh"
-#include "transport/type_name.hh"
 
 namespace pongsim::transport {
 

@@ -22,9 +22,9 @@
 #include "transport/channel.hh"
 #include "transport/dispatch_queue.hh"
 #include "transport/inbox.hh"
-#include "transport/interfaces.hh"
-#include "transport/service_client.hh"
-#include "transport/service_server.hh"
+#include "transport/services/service_client.hh"
+#include "transport/services/service_server.hh"
+#include "transport/udp/interfaces.hh"
 
 namespace pongsim::transport {
 

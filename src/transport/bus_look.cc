@@ -7,10 +7,10 @@
 #include "transport/any_type.hh"
 #include "transport/bus.hh"
 #include "transport/deadline.hh"
-#include "transport/network.hh"
-#include "transport/service_name.hh"
-#include "transport/topic_name.hh"
-#include "transport/type_name.hh"
+#include "transport/names/service_name.hh"
+#include "transport/names/topic_name.hh"
+#include "transport/names/type_name.hh"
+#include "transport/network/network.hh"
 
 namespace pongsim::transport {
 

@@ -6,7 +6,7 @@
 #include "pongsim/log.hh"
 #include "transport/bus.hh"
 #include "transport/deadline.hh"
-#include "transport/network.hh"
+#include "transport/network/network.hh"
 #include "transport/payload.hh"
 
 namespace pongsim::transport {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "transport/dispatch_queue.hh"
-#include "transport/endpoint.hh"
 #include "transport/inbox.hh"
+#include "transport/network/endpoint.hh"
 
 namespace pongsim::transport {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "transport/inbox.hh"
-#include "transport/service_server.hh"
+#include "transport/services/service_server.hh"
 
 namespace pongsim::transport {
 

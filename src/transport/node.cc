@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "transport/bus.hh"
-#include "transport/network.hh"
-#include "transport/topic_name.hh"
-#include "transport/type_name.hh"
+#include "transport/names/topic_name.hh"
+#include "transport/names/type_name.hh"
+#include "transport/network/network.hh"
 
 namespace pongsim {
 

@@ -11,9 +11,9 @@
 #include "msgs/encoding/bytes.hh"
 #include "pongsim/message.hh"
 #include "require.hh"
+#include "transport/network/traffic_report.hh"
 #include "transport/payload.hh"
-#include "transport/service_payload.hh"
-#include "transport/traffic_report.hh"
+#include "transport/services/service_payload.hh"
 
 namespace {
 

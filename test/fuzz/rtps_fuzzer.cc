@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "require.hh"
-#include "transport/doorkeeper.hh"
-#include "transport/rtps_message.hh"
+#include "transport/udp/doorkeeper.hh"
+#include "transport/udp/rtps_message.hh"
 
 namespace {
 

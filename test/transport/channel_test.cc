@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "transport/dispatch_queue.hh"
-#include "transport/endpoint.hh"
 #include "transport/inbox.hh"
+#include "transport/network/endpoint.hh"
 
 namespace pongsim::transport {
 

@@ -9,7 +9,7 @@
 
 #include "pongsim/commands.hh"
 #include "transport/bus.hh"
-#include "transport/endpoint.hh"
+#include "transport/network/endpoint.hh"
 
 namespace pongsim::transport {
 

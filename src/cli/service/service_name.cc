@@ -6,7 +6,7 @@
 #include "cli/console.hh"
 #include "cli/look_around.hh"
 #include "pongsim/node.hh"
-#include "transport/service_name.hh"
+#include "transport/names/service_name.hh"
 
 namespace pongsim::cli {
 

@@ -3,7 +3,7 @@
 #include "base/nearest_word.hh"
 #include "cli/console.hh"
 #include "pongsim/node.hh"
-#include "transport/topic_name.hh"
+#include "transport/names/topic_name.hh"
 
 namespace pongsim::cli {
 

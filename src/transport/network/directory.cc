@@ -1,0 +1,277 @@
+#include "transport/network/directory.hh"
+
+#include <algorithm>
+
+#include "pongsim/log.hh"
+#include "transport/names/service_name.hh"
+#include "transport/names/type_name.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+ParticipantId participantOf(const EndpointId& endpoint) {
+  ParticipantId id{};
+  std::copy_n(endpoint.begin(), id.size(), id.begin());
+  return id;
+}
+
+/// The first endpoint's id that a participant can have.
+EndpointId firstOf(const ParticipantId& participant) {
+  EndpointId id{};
+  std::ranges::copy(participant, id.begin());
+  return id;
+}
+
+const EndpointTraffic* trafficIn(const TrafficReport& report, const Endpoint& endpoint) {
+  const auto found = std::ranges::find_if(report.endpoints, [&](const EndpointTraffic& each) {
+    return each.topic == endpoint.topic && each.type == endpoint.type && each.role == endpoint.role;
+  });
+  return found == report.endpoints.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void Directory::changed() {
+  ++version_;
+  changed_.notify_all();
+}
+
+void Directory::addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports) {
+  const std::lock_guard lock(mutex_);
+  Participant& participant = participants_[id];
+  participant.pid = pid;
+  participant.ports = std::move(ports);
+  changed();
+}
+
+void Directory::removeParticipant(const ParticipantId& id) {
+  const std::lock_guard lock(mutex_);
+  participants_.erase(id);
+  auto endpoint = endpoints_.lower_bound(firstOf(id));
+  while (endpoint != endpoints_.end() && participantOf(endpoint->first) == id) endpoint = endpoints_.erase(endpoint);
+  changed();
+}
+
+void Directory::addEndpoint(const EndpointId& id, const Endpoint& endpoint) {
+  const std::lock_guard lock(mutex_);
+  endpoints_[id] = endpoint;
+  const auto [begin, end] = own_.equal_range(endpoint.topic);
+  for (auto own = begin; own != end; ++own) warnOfType(own->second, id, endpoint);
+  if (tell_ && endpoint.role == Role::kPublisher && endpoint.visible && endpoint.topic.starts_with('/')) {
+    tell_(endpoint.topic, endpoint.type);
+  }
+  changed();
+}
+
+void Directory::tellOfPublishers(std::function<void(const std::string& topic, const std::string& type)> tell) {
+  const std::lock_guard lock(mutex_);
+  tell_ = std::move(tell);
+}
+
+void Directory::removeEndpoint(const EndpointId& id) {
+  const std::lock_guard lock(mutex_);
+  endpoints_.erase(id);
+  changed();
+}
+
+void Directory::setCensus(const ParticipantId& id, std::uint32_t endpoints) {
+  const std::lock_guard lock(mutex_);
+  participants_[id].census = endpoints;
+  changed();
+}
+
+void Directory::setTraffic(const ParticipantId& id, TrafficReport report) {
+  const std::lock_guard lock(mutex_);
+  const auto participant = participants_.find(id);
+  if (participant == participants_.end()) return;
+  if (!participant->second.firstTraffic) participant->second.firstTraffic = report;
+  participant->second.traffic = std::move(report);
+}
+
+void Directory::forgetTraffic() {
+  const std::lock_guard lock(mutex_);
+  for (auto& [id, participant] : participants_) participant.firstTraffic.reset();
+}
+
+void Directory::addOwn(const Endpoint& endpoint) {
+  const std::lock_guard lock(mutex_);
+  own_.emplace(endpoint.topic, endpoint);
+  for (const auto& [id, other] : endpoints_) {
+    if (other.topic == endpoint.topic) warnOfType(endpoint, id, other);
+  }
+}
+
+void Directory::removeOwn(const Endpoint& endpoint) {
+  const std::lock_guard lock(mutex_);
+  const auto [begin, end] = own_.equal_range(endpoint.topic);
+  const auto found = std::find_if(begin, end, [&](const auto& own) {
+    return own.second.type == endpoint.type && own.second.role == endpoint.role;
+  });
+  if (found != end) own_.erase(found);
+}
+
+void Directory::warnOfType(const Endpoint& own, const EndpointId& otherId, const Endpoint& other) {
+  if (!isListed(otherId, other) || other.type == own.type || other.role == own.role) return;
+  const ParticipantId participant = participantOf(otherId);
+  if (other.role == Role::kPublisher ? takesAnyType(own.topic) : takesAnyType(participant, own.topic)) return;
+  if (std::string& warned = warned_[own.topic]; warned == other.type) return;
+  warned_[own.topic] = other.type;
+  const std::string process = std::to_string(pidOfLocked(participant));
+  static const Logger log("transport");
+  log.warning(other.role == Role::kPublisher
+                  ? "topic '" + own.topic + "': the types differ: process " + process + " publishes " + other.type +
+                        ", this process subscribes to " + own.type
+                  : "topic '" + own.topic + "': the types differ: process " + process + " subscribes to " + other.type +
+                        ", this process publishes " + own.type);
+}
+
+/// @return Whether a participant has a subscription to any type on the topic.
+bool Directory::takesAnyType(const ParticipantId& id, const std::string& topic) const {
+  for (auto each = endpoints_.lower_bound(firstOf(id)); each != endpoints_.end(); ++each) {
+    if (participantOf(each->first) != id) return false;
+    if (each->second.topic == topic && each->second.type == kAnyType) return true;
+  }
+  return false;
+}
+
+/// @return Whether this process has one.
+bool Directory::takesAnyType(const std::string& topic) const {
+  const auto [begin, end] = own_.equal_range(topic);
+  return std::any_of(begin, end, [](const auto& own) { return own.second.type == kAnyType; });
+}
+
+/// @return Whether it is a subscription to any type that is listed already, for it has met one.
+bool Directory::isDuplicate(const EndpointId& id, const Endpoint& endpoint) const {
+  if (endpoint.type != kAnyType) return false;
+  const ParticipantId participant = participantOf(id);
+  for (auto each = endpoints_.lower_bound(firstOf(participant)); each != endpoints_.end(); ++each) {
+    if (participantOf(each->first) != participant) return false;
+    const Endpoint& other = each->second;
+    if (each->first != id && other.topic == endpoint.topic && other.role == endpoint.role) return true;
+  }
+  return false;
+}
+
+int Directory::pidOfLocked(const ParticipantId& id) const {
+  const auto found = participants_.find(id);
+  return found == participants_.end() ? 0 : found->second.pid;
+}
+
+int Directory::pidOf(const ParticipantId& id) const {
+  const std::lock_guard lock(mutex_);
+  return pidOfLocked(id);
+}
+
+std::vector<TopicInfo> Directory::topics() const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, TopicInfo> byName;
+  for (const auto& [id, endpoint] : endpoints_) {
+    if (!isListed(id, endpoint) || !endpoint.topic.starts_with('/') || isDuplicate(id, endpoint)) continue;
+    TopicInfo& info = byName[endpoint.topic];
+    auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
+    side.push_back({endpoint.type, pidOfLocked(participantOf(id)), std::nullopt});
+  }
+  std::vector<TopicInfo> all;
+  for (auto& [name, info] : byName) {
+    info.name = name;
+    all.push_back(std::move(info));
+  }
+  return all;
+}
+
+TopicInfo Directory::topic(std::string_view name) const {
+  const std::lock_guard lock(mutex_);
+  TopicInfo info{std::string(name), {}, {}};
+  for (const auto& [id, endpoint] : endpoints_) {
+    if (endpoint.topic != name || !isListed(id, endpoint) || isDuplicate(id, endpoint)) continue;
+    const ParticipantId participant = participantOf(id);
+    auto& side = endpoint.role == Role::kPublisher ? info.publishers : info.subscribers;
+    side.push_back({endpoint.type, pidOfLocked(participant), trafficOf(participant, endpoint)});
+  }
+  return info;
+}
+
+std::optional<TopicInfo::Traffic> Directory::trafficOf(const ParticipantId& id, const Endpoint& endpoint) const {
+  const auto participant = participants_.find(id);
+  if (participant == participants_.end() || !participant->second.firstTraffic) return std::nullopt;
+  const TrafficReport& first = *participant->second.firstTraffic;
+  const TrafficReport& last = participant->second.traffic;
+  // times that others tell, whose difference may be too long for an integer
+  const auto watched = std::chrono::duration<double>(last.at) - std::chrono::duration<double>(first.at);
+  const EndpointTraffic* now = trafficIn(last, endpoint);
+  if (now == nullptr || watched.count() <= 0) return std::nullopt;
+  const EndpointTraffic* before = trafficIn(first, endpoint);
+  const std::uint64_t earlier = before == nullptr ? 0 : before->messages;
+  const std::uint64_t since = now->messages < earlier ? 0 : now->messages - earlier;
+  return TopicInfo::Traffic{now->messages, now->dropped, static_cast<double>(since) / watched.count()};
+}
+
+std::vector<ServiceInfo> Directory::services() const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string_view, ServiceInfo> byName;
+  for (const auto& [id, endpoint] : endpoints_) {
+    const auto name = serviceOfRequestTopic(endpoint.topic);
+    const auto types = typesOfService(endpoint.type);
+    // who subscribes to requests offers the service
+    if (!name || !types || endpoint.role != Role::kSubscriber || !isListed(id, endpoint)) continue;
+    byName[*name].providers.push_back(
+        {std::string(types->first), std::string(types->second), pidOfLocked(participantOf(id))});
+  }
+  std::vector<ServiceInfo> all;
+  for (auto& [name, info] : byName) {
+    info.name = name;
+    all.push_back(std::move(info));
+  }
+  return all;
+}
+
+ServiceInfo Directory::service(std::string_view name) const {
+  for (ServiceInfo& info : services()) {
+    if (info.name == name) return std::move(info);
+  }
+  return {std::string(name), {}};
+}
+
+bool Directory::isListed(const EndpointId& id, const Endpoint& endpoint) const {
+  return endpoint.visible && pidOfLocked(participantOf(id)) != 0;
+}
+
+bool Directory::isComplete(std::span<const std::uint32_t> ports) const {
+  const auto isKnown = [this](std::uint32_t port) {
+    return std::ranges::any_of(participants_, [port](const auto& participant) {
+      return std::ranges::find(participant.second.ports, port) != participant.second.ports.end();
+    });
+  };
+  if (!std::ranges::all_of(ports, isKnown)) return false;
+
+  std::map<ParticipantId, std::uint32_t> told;
+  for (const auto& [id, endpoint] : endpoints_) ++told[participantOf(id)];
+  return std::ranges::all_of(participants_, [&](const auto& participant) {
+    // one that is no pongsim takes no census, and its topics are not listed
+    const auto& [id, about] = participant;
+    return about.pid == 0 || (about.census && told[id] >= *about.census);
+  });
+}
+
+bool Directory::waitForAll(std::span<const std::uint32_t> ports, TimePoint deadline) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [&] { return isComplete(ports); });
+}
+
+bool Directory::waitForTopic(std::string_view name, Role role, TimePoint deadline) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_until(lock, deadline, [&] {
+    return std::ranges::any_of(endpoints_, [&](const auto& endpoint) {
+      const auto& [id, about] = endpoint;
+      return about.role == role && about.topic == name && isListed(id, about);
+    });
+  });
+}
+
+std::uint64_t Directory::version() const {
+  const std::lock_guard lock(mutex_);
+  return version_;
+}
+
+}  // namespace pongsim::transport

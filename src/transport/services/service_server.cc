@@ -1,0 +1,297 @@
+#include "transport/services/service_server.hh"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+
+#include "msgs/encoding/bytes.hh"
+#include "pongsim/log.hh"
+#include "transport/dispatch_queue.hh"
+#include "transport/names/service_name.hh"
+#include "transport/names/type_name.hh"
+#include "transport/network/network.hh"
+#include "transport/payload.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+// What may wait for one service's `dispatch`.
+constexpr std::size_t kMaximumRequests = 1000;
+constexpr std::size_t kMaximumBytes = 32 << 20;
+
+// A caller whose reader has not been found by then has gone.
+constexpr std::chrono::seconds kPatience{10};
+
+// How long the end of a service waits for its last replies to arrive.
+constexpr std::chrono::milliseconds kFarewell{500};
+
+constexpr ParticipantId kOwn{};
+
+const Logger& serverLog() {
+  static const Logger logger("transport");
+  return logger;
+}
+
+}  // namespace
+
+Offer::Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
+             ServiceHandler function)
+    : queue(place),
+      name(std::move(service)),
+      requestType(std::move(typeOfRequest)),
+      replyType(std::move(typeOfReply)),
+      handler(std::move(function)),
+      request(newMessage(requestType)),
+      reply(newMessage(replyType)) {}
+
+Offer::~Offer() = default;
+
+ServiceServer::ServiceServer(Network* network, Arrived arrived, AnswerOwn answerOwn)
+    : network_(network), arrived_(std::move(arrived)), answerOwn_(std::move(answerOwn)) {}
+
+ServiceServer::~ServiceServer() = default;
+
+Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::string_view requestType,
+                          std::string_view replyType, ServiceHandler handler) {
+  auto owned = std::make_unique<Offer>(queue, absoluteService(service), knownType(requestType), knownType(replyType),
+                                       std::move(handler));
+  Offer& offer = *owned;
+  bool isFirst = false;
+  {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::unique_ptr<Offer>>& offers = offers_[offer.name];
+    if (std::ranges::any_of(offers, [&queue](const auto& other) { return &other->queue == &queue; })) {
+      throw std::invalid_argument("service '" + std::string(service) + "' is already offered");
+    }
+    offers.push_back(std::move(owned));
+    isFirst = offers.size() == 1;
+    ++version_;
+  }
+  if (!isFirst) {
+    serverLog().warning("service '" + offer.name +
+                        "' is also offered by another world of this process: callers in other processes get the "
+                        "reply of the first");
+    return offer;
+  }
+  try {
+    open(offer);
+  } catch (...) {
+    end(offer, false);
+    throw;
+  }
+  return offer;
+}
+
+/// Lets other processes find the service.
+void ServiceServer::open(Offer& offer) {
+  if (network_ == nullptr) return;
+  const std::string type = serviceType(offer.requestType, offer.replyType);
+  // the way back first: who finds the service finds all of it soon
+  offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this, &offer] { wake(offer.queue); });
+  offer.reader = network_->makeReader(
+      requestTopic(offer.name), type,
+      [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); });
+}
+
+/// After the end of one: the next one of that name answers from now on.
+void ServiceServer::openNext(const std::string& service) {
+  Offer* next = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = offers_.find(service);
+    if (found != offers_.end() && !found->second.front()->reader) next = found->second.front().get();
+  }
+  if (next == nullptr) return;
+  try {
+    open(*next);
+  } catch (const std::exception& error) {
+    serverLog().error("service '" + service + "' can't be called from other processes: " + error.what());
+  }
+}
+
+void ServiceServer::end(Offer& offer, bool inDispatch) {
+  std::unique_ptr<Offer> owned;
+  std::deque<Offer::Request> unanswered;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto offers = offers_.find(offer.name);
+    const auto found = std::ranges::find(offers->second, &offer, &std::unique_ptr<Offer>::get);
+    owned = std::move(*found);
+    offers->second.erase(found);
+    if (offers->second.empty()) offers_.erase(offers);
+    ++version_;
+    offer.ended = true;
+    unanswered.swap(offer.waiting);
+  }
+  for (const Offer::Request& request : unanswered) {
+    if (request.client == kOwn) answerOwn_(offer.queue, request.call, std::nullopt, {});
+  }
+  // a caller takes it that there will be no reply when the reader of requests has gone
+  if (offer.writer) offer.writer->waitForAcknowledgement(kFarewell);
+  if (offer.reader) network_->end(std::move(offer.reader));
+  if (offer.writer) network_->end(std::move(offer.writer));
+  if (network_ != nullptr) openNext(offer.name);
+  if (inDispatch) offer.queue.endedOffers.push_back(std::move(owned));
+}
+
+/// @return The service that answers; null where there is none. With the mutex held.
+Offer* ServiceServer::find(const DispatchQueue& asker, const std::string& service) const {
+  const auto found = offers_.find(service);
+  if (found == offers_.end()) return nullptr;
+  const auto own = std::ranges::find_if(found->second, [&asker](const auto& each) { return &each->queue == &asker; });
+  return own != found->second.end() ? own->get() : found->second.front().get();
+}
+
+std::optional<std::pair<std::string, std::string>> ServiceServer::typesOf(const DispatchQueue& asker,
+                                                                          const std::string& service) const {
+  const std::lock_guard lock(mutex_);
+  const Offer* offer = find(asker, service);
+  if (offer == nullptr) return std::nullopt;
+  return std::pair(offer->requestType, offer->replyType);
+}
+
+std::vector<OwnService> ServiceServer::services(const DispatchQueue& queue) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<OwnService> services;
+  for (const auto& [name, offers] : offers_) {
+    for (const auto& offer : offers) {
+      if (&offer->queue == &queue) services.push_back({name, offer->requestType, offer->replyType});
+    }
+  }
+  return services;
+}
+
+void ServiceServer::wake(DispatchQueue& queue) {
+  queue.requestsWaiting = true;
+  arrived_(queue);
+}
+
+void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload) {
+  std::optional<std::span<const std::byte>> message = messageInPayload(payload);
+  const std::optional<RequestHeader> header = message ? readRequestHeader(*message) : std::nullopt;
+  if (!header) {
+    complain(offer, sender, "is damaged");
+    return;
+  }
+  if (header->server != network_->id() || offer.ended) return;
+  if (!enqueue(offer,
+               {0, sender, header->call, std::chrono::steady_clock::now(), {message->begin(), message->end()}})) {
+    complain(offer, sender, "came while too many were waiting");
+    return;
+  }
+  wake(offer.queue);
+}
+
+bool ServiceServer::enqueue(Offer& offer, Offer::Request request) {
+  const std::lock_guard lock(mutex_);
+  if (offer.ended || offer.waiting.size() >= kMaximumRequests) return false;
+  if (!offer.waiting.empty() && offer.waitingBytes + request.message.size() > kMaximumBytes) return false;
+  request.number = nextNumber_++;
+  offer.waitingBytes += request.message.size();
+  offer.waiting.push_back(std::move(request));
+  return true;
+}
+
+bool ServiceServer::post(const DispatchQueue& asker, const std::string& service, std::uint64_t call,
+                         std::vector<std::byte> message) {
+  DispatchQueue* queue = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    Offer* offer = find(asker, service);
+    if (offer == nullptr || offer->waiting.size() >= kMaximumRequests) return false;
+    offer->waitingBytes += message.size();
+    offer->waiting.push_back({nextNumber_++, kOwn, call, std::chrono::steady_clock::now(), std::move(message)});
+    queue = &offer->queue;
+  }
+  wake(*queue);
+  return true;
+}
+
+/// Moves those whose answers would arrive to `ready`, and drops those that nobody waits for any more.
+void ServiceServer::takeReady(Offer& offer, std::vector<Ready>& ready) {
+  const TimePoint tooOld = std::chrono::steady_clock::now() - kPatience;
+  std::erase_if(offer.waiting, [&](Offer::Request& request) {
+    const bool isReady = request.client == kOwn || (offer.writer && offer.writer->hasReaderOf(request.client));
+    if (!isReady && request.came >= tooOld) return false;
+    offer.waitingBytes -= request.message.size();
+    if (isReady) ready.push_back({&offer, std::move(request)});
+    return true;
+  });
+}
+
+std::size_t ServiceServer::dispatch(DispatchQueue& queue) {
+  // before it is looked at: what comes from now on sets it again
+  if (!queue.requestsWaiting.exchange(false)) return 0;
+  std::vector<Ready> ready;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [name, offers] : offers_) {
+      for (const auto& offer : offers) {
+        if (&offer->queue == &queue) takeReady(*offer, ready);
+      }
+    }
+  }
+  std::ranges::sort(ready, {}, [](const Ready& each) { return each.request.number; });
+  for (const Ready& each : ready) {
+    if (each.offer->ended) {
+      if (each.request.client == kOwn) answerOwn_(queue, each.request.call, std::nullopt, {});
+    } else {
+      handle(*each.offer, each.request);
+    }
+  }
+  queue.endedOffers.clear();
+  return ready.size();
+}
+
+void ServiceServer::handle(Offer& offer, const Offer::Request& request) {
+  if (!msgs::parseBytes(request.message, *offer.request)) {
+    complain(offer, request.client, "is not of type " + offer.requestType);
+    answer(offer, request, ServiceAnswer::refused("the request is not of type " + offer.requestType));
+    return;
+  }
+  answer(offer, request, ask(offer));
+}
+
+ServiceAnswer ServiceServer::ask(Offer& offer) {
+  // as new, without knowing its class
+  msgs::parseBytes({}, *offer.reply);
+  try {
+    return offer.handler(*offer.request, *offer.reply);
+  } catch (const std::exception& error) {
+    serverLog().error("service '" + offer.name + "': " + error.what());
+    return ServiceAnswer::refused(error.what());
+  }
+}
+
+void ServiceServer::answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer) {
+  const ReplyHeader header{request.client, request.call, answer.done, answer.reason};
+  std::vector<std::byte> message(answer.done ? msgs::byteSize(*offer.reply) : 0);
+  if (message.size() > kMaximumMessage) {
+    this->answer(offer, request, ServiceAnswer::refused("the reply is too large to send"));
+    return;
+  }
+  if (answer.done) msgs::writeBytes(*offer.reply, message);
+  if (request.client == kOwn) {
+    answerOwn_(offer.queue, request.call, header, message);
+  } else if (offer.writer) {
+    offer.writer->write(headerSize(header) + message.size(), [&](std::span<std::byte> place) {
+      std::ranges::copy(message, writeHeader(header, place).begin());
+    });
+  }
+}
+
+void ServiceServer::complain(Offer& offer, const ParticipantId& sender, std::string_view what) {
+  std::optional<std::uint64_t> unmentioned;
+  {
+    const std::lock_guard lock(mutex_);
+    unmentioned = offer.complaints.pass(std::chrono::steady_clock::now());
+  }
+  if (!unmentioned) return;
+  const int pid = network_ != nullptr ? network_->directory().pidOf(sender) : 0;
+  serverLog().warning("service '" + offer.name + "': a request from " +
+                      (sender == kOwn ? "this process" : "process " + std::to_string(pid)) + " " + std::string(what) +
+                      "; dropped" + (*unmentioned > 0 ? " (and " + std::to_string(*unmentioned) + " before it)" : ""));
+}
+
+}  // namespace pongsim::transport

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pongsim/service.hh"
+#include "transport/complaint_limit.hh"
+#include "transport/deadline.hh"
+#include "transport/inbox.hh"
+#include "transport/services/service_payload.hh"
+
+namespace pongsim::transport {
+
+class DispatchQueue;
+class Network;
+class Reader;
+class Writer;
+
+/// A service offered by this transport.
+class Offer {
+ public:
+  Offer(DispatchQueue& place, std::string service, std::string typeOfRequest, std::string typeOfReply,
+        ServiceHandler function);
+  ~Offer();
+
+  /// Where requests wait for `dispatch`.
+  DispatchQueue& queue;
+  const std::string name;
+  const std::string requestType;
+  const std::string replyType;
+  const ServiceHandler handler;
+  MessagePointer request;
+  MessagePointer reply;
+  std::unique_ptr<Writer> writer;
+  std::unique_ptr<Reader> reader;
+
+  struct Request {
+    /// Counted from the start, over all services.
+    std::uint64_t number = 0;
+    /// All zeros for a call from this transport.
+    ParticipantId client{};
+    std::uint64_t call = 0;
+    TimePoint came;
+    std::vector<std::byte> message;
+  };
+  /// Requests waiting for `dispatch`; guarded by the server's mutex.
+  std::deque<Request> waiting;
+  std::size_t waitingBytes = 0;
+  ComplaintLimit complaints;
+  std::atomic<bool> ended = false;
+};
+
+/// The services offered by a transport, or by several that share a bus. A request waits for `dispatch` of the service's
+/// queue, and until the service's writer has matched the caller's reader, since an earlier reply would be lost. Set-up
+/// is for one thread at a time, and so is `dispatch` of one queue; DDS threads only lock the mutex, which is never held
+/// while DDS is called.
+///
+/// Two queues may offer services of the same name. The first one handles all requests but those of the second one's own
+/// queue, which gets all when the first one has ended.
+class ServiceServer {
+ public:
+  /// Handles a response to a call within this bus, given by a service of `queue`; without a header the service has
+  /// ended.
+  using AnswerOwn = std::function<void(const DispatchQueue& queue, std::uint64_t call,
+                                       const std::optional<ReplyHeader>&, std::span<const std::byte> message)>;
+  using Arrived = std::function<void(DispatchQueue& queue)>;
+
+  /// @param network Null for a transport within this process.
+  /// @param arrived Called on any thread when the queue has something to dispatch.
+  ServiceServer(Network* network, Arrived arrived, AnswerOwn answerOwn);
+  ~ServiceServer();
+
+  /// @throws std::invalid_argument for an invalid name, an unknown type, or a name already offered by the queue.
+  Offer& add(DispatchQueue& queue, std::string_view service, std::string_view requestType, std::string_view replyType,
+             ServiceHandler handler);
+  /// @param inDispatch Whether `dispatch` is running.
+  void end(Offer& offer, bool inDispatch);
+
+  /// @param asker The caller's queue.
+  /// @return Request and reply type of the service that would respond, or nothing.
+  std::optional<std::pair<std::string, std::string>> typesOf(const DispatchQueue& asker,
+                                                             const std::string& service) const;
+
+  /// @return The services of that queue, sorted by name.
+  std::vector<OwnService> services(const DispatchQueue& queue) const;
+  /// @return A number that changes when a service is added or removed.
+  std::uint64_t version() const { return version_.load(std::memory_order_relaxed); }
+
+  /// Queues a request from this bus.
+  /// @return False if there is no such service any more, or too many requests are waiting.
+  bool post(const DispatchQueue& asker, const std::string& service, std::uint64_t call, std::vector<std::byte> message);
+
+  std::size_t dispatch(DispatchQueue& queue);
+
+ private:
+  struct Ready {
+    Offer* offer;
+    Offer::Request request;
+  };
+
+  void open(Offer& offer);
+  void openNext(const std::string& service);
+  Offer* find(const DispatchQueue& asker, const std::string& service) const;
+  void receive(Offer& offer, const ParticipantId& sender, std::span<const std::byte> payload);
+  bool enqueue(Offer& offer, Offer::Request request);
+  void takeReady(Offer& offer, std::vector<Ready>& ready);
+  void handle(Offer& offer, const Offer::Request& request);
+  ServiceAnswer ask(Offer& offer);
+  void answer(Offer& offer, const Offer::Request& request, const ServiceAnswer& answer);
+  void complain(Offer& offer, const ParticipantId& sender, std::string_view what);
+  void wake(DispatchQueue& queue);
+
+  Network* network_;
+  Arrived arrived_;
+  AnswerOwn answerOwn_;
+
+  mutable std::mutex mutex_;
+  /// By name, in the order in which they were added.
+  std::map<std::string, std::vector<std::unique_ptr<Offer>>> offers_;
+  std::uint64_t nextNumber_ = 0;
+  std::atomic<std::uint64_t> version_ = 0;
+};
+
+}  // namespace pongsim::transport

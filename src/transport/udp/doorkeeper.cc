@@ -1,0 +1,141 @@
+#include "transport/udp/doorkeeper.hh"
+
+#include <algorithm>
+#include <utility>
+
+namespace pongsim::transport {
+
+namespace {
+
+// Of all, from one socket and at one port of this machine. Who was killed may be known for a while beside its
+// successor.
+constexpr std::size_t kMostKnown = 512, kMostOfSocket = 4, kMostAtPort = 4;
+// Of another machine: as many as a domain has ports for on one.
+constexpr std::ptrdiff_t kMostOfAddress = 128;
+
+// How long a participant may be silent.
+constexpr std::chrono::seconds kShortestLease{1}, kLongestLease{100};
+
+constexpr std::uint32_t kThisMachinesNet = 127;
+
+}  // namespace
+
+bool Allowance::take(double amount, TimePoint now) {
+  if (last_) left_ = std::min(most_, left_ + perSecond_ * std::chrono::duration<double>(now - *last_).count());
+  last_ = now;
+  if (amount > left_) return false;
+  left_ -= amount;
+  return true;
+}
+
+// More than any honest participant needs: it says the rest again until it is heard.
+Doorkeeper::Known::Known()
+    : endpoints(5000, 100), endpointBytes(8 << 20, 128 << 10), gaps(1e6, 16e3), wishes(1e4, 5e3) {}
+
+bool Doorkeeper::Known::isWithinMeans(const RtpsMessage& message, TimePoint now) {
+  for (const RtpsDiscovery& sample : message.discovery) {
+    if (sample.isOfParticipant()) continue;
+    if (!endpoints.take(1, now) || !endpointBytes.take(static_cast<double>(sample.bytes), now)) return false;
+  }
+  return gaps.take(static_cast<double>(message.gapNumbers), now) &&
+         wishes.take(static_cast<double>(message.wishes), now);
+}
+
+Doorkeeper::Doorkeeper(Sockets sockets) : sockets_(std::move(sockets)), leases_({kShortestLease, kLongestLease}) {}
+
+bool Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now) {
+  const std::optional<RtpsMessage> message = readRtpsMessage(bytes);
+  if (!message) return false;
+  for (const RtpsDiscovery& sample : message->discovery) {
+    if (sample.prefix != message->source) return false;
+    // the library would take it for none at all, and drop the participant whenever it has met it
+    if (sample.isOfParticipant() && sample.isAlive && !sample.leaseAt) return false;
+  }
+  const std::lock_guard lock(mutex_);
+  if (leases_.hasEnded(message->source)) return false;
+  const auto found = known_.find(message->source);
+  Known* known = found == known_.end() ? introduce(*message, from, side, now) : &found->second;
+  if (known == nullptr || !isFrom(*known, from) || !known->isWithinMeans(*message, now)) return false;
+  leases_.hear(*message, bytes, now);
+  return true;
+}
+
+void Doorkeeper::discovered(const RtpsPrefix& prefix, TimePoint now) {
+  const std::lock_guard lock(mutex_);
+  leases_.discovered(prefix, now);
+}
+
+void Doorkeeper::removed(const RtpsPrefix& prefix) {
+  const std::lock_guard lock(mutex_);
+  leases_.removed(prefix);
+  known_.erase(prefix);
+}
+
+Doorkeeper::Endings Doorkeeper::endings(TimePoint now) {
+  const std::lock_guard lock(mutex_);
+  Endings endings{leases_.endings(now), leases_.nextLook(now)};
+  std::erase_if(known_, [this](const auto& each) { return !leases_.runs(each.first); });
+  return endings;
+}
+
+/// @return Whether it is a socket of the participant, which has one for each of its addresses.
+bool Doorkeeper::isFrom(Known& known, const RtpsAddress& from) {
+  const auto same = std::ranges::find(known.sockets, from.address, &RtpsAddress::address);
+  if (same != known.sockets.end()) return *same == from;
+  const bool isItsOwn =
+      from.address >> 24 == kThisMachinesNet ||
+      std::ranges::find(known.addresses, from.address, &RtpsAddress::address) != known.addresses.end();
+  if (isItsOwn) known.sockets.push_back(from);
+  return isItsOwn;
+}
+
+/// Keeps one in mind that announces itself and could be there.
+/// @return Null where it could not.
+Doorkeeper::Known* Doorkeeper::introduce(const RtpsMessage& message, const RtpsAddress& from, Side side,
+                                         TimePoint now) {
+  const auto announcement = std::ranges::find_if(
+      message.discovery, [](const RtpsDiscovery& sample) { return sample.isOfParticipant() && sample.isAlive; });
+  if (announcement == message.discovery.end()) return nullptr;
+  const std::vector<RtpsAddress>& places = announcement->discoveryAddresses;
+  const auto fits = [&](const RtpsAddress& place) {
+    return side == Side::kLoopback ? sockets_.isDiscovery(place.port) : place.address == from.address;
+  };
+  // before the system is asked
+  if (std::ranges::count_if(known_, [&](const auto& each) {
+        return std::ranges::count(each.second.sockets, from) > 0;
+      }) >= static_cast<std::ptrdiff_t>(kMostOfSocket)) {
+    return nullptr;
+  }
+  if (side == Side::kLoopback && !looks_.take(1, now)) return nullptr;
+  const auto place = std::ranges::find_if(places, fits);
+  if (place == places.end() || !isRoomFor(place->port, from, side)) return nullptr;
+  Known& known = known_[message.source];
+  known.sockets = {from};
+  known.addresses = announcement->addresses;
+  known.port = place->port;
+  known.side = side;
+  return &known;
+}
+
+/// @return Whether one more may be known, at that port, and its socket is there. Ends the leases of those at that port
+/// of this machine whose socket has gone.
+bool Doorkeeper::isRoomFor(std::uint32_t port, const RtpsAddress& from, Side side) {
+  if (leases_.size() >= kMostKnown) return false;
+  if (side == Side::kBeyond) {
+    return std::ranges::count_if(known_, [&](const auto& each) {
+             return each.second.side == side && each.second.sockets.front().address == from.address;
+           }) < kMostOfAddress;
+  }
+  if (!sockets_.isOpen(from)) return false;
+  // other machines have ports of the same numbers
+  const auto isAtPort = [&](const auto& each) { return each.second.side == side && each.second.port == port; };
+  if (std::ranges::count_if(known_, isAtPort) < static_cast<std::ptrdiff_t>(kMostAtPort)) return true;
+  std::erase_if(known_, [&](const auto& each) {
+    const bool hasGone = isAtPort(each) && std::ranges::none_of(each.second.sockets, sockets_.isOpen);
+    if (hasGone) leases_.end(each.first);
+    return hasGone;
+  });
+  return std::ranges::count_if(known_, isAtPort) < static_cast<std::ptrdiff_t>(kMostAtPort);
+}
+
+}  // namespace pongsim::transport

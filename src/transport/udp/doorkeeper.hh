@@ -1,0 +1,104 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "transport/udp/leases.hh"
+#include "transport/udp/rtps_message.hh"
+
+namespace pongsim::transport {
+
+/// So much a second, and so much at once.
+class Allowance {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  Allowance(double most, double perSecond) : most_(most), perSecond_(perSecond), left_(most) {}
+
+  /// @return Whether there is as much, which then is taken.
+  bool take(double amount, TimePoint now);
+
+ private:
+  double most_, perSecond_, left_;
+  std::optional<TimePoint> last_;
+};
+
+/// Decides which messages a participant's library gets to see, for it trusts everybody: whoever says to be a
+/// participant is kept in mind for as long as he says, and whoever speaks in another's name is believed.
+///
+/// A participant is introduced by its first announcement. That must come from a socket, and lead to a port, that there
+/// are. From then on its messages come from that socket and no other, and what can be asked of its reader is bounded
+/// by time: endpoints that it tells of, numbers that it skips, samples that it wants again. When it has been silent for
+/// its lease the library is told to drop it. Any thread may use this.
+class Doorkeeper {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+  enum class Side {
+    /// This machine, whose sockets can be looked at.
+    kLoopback,
+    /// Others.
+    kBeyond
+  };
+  /// What is open on this machine.
+  struct Sockets {
+    /// Whether somebody listens for participants at the port.
+    std::function<bool(std::uint32_t port)> isDiscovery;
+    /// Whether there is that socket.
+    std::function<bool(const RtpsAddress& address)> isOpen;
+  };
+
+  explicit Doorkeeper(Sockets sockets);
+
+  /// @param bytes A message; the lease in it becomes endless, as `Leases` has it.
+  /// @param from The socket that it comes from.
+  /// @return Whether it may be seen.
+  bool admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now);
+
+  /// Takes note of whom the library knows, and of whom it does no longer.
+  void discovered(const RtpsPrefix& prefix, TimePoint now);
+  void removed(const RtpsPrefix& prefix);
+
+  struct Endings {
+    /// Messages for the library, which then drops those who have been silent for their lease.
+    std::vector<std::vector<std::uint8_t>> messages;
+    TimePoint nextLook;
+  };
+  Endings endings(TimePoint now);
+
+ private:
+  struct Known {
+    /// One at most of each address.
+    std::vector<RtpsAddress> sockets;
+    /// Those of its announcement.
+    std::vector<RtpsAddress> addresses;
+    /// Where it listens for others.
+    std::uint32_t port = 0;
+    Side side = Side::kLoopback;
+    Allowance endpoints, endpointBytes, gaps, wishes;
+
+    Known();
+    bool isWithinMeans(const RtpsMessage& message, TimePoint now);
+  };
+
+  Known* introduce(const RtpsMessage& message, const RtpsAddress& from, Side side, TimePoint now);
+  bool isRoomFor(std::uint32_t port, const RtpsAddress& from, Side side);
+  static bool isFrom(Known& known, const RtpsAddress& from);
+
+  std::mutex mutex_;
+  Sockets sockets_;
+  /// Those whose lease runs.
+  std::map<RtpsPrefix, Known> known_;
+  Leases leases_;
+  /// Looks at the system's sockets.
+  Allowance looks_{100, 100};
+};
+
+}  // namespace pongsim::transport

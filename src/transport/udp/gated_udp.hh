@@ -1,0 +1,86 @@
+#pragma once
+
+#include <fastdds/rtps/common/Locator.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+#include <fastdds/rtps/transport/TransportReceiverInterface.h>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+
+#include "transport/udp/doorkeeper.hh"
+#include "transport/watch.hh"
+
+namespace pongsim::transport {
+
+/// What the ways out and in of a participant share.
+struct UdpGate {
+  explicit UdpGate(int domain);
+
+  /// Lets out what is sent from now on; what was sent before is lost. From now on leases end.
+  /// @throws std::system_error where the system gives no thread.
+  void open();
+  /// Ends no more leases. To be called before the participant is removed.
+  void close() { watch_.reset(); }
+  /// @return Whether the system says who listens.
+  bool tells();
+
+  std::atomic<bool> isOpen = false;
+  std::mutex mutex;
+  /// Ports that are open on loopback.
+  std::set<std::uint32_t> ports;
+  /// Who takes what comes in at the discovery port, and where that is.
+  eprosima::fastdds::rtps::TransportReceiverInterface* receiver = nullptr;
+  eprosima::fastrtps::rtps::Locator_t discoveryPort;
+  /// Whether the system has once told of one of them, when asked who listens.
+  bool isTold = false;
+  /// Says what may come in.
+  Doorkeeper doorkeeper;
+
+ private:
+  /// @return When leases may end next.
+  Watch::TimePoint endLeases();
+
+  std::optional<Watch> watch_;
+};
+
+/// UDP whose way out can be shut, and whose way in is guarded.
+///
+/// Fast DDS 2.9 announces a new participant before it hands on what the participant's sockets receive. Whoever is there
+/// answers at once and only once, and where the answer is quicker than the participant it is lost: the two meet at the
+/// next periodic announcement, seconds later. So nothing may leave until the participant listens.
+///
+/// And an announcement, which goes to the discovery ports of all participants that there could be, goes to those that
+/// are open: the kernel's answer that nobody listens costs more than the message. Whoever opens one later announces
+/// itself to the others.
+///
+/// What comes in goes by a `Doorkeeper`, for the library trusts whoever speaks to it.
+///
+/// A participant that talks to other machines too has two of them, loopback first. Each sends only what is for its
+/// side, where the library sends everything from each socket; and the second listens at a port only where the first
+/// does, for otherwise a participant could be deaf for its own machine.
+class GatedUdp : public eprosima::fastdds::rtps::ChainingTransportDescriptor {
+ public:
+  enum class Side {
+    /// This machine: what is for 127.0.0.0/8, and no multicast.
+    kLoopback,
+    /// All else.
+    kBeyond
+  };
+
+  GatedUdp(std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp, Side side, int domain,
+           std::shared_ptr<UdpGate> gate);
+
+  eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
+
+ private:
+  Side side_;
+  int domain_;
+  std::shared_ptr<UdpGate> gate_;
+};
+
+}  // namespace pongsim::transport

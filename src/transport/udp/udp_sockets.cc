@@ -1,0 +1,121 @@
+#include "transport/udp/udp_sockets.hh"
+
+#include <linux/inet_diag.h>
+#include <linux/netlink.h>
+#include <linux/sock_diag.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+namespace pongsim::transport {
+
+namespace {
+
+/// A step of the filter that the kernel runs for each socket: whether its port compares so with `port`. If so it goes
+/// on `ifSo` bytes further, else `ifNot`; one that ends right behind the last step is told of.
+struct Comparison {
+  inet_diag_bc_op compare;
+  inet_diag_bc_op port;
+
+  Comparison(int code, std::size_t ifSo, std::size_t ifNot, std::uint16_t with)
+      : compare{static_cast<unsigned char>(code), static_cast<unsigned char>(ifSo), static_cast<unsigned short>(ifNot)},
+        port{0, 0, with} {}
+};
+
+/// A question to the kernel for the UDP sockets over IPv4 at some ports.
+struct Question {
+  nlmsghdr header{};
+  inet_diag_req_v2 wanted{};
+  nlattr filter{};
+  std::array<Comparison, 2> steps;
+
+  explicit Question(const PortRange& ports)
+      : steps{Comparison(INET_DIAG_BC_S_GE, sizeof(Comparison), sizeof steps + sizeof(inet_diag_bc_op), ports.first),
+              Comparison(INET_DIAG_BC_S_LE, sizeof(Comparison), sizeof(Comparison) + sizeof(inet_diag_bc_op),
+                         ports.last)} {
+    filter.nla_len = sizeof filter + sizeof steps;
+    filter.nla_type = INET_DIAG_REQ_BYTECODE;
+    header.nlmsg_len = sizeof *this;
+    header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
+    header.nlmsg_flags = NLM_F_REQUEST | NLM_F_DUMP;
+    wanted.sdiag_family = AF_INET;
+    wanted.sdiag_protocol = IPPROTO_UDP;
+    wanted.idiag_states = ~0U;
+  }
+};
+
+enum class Rest { kMore, kNone, kRefused };
+
+/// Reads one piece of the answer.
+Rest readPiece(const std::byte* bytes, std::size_t size, std::vector<BoundUdp>& sockets) {
+  while (size >= sizeof(nlmsghdr)) {
+    nlmsghdr header{};
+    std::memcpy(&header, bytes, sizeof header);
+    if (header.nlmsg_len < sizeof header || header.nlmsg_len > size) return Rest::kRefused;
+    if (header.nlmsg_type == NLMSG_DONE) return Rest::kNone;
+    if (header.nlmsg_type != SOCK_DIAG_BY_FAMILY) return Rest::kRefused;
+    inet_diag_msg socket{};
+    if (header.nlmsg_len < NLMSG_HDRLEN + sizeof socket) return Rest::kRefused;
+    std::memcpy(&socket, bytes + NLMSG_HDRLEN, sizeof socket);
+    sockets.push_back({ntohl(socket.id.idiag_src[0]), ntohs(socket.id.idiag_sport)});
+    const std::size_t step = std::min<std::size_t>(NLMSG_ALIGN(header.nlmsg_len), size);
+    bytes += step;
+    size -= step;
+  }
+  return Rest::kMore;
+}
+
+std::optional<std::vector<BoundUdp>> askKernel(int netlink, const PortRange& ports) {
+  const Question question(ports);
+  if (send(netlink, &question, sizeof question, 0) != sizeof question) return std::nullopt;
+  std::vector<BoundUdp> sockets;
+  alignas(nlmsghdr) std::array<std::byte, 32 << 10> piece;
+  while (true) {
+    const ssize_t size = recv(netlink, piece.data(), piece.size(), 0);
+    if (size <= 0) return std::nullopt;
+    const Rest rest = readPiece(piece.data(), static_cast<std::size_t>(size), sockets);
+    if (rest == Rest::kNone) return sockets;
+    if (rest == Rest::kRefused) return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<BoundUdp>> boundUdpSockets(const PortRange& ports) {
+  if (auto sockets = udpSocketsBySockDiag(ports)) return sockets;
+  return udpSocketsByProc(ports);
+}
+
+std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports) {
+  const int netlink = socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_SOCK_DIAG);
+  if (netlink < 0) return std::nullopt;
+  auto sockets = askKernel(netlink, ports);
+  close(netlink);
+  return sockets;
+}
+
+std::optional<std::vector<BoundUdp>> udpSocketsByProc(const PortRange& ports) {
+  std::ifstream table("/proc/net/udp");
+  if (!table) return std::nullopt;
+  std::vector<BoundUdp> sockets;
+  std::string line;
+  std::getline(table, line);
+  while (std::getline(table, line)) {
+    // the address as it lies in memory, in the network's byte order
+    unsigned address = 0;
+    unsigned port = 0;
+    if (std::sscanf(line.c_str(), " %*u: %8X:%4X", &address, &port) != 2) continue;
+    if (port >= ports.first && port <= ports.last) sockets.push_back({ntohl(address), port});
+  }
+  return sockets;
+}
+
+}  // namespace pongsim::transport

@@ -1,0 +1,127 @@
+#include "transport/network/network.hh"
+
+#include <fastdds/rtps/writer/RTPSWriter.h>
+#include <gtest/gtest.h>
+#include <ignition/msgs/stringmsg.pb.h>
+
+#include <netinet/in.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "pongsim/node.hh"
+#include "support/process.hh"
+#include "support/test_domain.hh"
+#include "support/udp_socket.hh"
+#include "transport/udp/domain.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+using ignition::msgs::StringMsg;
+
+constexpr const char* kTopic = "/chatter";
+constexpr const char* kType = "ignition.msgs.StringMsg";
+
+/// Another participant, that sends what it likes.
+class Sender {
+ public:
+  Sender() : network_(test::testDomain()) {
+    writer_ = network_.makeWriter(kTopic, kType, [this] {
+      const std::lock_guard lock(mutex_);
+      changed_.notify_all();
+    });
+  }
+  ~Sender() { network_.end(std::move(writer_)); }
+
+  bool waitForReaders() {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, test::kDeadline, [this] { return writer_->hasReaders(); });
+  }
+
+  std::uint64_t dropped() const { return writer_->dropped(); }
+
+  /// @param damage Done to the frame's eight bytes.
+  void send(const std::string& bytes, const std::function<void(std::byte*)>& damage) {
+    writer_->write(bytes.size(), [&](std::span<std::byte> place) {
+      std::ranges::copy(std::as_bytes(std::span(bytes)), place.begin());
+      damage(place.data() - 8);
+    });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Network network_;
+  std::unique_ptr<Writer> writer_;
+};
+
+void noDamage(std::byte*) {}
+
+}  // namespace
+
+TEST(Network, DropsWhatIsNoMessageAndSaysWhoSentIt) {
+  test::testDomain();
+  Transport transport;
+  std::string heard;
+  const Subscription subscription =
+      transport.node().subscribe<StringMsg>(kTopic, [&](const StringMsg& message) { heard += message.data(); });
+  Sender sender;
+  ASSERT_TRUE(sender.waitForReaders());
+
+  StringMsg good;
+  good.set_data("good");
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 50; ++i) sender.send(std::string(37, '\xff'), noDamage);
+  sender.send(good.SerializeAsString().substr(0, 4), noDamage);
+  sender.send(good.SerializeAsString(), [](std::byte* frame) { frame[1] = std::byte{9}; });
+  sender.send(good.SerializeAsString(), [](std::byte* frame) { frame[7] = std::byte{0xff}; });
+  sender.send(good.SerializeAsString(), [](std::byte* frame) { frame[4] = std::byte{200}; });
+  sender.send(good.SerializeAsString(), noDamage);
+  const auto deadline = std::chrono::steady_clock::now() + test::kDeadline;
+  while (heard.empty() && std::chrono::steady_clock::now() < deadline) transport.dispatchFor(test::kDeadline);
+  const std::string said = testing::internal::GetCapturedStderr();
+
+  EXPECT_EQ(heard, "good");
+  EXPECT_NE(said.find(kTopic), std::string::npos) << said;
+  EXPECT_NE(said.find("process " + std::to_string(getpid())), std::string::npos) << said;
+  EXPECT_LT(std::count(said.begin(), said.end(), '\n'), 20) << "more than the rate allows";
+}
+
+TEST(Network, AnnouncesItselfToAllWhoListenOnThisMachine) {
+  const int domain = test::testDomain();
+  const std::uint32_t first = discoveryPorts(domain).first;
+  // programs of another kind
+  test::UdpSocket near(INADDR_LOOPBACK, first + 20);
+  test::UdpSocket far(INADDR_ANY, first + 200);
+  const Network network(domain);
+  EXPECT_EQ(near.hearBeginning(), "RTPS");
+  EXPECT_EQ(far.hearBeginning(), "RTPS");
+}
+
+TEST(Network, KeepsNoMoreForASlowReaderThanItMay) {
+  test::testDomain();
+  test::Process listener({TRANSPORT_PEER, "listen", kTopic});
+  ASSERT_TRUE(listener.waitForOutput("ready"));
+  Sender sender;
+  ASSERT_TRUE(sender.waitForReaders());
+  listener.kill(SIGSTOP);
+  StringMsg message;
+  message.set_data(std::string(1 << 20, 'x'));
+  const std::string bytes = message.SerializeAsString();
+  for (int i = 0; i < 64; ++i) sender.send(bytes, noDamage);
+  message.set_data("the end");
+  sender.send(message.SerializeAsString(), noDamage);
+  listener.kill(SIGCONT);
+  EXPECT_TRUE(listener.waitForOutput("got the end"));
+  EXPECT_GT(sender.dropped(), 0);
+}
+
+}  // namespace pongsim::transport

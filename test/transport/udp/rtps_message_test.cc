@@ -1,0 +1,234 @@
+#include "transport/udp/rtps_message.hh"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "hostile/packet.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+using hostile::Kind;
+using hostile::Packet;
+
+constexpr RtpsPrefix kSourcePrefix = {1, 15, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+constexpr RtpsPrefix kOtherPrefix = {1, 15, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9};
+constexpr std::uint32_t kThisMachine = 0x7f000001;
+
+void beginSample(Packet& packet, RtpsEntity writer, std::int64_t number = 1) {
+  packet.begin(Kind::kData, 4);
+  packet.add16(0);
+  packet.add16(16);
+  packet.addEntity(0);
+  packet.addEntity(writer);
+  packet.addSequence(number);
+  packet.add32(0x00000300);
+}
+
+std::optional<RtpsMessage> readPacket(const Packet& packet) { return readRtpsMessage(packet.bytes()); }
+
+std::optional<RtpsMessage> readGap(std::int64_t first, std::int64_t base, std::uint32_t bits) {
+  Packet packet(kSourcePrefix);
+  packet.begin(Kind::kGap);
+  packet.add32(0);
+  packet.add32(0);
+  packet.addSequence(first);
+  packet.addSequenceSet(base, bits);
+  packet.end();
+  return readPacket(packet);
+}
+
+bool takesHeartbeat(std::int64_t first, std::int64_t last) {
+  Packet packet(kSourcePrefix);
+  packet.begin(Kind::kHeartbeat);
+  packet.add32(0);
+  packet.add32(0);
+  packet.addSequence(first);
+  packet.addSequence(last);
+  packet.add32(1);
+  packet.end();
+  return readPacket(packet).has_value();
+}
+
+bool takesFragment(std::uint32_t number, std::uint16_t count, std::uint16_t size, std::uint32_t whole,
+                   RtpsEntity writer = 0x103) {
+  Packet packet(kSourcePrefix);
+  packet.begin(Kind::kDataFrag);
+  packet.add16(0);
+  packet.add16(28);
+  packet.addEntity(0);
+  packet.addEntity(writer);
+  packet.addSequence(1);
+  packet.add32(number);
+  packet.add16(count);
+  packet.add16(size);
+  packet.add32(whole);
+  packet.addZeros(64);
+  packet.end();
+  return readPacket(packet).has_value();
+}
+
+}  // namespace
+
+TEST(RtpsMessage, RefusesAKeyThatContradictsTheList) {
+  const auto readEnd = [](const RtpsPrefix& key) {
+    Packet packet(kSourcePrefix);
+    packet.begin(Kind::kData, 2 | 8);
+    packet.add16(0);
+    packet.add16(16);
+    packet.addEntity(0);
+    packet.addEntity(kSpdpWriter);
+    packet.addSequence(2);
+    packet.addGuid(0x70, kSourcePrefix, 0x1c1);
+    packet.addSentinel();
+    packet.addPrefix(key);
+    packet.addEntity(0x1c1);
+    packet.end();
+    return readPacket(packet);
+  };
+  ASSERT_TRUE(readEnd(kSourcePrefix));
+  EXPECT_EQ(readEnd(kSourcePrefix)->discovery.at(0).prefix, kSourcePrefix);
+  EXPECT_FALSE(readEnd(kOtherPrefix)) << "another one's end";
+}
+
+TEST(RtpsMessage, TellsOfWhoAnnouncesItself) {
+  Packet packet(kSourcePrefix);
+  beginSample(packet, kSpdpWriter);
+  packet.addGuid(0x50, kSourcePrefix, 0x1c1);
+  packet.addLocator(0x32, kThisMachine, 7412);
+  packet.addLocator(0x31, 0x0a070701, 7413);
+  packet.beginParameter(0x02);
+  packet.add32(20);
+  packet.add32(0);
+  packet.endParameter();
+  packet.addSentinel();
+  packet.end();
+  const auto message = readPacket(packet);
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->source, kSourcePrefix);
+  ASSERT_EQ(message->discovery.size(), 1U);
+  const RtpsDiscovery& sample = message->discovery[0];
+  EXPECT_EQ(sample.writer, kSpdpWriter);
+  EXPECT_TRUE(sample.isAlive);
+  EXPECT_EQ(sample.prefix, kSourcePrefix);
+  EXPECT_EQ(sample.discoveryAddresses, (std::vector<RtpsAddress>{{kThisMachine, 7412}}));
+  EXPECT_EQ(sample.addresses, (std::vector<RtpsAddress>{{kThisMachine, 7412}, {0x0a070701, 7413}}));
+  ASSERT_TRUE(sample.leaseAt);
+  EXPECT_EQ(packet.bytes()[*sample.leaseAt], 20);
+}
+
+TEST(RtpsMessage, IsNoneWhereTwoIdsContradictEachOther) {
+  Packet packet(kSourcePrefix);
+  beginSample(packet, kPublicationsWriter);
+  packet.addGuid(0x5a, kSourcePrefix, 0x103);
+  packet.addGuid(0x50, kOtherPrefix, 0x1c1);
+  packet.addSentinel();
+  packet.end();
+  EXPECT_FALSE(readPacket(packet));
+}
+
+TEST(RtpsMessage, IsNoneWhereItsListOfParametersHasNoEnd) {
+  Packet packet(kSourcePrefix);
+  beginSample(packet, kPublicationsWriter);
+  packet.addGuid(0x5a, kSourcePrefix, 0x103);
+  packet.end();
+  EXPECT_FALSE(readPacket(packet));
+}
+
+TEST(RtpsMessage, IsNoneWhereALengthIsWrong) {
+  for (const std::uint16_t length : {std::uint16_t{1000}, std::uint16_t{65535}}) {
+    Packet packet(kSourcePrefix);
+    packet.begin(Kind::kInfoTs);
+    packet.addZeros(8);
+    packet.end(length);
+    EXPECT_FALSE(readPacket(packet)) << length;
+  }
+  EXPECT_FALSE(readRtpsMessage(Packet(kSourcePrefix).bytes().first(19)));
+  EXPECT_TRUE(readPacket(Packet(kSourcePrefix)));
+}
+
+TEST(RtpsMessage, IsNoneThatSpeaksForAnother) {
+  for (const RtpsPrefix& prefix : {kSourcePrefix, kOtherPrefix}) {
+    Packet packet(kSourcePrefix);
+    packet.begin(Kind::kInfoSrc);
+    packet.addZeros(8);
+    packet.addPrefix(prefix);
+    packet.end();
+    EXPECT_EQ(readPacket(packet).has_value(), prefix == kSourcePrefix);
+  }
+}
+
+TEST(RtpsMessage, CountsWhatIsAGapAndRefusesWhatIsNone) {
+  const auto gap = readGap(5, 10, 3);
+  ASSERT_TRUE(gap);
+  EXPECT_EQ(gap->gapNumbers, 8U);
+  EXPECT_FALSE(readGap(10, 5, 0));
+  EXPECT_FALSE(readGap(0, 5, 0));
+  EXPECT_FALSE(readGap(1, 5, 257));
+  EXPECT_FALSE(readGap(1, std::numeric_limits<std::int64_t>::max(), 0));
+}
+
+TEST(RtpsMessage, RefusesSequenceNumbersThatEndTheLibrary) {
+  for (const std::int64_t number : {std::numeric_limits<std::int64_t>::max(), std::int64_t(0), std::int64_t(-1)}) {
+    Packet packet(kSourcePrefix);
+    beginSample(packet, 0x103, number);
+    packet.end();
+    EXPECT_FALSE(readPacket(packet)) << number;
+  }
+  EXPECT_TRUE(takesHeartbeat(1, 0));
+  EXPECT_TRUE(takesHeartbeat(7, 9));
+  EXPECT_FALSE(takesHeartbeat(7, 5));
+  EXPECT_FALSE(takesHeartbeat(1, std::numeric_limits<std::int64_t>::max()));
+  EXPECT_FALSE(takesHeartbeat(-1, 5));
+}
+
+TEST(RtpsMessage, RefusesFragmentsThatBelongToNoSample) {
+  EXPECT_TRUE(takesFragment(1, 1, 64, 1000));
+  EXPECT_TRUE(takesFragment(16, 1, 64, 1000));
+  EXPECT_FALSE(takesFragment(17, 1, 64, 1000)) << "behind its end";
+  EXPECT_FALSE(takesFragment(0xffffffff, 0xffff, 0xffff, 1000));
+  EXPECT_FALSE(takesFragment(0, 1, 64, 1000));
+  EXPECT_FALSE(takesFragment(1, 1, 0, 1000));
+  EXPECT_FALSE(takesFragment(1, 1, 64, 0xffffffff)) << "larger than a message may be";
+  EXPECT_FALSE(takesFragment(1, 1, 64, 1000, kPublicationsWriter)) << "discovery";
+}
+
+TEST(RtpsMessage, RefusesParticipantsOfAnotherEntity) {
+  for (const bool isAlive : {true, false}) {
+    for (const RtpsEntity entity : {0x1c1U, 0x1c2U}) {
+      Packet packet(kSourcePrefix);
+      packet.begin(Kind::kData, isAlive ? 4 : 2);
+      packet.add16(0);
+      packet.add16(16);
+      packet.addEntity(0);
+      packet.addEntity(kSpdpWriter);
+      packet.addSequence(1);
+      if (isAlive) packet.add32(0x00000300);
+      packet.addGuid(isAlive ? 0x50 : 0x70, kSourcePrefix, entity);
+      packet.addSentinel();
+      packet.end();
+      EXPECT_EQ(readPacket(packet).has_value(), entity == 0x1c1) << isAlive;
+    }
+  }
+}
+
+TEST(RtpsMessage, AnnouncesAParticipantWithoutALease) {
+  constexpr std::uint64_t kSequence = (std::uint64_t(3) << 32) + 5;
+  const auto bytes = announcementWithoutLease(kSourcePrefix, kSequence);
+  const auto message = readRtpsMessage(bytes);
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->source, kSourcePrefix);
+  ASSERT_EQ(message->discovery.size(), 1U);
+  const RtpsDiscovery& sample = message->discovery[0];
+  EXPECT_TRUE(sample.isOfParticipant() && sample.isAlive);
+  EXPECT_EQ(sample.prefix, kSourcePrefix);
+  EXPECT_EQ(sample.sequence, kSequence);
+  ASSERT_TRUE(sample.leaseAt);
+  EXPECT_TRUE(std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(*sample.leaseAt),
+                          bytes.begin() + static_cast<std::ptrdiff_t>(*sample.leaseAt) + 4,
+                          [](std::uint8_t each) { return each == 0; }));
+}
+
+}  // namespace pongsim::transport
