@@ -28,8 +28,11 @@ WORLDS = HERE / "worlds.sdf"
 #: Rounds before the first measure, in which each kind of cycle comes six times, and between two measures.
 BEGIN = 42
 MEASURED = 21
-#: Until this round memory may grow: all kinds of listeners have come to all topics, and the allocator's pools have their size.
+#: For so many rounds memory may grow: all kinds of listeners come to all topics, and the allocator's pools get their size.
 WARM_UP = 252
+#: They begin anew where rounds come faster than ever before by this factor: the faster they come, the more messages wait at
+#: once for listeners. The factor ends it, as no machine becomes faster for ever.
+FASTER = 1.25
 #: What a process may grow by from then on [bytes]. An allocator that several threads use keeps more in pieces with time; a
 #: leak of 1 kB a round is more after an hour of four rounds a second.
 GROWTH = 12 << 20
@@ -53,6 +56,28 @@ class Record:
         both = min(len(known), len(hashes))
         if known[-both:] != hashes[-both:]:
             raise Fault(f"'{world}', cycle '{kind}': hashes {hashes}, before {known}")
+
+
+class WarmUp:
+    """Whether memory may still grow."""
+
+    def __init__(self, now, rounds=0):
+        """now: in seconds."""
+        self._fastest = 0
+        self._before = now, rounds
+        self._until = WARM_UP
+
+    def goes_on(self, now, rounds):
+        """Asked at each measure, with the seconds and the rounds up to it."""
+        seconds, done = now - self._before[0], rounds - self._before[1]
+        self._before = now, rounds
+        pace = done / max(seconds, 1e-3)
+        if rounds <= WARM_UP:
+            self._fastest = max(self._fastest, pace)
+        elif pace > FASTER * self._fastest:
+            self._fastest = pace
+            self._until = rounds + WARM_UP
+        return rounds <= self._until
 
 
 class Bound:
@@ -107,6 +132,7 @@ class Soak:
         pids = {"the daemon": self._daemon.process.pid, "the driver": os.getpid()}
         self._bounds = [Bound(what, lambda pid=pid: Footprint.of(pid)) for what, pid in pids.items()]
         self._next_measure = BEGIN
+        self._warm_up = WarmUp(time.monotonic())
         self.lost = 0
         self.rounds = 0
         self.measures = 0
@@ -173,8 +199,9 @@ class Soak:
             raise Fault(f"'{world}' refuses {service} {request}")
 
     def _measure(self):
+        is_warm = not self._warm_up.goes_on(time.monotonic(), self.rounds)
         for bound in self._bounds:
-            bound.measure(self.rounds > WARM_UP)
+            bound.measure(is_warm)
         said = [line for line in self._daemon.said().splitlines() if "error" in line]
         if said:
             raise Fault("the daemon says: " + said[0])

@@ -4,7 +4,7 @@ import types
 import unittest
 
 from daemon import Daemon, Fault, Footprint
-from soak import GROWTH, Bound, Record, go_on
+from soak import FASTER, GROWTH, WARM_UP, Bound, Record, WarmUp, go_on
 
 
 class Hashes(unittest.TestCase):
@@ -53,6 +53,24 @@ class Bounds(unittest.TestCase):
             self.now = now
             with self.assertRaisesRegex(Fault, "it takes"):
                 self.bound.measure(is_warm=False)
+
+
+class Warmth(unittest.TestCase):
+    def test_comes_after_so_many_rounds(self):
+        warm_up = WarmUp(now=0)
+        self.assertTrue(warm_up.goes_on(now=WARM_UP, rounds=WARM_UP))
+        self.assertFalse(warm_up.goes_on(now=WARM_UP + 10, rounds=WARM_UP + 10))
+
+    def test_begins_anew_where_rounds_come_faster_than_ever(self):
+        warm_up = WarmUp(now=0)
+        warm_up.goes_on(now=WARM_UP, rounds=WARM_UP)
+        now, rounds = WARM_UP + 10, WARM_UP + 11
+        self.assertFalse(warm_up.goes_on(now, rounds))
+        faster = 20 * FASTER
+        self.assertTrue(warm_up.goes_on(now + 20, rounds + faster + 1))
+        # as fast as that, or slower, for as many rounds as at first
+        self.assertTrue(warm_up.goes_on(now + 1000, rounds + faster + 1 + WARM_UP))
+        self.assertFalse(warm_up.goes_on(now + 1020, rounds + faster + 2 + WARM_UP + faster))
 
 
 class Counted:
