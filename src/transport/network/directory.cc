@@ -50,12 +50,13 @@ void Directory::removeParticipant(const ParticipantId& id) {
   participants_.erase(id);
   auto endpoint = endpoints_.lower_bound(firstOf(id));
   while (endpoint != endpoints_.end() && participantOf(endpoint->first) == id) endpoint = endpoints_.erase(endpoint);
+  endpointsOf_.erase(id);
   changed();
 }
 
 void Directory::addEndpoint(const EndpointId& id, const Endpoint& endpoint) {
   const std::lock_guard lock(mutex_);
-  endpoints_[id] = endpoint;
+  if (endpoints_.insert_or_assign(id, endpoint).second) ++endpointsOf_[participantOf(id)];
   const auto [begin, end] = own_.equal_range(endpoint.topic);
   for (auto own = begin; own != end; ++own) warnOfType(own->second, id, endpoint);
   if (tell_ && endpoint.role == Role::kPublisher && endpoint.visible && endpoint.topic.starts_with('/')) {
@@ -71,7 +72,7 @@ void Directory::tellOfPublishers(std::function<void(const std::string& topic, co
 
 void Directory::removeEndpoint(const EndpointId& id) {
   const std::lock_guard lock(mutex_);
-  endpoints_.erase(id);
+  if (endpoints_.erase(id) > 0) --endpointsOf_[participantOf(id)];
   changed();
 }
 
@@ -245,12 +246,12 @@ bool Directory::isComplete(std::span<const std::uint32_t> ports) const {
   };
   if (!std::ranges::all_of(ports, isKnown)) return false;
 
-  std::map<ParticipantId, std::uint32_t> told;
-  for (const auto& [id, endpoint] : endpoints_) ++told[participantOf(id)];
   return std::ranges::all_of(participants_, [&](const auto& participant) {
     // one that is no pongsim takes no census, and its topics are not listed
     const auto& [id, about] = participant;
-    return about.pid == 0 || (about.census && told[id] >= *about.census);
+    if (about.pid == 0) return true;
+    const auto told = endpointsOf_.find(id);
+    return about.census && (told == endpointsOf_.end() ? 0 : told->second) >= *about.census;
   });
 }
 

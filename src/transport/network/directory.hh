@@ -2,6 +2,7 @@
 
 #include <array>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -100,6 +101,7 @@ class Directory {
   std::uint64_t version_ = 0;
   std::map<ParticipantId, Participant> participants_;
   std::map<EndpointId, Endpoint> endpoints_;
+  std::map<ParticipantId, std::size_t> endpointsOf_;
   std::multimap<std::string, Endpoint> own_;
   std::function<void(const std::string& topic, const std::string& type)> tell_;
   /// Topic and foreign type of warnings given.

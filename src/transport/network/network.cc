@@ -281,7 +281,11 @@ void Network::onParticipantDiscovery(rtps::RTPSParticipant*, rtps::ParticipantDi
   }
   gate_->doorkeeper.discovered(id, std::chrono::steady_clock::now());
   std::vector<std::uint32_t> ports;
-  for (const rtps::Locator_t& locator : info.info.metatraffic_locators.unicast) ports.push_back(locator.port);
+  for (const rtps::Locator_t& locator : info.info.metatraffic_locators.unicast) {
+    ports.push_back(locator.port);
+    // it gets an announcement in return when this call is over
+    if (info.status == Info::DISCOVERED_PARTICIPANT) gate_->announcements.met(locator.port);
+  }
   directory_.addParticipant(id, processOf(info.info.m_participantName.c_str()), std::move(ports));
 }
 

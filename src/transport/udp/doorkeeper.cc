@@ -16,6 +16,9 @@ constexpr std::ptrdiff_t kMostOfAddress = 128;
 // How long a participant may be silent.
 constexpr std::chrono::seconds kShortestLease{1}, kLongestLease{100};
 
+// How long an announcement is no news to the library, which takes note of its lease alone.
+constexpr std::chrono::seconds kNews{10};
+
 constexpr std::uint32_t kThisMachinesNet = 127;
 
 }  // namespace
@@ -41,6 +44,16 @@ bool Doorkeeper::Known::isWithinMeans(const RtpsMessage& message, TimePoint now)
          wishes.take(static_cast<double>(message.wishes), now);
 }
 
+/// @return Whether the library is to see the message: not an announcement that it knows. Its lease is not kept there.
+bool Doorkeeper::Known::isNews(const RtpsMessage& message, TimePoint now) {
+  if (!message.isAnnouncement()) return true;
+  const std::uint64_t sequence = message.discovery.front().sequence;
+  if (isDiscovered && sequence <= seen && now - seenAt < kNews) return false;
+  seen = std::max(seen, sequence);
+  seenAt = now;
+  return true;
+}
+
 Doorkeeper::Doorkeeper(Sockets sockets) : sockets_(std::move(sockets)), leases_({kShortestLease, kLongestLease}) {}
 
 bool Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now) {
@@ -56,19 +69,36 @@ bool Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, 
   const auto found = known_.find(message->source);
   Known* known = found == known_.end() ? introduce(*message, from, side, now) : &found->second;
   if (known == nullptr || !isFrom(*known, from) || !known->isWithinMeans(*message, now)) return false;
+  for (const RtpsAcknowledgement& each : message->acknowledgements) {
+    std::uint64_t& below = known->acknowledgedBelow[each.writer];
+    below = std::max(below, each.below);
+  }
   leases_.hear(*message, bytes, now);
-  return true;
+  return known->isNews(*message, now);
 }
 
 void Doorkeeper::discovered(const RtpsPrefix& prefix, TimePoint now) {
   const std::lock_guard lock(mutex_);
   leases_.discovered(prefix, now);
+  if (const auto found = known_.find(prefix); found != known_.end()) found->second.isDiscovered = true;
 }
 
 void Doorkeeper::removed(const RtpsPrefix& prefix) {
   const std::lock_guard lock(mutex_);
   leases_.removed(prefix);
   known_.erase(prefix);
+}
+
+bool Doorkeeper::isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbeat) {
+  const std::lock_guard lock(mutex_);
+  bool isSomebodyThere = false;
+  for (const auto& [prefix, known] : known_) {
+    if (known.side != Side::kLoopback || known.port != port) continue;
+    const auto below = known.acknowledgedBelow.find(heartbeat.writer);
+    if (below == known.acknowledgedBelow.end() || below->second <= heartbeat.last) return false;
+    isSomebodyThere = true;
+  }
+  return isSomebodyThere;
 }
 
 Doorkeeper::Endings Doorkeeper::endings(TimePoint now) {

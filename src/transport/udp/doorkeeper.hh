@@ -66,6 +66,10 @@ class Doorkeeper {
   void discovered(const RtpsPrefix& prefix, TimePoint now);
   void removed(const RtpsPrefix& prefix);
 
+  /// @return Whether somebody known listens for others at this port of this machine, and all who do have acknowledged
+  /// what the heartbeat announces.
+  bool isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbeat);
+
   struct Endings {
     /// Messages for the library, which then drops those who have been silent for their lease.
     std::vector<std::vector<std::uint8_t>> messages;
@@ -82,10 +86,17 @@ class Doorkeeper {
     /// Where it listens for others.
     std::uint32_t port = 0;
     Side side = Side::kLoopback;
+    /// Whether the library knows it, and the announcement that the library has seen last.
+    bool isDiscovered = false;
+    std::uint64_t seen = 0;
+    TimePoint seenAt;
+    /// What it has received of the participant's own discovery.
+    std::map<RtpsEntity, std::uint64_t> acknowledgedBelow;
     Allowance endpoints, endpointBytes, gaps, wishes;
 
     Known();
     bool isWithinMeans(const RtpsMessage& message, TimePoint now);
+    bool isNews(const RtpsMessage& message, TimePoint now);
   };
 
   Known* introduce(const RtpsMessage& message, const RtpsAddress& from, Side side, TimePoint now);
@@ -98,7 +109,7 @@ class Doorkeeper {
   std::map<RtpsPrefix, Known> known_;
   Leases leases_;
   /// Looks at the system's sockets.
-  Allowance looks_{100, 100};
+  Allowance looks_{300, 100};
 };
 
 }  // namespace pongsim::transport

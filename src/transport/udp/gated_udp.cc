@@ -3,9 +3,11 @@
 #include <fastdds/rtps/network/SenderResource.h>
 #include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <netinet/in.h>
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,56 +36,12 @@ std::uint32_t addressOf(const rtps::Locator_t& locator) {
   return address;
 }
 
-/// Whether the system tells of such a socket. One that does not tell of any has each.
-bool isBound(const RtpsAddress& address) {
-  const auto port = static_cast<std::uint16_t>(address.port);
-  const auto sockets = boundUdpSockets({port, port});
-  if (!sockets) return true;
-  return std::ranges::any_of(
-      *sockets, [&](const BoundUdp& each) { return each.address == address.address || each.address == 0; });
-}
-
-bool isAmong(const std::vector<OpenPort>& open, std::uint32_t port) {
-  return std::ranges::find(open, port, &OpenPort::port) != open.end();
-}
-
-/// Which discovery ports of this machine somebody may listen at. Looks where it is asked for more than a few, as for an
-/// announcement, so that what goes to one peer is not held up.
-class Listeners {
- public:
-  Listeners(int domain, UdpGate& gate) : domain_(domain), gate_(gate) {}
-
-  bool mayHear(std::uint32_t port) {
-    if (!discoveryPorts(domain_).contains(port)) return true;
-    constexpr int kFew = 2;
-    if (++asked_ <= kFew) return true;
-    if (asked_ == kFew + 1) look();
-    return !open_ || isOpen(port);
-  }
-
- private:
-  void look() {
-    open_ = openDiscoveryPorts(domain_);
-    // a system that has never known of the participant's own one does not tell
-    const std::lock_guard lock(gate_.mutex);
-    gate_.isTold |= std::ranges::any_of(gate_.ports, [this](std::uint32_t port) { return isOpen(port); });
-    if (!gate_.isTold) open_.reset();
-  }
-
-  bool isOpen(std::uint32_t port) const { return open_ && isAmong(*open_, port); }
-
-  int domain_;
-  UdpGate& gate_;
-  int asked_ = 0;
-  std::optional<std::vector<OpenPort>> open_;
-};
-
-/// Those of other locators that are on one side, and where somebody may listen.
+/// Those of other locators that a message goes to on one side.
 class OwnSide : public rtps::LocatorsIterator {
  public:
-  OwnSide(GatedUdp::Side side, const Listeners& listeners, rtps::LocatorsIterator& all,
-          const rtps::LocatorsIterator& end)
-      : side_(side), listeners_(listeners), all_(all), end_(end) {
+  OwnSide(GatedUdp::Side side, int domain, std::span<const rtps::octet> message, UdpGate& gate,
+          rtps::LocatorsIterator& all, const rtps::LocatorsIterator& end)
+      : side_(side), domain_(domain), message_(message), gate_(gate), all_(all), end_(end) {
     skipOthers();
   }
 
@@ -102,13 +60,24 @@ class OwnSide : public rtps::LocatorsIterator {
   }
   bool isWanted(const rtps::Locator_t& locator) {
     if (!isOn(side_, locator)) return false;
-    return side_ == GatedUdp::Side::kBeyond || listeners_.mayHear(locator.port);
+    if (side_ == GatedUdp::Side::kBeyond || !discoveryPorts(domain_).contains(locator.port)) return true;
+    if (!isRead_) read_ = readRtpsMessage(message_);
+    isRead_ = true;
+    if (!read_) return true;
+    const auto now = std::chrono::steady_clock::now();
+    if (read_->isAnnouncement())
+      return gate_.announcements.goesTo(locator.port, read_->discovery.front().sequence, now);
+    return !read_->isHeartbeatToAll() || gate_.heartbeats.goTo(locator.port, read_->heartbeats, now);
   }
 
   GatedUdp::Side side_;
-  Listeners listeners_;
+  int domain_;
+  std::span<const rtps::octet> message_;
+  UdpGate& gate_;
   rtps::LocatorsIterator& all_;
   const rtps::LocatorsIterator& end_;
+  bool isRead_ = false;
+  std::optional<RtpsMessage> read_;
 };
 
 class GatedUdpTransport : public dds_rtps::ChainingTransport {
@@ -154,7 +123,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
   bool send(rtps::SenderResource* udp, const rtps::octet* bytes, std::uint32_t size, rtps::LocatorsIterator* begin,
             rtps::LocatorsIterator* end, const std::chrono::steady_clock::time_point& deadline) override {
     if (!gate_->isOpen) return true;
-    OwnSide own(side_, Listeners(domain_, *gate_), *begin, *end);
+    OwnSide own(side_, domain_, std::span(bytes, size), *gate_, *begin, *end);
     return own == *end || udp->send(bytes, size, &own, end, deadline);
   }
 
@@ -187,12 +156,27 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 
 // A system that has never known of the participant's own sockets does not tell of others either.
 UdpGate::UdpGate(int domain)
-    : doorkeeper({[this, domain](std::uint32_t port) {
-                    if (!discoveryPorts(domain).contains(port)) return false;
-                    const auto open = openDiscoveryPorts(domain);
-                    return !open || !tells() || isAmong(*open, port);
+    : announcements([this, domain] { return listeners(domain); }),
+      heartbeats([this](std::uint32_t port, const RtpsHeartbeat& heartbeat) {
+        return doorkeeper.isAcknowledged(port, heartbeat);
+      }),
+      doorkeeper({[this, domain](std::uint32_t port) {
+                    return discoveryPorts(domain).contains(port) &&
+                           (!tells() || isUdpOpen({INADDR_LOOPBACK, port}).value_or(true));
                   },
-                  [this](const RtpsAddress& address) { return !tells() || isBound(address); }}) {}
+                  [this](const RtpsAddress& address) {
+                    return !tells() || isUdpOpen({address.address, address.port}).value_or(true);
+                  }}) {}
+
+std::optional<std::vector<std::uint32_t>> UdpGate::listeners(int domain) {
+  const auto open = openDiscoveryPorts(domain);
+  if (!open) return std::nullopt;
+  std::vector<std::uint32_t> listening;
+  for (const OpenPort& each : *open) listening.push_back(each.port);
+  const std::lock_guard lock(mutex);
+  isTold |= std::ranges::any_of(ports, [&](std::uint32_t port) { return std::ranges::count(listening, port) > 0; });
+  return isTold ? std::optional(std::move(listening)) : std::nullopt;
+}
 
 void UdpGate::open() {
   isOpen = true;

@@ -11,8 +11,11 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <vector>
 
+#include "transport/udp/announcements.hh"
 #include "transport/udp/doorkeeper.hh"
+#include "transport/udp/heartbeats.hh"
 #include "transport/watch.hh"
 
 namespace pongsim::transport {
@@ -38,10 +41,16 @@ struct UdpGate {
   eprosima::fastrtps::rtps::Locator_t discoveryPort;
   /// Whether the system has once told of one of them, when asked who listens.
   bool isTold = false;
+  /// Say where these go on this machine.
+  Announcements announcements;
+  Heartbeats heartbeats;
   /// Says what may come in.
   Doorkeeper doorkeeper;
 
  private:
+  /// @return The domain's discovery ports that are open on this machine; nothing if the system does not report them.
+  std::optional<std::vector<std::uint32_t>> listeners(int domain);
+
   /// @return When leases may end next.
   Watch::TimePoint endLeases();
 
@@ -54,9 +63,8 @@ struct UdpGate {
 /// answers at once and only once, and where the answer is quicker than the participant it is lost: the two meet at the
 /// next periodic announcement, seconds later. So nothing may leave until the participant listens.
 ///
-/// And an announcement, which goes to the discovery ports of all participants that there could be, goes to those that
-/// are open: the kernel's answer that nobody listens costs more than the message. Whoever opens one later announces
-/// itself to the others.
+/// Announcements go to all participants that there could be. `Announcements` picks those to whom one is news, and
+/// `Heartbeats` does so for heartbeats.
 ///
 /// What comes in goes by a `Doorkeeper`, for the library trusts whoever speaks to it.
 ///

@@ -18,7 +18,7 @@ constexpr std::uint64_t kLastNumber = std::uint64_t(1) << 48;
 
 namespace submessage {
 constexpr std::uint8_t kAckNack = 0x06, kHeartbeat = 0x07, kGap = 0x08, kInfoTs = 0x09, kPad = 0x01, kInfoSrc = 0x0c,
-                       kNackFrag = 0x12, kData = 0x15, kDataFrag = 0x16;
+                       kInfoDst = 0x0e, kNackFrag = 0x12, kData = 0x15, kDataFrag = 0x16, kFirstOfVendors = 0x80;
 }  // namespace submessage
 
 namespace parameter {
@@ -122,7 +122,10 @@ bool readData(Reading body, std::uint8_t flags, std::span<const std::uint8_t> wh
   const RtpsEntity writer = body.entity();
   const std::uint64_t number = body.sequence();
   if (!body.isGood() || number == 0 || number > kLastNumber) return false;
-  if (!isDiscovery(writer)) return true;
+  if (!isDiscovery(writer)) {
+    ++message.others;
+    return true;
+  }
   // parameters of its own before the list are of no version that there is
   if (toInlineQos != kUpToInlineQos) return false;
   RtpsDiscovery sample;
@@ -163,10 +166,16 @@ bool readDataFrag(Reading body) {
          (first + count - 2) * size < whole;
 }
 
-bool readHeartbeat(Reading body) {
-  body.take(8);
+bool readHeartbeat(Reading body, RtpsMessage& message) {
+  body.take(4);
+  const RtpsEntity writer = body.entity();
   const std::uint64_t first = body.sequence();
   const std::uint64_t last = body.sequence();
+  if (isDiscovery(writer)) {
+    message.heartbeats.push_back({writer, last});
+  } else {
+    ++message.others;
+  }
   // without samples the last is the one before the first
   return body.isGood() && first > 0 && first <= kLastNumber && last <= kLastNumber && last + 1 >= first;
 }
@@ -183,29 +192,40 @@ bool readGap(Reading body, RtpsMessage& message) {
 
 /// Reads ACKNACK or, of fragments, NACK_FRAG.
 bool readWish(Reading body, bool isFragments, RtpsMessage& message) {
-  body.take(8);
+  body.take(4);
+  const RtpsEntity writer = body.entity();
   const std::uint64_t number = body.sequence();
   if (isFragments) body.take(4);
   const std::uint64_t bits = body.number(4);
   if (!body.isGood() || number > kLastNumber || bits > kMostInSet) return false;
   if (bits > 0) ++message.wishes;
+  if (!isFragments && isDiscovery(writer)) message.acknowledgements.push_back({writer, number});
   return true;
+}
+
+bool isAboutMessage(std::uint8_t kind) {
+  return kind == submessage::kPad || kind == submessage::kInfoTs || kind == submessage::kInfoDst ||
+         kind >= submessage::kFirstOfVendors;
 }
 
 bool readSubmessage(std::uint8_t kind, std::uint8_t flags, Reading body, std::span<const std::uint8_t> whole,
                     RtpsMessage& message) {
+  if (kind != submessage::kData && kind != submessage::kHeartbeat && !isAboutMessage(kind)) ++message.others;
   switch (kind) {
     case submessage::kData:
       return readData(body, flags, whole, message);
     case submessage::kDataFrag:
       return readDataFrag(body);
     case submessage::kHeartbeat:
-      return readHeartbeat(body);
+      return readHeartbeat(body, message);
     case submessage::kGap:
       return readGap(body, message);
     case submessage::kAckNack:
     case submessage::kNackFrag:
       return readWish(body, kind == submessage::kNackFrag, message);
+    case submessage::kInfoDst:
+      message.isAddressed |= prefixIn(body.rest()).value_or(RtpsPrefix{}) != RtpsPrefix{};
+      return true;
     case submessage::kInfoSrc:
       body.take(8);
       return prefixIn(body.rest()) == message.source;

@@ -43,6 +43,20 @@ struct RtpsDiscovery {
   bool isOfParticipant() const { return writer == kSpdpWriter; }
 };
 
+/// A heartbeat of one of discovery's writers.
+struct RtpsHeartbeat {
+  RtpsEntity writer = 0;
+  /// The sequence number of its last sample.
+  std::uint64_t last = 0;
+};
+
+/// What a reader of discovery has received.
+struct RtpsAcknowledgement {
+  RtpsEntity writer = 0;
+  /// Sequence numbers below this one.
+  std::uint64_t below = 0;
+};
+
 /// What an RTPS message (RTPS 2.3, 8.3 and 9.4) asks of who takes it.
 struct RtpsMessage {
   RtpsPrefix source{};
@@ -51,6 +65,21 @@ struct RtpsMessage {
   std::uint64_t gapNumbers = 0;
   /// Submessages that want samples again.
   std::size_t wishes = 0;
+  /// Submessages that are neither discovery, nor a heartbeat of it, nor about the message itself.
+  std::size_t others = 0;
+  std::vector<RtpsHeartbeat> heartbeats;
+  std::vector<RtpsAcknowledgement> acknowledgements;
+  /// Whether it is for one participant.
+  bool isAddressed = false;
+
+  /// @return Whether its participant announces itself, and the message contains nothing else.
+  bool isAnnouncement() const {
+    return discovery.size() == 1 && discovery.front().isOfParticipant() && discovery.front().isAlive &&
+           discovery.front().prefix == source && others == 0 && heartbeats.empty();
+  }
+
+  /// @return Whether it is heartbeats of discovery for all participants, and contains nothing else.
+  bool isHeartbeatToAll() const { return !heartbeats.empty() && !isAddressed && discovery.empty() && others == 0; }
 };
 
 /// @return The message; nothing where its lengths are wrong, or where it says what no honest participant says: that it

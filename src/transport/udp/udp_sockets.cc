@@ -87,7 +87,45 @@ std::optional<std::vector<BoundUdp>> askKernel(int netlink, const PortRange& por
   }
 }
 
+/// @return Whether the kernel knows of a socket that receives what is sent to the address.
+bool findsSocket(int netlink, const BoundUdp& address) {
+  struct {
+    nlmsghdr header{};
+    inet_diag_req_v2 wanted{};
+  } question;
+  question.header.nlmsg_len = sizeof question;
+  question.header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
+  question.header.nlmsg_flags = NLM_F_REQUEST;
+  question.wanted.sdiag_family = AF_INET;
+  question.wanted.sdiag_protocol = IPPROTO_UDP;
+  question.wanted.idiag_states = ~0U;
+  // as in a packet to the socket
+  question.wanted.id.idiag_dst[0] = htonl(address.address);
+  question.wanted.id.idiag_dport = htons(static_cast<std::uint16_t>(address.port));
+  std::ranges::fill(question.wanted.id.idiag_cookie, INET_DIAG_NOCOOKIE);
+  if (send(netlink, &question, sizeof question, 0) != sizeof question) return false;
+  alignas(nlmsghdr) std::array<std::byte, 4096> answer;
+  const ssize_t size = recv(netlink, answer.data(), answer.size(), 0);
+  std::vector<BoundUdp> sockets;
+  if (size <= 0 || readPiece(answer.data(), static_cast<std::size_t>(size), sockets) == Rest::kRefused) return false;
+  return sockets.size() == 1 && sockets.front().port == address.port;
+}
+
 }  // namespace
+
+std::optional<bool> isUdpOpen(const BoundUdp& address) {
+  if (const int netlink = socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_SOCK_DIAG); netlink >= 0) {
+    const bool isFound = findsSocket(netlink, address);
+    close(netlink);
+    if (isFound) return true;
+  }
+  // where it is not found, it may be that this kernel does not find any
+  const auto port = static_cast<std::uint16_t>(address.port);
+  const auto sockets = boundUdpSockets({port, port});
+  if (!sockets) return std::nullopt;
+  return std::ranges::any_of(
+      *sockets, [&](const BoundUdp& each) { return each.address == address.address || each.address == 0; });
+}
 
 std::optional<std::vector<BoundUdp>> boundUdpSockets(const PortRange& ports) {
   if (auto sockets = udpSocketsBySockDiag(ports)) return sockets;

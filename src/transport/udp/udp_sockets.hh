@@ -24,6 +24,10 @@ struct PortRange {
 /// them.
 std::optional<std::vector<BoundUdp>> boundUdpSockets(const PortRange& ports);
 
+/// @return Whether a socket in this network namespace receives what is sent to the address; nothing if the system does
+/// not report it. Faster than a list of sockets where there is one.
+std::optional<bool> isUdpOpen(const BoundUdp& address);
+
 /// Like `boundUdpSockets`, with the kernel's sock_diag(7): fast, and consistent while sockets are opened and closed,
 /// for as many as fit into one answer, at least some fifty. Not available in every container and kernel.
 std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports);

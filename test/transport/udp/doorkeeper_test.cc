@@ -161,10 +161,58 @@ TEST_F(DoorkeeperTest, ForgetsWhoSaysThatItHasGone) {
 TEST_F(DoorkeeperTest, AsksTheSystemSoOftenOnly) {
   discovery_.clear();
   for (int i = 0; i < 10'000; ++i) admits(announcement(i), {kLoopback, 5000});
-  EXPECT_EQ(looks_, 100);
+  EXPECT_EQ(looks_, 300);
   now_ += std::chrono::seconds(1);
   discovery_ = {7410};
   EXPECT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+}
+
+TEST_F(DoorkeeperTest, PassesOnAnAnnouncementUntilItIsKnown) {
+  EXPECT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  EXPECT_TRUE(admits(announcement(1), {kLoopback, 5000})) << "the library may have missed it";
+  doorkeeper_.discovered(prefixOf(1), now_);
+  EXPECT_FALSE(admits(announcement(1), {kLoopback, 5000}));
+  now_ += std::chrono::seconds(10);
+  EXPECT_TRUE(admits(announcement(1), {kLoopback, 5000})) << "once in a while it sees it again";
+  EXPECT_FALSE(admits(announcement(1), {kLoopback, 5000}));
+}
+
+TEST_F(DoorkeeperTest, HearsAnAnnouncementThatItDoesNotPassOn) {
+  ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  doorkeeper_.discovered(prefixOf(1), now_);
+  for (int i = 0; i < 9; ++i) {
+    now_ += std::chrono::seconds(1);
+    EXPECT_FALSE(admits(announcement(1, kLoopback, 2), {kLoopback, 5000}));
+    EXPECT_TRUE(doorkeeper_.endings(now_).messages.empty());
+  }
+  now_ += std::chrono::seconds(3);
+  EXPECT_EQ(doorkeeper_.endings(now_).messages.size(), 1) << "its lease runs from the last one";
+}
+
+TEST_F(DoorkeeperTest, KnowsWhatHasBeenAcknowledged) {
+  const auto acknowledge = [](int number, std::int64_t below) {
+    Packet packet(prefixOf(number));
+    packet.begin(Kind::kAckNack);
+    packet.addEntity(0x000003c7);
+    packet.addEntity(kPublicationsWriter);
+    packet.addSequenceSet(below, 0);
+    packet.add32(1);
+    packet.end();
+    return packet;
+  };
+  const RtpsHeartbeat five{kPublicationsWriter, 5};
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "nobody is there";
+  ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five));
+  ASSERT_TRUE(admits(acknowledge(1, 5), {kLoopback, 5000}));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "all below 5";
+  ASSERT_TRUE(admits(acknowledge(1, 6), {kLoopback, 5000}));
+  ASSERT_TRUE(admits(acknowledge(1, 2), {kLoopback, 5000}));
+  EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, five));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, {kSubscriptionsWriter, 5}));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7412, five));
+  ASSERT_TRUE(admits(announcement(2), {kLoopback, 5001}));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "another one at this port has not";
 }
 
 TEST_F(DoorkeeperTest, BoundsEndpointsByTime) {

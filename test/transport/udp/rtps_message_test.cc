@@ -231,4 +231,52 @@ TEST(RtpsMessage, AnnouncesAParticipantWithoutALease) {
                           [](std::uint8_t each) { return each == 0; }));
 }
 
+TEST(RtpsMessage, IsAnAnnouncementOrMore) {
+  const auto announcement = [] {
+    Packet packet(kSourcePrefix);
+    beginSample(packet, kSpdpWriter);
+    packet.addGuid(0x50, kSourcePrefix, 0x1c1);
+    packet.addSentinel();
+    packet.end();
+    return packet;
+  };
+  EXPECT_TRUE(readPacket(announcement())->isAnnouncement());
+  Packet more = announcement();
+  beginSample(more, 0x103);
+  more.end();
+  EXPECT_FALSE(readPacket(more)->isAnnouncement());
+  Packet endpoint(kSourcePrefix);
+  beginSample(endpoint, kPublicationsWriter);
+  endpoint.addGuid(0x5a, kSourcePrefix, 0x103);
+  endpoint.addSentinel();
+  endpoint.end();
+  EXPECT_FALSE(readPacket(endpoint)->isAnnouncement());
+}
+
+TEST(RtpsMessage, HasHeartbeatsOfDiscoveryForAllOrForOne) {
+  const auto add = [](Packet& packet, RtpsEntity writer) {
+    packet.begin(Kind::kHeartbeat);
+    packet.addEntity(0);
+    packet.addEntity(writer);
+    packet.addSequence(1);
+    packet.addSequence(7);
+    packet.add32(1);
+    packet.end();
+  };
+  Packet toAll(kSourcePrefix);
+  add(toAll, kPublicationsWriter);
+  const auto read = readPacket(toAll);
+  ASSERT_TRUE(read->isHeartbeatToAll());
+  EXPECT_EQ(read->heartbeats.front().writer, kPublicationsWriter);
+  EXPECT_EQ(read->heartbeats.front().last, 7);
+  add(toAll, 0x103);
+  EXPECT_FALSE(readPacket(toAll)->isHeartbeatToAll()) << "a topic's is in it, too";
+  Packet toOne(kSourcePrefix);
+  toOne.begin(Kind::kInfoDst);
+  toOne.addPrefix(kOtherPrefix);
+  toOne.end();
+  add(toOne, kPublicationsWriter);
+  EXPECT_FALSE(readPacket(toOne)->isHeartbeatToAll());
+}
+
 }  // namespace pongsim::transport

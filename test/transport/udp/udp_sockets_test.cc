@@ -58,6 +58,14 @@ TEST_F(UdpSockets, AreAllToldWhileOthersComeAndGo) {
   for (int i = 0; i < 500; ++i) ASSERT_EQ(sorted(boundUdpSockets(ports_).value()), expected_) << i;
 }
 
+TEST_F(UdpSockets, AreFoundByTheirAddress) {
+  for (const BoundUdp& each : expected_) EXPECT_TRUE(isUdpOpen({INADDR_LOOPBACK, each.port}).value()) << each.port;
+  const std::uint32_t onLoopbackAlone = ports_.first + ports_.first % 2U;
+  EXPECT_FALSE(isUdpOpen({INADDR_LOOPBACK + 1, onLoopbackAlone}).value());
+  EXPECT_TRUE(isUdpOpen({INADDR_LOOPBACK + 1, onLoopbackAlone + 1}).value()) << "bound to any address";
+  EXPECT_FALSE(isUdpOpen({INADDR_LOOPBACK, ports_.last + 11U}).value());
+}
+
 TEST_F(UdpSockets, AreToldOfByProcToo) {
   // in one reading some may be missing where other tests open and close sockets just now
   std::set<BoundUdp> told;

@@ -1,0 +1,25 @@
+#include "transport/udp/heartbeats.hh"
+
+namespace pongsim::transport {
+
+namespace {
+
+// Less than the period of a writer's heartbeats.
+constexpr std::chrono::milliseconds kAgain{900};
+
+}  // namespace
+
+bool Heartbeats::goTo(std::uint32_t port, std::span<const RtpsHeartbeat> heartbeats, TimePoint now) {
+  bool isWanted = false;
+  for (const RtpsHeartbeat& each : heartbeats) {
+    if (isAcknowledged_(port, each)) continue;
+    const std::lock_guard lock(mutex_);
+    const auto [sent, isNew] = sent_.try_emplace({port, each.writer});
+    if (!isNew && sent->second.last == each.last && now - sent->second.at < kAgain) continue;
+    sent->second = {each.last, now};
+    isWanted = true;
+  }
+  return isWanted;
+}
+
+}  // namespace pongsim::transport

@@ -1,0 +1,80 @@
+#include "transport/udp/announcements.hh"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace pongsim::transport {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Announcements on a machine with some open ports, whose clock is told.
+class AnnouncementsTest : public testing::Test {
+ protected:
+  bool goesTo(std::uint32_t port, std::uint64_t sequence = 1) { return announcements_.goesTo(port, sequence, now_); }
+
+  std::optional<std::vector<std::uint32_t>> open_ = std::vector<std::uint32_t>{7410, 7412};
+  int looks_ = 0;
+  Announcements::TimePoint now_{};
+  Announcements announcements_{[this] {
+    ++looks_;
+    return open_;
+  }};
+};
+
+}  // namespace
+
+TEST_F(AnnouncementsTest, GoToEachOpenPortOnceASecond) {
+  EXPECT_TRUE(goesTo(7410));
+  EXPECT_TRUE(goesTo(7412));
+  EXPECT_FALSE(goesTo(7414)) << "closed";
+  now_ += 999ms;
+  EXPECT_FALSE(goesTo(7410));
+  now_ += 1ms;
+  EXPECT_TRUE(goesTo(7410));
+}
+
+TEST_F(AnnouncementsTest, GoAtOnceWhereTheyAreNews) {
+  EXPECT_TRUE(goesTo(7410));
+  EXPECT_TRUE(goesTo(7410, 2));
+  EXPECT_FALSE(goesTo(7410, 2));
+}
+
+TEST_F(AnnouncementsTest, GoOnceMoreToWhoHasBeenMet) {
+  EXPECT_TRUE(goesTo(7410));
+  EXPECT_TRUE(goesTo(7412));
+  announcements_.met(7412);
+  EXPECT_FALSE(goesTo(7410));
+  EXPECT_TRUE(goesTo(7412));
+  EXPECT_FALSE(goesTo(7412));
+}
+
+TEST_F(AnnouncementsTest, GoToWhoHasBeenMetBeforeItsPortIsSeen) {
+  EXPECT_FALSE(goesTo(7414));
+  announcements_.met(7414);
+  EXPECT_TRUE(goesTo(7414));
+  EXPECT_EQ(looks_, 1);
+}
+
+TEST_F(AnnouncementsTest, GoToPortsThatHaveBeenOpenedSince) {
+  EXPECT_FALSE(goesTo(7414));
+  open_->push_back(7414);
+  now_ += 100ms;
+  EXPECT_TRUE(goesTo(7414));
+}
+
+TEST_F(AnnouncementsTest, LookOnceForAllPorts) {
+  for (std::uint32_t port = 7410; port < 7600; port += 2) goesTo(port);
+  EXPECT_EQ(looks_, 1);
+}
+
+TEST_F(AnnouncementsTest, GoToAllPortsWhereTheSystemReportsNone) {
+  open_.reset();
+  EXPECT_TRUE(goesTo(7414));
+}
+
+}  // namespace pongsim::transport
