@@ -348,6 +348,9 @@ struct TransportOptions {
   /// can then listen and send commands, since nothing is encrypted or authenticated unless secured. Unset: the
   /// environment variable PONGSIM_NETWORK, else none: only 127.0.0.1.
   std::optional<std::string> interface = std::nullopt;
+  /// Others do not learn of this `Transport` before `announce`, or before it looks for them, or for a second. Finding
+  /// many publishers and services together costs others far less than finding each as it is made.
+  bool announceLater = false;
 };
 
 /// Connection to topics and services. Does not call user code from its own threads: messages wait for `dispatch`.
@@ -367,6 +370,9 @@ class PONGSIM_API Transport {
   ~Transport();
   Transport(const Transport&) = delete;
   Transport& operator=(const Transport&) = delete;
+
+  /// Lets others learn of this transport now, if `TransportOptions::announceLater` has put it off.
+  void announce();
 
   Node node() { return Node(*bus_, *queue_); }
 

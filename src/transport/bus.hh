@@ -91,6 +91,7 @@ class Bus {
   std::size_t dispatchFor(DispatchQueue& queue, std::chrono::nanoseconds timeout);
   void wake(DispatchQueue& queue);
 
+  void announce();
   std::vector<TopicInfo> discover(std::chrono::nanoseconds timeout);
   bool heardAll() const { return heardAll_; }
   TopicInfo waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout);

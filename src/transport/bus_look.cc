@@ -70,6 +70,10 @@ TrafficReport Bus::traffic() {
   return report;
 }
 
+void Bus::announce() {
+  if (network_) network_->announce();
+}
+
 std::vector<TopicInfo> Bus::discover(std::chrono::nanoseconds timeout) {
   if (!network_) return {};
   heardAll_ = network_->discover(timeout);
@@ -79,6 +83,7 @@ std::vector<TopicInfo> Bus::discover(std::chrono::nanoseconds timeout) {
 TopicInfo Bus::waitForTopic(std::string_view topic, bool wantPublisher, std::chrono::nanoseconds timeout) {
   const std::string name = absoluteTopic(topic);
   if (!network_) return {name, {}, {}};
+  network_->announce();
   network_->directory().waitForTopic(name, wantPublisher ? Role::kPublisher : Role::kSubscriber,
                                      deadlineAfter(timeout));
   return network_->directory().topic(name);
@@ -100,6 +105,7 @@ std::vector<ServiceInfo> Bus::discoverServices(std::chrono::nanoseconds timeout)
 ServiceInfo Bus::waitForService(std::string_view service, std::chrono::nanoseconds timeout) {
   const std::string name = absoluteService(service);
   if (!network_) return {name, {}};
+  network_->announce();
   network_->directory().waitForTopic(requestTopic(name), Role::kSubscriber, deadlineAfter(timeout));
   return network_->directory().service(name);
 }

@@ -257,12 +257,16 @@ PendingRequest Node::request(std::string_view service, const Message& request, s
 
 Transport::Transport(const TransportOptions& options)
     : bus_(std::make_shared<transport::Bus>(
-          options.network ? std::make_unique<transport::Network>(options.domain, options.interface) : nullptr)),
+          options.network
+              ? std::make_unique<transport::Network>(options.domain, options.interface, options.announceLater)
+              : nullptr)),
       queue_(&bus_->addQueue()) {}
 
 Transport::Transport(const Transport& other, Sharing) : bus_(other.bus_), queue_(&bus_->addQueue()) {}
 
 Transport::~Transport() = default;
+
+void Transport::announce() { bus_->announce(); }
 
 std::optional<std::string> Transport::openTo() const {
   const std::optional<NetworkInterface> interface = bus_->interface();

@@ -158,7 +158,7 @@ int runWorlds(const RunCommandOptions& options) {
   if (options.verbosity >= LogLevel::kWarning) warnOfUnheard(options.fortress);
   base::reportCrashes();
   StopSignal signal;
-  Transport transport;
+  Transport transport({.announceLater = true});
   Diagnostics diagnostics;
   const Worlds worlds = loadWorlds(options, transport, diagnostics);
   if (options.strict) diagnostics = asErrors(diagnostics);
@@ -170,6 +170,7 @@ int runWorlds(const RunCommandOptions& options) {
     return kFailed;
   }
 
+  transport.announce();
   announce(worlds, options, transport);
   sim::RunOptions run = options.run;
   std::atomic<bool> isPrinted = true;

@@ -56,6 +56,9 @@ constexpr std::chrono::milliseconds kSilence{2000};
 constexpr std::chrono::milliseconds kSilenceOfOthers{500};
 constexpr std::chrono::milliseconds kLookAgain{10};
 
+// Less than the silence after which others give up a participant whose port is open.
+constexpr std::chrono::seconds kAnnounceBy{1};
+
 /// Settings that Fast DDS has once for the whole process.
 void setUpLibrary() {
   static const bool once = [] {
@@ -138,7 +141,7 @@ int processOf(std::string_view participantName) {
 
 }  // namespace
 
-Network::Network(std::optional<int> domain, const std::optional<std::string>& interface)
+Network::Network(std::optional<int> domain, const std::optional<std::string>& interface, bool announceLater)
     : domain_(chosenDomain(domain)),
       partition_(chosenPartition()),
       interface_(chosenInterface(interface)),
@@ -166,8 +169,8 @@ Network::Network(std::optional<int> domain, const std::optional<std::string>& in
   own_ = participantId(participant_->getGuid().guidPrefix);
   ownPort_ = participant_->getRTPSParticipantAttributes().builtin.metatrafficUnicastLocatorList.begin()->port;
   participant_->enable();
-  gate_->open();
-  participant_->announceRTPSParticipantState();
+  gate_->watch(deadlineAfter(kAnnounceBy), [this] { announce(); });
+  if (!announceLater) announce();
   censusWriter_ =
       std::make_unique<Writer>(*participant_, outbox_, Contract{kCensusTopic, kCensusType, "", true}, nullptr);
   changeCensus(0);
@@ -180,6 +183,11 @@ Network::~Network() {
   censusWriter_.reset();
   gate_->close();
   participant_.reset();
+}
+
+void Network::announce() {
+  if (gate_->isOpen.exchange(true)) return;
+  participant_->announceRTPSParticipantState();
 }
 
 void Network::requirePermission(TopicUse use, const std::string& topic) const {
@@ -225,6 +233,7 @@ void Network::changeCensus(int endpoints) {
 }
 
 bool Network::discover(std::chrono::nanoseconds timeout) {
+  announce();
   if (!censusReader_) {
     const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
       const auto message = messageInPayload(sample.bytes);
@@ -260,6 +269,7 @@ bool Network::discover(std::chrono::nanoseconds timeout) {
 }
 
 void Network::watchTraffic(std::chrono::nanoseconds duration) {
+  announce();
   directory_.forgetTraffic();
   const auto received = [this](const ParticipantId& sender, const Buffer& sample) {
     const auto message = messageInPayload(sample.bytes);

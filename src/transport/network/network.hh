@@ -31,10 +31,15 @@ class Network : private rtps::RTPSParticipantListener {
   /// @param interface Name or address of the interface for other machines, as for `chosenInterface`.
   /// @throws std::runtime_error if the network can't be opened, std::invalid_argument for an invalid domain or
   /// interface, KeystoreError if the identity in PONGSIM_SECURITY can't be used.
-  explicit Network(std::optional<int> domain, const std::optional<std::string>& interface = std::nullopt);
+  /// @param announceLater Others do not learn of this participant before `announce`, or for a second.
+  explicit Network(std::optional<int> domain, const std::optional<std::string>& interface = std::nullopt,
+                   bool announceLater = false);
   ~Network() override;
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
+
+  /// Lets others learn of this participant, if they have not yet. Everything that waits for them calls it. Thread-safe.
+  void announce();
 
   Directory& directory() { return directory_; }
   const ParticipantId& id() const { return own_; }

@@ -84,7 +84,10 @@ CallResult ServiceClient::call(const DispatchQueue& asker, std::string_view serv
   }
   if (std::optional<CallResult> result = gateways_.call(name, request, reply, deadline)) return *result;
   CallResult result{CallOutcome::kNoService, "there is no service '" + name + "'"};
-  if (network_ != nullptr) result = callOther(name, request, reply, deadline);
+  if (network_ != nullptr) {
+    network_->announce();
+    result = callOther(name, request, reply, deadline);
+  }
   if (result.outcome != CallOutcome::kNoService) return result;
   // it may have come meanwhile
   return gateways_.call(name, request, reply, deadline).value_or(std::move(result));

@@ -129,6 +129,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
 
   void receive(dds_rtps::TransportReceiverInterface* receiver, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+    if (!gate_->isOpen) return;
     const RtpsAddress from{addressOf(remote), remote.port};
     const auto side = side_ == GatedUdp::Side::kLoopback ? Doorkeeper::Side::kLoopback : Doorkeeper::Side::kBeyond;
     // it is the library's buffer, which it may change itself
@@ -178,9 +179,12 @@ std::optional<std::vector<std::uint32_t>> UdpGate::listeners(int domain) {
   return isTold ? std::optional(std::move(listening)) : std::nullopt;
 }
 
-void UdpGate::open() {
-  isOpen = true;
-  watch_.emplace([this] { return endLeases(); });
+void UdpGate::watch(Watch::TimePoint openBy, std::function<void()> open) {
+  watch_.emplace([this, openBy, open = std::move(open)] {
+    if (!isOpen && std::chrono::steady_clock::now() >= openBy) open();
+    const Watch::TimePoint nextLook = endLeases();
+    return isOpen ? nextLook : std::min(nextLook, openBy);
+  });
 }
 
 Watch::TimePoint UdpGate::endLeases() {

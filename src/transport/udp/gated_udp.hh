@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -24,14 +25,15 @@ namespace pongsim::transport {
 struct UdpGate {
   explicit UdpGate(int domain);
 
-  /// Lets out what is sent from now on; what was sent before is lost. From now on leases end.
+  /// Lets leases end from now on, and calls `open` if the gate is not open by `openBy`.
   /// @throws std::system_error where the system gives no thread.
-  void open();
-  /// Ends no more leases. To be called before the participant is removed.
+  void watch(Watch::TimePoint openBy, std::function<void()> open);
+  /// Ends no more leases, and does not open by itself any more. To be called before the participant is removed.
   void close() { watch_.reset(); }
   /// @return Whether the system says who listens.
   bool tells();
 
+  /// What is sent or received before is lost.
   std::atomic<bool> isOpen = false;
   std::mutex mutex;
   /// Ports that are open on loopback.

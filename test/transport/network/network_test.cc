@@ -124,4 +124,21 @@ TEST(Network, KeepsNoMoreForASlowReaderThanItMay) {
   EXPECT_GT(sender.dropped(), 0);
 }
 
+TEST(Network, IsFoundWhenItIsAnnounced) {
+  Network other(test::testDomain());
+  Network later(test::testDomain(), std::nullopt, true);
+  auto writer = later.makeWriter(kTopic, kType, nullptr);
+  later.announce();
+  EXPECT_TRUE(other.directory().waitForTopic(kTopic, Role::kPublisher, deadlineAfter(test::kDeadline)));
+  later.end(std::move(writer));
+}
+
+TEST(Network, AnnouncesItselfInTheEnd) {
+  Network other(test::testDomain());
+  Network later(test::testDomain(), std::nullopt, true);
+  auto writer = later.makeWriter(kTopic, kType, nullptr);
+  EXPECT_TRUE(other.directory().waitForTopic(kTopic, Role::kPublisher, deadlineAfter(test::kDeadline)));
+  later.end(std::move(writer));
+}
+
 }  // namespace pongsim::transport
