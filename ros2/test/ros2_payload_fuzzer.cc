@@ -3,7 +3,6 @@
 // memory, and what is taken is written as the same again.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "ros2/types/cdr.hh"
 #include "ros2/types/rmw_dds_common.hh"
 #include "ros2/wire/first_acknack.hh"
+#include "test/fuzz/require.hh"
 
 namespace pongsim::ros2::test {
 namespace {
@@ -21,9 +21,7 @@ constexpr std::size_t kChoice = 2;
 // The smallest element of a list is a byte, the largest structure that may stand for one of few bytes has many texts.
 constexpr std::size_t kMostGrowth = 64;
 
-void require(bool holds) {
-  if (!holds) std::abort();
-}
+using fuzz::require;
 
 template <class Type>
 void readAs(Bytes payload) {
@@ -52,7 +50,7 @@ std::vector<void (*)(Bytes)> readers() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace pongsim::ros2;
   std::vector<unsigned char> packet(data, data + size);
-  test::require(hastenFirstAcknacks(packet) <= size / 24);
+  pongsim::fuzz::require(hastenFirstAcknacks(packet) <= size / 24);
   if (size < test::kChoice) return 0;
   static const auto all = test::readers();
   const std::size_t choice = data[0] | static_cast<std::size_t>(data[1]) << 8;

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "support/environment_variable.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::assets {
@@ -145,19 +146,13 @@ TEST_F(FileCacheTest, IsFilledByManyAtOnce) {
 
 TEST(FileCacheFolder, IsWhereTheUserHasIt) {
   const auto folderWith = [](const char* cache, const char* home) {
-    ::setenv("XDG_CACHE_HOME", cache, 1);
-    ::setenv("HOME", home, 1);
+    const test::EnvironmentVariable ofCache("XDG_CACHE_HOME", cache), ofHome("HOME", home);
     return FileCache::userFolder();
   };
-  const char* const home = std::getenv("HOME");
-  const char* const cache = std::getenv("XDG_CACHE_HOME");
-  const std::string homeBefore = home != nullptr ? home : "", cacheBefore = cache != nullptr ? cache : "";
   EXPECT_EQ(folderWith("/x", "/home/y"), "/x/pongsim/meshes");
   EXPECT_EQ(folderWith("", "/home/y"), "/home/y/.cache/pongsim/meshes");
   EXPECT_EQ(folderWith("x", "/home/y"), "/home/y/.cache/pongsim/meshes");
   EXPECT_EQ(folderWith("", ""), "");
-  ::setenv("HOME", homeBefore.c_str(), 1);
-  cache != nullptr ? ::setenv("XDG_CACHE_HOME", cacheBefore.c_str(), 1) : ::unsetenv("XDG_CACHE_HOME");
 }
 
 }  // namespace

@@ -2,33 +2,27 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <optional>
+#include <list>
 #include <string>
-#include <utility>
+#include <vector>
+
+#include "support/environment_variable.hh"
 
 namespace pongsim::assets {
 namespace {
 
-/// Sets the variables that a test needs, and leaves them as they were.
+/// Starts without the variables, and leaves them as they were.
 class PlacesTest : public testing::Test {
  protected:
   PlacesTest() {
     for (const char* name : {"PONGSIM_RESOURCE_PATH", "SDF_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH",
                              "IGN_FILE_PATH", "IGN_FUEL_CACHE_PATH", "HOME"}) {
-      const char* const value = std::getenv(name);
-      before_.emplace_back(name, value != nullptr ? std::optional<std::string>(value) : std::nullopt);
-      unsetenv(name);
-    }
-  }
-  ~PlacesTest() override {
-    for (const auto& [name, value] : before_) {
-      value ? setenv(name, value->c_str(), 1) : unsetenv(name);
+      variables_.emplace_back(name).unset();
     }
   }
 
  private:
-  std::vector<std::pair<const char*, std::optional<std::string>>> before_;
+  std::list<test::EnvironmentVariable> variables_;
 };
 
 using Folders = std::vector<std::filesystem::path>;

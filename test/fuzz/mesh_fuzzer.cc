@@ -4,13 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <string_view>
 #include <variant>
 
 #include "assets/mesh_file.hh"
 #include "assets/mesh_look.hh"
 #include "require.hh"
-#include "scratch_file.hh"
+#include "support/temp_folder.hh"
 
 namespace {
 
@@ -40,9 +40,10 @@ void readLook(const std::filesystem::path& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  static const pongsim::fuzz::ScratchFolder folder;
+  static const pongsim::test::TempFolder folder;
   constexpr std::array<const char*, 5> kNames{"mesh.dae", "mesh.stl", "mesh.obj", "mesh.glb", "mesh.gltf"};
-  const auto file = folder.write(kNames[data[0] % kNames.size()], std::span(data, size).subspan(1));
+  const auto file = folder.write(kNames[data[0] % kNames.size()],
+                                 std::string_view(reinterpret_cast<const char*>(data), size).substr(1));
   read(file);
   readLook(file);
   return 0;

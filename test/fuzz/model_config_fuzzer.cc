@@ -4,17 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
+#include <string_view>
 
 #include "pongsim/diagnostic.hh"
 #include "require.hh"
-#include "scratch_file.hh"
 #include "sdf/includes/model_config.hh"
+#include "support/temp_folder.hh"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const pongsim::fuzz::ScratchFolder folder;
-  const auto file = folder.write("model.config", std::span(data, size));
+  static const pongsim::test::TempFolder folder;
+  const auto file = folder.write("model.config", std::string_view(reinterpret_cast<const char*>(data), size));
   pongsim::Diagnostics diagnostics;
   const auto found =
       pongsim::sdf::readModelConfig(file, std::make_shared<const std::string>("model.config"), diagnostics);

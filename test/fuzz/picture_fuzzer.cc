@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <string_view>
 #include <variant>
 
 #include "assets/gray_image.hh"
 #include "assets/picture_file.hh"
 #include "require.hh"
-#include "scratch_file.hh"
+#include "support/temp_folder.hh"
 
 namespace {
 
@@ -26,8 +26,8 @@ void requireWhole(const std::variant<Image, pongsim::assets::Problem>& found, st
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const pongsim::fuzz::ScratchFolder folder;
-  const auto file = folder.write("picture", std::span(data, size));
+  static const pongsim::test::TempFolder folder;
+  const auto file = folder.write("picture", std::string_view(reinterpret_cast<const char*>(data), size));
   requireWhole(pongsim::assets::readPicture(file), 4);
   requireWhole(pongsim::assets::readGrayImage(file), 1);
   return 0;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +20,7 @@
 
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
+#include "support/environment_variable.hh"
 #include "support/fortress_worlds.hh"
 #include "support/working_folder.hh"
 
@@ -167,19 +167,14 @@ class Performance {
 class FortressSystems : public testing::TestWithParam<ListedWorld> {
  protected:
   FortressSystems() {
-    if (const auto folder = fortressWorlds()) setenv(kVariable, (*folder / "test/models").c_str(), 1);
-    // what they write goes there
-    setenv("HOME", workingFolder_.path().c_str(), 1);
-  }
-  ~FortressSystems() override {
-    unsetenv(kVariable);
-    setenv("HOME", home_.c_str(), 1);
+    if (const auto folder = fortressWorlds()) models_.set((*folder / "test/models").string());
   }
 
  private:
-  static constexpr const char* kVariable = "IGN_GAZEBO_RESOURCE_PATH";
-  const std::string home_ = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
+  test::EnvironmentVariable models_{"IGN_GAZEBO_RESOURCE_PATH"};
   const WorkingFolder workingFolder_;
+  // what they write goes there
+  const test::EnvironmentVariable home_{"HOME", workingFolder_.path().string()};
 };
 
 TEST_P(FortressSystems, RunStrictlyAndDoWhatTheyAreFor) {

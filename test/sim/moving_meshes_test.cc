@@ -1,18 +1,17 @@
 // Meshes from files that move, in whole worlds.
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "pongsim/simulation.hh"
+#include "support/environment_variable.hh"
 #include "support/solids.hh"
 #include "support/temp_folder.hh"
 
@@ -46,16 +45,12 @@ constexpr std::string_view kGround =
 class MovingMeshesTest : public ::testing::Test {
  protected:
   MovingMeshesTest() {
-    if (const char* before = std::getenv("XDG_CACHE_HOME")) before_ = before;
     keepPiecesIn(folder_.path() / "cache");
     folder_.write("bowl.obj", test::asObj(test::bowl(0.2, 0.02, 40, 12)));
     folder_.write("wheel.obj", test::asObj(test::spokedWheel(0.2, 0.05, 360, 5)));
   }
-  ~MovingMeshesTest() override {
-    before_ ? ::setenv("XDG_CACHE_HOME", before_->c_str(), 1) : ::unsetenv("XDG_CACHE_HOME");
-  }
 
-  static void keepPiecesIn(const fs::path& folder) { ::setenv("XDG_CACHE_HOME", folder.c_str(), 1); }
+  void keepPiecesIn(const fs::path& folder) { cache_.set(folder.string()); }
 
   std::unique_ptr<Simulation> load(const std::string& content, int threads = 1) {
     const fs::path file = folder_.write("w.sdf", "<sdf version='1.9'><world name='w'>" + content + "</world></sdf>");
@@ -86,7 +81,7 @@ class MovingMeshesTest : public ::testing::Test {
   }
 
   const test::TempFolder folder_;
-  std::optional<std::string> before_;
+  test::EnvironmentVariable cache_{"XDG_CACHE_HOME"};
 };
 
 TEST_F(MovingMeshesTest, ABowlHoldsABallForTenSeconds) {
@@ -148,11 +143,10 @@ TEST_F(MovingMeshesTest, GiveTheSameBitsColdWarmBrokenReadOnlyAndOnThreads) {
   run();
   // in ~/.cache
   keepPiecesIn("");
-  const char* const home = std::getenv("HOME");
-  const std::string homeBefore = home != nullptr ? home : "/";
-  ::setenv("HOME", folder_.path().c_str(), 1);
-  run();
-  ::setenv("HOME", homeBefore.c_str(), 1);
+  {
+    const test::EnvironmentVariable home("HOME", folder_.path().string());
+    run();
+  }
   EXPECT_TRUE(fs::exists(folder_.path() / ".cache/pongsim/meshes"));
   EXPECT_EQ(hashes.size(), 1U);
 }

@@ -2,23 +2,24 @@
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
+#include "support/environment_variable.hh"
 #include "support/test_domain.hh"
 #include "support/udp_socket.hh"
 
 namespace pongsim::transport {
 
 TEST(Domain, IsTheOneWantedElseTheEnvironmentsElseZero) {
-  unsetenv("PONGSIM_DOMAIN");
+  test::EnvironmentVariable domain("PONGSIM_DOMAIN");
+  domain.unset();
   EXPECT_EQ(chosenDomain({}), 0);
-  setenv("PONGSIM_DOMAIN", "", 1);
+  domain.set("");
   EXPECT_EQ(chosenDomain({}), 0);
-  setenv("PONGSIM_DOMAIN", "232", 1);
+  domain.set("232");
   EXPECT_EQ(chosenDomain({}), 232);
   EXPECT_EQ(chosenDomain(7), 7);
 }
@@ -27,7 +28,7 @@ TEST(Domain, SaysWhatIsWrongWithIt) {
   EXPECT_THROW(chosenDomain(-1), std::invalid_argument);
   EXPECT_THROW(chosenDomain(233), std::invalid_argument);
   for (const char* bad : {"233", "-1", "x", "1.5", "99999999999999999999"}) {
-    setenv("PONGSIM_DOMAIN", bad, 1);
+    const test::EnvironmentVariable domain("PONGSIM_DOMAIN", bad);
     try {
       chosenDomain({});
       FAIL() << bad;
@@ -38,15 +39,14 @@ TEST(Domain, SaysWhatIsWrongWithIt) {
 }
 
 TEST(Domain, HasThePartitionThatTheEnvironmentSays) {
-  unsetenv("IGN_PARTITION");
-  unsetenv("GZ_PARTITION");
+  test::EnvironmentVariable ofFortress("IGN_PARTITION"), later("GZ_PARTITION");
+  ofFortress.unset();
+  later.unset();
   EXPECT_EQ(chosenPartition(), "");
-  setenv("GZ_PARTITION", "new", 1);
+  later.set("new");
   EXPECT_EQ(chosenPartition(), "new");
-  setenv("IGN_PARTITION", "old", 1);
+  ofFortress.set("old");
   EXPECT_EQ(chosenPartition(), "old");
-  unsetenv("IGN_PARTITION");
-  unsetenv("GZ_PARTITION");
 }
 
 TEST(Domain, HasPortsOfItsOwn) {
