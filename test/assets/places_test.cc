@@ -10,7 +10,7 @@
 namespace pongsim::assets {
 namespace {
 
-/// Sets the variables that a test needs, and leaves them as they were.
+/// Sets environment variables for a test, and restores them.
 class PlacesTest : public testing::Test {
  protected:
   PlacesTest() {
