@@ -11,7 +11,7 @@
 namespace pongsim::assets {
 namespace {
 
-/// Starts without the variables, and leaves them as they were.
+/// Starts without these environment variables, and restores them.
 class PlacesTest : public testing::Test {
  protected:
   PlacesTest() {

@@ -18,7 +18,7 @@ namespace pongsim {
 namespace {
 
 constexpr double kMostThrust = 1000;
-/// A controller rests where the speed is that near [rad/s].
+/// Below this error of the speed the controller is off [rad/s].
 constexpr double kNearEnough = 0.1;
 
 /// Applies a commanded thrust at a propeller, and spins it accordingly.
@@ -59,11 +59,11 @@ class Thruster : public System {
 
   std::optional<Model> model_;
   std::optional<Batteries> batteries_;
-  /// Batteries come with systems that may be configured later.
+  /// Looked up late, because batteries come with systems that may be configured later.
   bool isConnected_ = false;
   std::optional<Joint> joint_;
   std::optional<Link> link_;
-  /// Of the joint in the link frame, along which it pushes.
+  /// Axis of the joint in the link frame, the direction of thrust.
   Vector3 axis_ = Vector3::UnitX();
   double thrust_ = 0;
   Propeller propeller_;
@@ -91,8 +91,8 @@ void Thruster::declare(Declaration& declaration) {
                         "change with (1 - wake_fraction) * craft's speed / (speed * propeller_diameter)");
   declaration.parameter("wake_fraction", &settings_.wakeFraction, "",
                         "relative reduction of the water speed at the propeller");
-  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "largest thrust; limit of the command");
-  declaration.parameter("min_thrust_cmd", &leastThrust_, "N", "least thrust");
+  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "maximum thrust; limit of the command");
+  declaration.parameter("min_thrust_cmd", &leastThrust_, "N", "minimum thrust");
   declaration.parameter("velocity_control", &isDrivenDirectly_, "",
                         "drives the joint at the speed; otherwise a PID controller applies torques");
   declaration.parameter("p_gain", &gains_.p, "N m s/rad", "proportional gain of that controller");
@@ -100,7 +100,7 @@ void Thruster::declare(Declaration& declaration) {
   declaration.parameter("d_gain", &gains_.d, "N m s^2/rad", "derivative gain");
   declaration.parameter("power_load", &powerLoad_, "W", "power drawn from a battery, independent of thrust");
   declaration.parameter("battery_name", &batteryName_, "", "name of the battery, in any model").otherwise("none");
-  declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next one");
+  declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next command");
   declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double", "the same, in older worlds");
 }
 
@@ -158,7 +158,7 @@ void Thruster::receive(double thrust) {
   propeller_.turnFor(thrust_);
 }
 
-/// Says once what it takes from its battery.
+/// Reports once the power drawn from its battery.
 void Thruster::connectBattery() {
   isConnected_ = true;
   if (batteryName_.empty() || !powerLoad_) return;
