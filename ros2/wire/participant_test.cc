@@ -82,7 +82,7 @@ class Voice {
   explicit Voice(int domain) : domain_(domain) {}
 
   void say(const std::vector<unsigned char>& message) {
-    constexpr int kPorts = 7410, kOfDomain = 250, kSought = 16;
+    constexpr int kPorts = 7410, kOfDomain = 250, kSought = 120;
     for (int i = 0; i < kSought; ++i) {
       sockaddr_in to{};
       to.sin_family = AF_INET;
