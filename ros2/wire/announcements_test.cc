@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "ros2/test/announced.hh"
+#include "ros2/wire/announced.hh"
 
 namespace pongsim::ros2 {
 namespace {

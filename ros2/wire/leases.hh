@@ -21,8 +21,8 @@ namespace pongsim::ros2 {
 /// told of leases that don't end, and when one ends it hears a goodbye, in place of the neighbour's own. Announcements
 /// and goodbyes are handed to it one at a time.
 ///
-/// No more neighbours are known than Fast DDS knows, but for those who said goodbye within the last second. Any thread
-/// may use this.
+/// There is no limit to the neighbours that are known, as there is none in Fast DDS, which needs much more memory for
+/// each. Any thread may use this.
 class Leases {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

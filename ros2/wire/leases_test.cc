@@ -5,7 +5,7 @@
 #include <atomic>
 #include <thread>
 
-#include "ros2/test/announced.hh"
+#include "ros2/wire/announced.hh"
 
 namespace pongsim::ros2 {
 namespace {
