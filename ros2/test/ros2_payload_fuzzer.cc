@@ -1,6 +1,7 @@
 // Arbitrary bytes as input from other participants: the first two select a type, the rest is a payload of it and an
 // RTPS packet. Readers must end, stay within the bytes, and use a small multiple of their size as memory; what they
 // accept must be encoded to the same bytes.
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,6 +10,7 @@
 #include "ros2/test/all_types.hh"
 #include "ros2/types/cdr.hh"
 #include "ros2/types/rmw_dds_common.hh"
+#include "ros2/wire/announcements.hh"
 #include "ros2/wire/first_acknack.hh"
 #include "test/fuzz/require.hh"
 
@@ -22,6 +24,15 @@ constexpr std::size_t kChoice = 2;
 constexpr std::size_t kMostGrowth = 64;
 
 using fuzz::require;
+
+/// Of a message that has been read before.
+void requireEndlessLeases(std::vector<unsigned char>& packet) {
+  const auto presence = readPresence(packet);
+  require(presence.has_value());
+  for (const Announcement& each : presence->announcements) {
+    require(!each.lease || *each.lease == std::chrono::seconds(1 << 30));
+  }
+}
 
 template <class Type>
 void readAs(Bytes payload) {
@@ -51,6 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace pongsim::ros2;
   std::vector<unsigned char> packet(data, data + size);
   pongsim::fuzz::require(hastenFirstAcknacks(packet) <= size / 24);
+  if (readPresence(packet)) test::requireEndlessLeases(packet);
   if (size < test::kChoice) return 0;
   static const auto all = test::readers();
   const std::size_t choice = data[0] | static_cast<std::size_t>(data[1]) << 8;

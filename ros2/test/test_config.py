@@ -122,7 +122,7 @@ def test_a_topic_is_listened_to_only_when_a_node_listens_unless_a_rule_says_othe
         peers.until(lambda: subscribers("/lidar") == 0, "the simulation's topic, without a listener")
         reader = peers.Peer().reader("/scan", peers.LaserScan)
         peers.until(lambda: subscribers("/lidar") == 1, "a listener")
-        # with its participant; Fast DDS makes nothing of Cyclone's goodbye, and waits until its lease has run out
+        # with its participant
         del reader
         peers.until(lambda: subscribers("/lidar") == 0, "its end")
     with peers.running(WORLD, "--ros2-config", configuration(tmp_path, lidar_as("scan", "  lazy: false\n"))):

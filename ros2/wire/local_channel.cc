@@ -7,6 +7,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <span>
 #include <stdexcept>
@@ -16,10 +18,13 @@
 
 namespace pongsim::ros2 {
 
-LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, std::size_t largest)
+LocalChannel::LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, Leases& leases,
+                           bool endsLeases, std::size_t largest)
     : sockets_(std::move(sockets)),
       at_(at),
       receiver_(receiver),
+      leases_(leases),
+      endsLeases_(endsLeases),
       packet_(largest),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   if (wake_ < 0) throw std::runtime_error("no more file descriptors");
@@ -37,16 +42,31 @@ void LocalChannel::run() {
   std::vector<pollfd> waited{{wake_, POLLIN, 0}};
   for (const UdpSocket& socket : sockets_) waited.push_back({socket.handle(), POLLIN, 0});
   while (!isOver_) {
-    if (poll(waited.data(), waited.size(), -1) < 0) continue;
+    if (poll(waited.data(), waited.size(), endLeases()) < 0) continue;
     for (std::size_t i = 0; i < sockets_.size(); ++i) {
       if (waited[i + 1].revents != 0) drain(sockets_[i]);
     }
   }
 }
 
+int LocalChannel::endLeases() {
+  using std::chrono::steady_clock;
+  if (!endsLeases_) return -1;
+  if (const auto now = steady_clock::now(); now >= nextLook_) {
+    nextLook_ = leases_.end(now, [this](std::span<const unsigned char> message) {
+      receiver_.OnDataReceived(message.data(), static_cast<std::uint32_t>(message.size()), at_, at_);
+    });
+  }
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(nextLook_ - steady_clock::now());
+  return std::max(static_cast<int>(left.count()), 0);
+}
+
+/// Hands on what has come, until nothing is left or leases may end.
 void LocalChannel::drain(const UdpSocket& socket) {
   namespace rtps = eprosima::fastrtps::rtps;
   while (!isOver_) {
+    const auto now = std::chrono::steady_clock::now();
+    if (endsLeases_ && now >= nextLook_) return;
     sockaddr_in sender{};
     socklen_t length = sizeof sender;
     const ssize_t size =
@@ -58,8 +78,11 @@ void LocalChannel::drain(const UdpSocket& socket) {
     from.kind = LOCATOR_KIND_UDPv4;
     from.port = ntohs(sender.sin_port);
     std::memcpy(&from.address[12], &sender.sin_addr.s_addr, sizeof sender.sin_addr.s_addr);
-    hastenFirstAcknacks(std::span(packet_).first(static_cast<std::size_t>(size)));
-    receiver_.OnDataReceived(packet_.data(), static_cast<std::uint32_t>(size), at_, from);
+    const auto message = std::span(packet_).first(static_cast<std::size_t>(size));
+    hastenFirstAcknacks(message);
+    leases_.receive(message, now, [&](std::span<const unsigned char> admitted) {
+      receiver_.OnDataReceived(admitted.data(), static_cast<std::uint32_t>(admitted.size()), at_, from);
+    });
   }
 }
 

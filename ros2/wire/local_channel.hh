@@ -7,18 +7,21 @@
 #include <thread>
 #include <vector>
 
+#include "ros2/wire/leases.hh"
 #include "ros2/wire/local_sockets.hh"
 
 namespace pongsim::ros2 {
 
-/// Hands what comes in at some sockets to Fast DDS, from a thread of its own.
+/// Hands what comes in at some sockets to Fast DDS, by way of `Leases`, from a thread of its own.
 class LocalChannel {
  public:
   using Locator = eprosima::fastrtps::rtps::Locator_t;
   using Receiver = eprosima::fastdds::rtps::TransportReceiverInterface;
 
   /// @param at What Fast DDS knows the sockets by.
-  LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, std::size_t largest);
+  /// @param endsLeases Whether leases are to end by this channel, which then must be one where announcements are heard.
+  LocalChannel(std::vector<UdpSocket> sockets, const Locator& at, Receiver& receiver, Leases& leases, bool endsLeases,
+               std::size_t largest);
   /// `receiver` is not called from then on.
   ~LocalChannel();
   LocalChannel(const LocalChannel&) = delete;
@@ -26,11 +29,17 @@ class LocalChannel {
 
  private:
   void run();
+  /// @return Milliseconds until leases may end next; -1: not here.
+  int endLeases();
   void drain(const UdpSocket& socket);
 
   std::vector<UdpSocket> sockets_;
   Locator at_;
   Receiver& receiver_;
+  Leases& leases_;
+  bool endsLeases_;
+  /// When leases may end next.
+  Leases::TimePoint nextLook_;
   std::vector<unsigned char> packet_;
   int wake_;
   std::atomic<bool> isOver_ = false;

@@ -20,6 +20,7 @@
 #include <string>
 #include <utility>
 
+#include "ros2/wire/leases.hh"
 #include "ros2/wire/local_channel.hh"
 
 namespace pongsim::ros2 {
@@ -53,6 +54,9 @@ Locator_t locatorOf(std::uint32_t address, std::uint32_t port) {
 
 bool isLoopback(std::uint32_t address) { return (ntohl(address) >> 24) == 127; }
 bool isMulticast(const Locator_t& locator) { return (ntohl(addressOf(locator)) >> 28) == 0xe; }
+
+/// @return Whether it is a port for announcements rather than for data (RTPS 9.6.1.1).
+bool isDiscoveryPort(std::uint32_t port) { return port % 2 == 0; }
 
 class LocalUdpTransport;
 
@@ -145,6 +149,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
   UdpSocket sender_;
   /// One per interface.
   std::vector<UdpSocket> groupSenders_;
+  Leases leases_;
   mutable std::mutex mutex_;
   std::map<Key, std::unique_ptr<LocalChannel>> channels_;
 };
@@ -204,7 +209,10 @@ bool LocalUdpTransport::OpenInputChannel(const Locator_t& locator, dds_rtps::Tra
   if (channels_.contains(keyOf(locator))) return true;
   std::vector<UdpSocket> sockets = socketsFor(locator);
   if (sockets.empty()) return false;
-  channels_[keyOf(locator)] = std::make_unique<LocalChannel>(std::move(sockets), locator, *receiver, kLargestPacket);
+  // there is one such port
+  const bool endsLeases = !isMulticast(locator) && isDiscoveryPort(locator.port);
+  channels_[keyOf(locator)] =
+      std::make_unique<LocalChannel>(std::move(sockets), locator, *receiver, leases_, endsLeases, kLargestPacket);
   return true;
 }
 
