@@ -20,10 +20,10 @@ void declarePid(Declaration& declaration, PidSettings& settings, std::string_vie
   add("p_gain", settings.p, "", "proportional gain");
   add("i_gain", settings.i, "", "integral gain");
   add("d_gain", settings.d, "", "derivative gain");
-  add("i_min", settings.iMin, ofCommand, "least integral term; no bounds where it is above `i_max`");
-  add("i_max", settings.iMax, ofCommand, "largest integral term");
-  add("cmd_min", settings.commandMin, ofCommand, "least command; no bounds where it is above `cmd_max`");
-  add("cmd_max", settings.commandMax, ofCommand, "largest command");
+  add("i_min", settings.iMin, ofCommand, "minimum integral term; no bounds if it is above `i_max`");
+  add("i_max", settings.iMax, ofCommand, "maximum integral term");
+  add("cmd_min", settings.commandMin, ofCommand, "minimum command; no bounds if it is above `cmd_max`");
+  add("cmd_max", settings.commandMax, ofCommand, "maximum command");
   add("cmd_offset", settings.commandOffset, ofCommand, "added to the command");
 }
 

@@ -10,15 +10,15 @@ namespace pongsim {
 void declareSpeedLimits(Declaration& declaration, SpeedLimitParameters& parameters, std::string_view kind,
                         std::string_view unit) {
   const std::string middle = kind.empty() ? "_" : "_" + std::string(kind) + "_";
-  const std::string motion = kind.empty() ? "linear and angular motion" : std::string(kind) + " motion";
+  const std::string prefix = kind.empty() ? "linear and angular " : std::string(kind) + " ";
   const auto add = [&](const std::string& quantity, const std::string& unitOfValue, std::optional<double>& min,
                        std::optional<double>& max) {
-    const std::string text = " " + quantity + " of " + motion;
+    const std::string text = " " + prefix + quantity;
     const std::string fallback = kind.empty() ? "no limit" : "that of both";
-    declaration.parameter("min" + middle + quantity, &min, unitOfValue, "least" + text)
+    declaration.parameter("min" + middle + quantity, &min, unitOfValue, "minimum" + text)
         .mayBeInfinite()
         .otherwise(fallback);
-    declaration.parameter("max" + middle + quantity, &max, unitOfValue, "largest" + text)
+    declaration.parameter("max" + middle + quantity, &max, unitOfValue, "maximum" + text)
         .mayBeInfinite()
         .otherwise(fallback);
   };

@@ -23,16 +23,16 @@ CoreSystem userCommands() {
   const auto serves = [&declaration](const char* name, const char* type, const char* text) {
     declaration.serves(std::string("/world/W/") + name, type, "ignition.msgs.Boolean", text);
   };
-  serves("create", "ignition.msgs.EntityFactory", "a model or a light, from text, from a file or as a copy");
-  serves("create_multiple", "ignition.msgs.EntityFactory_V", "several, all or none");
-  serves("remove", "ignition.msgs.Entity", "a model or a light, by name or id");
+  serves("create", "ignition.msgs.EntityFactory", "inserts a model or a light, from text, from a file or as a copy");
+  serves("create_multiple", "ignition.msgs.EntityFactory_V", "inserts several, all or none");
+  serves("remove", "ignition.msgs.Entity", "removes a model or a light, by name or id");
   serves("set_pose", "ignition.msgs.Pose", "moves a top-level model");
-  serves("set_pose_vector", "ignition.msgs.Pose_V", "the same of several, all or none");
+  serves("set_pose_vector", "ignition.msgs.Pose_V", "the same for several models, all or none");
   serves("set_spherical_coordinates", "ignition.msgs.SphericalCoordinates",
-         "sets where on the earth the world is, or a top-level model");
+         "sets the position on the earth of the world or of a top-level model");
   serves("light_config", "ignition.msgs.Light", "changes a light");
-  serves("set_physics", "ignition.msgs.Physics", "step size, gravity and real-time factor");
-  serves("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", "how the wheels of WheelSlip slip");
+  serves("set_physics", "ignition.msgs.Physics", "sets step size, gravity and real-time factor");
+  serves("wheel_slip", "ignition.msgs.WheelSlipParametersCmd", "sets the slip compliances of WheelSlip's wheels");
   serves("level/set_performer", "ignition.msgs.StringMsg",
          "makes a top-level model a performer: levels are loaded around it");
   declaration.subscribes("/world/W/light_config", "ignition.msgs.Light", "the same as a topic");

@@ -111,7 +111,7 @@ TEST_F(PackageTest, BuildsTheSystemThatItBeginsForOne) {
   build("my-own-system", "own");
   run("ctest --test-dir own --output-on-failure");
   const std::string info = run("PONGSIM_PLUGIN_PATH=own pongsim plugin -i my-own-system");
-  EXPECT_NE(info.find("class MyOwnSystem\nLifts a model.\nStands in a <model>.\n"), std::string::npos) << info;
+  EXPECT_NE(info.find("class MyOwnSystem\nLifts a model.\nBelongs in a <model>.\n"), std::string::npos) << info;
   EXPECT_NE(info.find("subscribes to  <topic>  ignition.msgs.Double  force [N]"), std::string::npos) << info;
 }
 

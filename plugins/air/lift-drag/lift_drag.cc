@@ -36,9 +36,9 @@ class LiftDrag : public System {
     declaration.parameter("cp", &center_, "m", "point of application, in the link frame");
     declaration.parameter("forward", &airfoil_.forward, "", "forward direction, in the link frame");
     declaration.parameter("upward", &airfoil_.upward, "", "upward direction, in the link frame");
-    declaration.parameter("radial_symmetry", &airfoil_.isRound, "",
-                          "a body, not a wing: the lift goes where the flow "
-                          "turns it");
+    declaration.parameter(
+        "radial_symmetry", &airfoil_.isRound, "",
+        "a body of revolution about `<forward>`, not a wing: the flow determines the direction of its lift");
     declaration.parameter("control_joint_name", &jointName_, "",
                           "joint of a control surface; in a nested model `inner::joint`");
     declaration.parameter("control_joint_rad_to_cl", &liftOfJoint_, "1/rad or 1/m",

@@ -50,10 +50,10 @@ class MulticopterMotorModel : public System {
                    "factor by which the joint turns slower than the simulated rotor")
         .above(0);
     declaration.subscribes("/<robotNamespace>/<commandSubTopic>", "ignition.msgs.Actuators",
-                           "`velocity[motorNumber]` [rad/s], which holds until the next command; not heard where a "
+                           "`velocity[motorNumber]` [rad/s], which holds until the next command; ignored if a "
                            "system of the model commands its rotors");
     declaration.publishes("/<robotNamespace>/<motorSpeedPubTopic>", "ignition.msgs.Double",
-                          "speed of the rotor [rad/s], negative where it turns clockwise, in each step");
+                          "speed of the rotor [rad/s], negative if it turns clockwise, in each step");
   }
 
   void configure(const SystemContext& context) override {

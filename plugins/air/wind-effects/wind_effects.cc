@@ -26,12 +26,12 @@ class WindEffects : public System {
         .atLeast(1e-6);
     declaration.element("horizontal",
                         "`<magnitude>` and `<direction>`, each with `<time_for_rise>` (1 s), `<noise>` and `<sin>`: a "
-                        "wave of `<period>` (1 s) and `<amplitude_percent>` (0; a share: 0.05 are five percent), for "
+                        "wave of `<period>` (1 s) and `<amplitude_percent>` (0; a fraction: 0.05 is five percent), for "
                         "the direction `<amplitude>` (0 degrees)");
     declaration.element("vertical", "`<time_for_rise>` (1 s) and `<noise>`");
     declaration.subscribes("/world/W/wind", "ignition.msgs.Wind",
-                           "`linear_velocity` [m/s], to which the wind rises or falls, and `enable_wind`: without it "
-                           "nothing blows");
+                           "`linear_velocity` [m/s], which the wind approaches, and `enable_wind`: false switches the "
+                           "wind off");
     declaration.serves("/world/W/wind_info", "ignition.msgs.Empty", "ignition.msgs.Wind",
                        "the last command; initially the world's `<wind>`");
   }

@@ -17,12 +17,13 @@ class RFComms : public CommsSystem {
   void declare(Declaration& declaration) override {
     declaration.is("Carries messages between robots over simulated radios, with losses.", Declaration::Place::kWorld);
     declaration.element("range_config",
-                        "how the power falls: `<max_range>` 50 m, beyond which nothing is heard (0: no limit), "
+                        "propagation: `<max_range>` 50 m, beyond which nothing is received (0: no limit), "
                         "`<fading_exponent>` 2.5, `<l0>` 40, the loss at one metre [dB], `<sigma>` 10, the standard "
-                        "deviation of what is received [dB]");
-    declaration.element("radio_config",
-                        "what the radios are: `<capacity>` 54000000 bit/s, `<tx_power>` 27 dBm, `<noise_floor>` -90 "
-                        "dBm, `<modulation>` QPSK, the only one");
+                        "deviation of the received power [dB]");
+    declaration.element(
+        "radio_config",
+        "properties of the radios: `<capacity>` 54000000 bit/s, `<tx_power>` 27 dBm, `<noise_floor>` -90 "
+        "dBm, `<modulation>` QPSK, the only one");
     CommsSystem::declare(declaration);
   }
 

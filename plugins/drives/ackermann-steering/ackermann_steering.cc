@@ -34,7 +34,7 @@ class AckermannSteering : public System {
     length("kingpin_width", geometry_.kingpinWidth, "distance between the steering axes");
     length("wheel_base", geometry_.wheelBase, "distance between front and rear axles");
     length("wheel_radius", geometry_.wheelRadius, "radius of the wheels");
-    declaration.parameter("steering_limit", &geometry_.steeringLimit, "rad", "largest steering angle").above(0);
+    declaration.parameter("steering_limit", &geometry_.steeringLimit, "rad", "maximum steering angle").above(0);
     declaration.parameter("topic", &topic_, "", "command topic").otherwise("/model/M/cmd_vel");
     odometryTopics_.declare(declaration);
     declareSpeedLimits(declaration, limits_, "", "m/s or rad/s");

@@ -103,10 +103,10 @@ class TrackController : public System {
     const auto add = [&](const char* quantity, const char* unit, std::optional<double>& min,
                          std::optional<double>& max) {
       const std::string name(quantity);
-      declaration.parameter("min_" + name, &min, unit, "least " + name + " of the track")
+      declaration.parameter("min_" + name, &min, unit, "minimum " + name + " of the track")
           .mayBeInfinite()
           .otherwise("no limit");
-      declaration.parameter("max_" + name, &max, unit, "largest " + name + " of the track")
+      declaration.parameter("max_" + name, &max, unit, "maximum " + name + " of the track")
           .mayBeInfinite()
           .otherwise("no limit");
     };

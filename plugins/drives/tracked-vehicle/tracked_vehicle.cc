@@ -36,7 +36,7 @@ class TrackedVehicle : public System {
         "Drives a tracked vehicle by Twist commands, and publishes its odometry. Each track needs a TrackController.",
         Declaration::Place::kModel);
     const char* const track =
-        "a track: its `link` and, where they are others than those of TrackController, `velocity_topic` and "
+        "a track: its `link` and, if they differ from TrackController's defaults, `velocity_topic` and "
         "`center_of_rotation_topic`; may be repeated";
     declaration.element("left_track", track).required();
     declaration.element("right_track", track).required();

@@ -26,15 +26,16 @@ class WheelSlip : public System {
     declaration
         .element(
             "wheel",
-            "a wheel, by its attribute `link_name`, a link with one collision and one joint that it turns on; may be "
-            "repeated. In it `wheel_radius` [m] and `wheel_normal_force`, its load [N], which must be above 0; "
-            "`slip_compliance_lateral` and `slip_compliance_longitudinal`, 0 without: along the wheel's axis and "
-            "across it, slip as a part of the rim's speed by each part of the load that rubs that way")
+            "a wheel: its attribute `link_name` names a link with one collision and one joint on which it turns; may "
+            "be "
+            "repeated. It contains `wheel_radius` [m] and `wheel_normal_force`, the load [N], both above 0, and "
+            "`slip_compliance_lateral` (along the wheel's axis) and `slip_compliance_longitudinal` (across it), both 0 "
+            "by default: slip, as a fraction of the rim's speed, per friction force, as a fraction of the load")
         .required();
     declaration.subscribes(
         "/world/W/wheel_slip", "ignition.msgs.WheelSlipParametersCmd",
         "new slip compliances of a wheel, or of all wheels of a model, by name (`MODEL::LINK`) or id; "
-        "a service, too, which each world has");
+        "every world also has a service of this name");
   }
 
   void configure(const SystemContext& context) override {

@@ -23,18 +23,18 @@ struct PidLists {
   std::vector<double> p, i, d, iMin, iMax, commandMin, commandMax, commandOffset;
 
   void declare(Declaration& declaration, const std::string& prefix, const char* what) {
-    const std::string of = std::string(" of the ") + what + "'s controller, for each joint";
+    const std::string of = std::string(" of the ") + what + " controller, for each joint";
     const auto add = [&](const char* name, std::vector<double>& values, const char* text, const char* fallback) {
       declaration.parameter(prefix + name, &values, "", text + of).otherwise(fallback);
     };
     add("_p_gain", p, "proportional gain", "0");
     add("_i_gain", i, "integral gain", "0");
     add("_d_gain", d, "derivative gain", "0");
-    add("_i_min", iMin, "least integral term", "0");
-    add("_i_max", iMax, "largest integral term", "-1, no bounds");
-    add("_cmd_min", commandMin, "least force", "0");
-    add("_cmd_max", commandMax, "largest force", "-1, no bounds");
-    add("_cmd_offset", commandOffset, "force added", "0");
+    add("_i_min", iMin, "minimum integral term", "0");
+    add("_i_max", iMax, "maximum integral term", "-1, no bounds");
+    add("_cmd_min", commandMin, "minimum force", "0");
+    add("_cmd_max", commandMax, "maximum force", "-1, no bounds");
+    add("_cmd_offset", commandOffset, "offset added to the force", "0");
   }
 
   PidSettings of(std::size_t joint) const {

@@ -27,7 +27,7 @@ class KineticEnergyMonitor : public System {
     declaration.parameter("link_name", &linkName_, "", "link of the model").required();
     declaration.parameter("kinetic_energy_threshold", &threshold_, "J",
                           "smallest loss within two steps that is published");
-    declaration.parameter("topic", &topic_, "", "where it goes").otherwise("/model/M/kinetic_energy");
+    declaration.parameter("topic", &topic_, "", "topic of the messages").otherwise("/model/M/kinetic_energy");
     declaration.publishes("<topic>", "ignition.msgs.Double", "the loss [J]");
   }
 

@@ -123,7 +123,8 @@ class PosePublisher : public System {
     declaration.parameter("static_update_frequency", &staticFrequency_, "Hz", "rate of fixed poses")
         .otherwise("update_frequency");
     declaration.publishes("/model/M/pose", "ignition.msgs.Pose", "or ignition.msgs.Pose_V");
-    declaration.publishes("/model/M/pose_static", "ignition.msgs.Pose", "or ignition.msgs.Pose_V; if it is asked for");
+    declaration.publishes("/model/M/pose_static", "ignition.msgs.Pose",
+                          "or ignition.msgs.Pose_V; with `<static_publisher>`");
   }
 
   void configure(const SystemContext& context) override {

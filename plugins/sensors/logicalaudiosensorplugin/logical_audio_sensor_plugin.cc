@@ -63,20 +63,23 @@ class LogicalAudioSensorPlugin : public System {
   void declare(Declaration& declaration) override {
     declaration.is("Simulates sound sources, and publishes what microphones detect of all sources in the world.",
                    Declaration::Place::kAnywhere);
-    declaration.element("source",
-                        "a sound: `<id>`, `<pose>`, `<attenuation_function>` linear, `<attenuation_shape>` sphere, "
-                        "`<inner_radius>` [m] up to which it is as loud as `<volume_level>` (0 to 1), "
-                        "`<falloff_distance>` [m] from which it is not heard, `<playing>`, `<play_duration>` [s] (0: "
-                        "without end); all but the pose must be there; may be repeated");
-    declaration.element("microphone",
-                        "`<id>`, `<pose>` and `<volume_threshold>` (0), below which nothing is heard; may be repeated");
+    declaration.element(
+        "source",
+        "a sound source: `<id>`, `<pose>`, `<attenuation_function>` linear, `<attenuation_shape>` sphere, "
+        "`<inner_radius>` [m] up to which it is as loud as `<volume_level>` (0 to 1), "
+        "`<falloff_distance>` [m] from which it is inaudible, `<playing>`, `<play_duration>` [s] (0: "
+        "unlimited); all but the pose are required; may be repeated");
+    declaration.element(
+        "microphone",
+        "`<id>`, `<pose>` and `<volume_threshold>` (0), the lowest volume that it detects; may be repeated");
     // of one microphone each, told apart by their ids
     declaration.publishes("/model/M/sensor/mic_ID/detection", "ignition.msgs.Double",
-                          "each step and audible source: its volume; the first key of the header names the source; "
-                          "/world/W in place of /model/M where the plugin stands in the world");
+                          "volume of a source, in each step in which it is audible; the first key of the header names "
+                          "the source; /world/W instead of /model/M if the plugin is in the world");
     declaration.serves("/model/M/sensor/source_ID/play", "ignition.msgs.Empty", "ignition.msgs.Boolean",
                        "plays the source");
-    declaration.serves("/model/M/sensor/source_ID/stop", "ignition.msgs.Empty", "ignition.msgs.Boolean", "ends that");
+    declaration.serves("/model/M/sensor/source_ID/stop", "ignition.msgs.Empty", "ignition.msgs.Boolean",
+                       "stops the source");
   }
 
   void configure(const SystemContext& context) override {

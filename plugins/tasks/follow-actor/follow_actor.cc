@@ -21,7 +21,7 @@ class FollowActor : public System {
                    Declaration::Place::kActor);
     declaration.parameter("target", &targetName_, "", "name of what it follows").required();
     declaration.parameter("min_distance", &nearest_, "m", "it stops at this distance");
-    declaration.parameter("max_distance", &farthest_, "m", "largest distance of a target");
+    declaration.parameter("max_distance", &farthest_, "m", "maximum distance of a target");
     declaration.parameter("velocity", &speed_, "m/s", "walking speed");
     declaration.parameter("animation", &animation_, "", "name of its animation").otherwise("the actor's first one");
     declaration.parameter("animation_x_vel", &animationSpeed_, "s/m", "animation time per metre walked");

@@ -29,20 +29,18 @@ class LinearBatteryPlugin : public System {
     declareCell(declaration);
     declaration.parameter("power_load", &powerLoad_, "W", "power drawn by the model");
     declaration.parameter("start_draining", &startsDraining_, "", "drains from the start");
-    declaration.parameter("power_draining_topic", &drainTopics_, "",
-                          "topic on which any message starts the drain; may be repeated");
-    declaration.parameter("stop_power_draining_topic", &stopTopics_, "",
-                          "topic on which any message stops the drain; may be repeated");
+    declaration.parameter("power_draining_topic", &drainTopics_, "", "topic on which any message starts the drain");
+    declaration.parameter("stop_power_draining_topic", &stopTopics_, "", "topic on which any message stops the drain");
     declaration.parameter("enable_recharge", &isRechargeable_, "", "can be charged, up to 90 %");
     declaration.parameter("charging_time", &chargingTime_, "h", "time from empty to full; required for charging")
         .above(0);
     declaration.element("recharge_by_topic", "if present with any value, charging can also be controlled by topics");
     declaration.parameter("invert_current_sign", &invertsCurrent_, "", "publishes discharge currents as negative");
     declaration.publishes("/model/M/battery/<battery_name>/state", "ignition.msgs.BatteryState",
-                          "50 times a simulated second; `percentage` goes to 1, with `<fix_issue_225>` to 100");
+                          "50 per simulated second; `percentage` is from 0 to 1, with `<fix_issue_225>` from 0 to 100");
     for (const char* what : {"start", "stop"}) {
       const std::string name = std::string("/model/M/battery/<battery_name>/recharge/") + what;
-      const std::string text = std::string(what) + "s charging, whatever the message says";
+      const std::string text = std::string(what) + "s charging, whatever the message contains";
       declaration.serves(name, "ignition.msgs.Boolean", "ignition.msgs.Empty", text);
       declaration.subscribes(name, "ignition.msgs.Boolean", text + "; with `<recharge_by_topic>`");
     }
@@ -126,7 +124,7 @@ class LinearBatteryPlugin : public System {
                           "change of that voltage when empty, usually negative");
     declaration.parameter("capacity", &parameters_.capacity, "Ah", "charge of the full battery").required().above(0);
     declaration.parameter("initial_charge", &initialCharge_, "Ah", "charge at the start").otherwise("`<capacity>`");
-    declaration.parameter("resistance", &parameters_.resistance, "Ohm", "inner resistance");
+    declaration.parameter("resistance", &parameters_.resistance, "Ohm", "internal resistance");
     declaration.parameter("smooth_current_tau", &parameters_.smoothing, "s",
                           "time constant of the current's low-pass filter");
     declaration.parameter("fix_issue_225", &parameters_.countsOnce, "",

@@ -36,11 +36,11 @@ class PerformerDetector : public System {
     declaration.element("pose", "centre of the box in the model's frame [m]; rotations have no effect");
     declaration.parameter("topic", &topic_, "", "topic of the messages")
         .otherwise("/model/M/performer_detector/status");
-    declaration.element("header_data", "`<key>` and `<value>`: more for the header of the messages; may be repeated");
-    declaration.publishes(
-        "<topic>", "ignition.msgs.Pose",
-        "of a performer, with its name and id, in the model's frame; in the header's data "
-        "`frame_id` (the model), `state` (1: has come, 0: has gone) and `count` (how many are there)");
+    declaration.element("header_data",
+                        "`<key>` and `<value>`: an entry for the header of the messages; may be repeated");
+    declaration.publishes("<topic>", "ignition.msgs.Pose",
+                          "pose of a performer in the model's frame, with its name and id; in the header's data "
+                          "`frame_id` (the model), `state` (1: entered, 0: left) and `count` (performers inside)");
     // those of one place often speak to one listener
     declaration.sharesTopics();
   }

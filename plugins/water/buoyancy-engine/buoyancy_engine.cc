@@ -56,12 +56,12 @@ void BuoyancyEngine::declare(Declaration& declaration) {
                  Declaration::Place::kModel);
   declaration.parameter("link_name", &linkName_, "", "link with the bladder").required();
   declaration.parameter("namespace", &namespace_, "", "topics begin with `/model/NAMESPACE`").otherwise("none");
-  declaration.parameter("min_volume", &leastVolume_, "m^3", "smallest volume of the bladder").atLeast(0);
+  declaration.parameter("min_volume", &leastVolume_, "m^3", "minimum volume of the bladder").atLeast(0);
   declaration.parameter("neutral_volume", &neutralVolume_, "m^3", "neutral volume").atLeast(0);
   declaration.parameter("default_volume", &defaultVolume_, "m^3", "volume at the start")
       .atLeast(0)
       .otherwise("min_volume");
-  declaration.parameter("max_volume", &mostVolume_, "m^3", "largest volume").atLeast(0);
+  declaration.parameter("max_volume", &mostVolume_, "m^3", "maximum volume").atLeast(0);
   declaration.parameter("max_inflation_rate", &mostRate_, "m^3/s", "pump rate").atLeast(0);
   declaration.parameter("fluid_density", &density_, "kg/m^3", "density of the fluid").above(0);
   declaration.parameter("surface", &surface_, "m", "height above which there is no fluid").otherwise("none");

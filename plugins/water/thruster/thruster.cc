@@ -91,8 +91,8 @@ void Thruster::declare(Declaration& declaration) {
                         "change with (1 - wake_fraction) * craft's speed / (speed * propeller_diameter)");
   declaration.parameter("wake_fraction", &settings_.wakeFraction, "",
                         "relative reduction of the water speed at the propeller");
-  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "largest thrust; limit of the command");
-  declaration.parameter("min_thrust_cmd", &leastThrust_, "N", "least thrust");
+  declaration.parameter("max_thrust_cmd", &mostThrust_, "N", "maximum thrust; limit of the command");
+  declaration.parameter("min_thrust_cmd", &leastThrust_, "N", "minimum thrust");
   declaration.parameter("velocity_control", &isDrivenDirectly_, "",
                         "drives the joint at the speed; otherwise a PID controller applies torques");
   declaration.parameter("p_gain", &gains_.p, "N m s/rad", "proportional gain of that controller");
@@ -100,7 +100,7 @@ void Thruster::declare(Declaration& declaration) {
   declaration.parameter("d_gain", &gains_.d, "N m s^2/rad", "derivative gain");
   declaration.parameter("power_load", &powerLoad_, "W", "power drawn from a battery, independent of thrust");
   declaration.parameter("battery_name", &batteryName_, "", "name of the battery, in any model").otherwise("none");
-  declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next one");
+  declaration.subscribes("<topic>", "ignition.msgs.Double", "thrust [N], which holds until the next command");
   declaration.subscribes("/model/NAMESPACE/joint/J/cmd_pos", "ignition.msgs.Double", "the same, in older worlds");
 }
 

@@ -96,7 +96,7 @@ void addClassText(const std::vector<std::string>& names, const Declaration& decl
   for (std::size_t i = 1; i < names.size(); ++i) text += (i == 1 ? ", also " : ", ") + names[i];
   text += "\n";
   if (declaration.text().empty()) return;
-  text += declaration.text() + "\nStands in " + placeText(declaration.place()) + ".\n";
+  text += declaration.text() + "\nBelongs in " + placeText(declaration.place()) + ".\n";
   std::vector<std::vector<std::string>> rows;
   for (const auto& [shownName, parameter] : shownParameters(declaration)) {
     rows.push_back({shownName, typeText(*parameter), defaultText(*parameter), parameter->text()});
@@ -112,7 +112,7 @@ void addClassText(const std::vector<std::string>& names, const Declaration& decl
 void addClassMarkdown(const std::string& name, const Declaration& declaration, const std::string& filename,
                       std::string& text) {
   text += "## " + name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1) + "\n" +
-          declaration.text() + "\n\nfilename `" + filename + "`, class `" + name + "`; goes into " +
+          declaration.text() + "\n\nfilename `" + filename + "`, class `" + name + "`; belongs in " +
           escaped(placeText(declaration.place())) + "\n";
   if (!declaration.parameters().empty()) {
     text += "\n| parameter | type | default | meaning |\n|---|---|---|---|\n";

@@ -18,7 +18,7 @@ const plugin::Inspection& diffDrive() {
 TEST(PluginPage, TellsATerminalOfClassesParametersAndTopics) {
   const std::string text = pluginText(diffDrive());
   for (const char* part : {"plugin interface version ", "class ignition::gazebo::systems::DiffDrive, also gz::sim::",
-                           "Stands in a <model>.", "<left_joint>", "required, repeated", "number [m]", "publishes",
+                           "Belongs in a <model>.", "<left_joint>", "required, repeated", "number [m]", "publishes",
                            "<odom_topic>", "ignition.msgs.Odometry"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
@@ -28,7 +28,7 @@ TEST(PluginPage, IsATableInMarkdown) {
   const std::string text = pluginMarkdown(diffDrive());
   EXPECT_TRUE(text.starts_with("## DiffDrive\n")) << text;
   for (const char* part :
-       {"filename `ignition-gazebo-diff-drive-system`, class `ignition::gazebo::systems::DiffDrive`; goes into a "
+       {"filename `ignition-gazebo-diff-drive-system`, class `ignition::gazebo::systems::DiffDrive`; belongs in a "
         "\\<model>\n",
         "| `<wheel_radius>` | number [m] | 0.2 | radius of the wheels |\n",
         "| subscribes to | `/model/M/enable` | ignition.msgs.Boolean |"}) {
