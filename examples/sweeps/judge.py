@@ -2,5 +2,5 @@
 
 
 def drift(sim, parameters):
-    """How far the robot is beside its way [m]."""
+    """Distance of the robot from its path [m]."""
     return abs(sim.model("pong_bot").pose.position[1])
