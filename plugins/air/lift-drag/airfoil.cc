@@ -11,20 +11,20 @@ namespace {
 
 constexpr double kSlowest = 0.01;
 
-/// How the flow meets the surface.
+/// The flow relative to the surface.
 struct Flow {
-  /// Unit vector across the plane of lift and drag.
+  /// Unit vector normal to the plane of lift and drag.
   Vector3 span;
   /// Velocity in that plane [m/s].
   Vector3 velocity;
-  /// Unit vector across the velocity, in that plane.
+  /// Unit vector perpendicular to the velocity, in that plane.
   Vector3 lift;
   /// Angle of attack [rad].
   double angle = 0;
 };
 
 double withinQuarterTurn(double angle) {
-  // far away angles would take many turns
+  // large angles would take many turns
   angle = std::remainder(angle, 2 * std::numbers::pi);
   while (std::abs(angle) > std::numbers::pi / 2) angle += angle > 0 ? -std::numbers::pi : std::numbers::pi;
   return angle;
@@ -38,7 +38,7 @@ Flow flowAround(const AirfoilSettings& airfoil, const Vector3& velocity) {
   flow.velocity = velocity - velocity.dot(flow.span) * flow.span;
   flow.lift = flow.span.cross(flow.velocity).normalized();
   flow.angle = airfoil.zeroAngle;
-  // of a round body in a flow from ahead there is no lift, and nowhere for it to go
+  // a body of revolution in a flow from straight ahead has no lift
   if (!flow.span.isZero(0)) {
     const double turn = math::acos(std::clamp(flow.lift.dot(upward), -1.0, 1.0));
     flow.angle += flow.lift.dot(airfoil.forward) >= 0 ? turn : -turn;
@@ -47,7 +47,7 @@ Flow flowAround(const AirfoilSettings& airfoil, const Vector3& velocity) {
   return flow;
 }
 
-/// A coefficient that grows by one slope up to the stall, and by another from there on.
+/// A coefficient that is linear with one slope up to the stall, and with another beyond it.
 double coefficient(double angle, double stall, double slope, double slopeStalled) {
   if (angle > stall) return slope * stall + slopeStalled * (angle - stall);
   if (angle < -stall) return -slope * stall + slopeStalled * (angle + stall);
@@ -64,13 +64,13 @@ Vector3 airfoilForce(const AirfoilSettings& airfoil, const Vector3& velocity, do
   const double speed = velocity.norm();
   if (!(speed > kSlowest)) return Vector3::Zero();
   const Flow flow = flowAround(airfoil, velocity);
-  // Fortress takes the square of the sweep's cosine for it
+  // Fortress uses the square of the sweep angle's cosine
   const double sine = std::clamp(flow.span.dot(velocity) / speed, -1.0, 1.0);
   const double sweep = 1 - sine * sine;
   const double pressure = airfoil.density / 2 * flow.velocity.squaredNorm();
 
   double lift = coefficient(flow.angle, airfoil.stallAngle, airfoil.liftSlope, airfoil.liftSlopeStalled) * sweep;
-  // a stall takes the lift away and does not turn it round
+  // a stall removes the lift, but does not reverse it
   if (flow.angle > airfoil.stallAngle) lift = std::max(0.0, lift);
   if (flow.angle < -airfoil.stallAngle) lift = std::min(0.0, lift);
   lift += liftOffset;

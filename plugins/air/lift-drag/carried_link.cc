@@ -9,7 +9,7 @@ namespace pongsim {
 
 namespace {
 
-// that of a robot's longest arm, and an end where joints go round in a circle
+// enough for a robot's longest arm, and a limit for closed loops
 constexpr std::size_t kLongestChain = 32;
 
 bool onlyTurns(const Joint& joint) {
@@ -17,7 +17,7 @@ bool onlyTurns(const Joint& joint) {
   return std::ranges::find(kTypes, joint.type()) != kTypes.end();
 }
 
-/// @return The first joint of the file that carries the link.
+/// @return The first joint in the file whose child is the link.
 std::optional<Joint> carrierOf(const Link& link) {
   for (std::optional<Model> model = link.model(); model; model = model->parent()) {
     for (const Joint& joint : model->joints()) {
@@ -40,7 +40,7 @@ CarriedLink::CarriedLink(const Link& link) : link_(link), carrier_(link) {
 
 Vector3 CarriedLink::linearVelocity() const {
   if (chain_.empty()) return link_.linearVelocity();
-  // of a point that turns with the link above, or with the world
+  // velocity of a point that moves with the topmost link, or with the world
   Vector3 point = Vector3::Zero(), velocity = Vector3::Zero(), turning = Vector3::Zero();
   if (carrier_) {
     point = carrier_->pose().position;

@@ -8,15 +8,14 @@
 
 namespace pongsim {
 
-/// A link whose velocity is that which its joints let it have where it is now.
-///
-/// Within a step a link on a joint goes straight on, along the chord of its arc, and that is the velocity which it has
-/// afterwards: half a step behind the tangent, by 10 degrees where a step turns it by 20. Here the velocity is made of
-/// that of the link at the other end of the chain of joints and of how all between them turn, as engines have it whose
-/// coordinates are the joints', such as Fortress's.
+/// A link whose velocity is computed from its joints, at its current position.
+/// Within a step, a link on a joint moves straight along the chord of its arc. Its velocity afterwards is that of the
+/// chord, which is half a step behind the tangent: by 10 degrees if a step turns it by 20. Here the velocity is
+/// composed of that of the link at the other end of the chain of joints and of the rotations in between, as in engines
+/// whose coordinates are those of the joints, such as Fortress's.
 class CarriedLink {
  public:
-  /// Finds the joints that carry the link and only turn, in its model and in those which that is nested in.
+  /// Finds the rotational joints between the link and its root, in its model and the outer models.
   explicit CarriedLink(const Link& link);
 
   /// @return Velocity of the link frame's origin, world frame [m/s].
@@ -26,14 +25,14 @@ class CarriedLink {
   /// A joint of the chain.
   struct Hold {
     Link child;
-    /// Its origin in the frame of the child.
+    /// Origin of the joint in the frame of the child.
     Vector3 origin;
   };
 
   Link link_;
-  /// From the link up.
+  /// From the link towards the root.
   std::vector<Hold> chain_;
-  /// What carries the last of them; nothing: the world.
+  /// The parent of the last joint; nothing for the world.
   std::optional<Link> carrier_;
 };
 

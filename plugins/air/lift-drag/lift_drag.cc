@@ -54,11 +54,11 @@ class LiftDrag : public System {
     const Vector3 velocity = carried_->linearVelocity() + link_->angularVelocity().cross(arm);
     const double offset = joint_ ? liftOfJoint_ * joint_->position() : 0;
     const Vector3 force = R_WorldLink * airfoilForce(airfoil_, R_WorldLink.conjugate() * velocity, offset);
-    // at speeds whose square is not a number any more
+    // at speeds whose square overflows
     if (force.allFinite()) link_->addWrench(force, arm.cross(force));
   }
 
-  // joints may have come or gone
+  // joints may have been added or removed
   void worldChanged() override { carried_.emplace(*link_); }
   void reset() override { carried_.emplace(*link_); }
 
@@ -77,14 +77,14 @@ class LiftDrag : public System {
 std::optional<Link> named(const Model& model, std::string_view name, Link*) { return model.link(name); }
 std::optional<Joint> named(const Model& model, std::string_view name, Joint*) { return model.joint(name); }
 
-/// Adds what has that name in the model or, as Fortress looks for it, in any model that is nested in it.
+/// Adds what has that name in the model or, as in Fortress, in any model nested in it.
 template <class T>
 void findAll(const Model& model, std::string_view name, std::vector<T>& found) {
   if (const auto part = named(model, name, static_cast<T*>(nullptr))) found.push_back(*part);
   for (const Model& inner : model.models()) findAll(inner, name, found);
 }
 
-/// @return The first part of that name; of several the one that comes first in the file, with a warning.
+/// @return The first part of that name in the order of the file; a warning reports further ones.
 template <class T>
 T partOf(const SystemContext& context, std::string_view parameter, const char* kind) {
   const Element& element = *context.sdf.child(parameter);
@@ -92,7 +92,7 @@ T partOf(const SystemContext& context, std::string_view parameter, const char* k
   std::string_view name = element.text;
   std::vector<T> found;
   findAll(model, name, found);
-  // the model's own name may stand before it
+  // the model's own name may precede it
   const std::string own = std::string(model.name()) + "::";
   if (found.empty() && name.starts_with(own)) findAll(model, name.substr(own.size()), found);
   const std::string subject = "<" + element.name + "> '" + element.text + "'";

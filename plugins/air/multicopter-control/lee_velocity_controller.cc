@@ -10,7 +10,7 @@ namespace pongsim {
 
 namespace {
 
-// Two unit vectors whose cross product has a smaller square are taken as parallel.
+// Unit vectors are taken as parallel if the square of their cross product is smaller.
 constexpr double kParallel = 1e-3;
 
 }  // namespace
@@ -24,7 +24,7 @@ LeeVelocityController::LeeVelocityController(const LeeGains& gains, const Vehicl
   Eigen::Matrix4d inertia = Eigen::Matrix4d::Zero();
   inertia.topLeftCorner<3, 3>() = vehicle.inertia;
   inertia(3, 3) = 1;
-  // the smallest speeds that do it: the pseudo-inverse
+  // the least-squares solution: the pseudo-inverse
   toSquares_ = allocation.transpose() * (allocation * allocation.transpose()).inverse() * inertia;
 }
 
@@ -39,7 +39,7 @@ void LeeVelocityController::compute(const BodyMotion& motion, const VelocityComm
   }
 }
 
-/// @return What the thrust has to work against: gravity, and the acceleration that is too much [m/s^2].
+/// @return The acceleration that the thrust must compensate: gravity and the velocity error's [m/s^2].
 Vector3 LeeVelocityController::acceleration(const BodyMotion& motion, const VelocityCommand& command,
                                             const Vector3& gravity) const {
   const Vector3 error = motion.velocity - motion.R_WorldBody * command.velocity;
@@ -50,7 +50,7 @@ Vector3 LeeVelocityController::acceleration(const BodyMotion& motion, const Velo
 Vector3 LeeVelocityController::angularAcceleration(const BodyMotion& motion, double yawRate,
                                                    const Vector3& acceleration) const {
   const Matrix3& R = motion.R_WorldBody;
-  // nothing to work against: the attitude stays
+  // no thrust is needed: the attitude stays
   const double size = acceleration.norm();
   const Vector3 up = size > 0 ? Vector3(-acceleration / size) : Vector3(R.col(2));
   Vector3 forward = R.col(0);

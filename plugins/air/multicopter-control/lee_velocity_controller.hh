@@ -9,7 +9,8 @@
 
 namespace pongsim {
 
-/// Mass [kg] and inertia about the centre of mass, in the axes of the body [kg m^2], of what the rotors carry.
+/// Mass [kg] and inertia about the centre of mass, in the axes of the body [kg m^2], of everything that the rotors
+/// lift.
 struct VehicleMass {
   double mass = 0;
   Matrix3 inertia = Matrix3::Zero();
@@ -22,13 +23,13 @@ struct LeeGains {
   Vector3 attitude = Vector3::Zero();
   /// Body axes [N m s/rad].
   Vector3 angularRate = Vector3::Zero();
-  /// Largest acceleration that the velocity asks for, world axes [m/s^2].
+  /// Limit of the acceleration due to the velocity error, world axes [m/s^2].
   Vector3 maximumAcceleration = Vector3::Zero();
 };
 
-/// How a body flies.
+/// Orientation and velocity of a body.
 struct BodyMotion {
-  /// From the axes of the body to those of the world.
+  /// From body axes to world axes.
   Matrix3 R_WorldBody = Matrix3::Identity();
   /// World frame [m/s].
   Vector3 velocity = Vector3::Zero();
@@ -36,7 +37,7 @@ struct BodyMotion {
   Vector3 angularVelocity = Vector3::Zero();
 };
 
-/// What a body is to fly like.
+/// Target velocity and yaw rate of a body.
 struct VelocityCommand {
   /// Body frame [m/s].
   Vector3 velocity = Vector3::Zero();
@@ -44,16 +45,16 @@ struct VelocityCommand {
   double yawRate = 0;
 };
 
-/// The speeds of the rotors that give a body the velocity and the yaw rate that are asked for: the attitude controller
-/// of T. Lee, M. Leok and N. H. McClamroch, Control of Complex Maneuvers for a Quadrotor UAV using Geometric Methods on
-/// SE(3), 2010, with a velocity in place of a position, as Fortress has it.
+/// The rotor speeds for a given velocity and yaw rate: the attitude controller of T. Lee, M. Leok and N. H. McClamroch,
+/// Control of Complex Maneuvers for a Quadrotor UAV using Geometric Methods on SE(3), 2010, with a velocity instead of
+/// a position, as in Fortress.
 class LeeVelocityController {
  public:
-  /// @param vehicle With an inertia that can be inverted.
+  /// @param vehicle With an invertible inertia.
   /// @param allocation Of rank 4.
   LeeVelocityController(const LeeGains& gains, const VehicleMass& vehicle, const Allocation& allocation);
 
-  /// Replaces `speeds` by those of the rotors [rad/s], none below zero.
+  /// Writes the rotor speeds into `speeds` [rad/s], none below zero.
   /// @param gravity World frame [m/s^2].
   void compute(const BodyMotion& motion, const VelocityCommand& command, const Vector3& gravity,
                std::vector<double>& speeds) const;
@@ -64,7 +65,7 @@ class LeeVelocityController {
 
   LeeGains gains_;
   double mass_;
-  /// Gains for an angular acceleration, in place of a torque.
+  /// Gains for angular accelerations instead of torques.
   Vector3 attitudeGain_;
   Vector3 angularRateGain_;
   /// From angular accelerations and thrust to squares of speeds.

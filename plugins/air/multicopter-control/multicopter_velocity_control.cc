@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Adds what the links of a model weigh, and those of the models in it. As in Fortress, all links count as if their
-/// frames were one: where they are in the model does not matter.
+/// Adds mass and inertia of the links of a model and its nested models. As in Fortress, the links' poses in the model
+/// are ignored.
 void addMass(const Model& model, std::vector<MassInfo>& masses) {
   for (const Link& link : model.links()) masses.push_back(link.mass());
   for (const Model& inner : model.models()) addMass(inner, masses);
@@ -166,7 +166,7 @@ class MulticopterVelocityControl : public System {
     command_ = {{twist.linear().x(), twist.linear().y(), twist.linear().z()}, twist.angular().z()};
   }
 
-  /// Stops the rotors once; what is commanded after that is followed where it is switched on again.
+  /// Stops the rotors once; later commands are followed after it is switched on again.
   void stop() {
     if (std::ranges::all_of(speeds_, [](double speed) { return speed == 0; })) return;
     std::ranges::fill(speeds_, 0);
@@ -195,7 +195,7 @@ class MulticopterVelocityControl : public System {
   std::optional<LeeVelocityController> controller_;
   bool isActive_ = true;
   std::optional<Command> command_;
-  /// Last told to the rotors [rad/s].
+  /// Last command to the rotors [rad/s].
   std::vector<double> speeds_;
   Subscription commands_;
   Subscription enable_;

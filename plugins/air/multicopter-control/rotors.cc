@@ -12,7 +12,7 @@ namespace pongsim {
 
 namespace {
 
-/// Below this share of the largest a pivot counts as none.
+/// A pivot below this fraction of the largest one counts as zero.
 constexpr double kSmallestPivot = 1e-9;
 
 double positiveIn(const Element& rotor, std::string_view name, bool mayBeZero) {
@@ -32,7 +32,7 @@ Rotor readRotor(const Element& element, const Model& model, const Link& body) {
   Rotor rotor;
   rotor.x = X_BodyJoint.position.x();
   rotor.y = X_BodyJoint.position.y();
-  // a rotor that leans lifts less
+  // only the vertical part of a tilted rotor's thrust counts
   rotor.forceConstant = positiveIn(element, "forceConstant", false) * (X_BodyJoint.rotation * joint.axisInfo().xyz).z();
   rotor.momentConstant = positiveIn(element, "momentConstant", true);
   requiredText(element, "direction");

@@ -5,8 +5,8 @@
 
 namespace pongsim {
 
-/// A value that follows another one with a delay of first order, x' = (u - x) / tau, with one time constant upwards and
-/// one downwards. Exact for an input that holds during a step.
+/// A first-order filter, x' = (u - x) / tau, with one time constant for rising and one for falling input. It is exact
+/// for an input that is constant during a step.
 class FirstOrderFilter {
  public:
   FirstOrderFilter() = default;
@@ -17,7 +17,7 @@ class FirstOrderFilter {
   /// @param dt Time since the last call [s], above zero.
   /// @return The value now.
   double update(double input, double dt) {
-    // a quotient that is infinite leaves nothing of the old value
+    // with an infinite quotient nothing of the old value is left
     const double kept = math::exp(-dt / (input > value_ ? timeUp_ : timeDown_));
     value_ = kept * value_ + (1 - kept) * input;
     return value_;

@@ -19,10 +19,10 @@ namespace pongsim {
 
 namespace {
 
-// Nothing turns faster [rad/s].
+// Maximum speed [rad/s].
 constexpr double kFastestRotor = 1e6;
 
-/// Turns a rotor at the commanded speed, and applies the forces and torques of the air to it and to what carries it.
+/// Spins a rotor at the commanded speed, and applies its thrust, drag and torques to the rotor and its parent.
 class MulticopterMotorModel : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -148,7 +148,7 @@ class MulticopterMotorModel : public System {
   }
 
   void receive(const ignition::msgs::Actuators& message) {
-    // what a system of the model says counts more
+    // a command from a system of the model takes precedence
     if (model_->actuators() != nullptr) return;
     if (number_ >= message.velocity_size()) return complainOfLength(message.velocity_size());
     follow(message.velocity(number_));
@@ -181,8 +181,8 @@ class MulticopterMotorModel : public System {
                   "is needed");
   }
 
-  /// Of the air on the rotor. P. Martin and E. Salaun, The True Role of Accelerometer Feedback in Quadrotor Control,
-  /// ICRA 2010: drag and rolling moment go with the speed of the rotor and the air's across its axis.
+  /// Drag and rolling moment of the rotor, proportional to its speed and its lateral airspeed. P. Martin and E. Salaun,
+  /// The True Role of Accelerometer Feedback in Quadrotor Control, ICRA 2010.
   /// @param speed Of the rotor about the joint's axis [rad/s].
   void applyForces(double speed) {
     if (speed == 0) return;

@@ -59,7 +59,7 @@ class WindEffects : public System {
   void preUpdate(const StepInfo& info) override {
     if (info.paused || !blows_) return;
     const double dt = toSeconds(info.dt);
-    // what noise makes too fast is left out
+    // noise that would make the wind too fast is left out
     world_->setWind(model_->update(mean_, info.time, dt));
     push(world_->wind(), dt);
   }
@@ -101,9 +101,9 @@ class WindEffects : public System {
     for (const Model& inner : model.models()) addLinks(inner);
   }
 
-  /// The force is at the centre of mass; the velocity is that of the link's origin, as in Fortress.
+  /// The force acts at the centre of mass; the velocity is that of the link's origin, as in Fortress.
   void push(const Vector3& wind, double dt) {
-    // a larger one would throw a link past the wind's velocity, further each time
+    // a larger factor would overshoot the wind's velocity, further in each step
     const double scale = std::min(scale_, 1 / dt);
     for (WindyLink& each : links_) {
       const Vector3 force = each.mass * scale * (wind - each.link.linearVelocity());
@@ -129,7 +129,7 @@ class WindEffects : public System {
   Random* random_ = nullptr;
   std::optional<WindModel> model_;
   std::vector<WindyLink> links_;
-  /// What the wind is to be on the average, world frame [m/s].
+  /// Mean velocity of the wind, world frame [m/s].
   Vector3 mean_ = Vector3::Zero();
   bool blows_ = true;
   Subscription command_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// One step of a low pass. A rise that is shorter than the step is there after it.
+/// One step of a low-pass filter. A rise time shorter than the step ends within it.
 double approach(double value, double goal, double riseTime, double dt) {
   const double share = std::min(dt / riseTime, 1.0);
   return (1 - share) * value + share * goal;

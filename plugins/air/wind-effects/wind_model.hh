@@ -10,17 +10,17 @@
 
 namespace pongsim {
 
-/// The velocity of the air, the same everywhere: what it is to be on the average, reached with a delay, with waves and
-/// noise on it. Magnitude and direction of the horizontal part and the vertical part go their own ways.
+/// The velocity of the air, the same everywhere: a mean that is approached through low-pass filters, plus waves and
+/// noise. The horizontal part's magnitude and direction and the vertical part are filtered separately.
 class WindModel {
  public:
   /// @param random Stream of the noise.
   WindModel(const WindSettings& settings, const Random& random);
 
-  /// @param mean What it is to be on the average, world frame [m/s].
-  /// @param time At the end of the step, by which the waves go.
+  /// @param mean World frame [m/s].
+  /// @param time End of the step, for the waves.
   /// @param dt Length of the step [s].
-  /// @return What it is, world frame [m/s].
+  /// @return Current velocity, world frame [m/s].
   Vector3 update(const Vector3& mean, Time time, double dt);
 
   void reset(const Random& random);
@@ -34,7 +34,7 @@ class WindModel {
   Noise* verticalNoise_;
   /// Horizontal [m/s].
   double magnitude_ = 0;
-  /// [degrees]; the first one is there at once.
+  /// [degrees]; the first direction applies at once.
   std::optional<double> direction_;
   /// [m/s]
   double vertical_ = 0;

@@ -12,7 +12,7 @@ namespace pongsim {
 
 namespace {
 
-// Shorter rises are none in Fortress either [s].
+// Fortress's lower limit of rise times [s].
 constexpr double kShortestRise = 1e-6;
 
 void warnOfUnknown(const Element& element, std::initializer_list<std::string_view> known, Diagnostics& diagnostics) {
@@ -37,7 +37,7 @@ void readRise(const Element& element, WindPartSettings& part) {
   refuse(*element.child("time_for_rise"), "<time_for_rise> must be at least 1e-06");
 }
 
-/// @param amplitude Name of the element that says how high the wave is.
+/// @param amplitude Name of the element with the wave's amplitude.
 WindPartSettings readPart(const Element* element, std::string_view amplitude, Diagnostics& diagnostics) {
   WindPartSettings part;
   if (element == nullptr) return part;

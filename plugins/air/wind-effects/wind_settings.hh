@@ -6,11 +6,11 @@
 
 namespace pongsim {
 
-/// How one part of the wind comes to what it is to be.
+/// Filter, wave and noise of one part of the wind.
 struct WindPartSettings {
-  /// Time constant with which it does [s], above zero.
+  /// Time constant of the filter [s], above zero.
   double riseTime = 1;
-  /// Of a wave that is added: a share of the magnitude, or degrees of the direction.
+  /// Amplitude of the added wave: a fraction of the magnitude, or degrees of the direction.
   double waveAmplitude = 0;
   /// [s], above zero.
   double wavePeriod = 1;
@@ -28,8 +28,8 @@ struct WindSettings {
   bool operator==(const WindSettings&) const = default;
 };
 
-/// Reads `<horizontal>` and `<vertical>` of a plugin. Elements that are not known there are warned of.
-/// @throws Error for a value that makes no sense.
+/// Reads `<horizontal>` and `<vertical>` of a plugin. Unknown elements cause a warning.
+/// @throws Error for an invalid value.
 WindSettings readWindSettings(const Element& plugin, Diagnostics& diagnostics);
 
 }  // namespace pongsim

@@ -14,7 +14,7 @@ namespace pongsim {
 
 namespace {
 
-/// Binds an address to a topic, for a model, at the broker.
+/// Binds an address to a topic at the broker.
 class CommsEndpoint : public System {
  public:
   ~CommsEndpoint() override {
@@ -22,7 +22,7 @@ class CommsEndpoint : public System {
     ignition::msgs::StringMsg_V request;
     request.add_data(address_);
     request.add_data(topic_);
-    // nobody is there to hear what becomes of it
+    // no callback: this system is being destroyed
     node_->request(unbindService_, request, "ignition.msgs.Empty", {});
   }
 
@@ -80,7 +80,7 @@ class CommsEndpoint : public System {
     archive(isPending);
     if (!archive.isGiving()) return;
     pending_ = {};
-    // what is on its way is not in a state: it is sent again
+    // a pending request is not part of a state, so it is sent again
     if (isPending) bind();
   }
 
@@ -97,7 +97,7 @@ class CommsEndpoint : public System {
     pending_ = {};
     if (isBound_) return;
     nextTry_ = now_ + kPatience;
-    // gone: the world ends
+    // the world is ending
     if (result.outcome == CallOutcome::kGone) return;
     if (!std::exchange(hasWarned_, true)) log_->warning(result.error + "; retrying every second");
   }

@@ -4,7 +4,7 @@ namespace pongsim {
 
 namespace {
 
-/// Carries every message from robot to robot.
+/// Carries every message between robots.
 class PerfectComms : public CommsSystem {
  public:
   void declare(Declaration& declaration) override {

@@ -29,7 +29,7 @@ double bitErrorRate(const RadioSettings& settings, double receivedPower) {
 }
 
 double lossProbability(double bitErrorRate, std::uint64_t bytes) {
-  // also where no bit is right: 0 times infinity is not a number
+  // avoids 0 times infinity if every bit is wrong
   if (bytes == 0) return bitErrorRate < 1 ? 0 : 1;
   return -math::expm1(static_cast<double>(bytes) * math::log1p(-bitErrorRate));
 }

@@ -10,42 +10,39 @@
 
 namespace pongsim {
 
-/// How radios send, and what becomes of it on its way.
+/// Parameters of the radios and of propagation.
 struct RadioSettings {
-  /// No message goes farther [m]; 0: no limit.
+  /// Maximum range [m]; 0: no limit.
   double maxRange = 50;
-  /// Of the distance, 2 in free space.
+  /// Exponent of the distance, 2 in free space.
   double fadingExponent = 2.5;
   /// Loss at 1 m [dB].
   double lossAtOneMetre = 40;
   /// Standard deviation of the received power [dB].
   double sigma = 10;
-  /// Bits that a radio sends, or receives, a second.
+  /// Bits that a radio sends, or receives, per second.
   double capacity = 54e6;
   /// [dBm]
   double sendingPower = 27;
   double noiseFloor = -90;
 };
 
-/// @return Power that is received on the average [dBm], by the log-distance path loss model (Rappaport, "Wireless
-/// Communications", 2nd ed., 4.9.1): the loss at one metre and 10 n log10(d) more. Minus infinity beyond the largest
-/// range.
+/// @return Mean received power [dBm], by the log-distance path loss model (Rappaport, "Wireless Communications", 2nd
+/// ed., 4.9.1): the loss at one metre plus 10 n log10(d). Minus infinity beyond the maximum range.
 double meanReceivedPower(const RadioSettings& settings, double distance);
 
 /// @param receivedPower [dBm]
-/// @return Share of the bits that are wrong, of QPSK as Fortress reckons it: erfc(sqrt(P / N)), which is 1 without
-/// power.
+/// @return Bit error rate of QPSK as computed by Fortress: erfc(sqrt(P / N)), which is 1 without power.
 double bitErrorRate(const RadioSettings& settings, double receivedPower);
 
-/// @return Probability that a packet is lost. As Fortress, it counts the packet's bytes as if they were bits:
-/// 1 - (1 - rate)^bytes.
+/// @return Probability that a packet is lost. As in Fortress, bytes count as bits: 1 - (1 - rate)^bytes.
 double lossProbability(double bitErrorRate, std::uint64_t bytes);
 
-/// What has passed through one direction of a radio within the last second.
+/// The traffic in one direction of a radio within the last second.
 class RateWindow {
  public:
-  /// Adds a packet, unless that makes more than the capacity.
-  /// @return The bits of the second with the packet, where it is one too many; else nothing.
+  /// Adds a packet, unless the capacity would be exceeded.
+  /// @return The bits within that second with the packet, if they exceed the capacity; else nothing.
   std::optional<double> add(Time now, std::uint64_t bytes, double capacity);
 
   void transfer(StateArchive& archive) {

@@ -11,7 +11,7 @@ namespace pongsim {
 
 namespace {
 
-/// Carries messages by radios that lose some of them.
+/// Carries messages over radios that lose some of them.
 class RFComms : public CommsSystem {
  public:
   void declare(Declaration& declaration) override {
@@ -74,7 +74,7 @@ class RFComms : public CommsSystem {
     double power = meanReceivedPower(settings_, distance);
     if (settings_.sigma > 0 && std::isfinite(power)) power = random_->normal(power, settings_.sigma);
     const double loss = lossProbability(bitErrorRate(settings_, power), bytes);
-    // as Fortress, which draws where it is certain, too
+    // as in Fortress, which draws a number even if the result is certain
     if (!(random_->uniform() > loss)) return false;
     if (const auto bits = windows_[to.address].received.add(now, bytes, settings_.capacity)) {
       tooMuch(to.address, "received", *bits);

@@ -95,7 +95,7 @@ class AckermannSteering : public System {
   }
 
  private:
-  /// As Fortress, turns all joints of a side by the error of the first, at a gain of 1/s.
+  /// As in Fortress, turns all joints of a side by the error of the first, with a gain of 1/s.
   static void steer(std::vector<Joint>& joints, double angle) {
     const double velocity = angle - joints.front().position();
     for (Joint& joint : joints) joint.setVelocityTarget(velocity);

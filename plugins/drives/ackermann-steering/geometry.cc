@@ -9,9 +9,9 @@ namespace pongsim {
 
 namespace {
 
-// A slower turn [rad/s] is none.
+// Slower turns [rad/s] count as straight motion.
 constexpr double kNoTurn = 0.001;
-// Radius of no turn [m].
+// Radius of straight motion [m].
 constexpr double kStraight = 1e9;
 
 /// @return Radius of the turn [m], negative to the right.
@@ -30,7 +30,7 @@ AckermannCommand ackermannCommand(const AckermannGeometry& geometry, double line
   AckermannCommand command;
   command.leftAngle = math::atan(geometry.wheelBase / (radius - geometry.kingpinWidth / 2));
   command.rightAngle = math::atan(geometry.wheelBase / (radius + geometry.kingpinWidth / 2));
-  // the outer wheels have a longer way
+  // the outer wheels have a longer path
   const double difference = geometry.wheelSeparation / (2 * radius);
   command.leftSpeed = linear * (1 - difference) / geometry.wheelRadius;
   command.rightSpeed = linear * (1 + difference) / geometry.wheelRadius;

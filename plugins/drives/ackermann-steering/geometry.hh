@@ -5,7 +5,7 @@
 
 namespace pongsim {
 
-/// A car: lengths [m], and the largest steering angle [rad].
+/// Dimensions of a car [m], and its maximum steering angle [rad].
 struct AckermannGeometry {
   double wheelSeparation = 1.0;
   double kingpinWidth = 0.8;
@@ -14,7 +14,7 @@ struct AckermannGeometry {
   double steeringLimit = 0.5;
 };
 
-/// What the wheels are to do: angles of steering [rad] and velocities of turning [rad/s].
+/// Commands of the wheels: steering angles [rad] and angular velocities [rad/s].
 struct AckermannCommand {
   double leftAngle = 0;
   double rightAngle = 0;
@@ -22,15 +22,15 @@ struct AckermannCommand {
   double rightSpeed = 0;
 };
 
-/// @param linear Velocity asked for [m/s].
-/// @param angular Turn asked for [rad/s]; a turn narrower than the steering allows becomes the narrowest.
+/// @param linear Commanded velocity [m/s].
+/// @param angular Commanded turning rate [rad/s]; a turn narrower than the steering allows becomes the narrowest.
 AckermannCommand ackermannCommand(const AckermannGeometry& geometry, double linear, double angular);
 
-/// Where a car believes to be, from the angles of its wheels, with the formula of Fortress.
+/// Odometry of a car from the angles of its wheels, with Fortress's formula.
 class AckermannOdometry {
  public:
   /// @param leftAngle, rightAngle Angles of the driven wheels [rad], not wrapped.
-  /// @param steering Mean angle of steering [rad].
+  /// @param steering Mean steering angle [rad].
   /// @param dt Time since the last call [s], more than zero.
   void update(const AckermannGeometry& geometry, double leftAngle, double rightAngle, double steering, double dt);
 

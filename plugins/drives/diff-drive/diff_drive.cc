@@ -16,7 +16,7 @@ namespace pongsim {
 
 namespace {
 
-/// Drives the wheels of a differential drive as a Twist commands, and publishes where it believes to be.
+/// Drives a differential drive by Twist commands, and publishes its odometry.
 class DiffDrive : public System {
  public:
   void declare(Declaration& declaration) override {

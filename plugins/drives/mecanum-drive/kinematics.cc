@@ -8,10 +8,11 @@ namespace pongsim {
 
 namespace {
 
-// Below this turn [rad] a step is taken as straight.
+// Turns below this [rad] count as straight motion.
 constexpr double kStraightOn = 1e-6;
 
-/// @return How far from the middle, along and across together, a wheel's ground speed grows by a turn [m].
+/// @return Ratio of a wheel's ground speed to the turning rate: its distances from the centre along and across, added
+/// [m].
 double turningLength(const MecanumGeometry& geometry) { return (geometry.wheelSeparation + geometry.wheelbase) / 2; }
 
 }  // namespace
@@ -38,7 +39,7 @@ void MecanumOdometry::update(const MecanumGeometry& geometry, const MecanumWheel
                                              angles.backLeft - last_.backLeft, angles.backRight - last_.backRight});
   last_ = angles;
 
-  // along an arc, as velocities that do not change make it
+  // along an arc, as for constant velocities
   double forward = way.x;
   double left = way.y;
   if (std::abs(way.yaw) >= kStraightOn) {

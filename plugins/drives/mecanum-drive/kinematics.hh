@@ -6,11 +6,11 @@
 
 namespace pongsim {
 
-/// Sizes of a mecanum drive [m].
+/// Dimensions of a mecanum drive [m].
 struct MecanumGeometry {
-  /// Distance of the left wheels from the right ones.
+  /// Distance between left and right wheels.
   double wheelSeparation = 1;
-  /// Distance of the front wheels from the back ones.
+  /// Distance between front and rear wheels.
   double wheelbase = 1;
   double wheelRadius = 0.2;
 };
@@ -23,23 +23,23 @@ struct MecanumWheels {
   double backRight = 0;
 };
 
-/// A velocity on the plane: forward and to the left [m/s], anticlockwise [rad/s]; or a way [m, rad].
+/// A velocity in the plane: forward and to the left [m/s], anticlockwise [rad/s]; or a displacement [m, rad].
 struct PlanarTwist {
   double x = 0;
   double y = 0;
   double yaw = 0;
 };
 
-/// @return The speeds of wheels whose rollers lie at 45 degrees, in an X seen from above (H. Taheri, B. Qiao and
-/// N. Ghaeminezhad, "Kinematic Model of a Four Mecanum Wheeled Mobile Robot", Int. J. of Computer Applications 113(3),
+/// @return The speeds of wheels whose rollers are at 45 degrees, in an X seen from above (H. Taheri, B. Qiao and N.
+/// Ghaeminezhad, "Kinematic Model of a Four Mecanum Wheeled Mobile Robot", Int. J. of Computer Applications 113(3),
 /// 2015).
 MecanumWheels wheelsFor(const MecanumGeometry& geometry, const PlanarTwist& twist);
 
-/// @return What the wheels do, its opposite; of wheels that contradict each other the mean.
+/// @return The vehicle's velocity for given wheel speeds, the inverse of the above; the mean if the wheels contradict
+/// each other.
 PlanarTwist twistOf(const MecanumGeometry& geometry, const MecanumWheels& wheels);
 
-/// Where the drive believes to be from the angles of its wheels, starting at the origin; velocities are rolling means
-/// of ten samples.
+/// Odometry from the angles of the wheels, starting at the origin; velocities are rolling means of ten samples.
 class MecanumOdometry {
  public:
   /// @param angles Of the wheels [rad], not wrapped.

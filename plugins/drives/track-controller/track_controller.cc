@@ -16,7 +16,7 @@ namespace pongsim {
 
 namespace {
 
-/// A track that runs round a point beyond that runs straight on [m].
+/// With a centre of rotation farther away, the track moves straight [m].
 constexpr double kFarthestCenter = 1e9;
 
 /// Moves the surface of a link at a commanded speed, like a vehicle's track or a conveyor belt.
@@ -94,7 +94,7 @@ class TrackController : public System {
     archive(center_);
     archive(lastCommand_);
     archive(isNew_);
-    // the collisions' own state has it
+    // it is part of the collisions' own state
     if (archive.isGiving()) motion_.reset();
   }
 
@@ -121,7 +121,7 @@ class TrackController : public System {
   }
 
   void receiveCenter(const Vector3& center) {
-    // what is not finite is how Fortress says that a vehicle goes straight on
+    // values that are not finite are Fortress's encoding of straight motion
     const bool isNear = center.cwiseAbs().maxCoeff() <= kFarthestCenter && center.allFinite();
     center_ = isNear ? std::optional(center) : std::nullopt;
     isNew_ = true;
@@ -146,14 +146,14 @@ class TrackController : public System {
   bool debug_ = false;
 
   std::vector<Collision> collisions_;
-  /// Of the track's drums, in the link frame.
+  /// Axis of the track's drums, in the link frame.
   Vector3 axis_ = Vector3::UnitY();
   double wanted_ = 0;
   std::optional<Vector3> center_;
   Time lastCommand_{0};
   bool isNew_ = false;
   SpeedLimiter limiter_;
-  /// What the collisions were told last.
+  /// Last command to the collisions.
   std::optional<SurfaceMotion> motion_;
 
   const Logger* log_ = nullptr;

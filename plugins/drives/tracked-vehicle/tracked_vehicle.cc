@@ -22,13 +22,13 @@ namespace pongsim {
 
 namespace {
 
-/// Below these the vehicle goes straight on [rad/s], or turns on the spot [m/s].
+/// Below these the vehicle drives straight on [rad/s], or turns on the spot [m/s].
 constexpr double kSlowestTurn = 0.1;
 constexpr double kSlowestDrive = 0.1;
-/// A change of velocity by less is none [m/s, rad/s].
+/// Smaller changes of velocity are ignored [m/s, rad/s].
 constexpr double kSmallestChange = 1e-6;
 
-/// Tells the tracks of a vehicle how fast to run as a Twist commands, and publishes where it believes to be.
+/// Commands the tracks of a vehicle from Twists, and publishes its odometry.
 class TrackedVehicle : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -137,7 +137,7 @@ class TrackedVehicle : public System {
     return {&targetLinear_, &targetAngular_, &linear_, &angular_, &leftSpeed_, &rightSpeed_, &leftWay_, &rightWay_};
   }
 
-  /// Of what is wrong with one of several tracks it warns, and goes on without that one.
+  /// Warns of errors in one of several tracks, and continues without that one.
   static void openTracks(const char* side, const SystemContext& context, std::vector<Track>& tracks) {
     const Model& model = *context.model;
     const std::vector<const Element*> elements = context.sdf.childrenNamed(side);
@@ -215,12 +215,12 @@ class TrackedVehicle : public System {
     tell(right_, rightSpeed_);
     if (!debug_) return;
     std::ostringstream text;
-    text << "at " << linear_ << " m/s and " << angular_ << " rad/s the left tracks are told " << leftSpeed_
+    text << "at " << linear_ << " m/s and " << angular_ << " rad/s the left tracks get " << leftSpeed_
          << " m/s and the right ones " << rightSpeed_ << " m/s, about " << center.transpose();
     log_->debug(text.str());
   }
 
-  /// @return In the world frame; infinite where the vehicle goes straight on.
+  /// @return In the world frame; infinite for straight motion.
   Vector3 centerOfRotation() const {
     if (std::abs(angular_) < kSlowestTurn) return Vector3::Constant(std::numeric_limits<double>::infinity());
     const double radius = std::abs(linear_) < kSlowestDrive ? 0 : linear_ / angular_;
@@ -239,14 +239,14 @@ class TrackedVehicle : public System {
   double targetLinear_ = 0;
   double targetAngular_ = 0;
   double efficiency_ = 0.5;
-  /// Whether the tracks are to be told, though the velocities may be the same.
+  /// Whether the tracks need a command although the velocities are unchanged.
   bool isNew_ = false;
   /// After the limits.
   double linear_ = 0;
   double angular_ = 0;
   double leftSpeed_ = 0;
   double rightSpeed_ = 0;
-  /// How far the tracks have run [m].
+  /// Distance that the tracks have run [m].
   double leftWay_ = 0;
   double rightWay_ = 0;
   SpeedLimiter linearLimiter_;

@@ -8,14 +8,14 @@
 
 namespace pongsim {
 
-/// The points that a vehicle visits, as a plugin's `<waypoints>`, `<circle>` or `<line>` says.
+/// The points that a vehicle visits, from a plugin's `<waypoints>`, `<circle>` or `<line>`.
 class Path {
  public:
-  /// Of several the first that stands above counts, as in Fortress; the others are warned of.
-  /// @throws Error where none of them is there, or one says nothing that can be used.
+  /// If there are several, the first one in this order is used, as in Fortress, with a warning.
+  /// @throws Error if there is none, or it is invalid.
   static Path read(const Element& plugin, Diagnostics& diagnostics);
 
-  /// @param X_WorldStart Where the vehicle starts, around or from where a circle or a line goes.
+  /// @param X_WorldStart Start of the vehicle, the centre of a circle or the start of a line.
   /// @return The points in the world frame, z = 0; at least one.
   std::vector<Vector3> points(const Pose& X_WorldStart) const;
 
@@ -24,9 +24,9 @@ class Path {
 
   Kind kind_ = Kind::kWaypoints;
   std::vector<Vector3> waypoints_;
-  /// Of the circle, or length of the line [m].
+  /// Radius of the circle or length of the line [m].
   double length_ = 0;
-  /// Of the line, from the x axis of the vehicle [rad].
+  /// Direction of the line, from the x axis of the vehicle [rad].
   double direction_ = 0;
 };
 

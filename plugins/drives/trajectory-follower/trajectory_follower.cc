@@ -56,7 +56,7 @@ class TrajectoryFollower : public System {
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     if (!isPaused_) follow();
-    // all points of a model that does not turn have one velocity
+    // all points of a model that does not turn have the same velocity
     if (keepsHeading_) model_->setVelocity(link_->linearVelocity(), Vector3::Zero());
   }
 
@@ -76,7 +76,7 @@ class TrajectoryFollower : public System {
  private:
   void follow() {
     const Pose X_WorldLink = link_->pose();
-    // it starts where it is when it may first move
+    // the path starts where the link is when it may first move
     if (points_.empty()) points_ = path_.points(X_WorldLink);
     Vector3 way = points_[next_] - X_WorldLink.position;
     way.z() = 0;
@@ -94,7 +94,7 @@ class TrajectoryFollower : public System {
     }
   }
 
-  /// The last point stays where there is none behind it: what drifts away comes back.
+  /// The last point stays the target if none follows: a link that drifts away returns.
   void goToNext() {
     if (next_ + 1 < points_.size()) {
       ++next_;
@@ -113,10 +113,10 @@ class TrajectoryFollower : public System {
 
   std::optional<Model> model_;
   std::optional<Link> link_;
-  /// Of the link's inertia, link frame: the force is along its x axis.
+  /// Axes of the link's inertia, link frame: the force is along the x axis.
   Quaternion axes_ = Quaternion::Identity();
   Path path_;
-  /// World frame; none before it has started.
+  /// World frame; empty before the start.
   std::vector<Vector3> points_;
   std::size_t next_ = 0;
   bool isPaused_ = false;

@@ -82,7 +82,7 @@ class VelocityControl : public System {
   };
   struct LinkCommand {
     Link link;
-    /// None has come yet.
+    /// No command has arrived yet.
     std::optional<Twist> twist;
     Subscription subscription;
   };
@@ -97,7 +97,7 @@ class VelocityControl : public System {
   std::optional<Model> model_;
   Twist initial_;
   Twist command_;
-  // the subscriptions point into it
+  // the subscriptions keep pointers to it
   std::list<LinkCommand> links_;
   Subscription subscription_;
 };

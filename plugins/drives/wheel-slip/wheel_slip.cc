@@ -15,7 +15,7 @@ namespace pongsim {
 
 namespace {
 
-/// A slip beyond that is as good as no friction [m/s/N].
+/// A slip beyond this is equivalent to no friction [m/s/N].
 constexpr double kLargestSlip = 1e6;
 
 /// Makes wheels slip depending on their load and rim speed.
@@ -58,9 +58,9 @@ class WheelSlip : public System {
         [this](const ignition::msgs::WheelSlipParametersCmd& command) { receive(command); }, kCommands);
   }
 
-  /// The compliances have no unit, slips have [m/s/N]: they are scaled by a speed, that of the rim as it is now, and by
-  /// a force, the wheel's load as the file has it. (K. Yoshida and H. Hamano, "Motion Dynamics of a Rover with
-  /// Slip-Based Traction Model", ICRA 2002, equation 1.)
+  /// Compliances have no unit, slips are in m/s/N: they are scaled by the current speed of the rim and by the wheel's
+  /// load as given in the file. (K. Yoshida and H. Hamano, "Motion Dynamics of a Rover with Slip-Based Traction Model",
+  /// ICRA 2002, equation 1.)
   void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     for (Wheel& wheel : wheels_) {

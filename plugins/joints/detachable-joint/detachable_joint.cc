@@ -66,14 +66,14 @@ class DetachableJoint : public System {
   }
 
   void reset() override {
-    // joints made while running have gone
+    // a reset removes joints made at run time
     joint_.reset();
     isToAttach_ = true;
     isToDetach_ = false;
     hasWarned_ = false;
   }
 
-  // the joint itself is the world's, and as there when this is called
+  // the world saves the joint itself, and restores it before this is called
   void transfer(StateArchive& archive) override {
     JointId held = joint_ ? joint_->id() : JointId();
     archive(held.value);

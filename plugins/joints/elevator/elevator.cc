@@ -22,7 +22,7 @@ namespace {
 constexpr double kDoorSlack = 0.02;
 constexpr double kCabinSlack = 0.15;
 constexpr double kStillSpeed = 0.01;
-/// By so much a hit must be nearer than the lidar reaches [m].
+/// A hit counts if it is closer than the lidar's maximum range by this much [m].
 constexpr double kScanSlack = 0.005;
 
 bool isNumbered(std::string_view name, std::string_view prefix) {
@@ -30,7 +30,7 @@ bool isNumbered(std::string_view name, std::string_view prefix) {
   return std::ranges::all_of(name.substr(prefix.size()), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// Commands a joint by the topic of its JointPositionController.
+/// Commands a joint through the topic of its JointPositionController.
 class PositionedJoint {
  public:
   PositionedJoint(const Joint& joint, const std::string& prefix, Node& node)
@@ -43,7 +43,7 @@ class PositionedJoint {
     message.set_data(position);
     command_.publish(message);
   }
-  /// As Fortress has it, one that moves back counts as still.
+  /// As in Fortress, a joint that moves backwards counts as still.
   bool isAt(double position, double slack) const {
     return std::abs(position - joint_.position()) <= slack && joint_.velocity() <= kStillSpeed;
   }
@@ -131,7 +131,7 @@ class Elevator : public System {
  private:
   struct Door {
     PositionedJoint joint;
-    /// Where it is open.
+    /// Position of the open door.
     double open;
     bool isBlocked = false;
     Subscription scan = {};
@@ -202,7 +202,7 @@ class Elevator : public System {
   std::string commandTopic_, stateTopic_;
 
   const Logger* log_ = nullptr;
-  /// Of the floors [m], in the model.
+  /// Heights of the floors in the model [m].
   std::vector<double> heights_;
   std::optional<PositionedJoint> cabin_;
   std::vector<Door> doors_;

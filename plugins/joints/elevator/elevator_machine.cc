@@ -44,7 +44,7 @@ void ElevatorMachine::update(Time now, int floor, bool isBlocked) {
 
 void ElevatorMachine::enqueue(int target) {
   if (std::ranges::find(targets_, target) != targets_.end()) return;
-  // on the way to another one it is served in passing
+  // served in passing, because it is on the way
   int from = floor_;
   for (auto next = targets_.begin(); next != targets_.end(); ++next) {
     const auto [lower, upper] = std::minmax(from, *next);

@@ -10,13 +10,13 @@
 
 namespace pongsim {
 
-/// Decides what an elevator does: it goes to a floor, opens that floor's door, waits, closes it, and goes on to where
-/// it was called meanwhile.
+/// The state machine of an elevator: it moves to a floor, opens that floor's door, waits, closes it, and moves to the
+/// floors called meanwhile.
 class ElevatorMachine {
  public:
   enum class Phase { kIdle, kMoving, kOpening, kWaiting, kClosing };
 
-  /// What it moves, and what it sees of that.
+  /// Commands and sensors of the cabin and the doors.
   struct Doings {
     std::function<void(int floor)> sendCabin;
     std::function<bool(int floor)> isCabinAt;
@@ -29,13 +29,14 @@ class ElevatorMachine {
 
   Phase phase() const { return phase_; }
 
-  /// Takes a call. Where the elevator is moving or its door is open it is heeded once the door closes.
-  /// @param target A floor that there is.
+  /// Adds a call. While the elevator moves or its door is open, it waits until the door closes.
+  /// @param target An existing floor.
   void call(int target);
 
-  /// Goes on.
-  /// @param floor That the cabin is nearest to.
-  /// @param isBlocked Whether something stands in the door of that floor. A door that is open stays so until it has
+  /// Advances to `now`.
+  /// @param floor Nearest to the cabin.
+  /// @param isBlocked Whether something blocks the door of that floor. An open door stays open until it has been free
+  /// for the waiting time.
   /// been free for as long as it stays open.
   void update(Time now, int floor, bool isBlocked);
 
@@ -52,11 +53,11 @@ class ElevatorMachine {
   Phase phase_ = Phase::kIdle;
   Time now_{0};
   int floor_ = 0;
-  /// Floors to go to, in this order.
+  /// Floors to visit, in this order.
   std::deque<int> targets_;
-  /// Calls that are not heeded yet.
+  /// Calls that are still waiting.
   std::vector<int> calls_;
-  /// Of the door that moves or is open.
+  /// Floor of the door that moves or is open.
   int doorFloor_ = 0;
   Time timeout_{0};
   bool wasBlocked_ = false;

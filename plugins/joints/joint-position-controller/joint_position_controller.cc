@@ -41,7 +41,7 @@ class JointPositionController : public System {
              "joint '" + std::string(joint_->name()) + "' has no axis " + std::to_string(axis_));
     }
     pid_ = Pid(settings_);
-    // as Fortress, which counts it only where it is given
+    // as in Fortress, it counts only if it is given
     if (sdf.child("cmd_max") != nullptr) largestVelocity_ = settings_.commandMax;
     const std::string topic =
         topicOr(topic_, "/model/" + std::string(model.name()) + "/joint/" + std::string(joint_->name()) + "/" +

@@ -18,7 +18,7 @@ namespace pongsim {
 
 namespace {
 
-/// Settings of one kind of controller, each a value for each joint in the order of the joints.
+/// Settings of the position or the velocity controllers: one value per joint, in the order of the joints.
 struct PidLists {
   std::vector<double> p, i, d, iMin, iMax, commandMin, commandMax, commandOffset;
 
@@ -54,7 +54,7 @@ struct PidLists {
   }
 };
 
-/// One joint that follows.
+/// A joint with its target and controllers.
 class ControlledJoint {
  public:
   ControlledJoint(const Joint& joint, double initialPosition, const PidSettings& position, const PidSettings& velocity)
@@ -96,7 +96,7 @@ class ControlledJoint {
   Pid velocity_;
 };
 
-/// Takes joints along a list of points.
+/// Moves joints along the points of a trajectory.
 class JointTrajectoryController : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -122,7 +122,7 @@ class JointTrajectoryController : public System {
       joints_.emplace_back(joint, initial, positionPid_.of(number), velocityPid_.of(number));
     }
     if (joints_.empty()) refuse(context.sdf, "model '" + std::string(model.name()) + "' has no joint with one axis");
-    // an attribute in Fortress, too
+    // it is an attribute in Fortress, too
     usesHeaderTime_ = context.sdf.attributeOr("use_header_start_time", "false") == "true";
     const std::string topic = topicOr(topic_, "/model/" + std::string(model.name()) + "/joint_trajectory");
     command_ = context.node.subscribe<ignition::msgs::JointTrajectory>(
@@ -182,7 +182,7 @@ class JointTrajectoryController : public System {
     waiting_ = message;
   }
 
-  /// Starts what has come since the last step.
+  /// Starts a trajectory received since the last step.
   void begin(Time now) {
     if (!waiting_) return;
     const bool hasTime = usesHeaderTime_ && waiting_->has_header() && waiting_->header().has_stamp();
@@ -212,7 +212,7 @@ class JointTrajectoryController : public System {
   bool usesHeaderTime_ = false;
 
   std::vector<ControlledJoint> joints_;
-  /// Those of the trajectory, in its order.
+  /// The trajectory's joints, in its order.
   std::vector<ControlledJoint*> active_;
   std::optional<Trajectory> trajectory_;
   std::optional<ignition::msgs::JointTrajectory> waiting_;

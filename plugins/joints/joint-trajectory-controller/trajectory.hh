@@ -12,13 +12,13 @@
 
 namespace pongsim {
 
-/// What a joint is to do at a point of a trajectory.
+/// Target of a joint at a point of a trajectory.
 struct JointTarget {
   /// [rad or m]
   double position = 0;
   /// [rad/s or m/s]
   double velocity = 0;
-  /// Force beside what it takes to get there [N m or N].
+  /// Force added to that of the controllers [N m or N].
   double effort = 0;
 
   void transfer(StateArchive& archive) {
@@ -28,29 +28,29 @@ struct JointTarget {
   }
 };
 
-/// A list of points to be at one after another, as a message asks for. There is nothing between two points: each one
-/// counts from the time of the one before it until its own.
+/// The points of a JointTrajectory message. They are not interpolated: each is the target from the time of the previous
+/// point until its own.
 class Trajectory {
  public:
   /// @return What is wrong with it, or nothing.
   static std::optional<std::string> fault(const ignition::msgs::JointTrajectory& message);
 
-  /// One without points, for `transfer` to fill in.
+  /// An empty trajectory, for `transfer` to fill in.
   Trajectory() = default;
-  /// @param message Without a fault.
-  /// @param start Time from which its points count.
+  /// @param message A valid one.
+  /// @param start Time to which the points' times are added.
   Trajectory(const ignition::msgs::JointTrajectory& message, Time start);
 
   const std::vector<std::string>& joints() const { return joints_; }
 
-  /// Goes on to the point that counts at `now`.
-  /// @return Whether that is another one than before.
+  /// Advances to the point that is the target at `now`.
+  /// @return Whether it is another one than before.
   bool advance(Time now);
 
-  /// Changes `target` to what the point says of the joint in that place of `joints()`; what it does not say stays.
+  /// Sets `target` for a joint, by its index in `joints()`; values that the point leaves out stay.
   void target(std::size_t joint, JointTarget& target) const;
 
-  /// @return The point that counts and all before it, of all [0 to 1].
+  /// @return Fraction of the points begun, 0 to 1.
   double progress() const;
 
   void transfer(StateArchive& archive);

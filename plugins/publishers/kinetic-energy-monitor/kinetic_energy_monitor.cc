@@ -11,7 +11,7 @@ namespace pongsim {
 
 namespace {
 
-/// @return Energy of a link's motion [J].
+/// @return Kinetic energy of a link [J].
 double kineticEnergy(const Link& link, const MassInfo& mass) {
   const Quaternion q_WorldLink = link.pose().rotation;
   const Vector3 turn = q_WorldLink.conjugate() * link.angularVelocity();
@@ -19,7 +19,7 @@ double kineticEnergy(const Link& link, const MassInfo& mass) {
   return (mass.mass * velocity.squaredNorm() + turn.dot(mass.inertia * turn)) / 2;
 }
 
-/// Publishes how much kinetic energy a link has lost in a step, where that is a blow.
+/// Publishes sudden losses of a link's kinetic energy.
 class KineticEnergyMonitor : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -47,7 +47,7 @@ class KineticEnergyMonitor : public System {
   void postUpdate(const StepInfo& info) override {
     if (info.paused) return;
     const double energy = kineticEnergy(*link_, mass_);
-    // the engine may take two steps for one blow
+    // the engine may spread an impact over two steps
     const double loss = std::max(energy_, energyBefore_) - energy;
     energyBefore_ = loss > threshold_ ? energy : energy_;
     energy_ = energy;

@@ -88,7 +88,7 @@ class OdometryPublisher : public System {
  private:
   Pose basePose() const { return model_->pose() * X_ModelBase_; }
 
-  /// The change of pose in a step, in the axes of the base, as Fortress takes it.
+  /// The change of pose in a step, in the axes of the base, as in Fortress.
   void addVelocity(const Pose& X_WorldBase, double dt) {
     Vector3 turn = rollPitchYawOf(X_WorldBase.rotation) - rollPitchYawOf(last_.rotation);
     for (double& angle : turn) angle = std::remainder(angle, 2 * std::numbers::pi);
@@ -119,7 +119,7 @@ class OdometryPublisher : public System {
     if (covariance_.hasSubscribers()) publishCovariance();
   }
 
-  /// What has been published, with what is known of its error.
+  /// Publishes the odometry again, with its covariance.
   void publishCovariance() {
     auto& pose = *covarianceMessage_.mutable_pose_with_covariance();
     auto& twist = *covarianceMessage_.mutable_twist_with_covariance();
@@ -133,7 +133,7 @@ class OdometryPublisher : public System {
     covariance_.publish(covarianceMessage_);
   }
 
-  /// The variance in the diagonal of six rows of six, as Fortress has it, for the pose too.
+  /// Sets the diagonal of a 6 × 6 matrix to the variance, for the pose too, as in Fortress.
   void fillCovariance(ignition::msgs::Float_V& covariance) const {
     constexpr int kSize = 6;
     for (int row = 0; row < kSize; ++row) {

@@ -14,13 +14,13 @@ namespace pongsim {
 
 namespace {
 
-/// What is published of one entity: who it is, and how its pose in its parent's frame is found.
+/// An entity whose pose is published: its frames, and its pose relative to its parent.
 struct Entry {
   std::string frame;
   std::string childFrame;
   std::optional<Model> model;
   std::optional<Link> link;
-  /// Of what is fixed to a link.
+  /// Of an entity that is fixed to a link.
   Pose X_ParentEntity;
 
   Pose pose() const {
@@ -32,7 +32,7 @@ struct Entry {
   }
 };
 
-/// What of a model is to be published.
+/// Which poses of a model are published.
 struct Choice {
   bool links = true, visuals = false, collisions = false, sensors = false, nestedModels = false, model = false;
 };
@@ -40,7 +40,7 @@ struct Choice {
 /// One topic: a list of entities and how often their poses are published.
 class PoseTopic {
  public:
-  /// @param isStill Whether what it tells does not change: then it tells whoever comes at once, between its times, too.
+  /// @param isStill Whether the poses never change: then new subscribers get them at once, between the times.
   void open(Node& node, const std::string& topic, bool asVector, bool isStill, Time period) {
     isStill_ = isStill;
     publisher_ = asVector ? node.advertise<ignition::msgs::Pose_V>(topic) : node.advertise<ignition::msgs::Pose>(topic);
@@ -87,8 +87,8 @@ class PoseTopic {
   ignition::msgs::Pose_V vector_;
 };
 
-/// @return Whether a joint that can move moves the link against the rest: it is not the canonical one, and such a joint
-/// begins or ends at it.
+/// @return Whether a moving joint moves the link relative to the rest: it is not the canonical link, and a moving joint
+/// connects to it.
 bool movesInModel(const Link& link, const Model& top) {
   if (top.canonicalLink() && top.canonicalLink()->id() == link.id()) return false;
   std::vector<Model> models = {top};

@@ -14,17 +14,17 @@
 
 namespace pongsim {
 
-/// A topic with poses, each in the frame of what holds it: of models, then of their links, then of what stands still in
-/// a link or in the world, as Fortress orders them.
+/// A topic with poses relative to the parents: models, then their links, then what is fixed in a link or in the world,
+/// in Fortress's order.
 class PoseTopic {
  public:
   void open(Node& node, const std::string& topic) { publisher_ = node.advertise<ignition::msgs::Pose_V>(topic); }
 
-  /// Sets of which models, with those nested in them, it tells from now on.
-  /// @param isMoving Of what is not static only, and of neither visuals nor lights.
+  /// Selects the models to publish, with their nested models.
+  /// @param isMoving Leaves out what is static, visuals and lights.
   void tellOf(const World& world, bool isMoving);
 
-  /// Tells who listens, if anybody does.
+  /// Publishes, if there are subscribers.
   void publish(Time time);
 
  private:

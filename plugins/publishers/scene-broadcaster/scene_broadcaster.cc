@@ -27,7 +27,7 @@ namespace {
 
 namespace im = ignition::msgs;
 
-/// How many states may wait for their services to be called: each may be large.
+/// Limit of states that wait for their services to be called: each may be large.
 constexpr std::size_t kMostCallbacks = 8;
 
 /// Publishes the world's scene, poses and state.
@@ -83,7 +83,7 @@ class SceneBroadcaster : public System {
       allPoses_.publish(info.time);
       movingPoses_.publish(info.time);
     }
-    // while paused every third time, which is about 30 Hz
+    // every third time while paused, about 30 Hz
     const bool isDue = states_.isDue(info.time) || (info.paused && pausedSteps_++ % 3 == 0);
     if (hasChanged_ || isDue) publishState(info);
   }
@@ -99,7 +99,7 @@ class SceneBroadcaster : public System {
     states_.transfer(archive);
   }
 
-  // told once a step, however much comes and goes in it
+  // published once per step, however much was inserted and removed
   void worldChanged() override {
     hasToTell_ = true;
     hasChanged_ = true;
@@ -143,7 +143,7 @@ class SceneBroadcaster : public System {
     statePublisher_.publish(message);
   }
 
-  /// Who has come and who has gone since the last time.
+  /// Entities inserted and removed since the last time.
   void tellOfChanges() {
     hasToTell_ = false;
     allPoses_.tellOf(*world_, false);
@@ -177,7 +177,7 @@ class SceneBroadcaster : public System {
   Publisher statePublisher_;
   std::optional<BackgroundCalls> calls_;
   std::vector<Service> services_;
-  /// Ids of the models and lights that have been told of, in ascending order.
+  /// Ids of the published models and lights, in ascending order.
   std::vector<std::uint64_t> known_;
   bool hasChanged_ = true;
   bool hasToTell_ = false;

@@ -36,7 +36,7 @@ struct AirPressureSensor {
   AirPressureSensor(const Sensor& sensor, const World&, NoiseSet& noises, Message& message)
       : sensor_(sensor), noise_(noises.add(sensor.settings<AirPressureSettings>()->pressure, "pressure")) {
     const NoiseSettings& settings = sensor.settings<AirPressureSettings>()->pressure;
-    // the root of a deviation is no variance, but what Fortress sends
+    // the root of a standard deviation is no variance, but Fortress sends that
     const bool isNoisy = settings.type != NoiseSettings::Type::kNone;
     message.set_variance(isNoisy ? std::sqrt(settings.standardDeviation) : 0);
   }

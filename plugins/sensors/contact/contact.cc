@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kSuffix = "/contact";
 
-/// The touches of a pair of collisions, told from one of the two.
+/// The contact points of a pair of collisions, seen from one of the two.
 class PairMessage {
  public:
   PairMessage(const World& world, const Contact& first, CollisionId own, ignition::msgs::Contact& message)
@@ -53,11 +53,11 @@ class PairMessage {
 
   bool swapped_;
   ignition::msgs::Contact& message_;
-  /// Who the bodies are.
+  /// Names and ids of the collisions.
   ignition::msgs::JointWrench body1_;
 };
 
-/// One sensor: the collisions that it watches, and where it speaks.
+/// One sensor: its collisions and its topic.
 class ContactSensor {
  public:
   ContactSensor(const Sensor& sensor, Node& node, Diagnostics& diagnostics) : sensor_(sensor) {
@@ -80,7 +80,7 @@ class ContactSensor {
 
   bool hasListeners() const { return !watched_.empty() && publisher_.hasSubscribers(); }
 
-  /// @param contacts All of the world, those of a pair together.
+  /// @param contacts All of the world, grouped by pair.
   void publish(const World& world, const std::vector<Contact>& contacts, Time time) {
     ignition::msgs::Contacts message;
     for (const CollisionId own : watched_) addContacts(world, contacts, own, time, message);

@@ -9,7 +9,7 @@ namespace pongsim {
 
 namespace {
 
-/// @return The joint that a sensor stands in.
+/// @return The joint that contains a sensor.
 Joint jointOf(const Sensor& sensor) {
   if (!sensor.joint()) {
     refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' is in a link", "it belongs in a <joint>");
@@ -33,13 +33,13 @@ struct ForceTorqueSensor {
     reset();
   }
 
-  /// Begins the measuring.
+  /// Starts measuring.
   void reset() { joint_.reaction(); }
 
   void measure(Message& message) {
     const Wrench reaction = joint_.reaction();
     const double sign = settings_.isParentToChild ? 1 : -1;
-    // at the sensor, in place of the joint
+    // torque about the sensor instead of the joint
     const Vector3 arm = sensor_.pose().position - (joint_.child().pose() * joint_.poseInChild()).position;
     const Quaternion q_AxesWorld = axes().conjugate();
     const Vector3 force = q_AxesWorld * (sign * reaction.force);
@@ -49,7 +49,7 @@ struct ForceTorqueSensor {
   }
 
  private:
-  /// @return Orientation in the world of the axes that the values are given in.
+  /// @return Orientation in the world of the axes of the values.
   Quaternion axes() const {
     using Frame = ForceTorqueSettings::Frame;
     if (settings_.frame == Frame::kSensor) return sensor_.pose().rotation;

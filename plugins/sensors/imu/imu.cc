@@ -11,9 +11,9 @@ namespace {
 constexpr double kHalfTurn = std::numbers::pi;
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 
-/// @return Orientation in the world of what a sensor's orientation is measured in.
+/// @return Orientation of a sensor's reference frame in the world.
 Quaternion referenceOf(const Sensor& sensor, const ImuSettings& settings, const World& world) {
-  // the world's frame is ENU, turned by its heading
+  // the world's frame is ENU, rotated by its heading
   const Quaternion heading = fromRollPitchYaw(0, 0, world.heading());
   if (settings.localization == "ENU") return heading;
   if (settings.localization == "CUSTOM") return heading * settings.customRotation;
@@ -39,7 +39,7 @@ struct ImuSensor {
     message.set_entity_name(sensor.scopedName());
   }
 
-  /// In each step, for an acceleration is the change of a velocity.
+  /// In each step, because an acceleration is a difference of velocities.
   void observe(const StepInfo& info) {
     const Vector3 velocity = sensor_.linearVelocity();
     acceleration_ = (velocity - lastVelocity_) / toSeconds(info.dt) - world_.gravity();
@@ -71,7 +71,7 @@ struct ImuSensor {
   Noise3 turnNoise_;
   Quaternion q_WorldReference_;
   Vector3 lastVelocity_;
-  /// What holds the sensor against gravity and moves it, world frame [m/s^2].
+  /// Acceleration minus gravity, world frame [m/s^2].
   Vector3 acceleration_ = Vector3::Zero();
 };
 

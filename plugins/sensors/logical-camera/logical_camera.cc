@@ -12,11 +12,11 @@ namespace pongsim {
 
 namespace {
 
-/// Replaces `all` by the models and those nested in them, sorted by their own names, as Fortress sends them.
+/// Replaces `all` by the models and their nested models, sorted by their own names, as in Fortress.
 void listModels(const World& world, std::vector<Model>& all) {
   all = world.models();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    // a copy, for the list grows
+    // a copy, because the list grows
     const std::vector<Model> inner = all[i].models();
     all.insert(all.end(), inner.begin(), inner.end());
   }

@@ -27,7 +27,7 @@ struct PlacedSource {
       : source(said), model(holder), key(std::move(name)), playing(said) {}
 
   Vector3 position() const { return ((model ? model->pose() : Pose()) * source.X_ParentSource).position; }
-  /// In the order of the file, also where a model has come back.
+  /// In the order of the file, even if a model was set aside meanwhile.
   std::pair<std::uint64_t, int> order() const { return {model ? model->id().value : 0, source.id}; }
 
   SoundSource source;
@@ -53,7 +53,7 @@ class Sounds {
   std::vector<const PlacedSource*> sources_;
 };
 
-/// Lets sources sound, and tells what microphones hear of all sources in the world.
+/// Plays sources, and publishes what microphones detect of all sources in the world.
 class LogicalAudioSensorPlugin : public System {
  public:
   ~LogicalAudioSensorPlugin() override {
@@ -72,7 +72,7 @@ class LogicalAudioSensorPlugin : public System {
     declaration.element(
         "microphone",
         "`<id>`, `<pose>` and `<volume_threshold>` (0), the lowest volume that it detects; may be repeated");
-    // of one microphone each, told apart by their ids
+    // one topic per microphone, with its id
     declaration.publishes("/model/M/sensor/mic_ID/detection", "ignition.msgs.Double",
                           "volume of a source, in each step in which it is audible; the first key of the header names "
                           "the source; /world/W instead of /model/M if the plugin is in the world");
@@ -128,7 +128,7 @@ class LogicalAudioSensorPlugin : public System {
     return (parent ? modelsOf(*parent) : "") + "/model/" + std::string(model.name());
   }
 
-  /// Calls `add` with each element of that name. One that can't be used is left out, and the others are not.
+  /// Calls `add` with each element of that name. One that is invalid is left out; the others stay.
   template <class Add>
   static void each(const SystemContext& context, const char* name, Add add) {
     for (const Element* element : context.sdf.childrenNamed(name)) {
@@ -161,7 +161,7 @@ class LogicalAudioSensorPlugin : public System {
       source.playService = serve("/play", &Playing::play);
       source.stopService = serve("/stop", &Playing::stop);
     } catch (...) {
-      // another one has the id
+      // the id is taken
       sources_.pop_back();
       throw;
     }
@@ -194,11 +194,11 @@ class LogicalAudioSensorPlugin : public System {
   }
 
   std::optional<Model> model_;
-  /// Before the names of sources and microphones: in messages, and in topics and services.
+  /// Prefix of the names of sources and microphones: in messages, and in topics and services.
   std::string fullName_;
   std::string prefix_;
   std::shared_ptr<Sounds> sounds_;
-  // others point at its elements
+  // others keep pointers to its elements
   std::list<PlacedSource> sources_;
   std::vector<Ear> ears_;
   ignition::msgs::Double message_;

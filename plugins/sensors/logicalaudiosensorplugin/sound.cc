@@ -14,7 +14,7 @@ namespace pongsim {
 
 namespace {
 
-// Softer than that is silence.
+// Lower volumes are inaudible.
 constexpr double kSilence = 1e-5;
 
 const Element& required(const Element& element, const char* name) {
@@ -55,7 +55,7 @@ Pose readPose(const Element& element, Diagnostics& diagnostics) {
   return {position, fromRollPitchYaw(angles.x(), angles.y(), angles.z())};
 }
 
-/// Refuses a word other than the one that there is, in letters of any size.
+/// Refuses any word except the supported one, in upper or lower case.
 void requireWord(const Element& element, const char* name, const std::string& known) {
   const Element& found = required(element, name);
   std::string text = found.text;
@@ -63,7 +63,7 @@ void requireWord(const Element& element, const char* name, const std::string& kn
   if (text != known) refuse(found, "<" + found.name + "> is '" + found.text + "'", "it can be '" + known + "'");
 }
 
-/// Warns where `value` is not `wanted`, which it gives back.
+/// @return `wanted`, with a warning if `value` is another.
 double moved(const Element& element, double value, double wanted, Diagnostics& diagnostics) {
   if (value == wanted) return wanted;
   std::ostringstream text;

@@ -7,14 +7,14 @@
 
 namespace pongsim {
 
-/// What a `<source>` says: a sound that is the same in all directions and falls linearly.
+/// A `<source>`: omnidirectional, with a volume that falls linearly with distance.
 struct SoundSource {
   int id = 0;
   /// In the frame of the model or the world.
   Pose X_ParentSource = {};
-  /// Up to there it is as loud as it is [m].
+  /// Full volume up to this distance [m].
   double innerRadius = 0;
-  /// From there on nothing is heard [m]; more than `innerRadius`.
+  /// Inaudible from this distance on [m]; more than `innerRadius`.
   double falloffDistance = 1;
   /// 0 to 1.
   double volume = 1;
@@ -23,26 +23,26 @@ struct SoundSource {
   Time duration{0};
 };
 
-/// What a `<microphone>` says.
+/// A `<microphone>`.
 struct Microphone {
   int id = 0;
   /// In the frame of the model or the world.
   Pose X_ParentMicrophone = {};
-  /// What is softer is not heard.
+  /// Lower volumes are not detected.
   double threshold = 0;
 };
 
-/// Reads a `<source>`. Values beyond what they can be are moved to the next that can be, with a warning.
-/// @throws Error for what is missing or no value at all.
+/// Reads a `<source>`. Values out of range are clamped, with a warning.
+/// @throws Error for what is missing or unreadable.
 SoundSource readSource(const Element& element, Diagnostics& diagnostics);
 
 /// Reads a `<microphone>`, likewise.
 Microphone readMicrophone(const Element& element, Diagnostics& diagnostics);
 
-/// @return How loud a source that plays is at that distance [m], 0 to 1.
+/// @return Volume of a playing source at that distance [m], 0 to 1.
 double volumeAt(const SoundSource& source, double distance);
 
-/// @return Whether that is heard. Nothing softer than 1e-5 is, whatever the threshold.
+/// @return Whether a microphone detects it. Below 1e-5 it never does, whatever the threshold.
 bool isHeard(double volume, const Microphone& microphone);
 
 /// Whether a source plays, and since when.
@@ -50,11 +50,11 @@ class Playing {
  public:
   explicit Playing(const SoundSource& source) : initial_(source.plays), duration_(source.duration) { reset(); }
 
-  /// What services ask for; it happens at the next `update`.
+  /// Requests of services; they take effect at the next `update`.
   void play() { wantsPlay_ = true; }
   void stop() { wantsStop_ = true; }
 
-  /// @param now End of this step. At the first one it begins to count.
+  /// @param now End of this step. The first one starts the playing time.
   void update(Time now);
   bool is() const { return is_; }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// @return The world of a sensor, which says where on the earth it is.
+/// @return The sensor's world, which must have spherical coordinates.
 World worldOf(const Sensor& sensor, const World& world) {
   if (!world.tangentPlane()) {
     refuse(sensor.sdf(), "sensor '" + sensor.scopedName() + "' can't measure its position",
@@ -45,12 +45,12 @@ struct NavSatSensor {
   }
 
   void measure(Message& message) {
-    // which may have been told to be somewhere else
+    // requests may have changed them
     const GeodeticPosition place = world_.tangentPlane()->at(sensor_.pose().position);
     message.set_latitude_deg(wrapped(latitudeNoise_.apply(place.latitude / kDegree)));
     message.set_longitude_deg(wrapped(longitudeNoise_.apply(place.longitude / kDegree)));
     message.set_altitude(altitudeNoise_.apply(place.altitude));
-    // x, y and z of the world are east, north and up to Fortress, whatever its heading
+    // Fortress treats x, y and z of the world as east, north and up, whatever its heading
     const Vector3 velocity = sensor_.linearVelocity();
     message.set_velocity_east(eastNoise_.apply(velocity.x()));
     message.set_velocity_north(northNoise_.apply(velocity.y()));

@@ -22,9 +22,9 @@ namespace {
 
 using ignition::msgs::PointCloudPacked;
 
-// of a picture of which a message has 48 MB
+// gives an image message of 48 MB
 constexpr std::uint64_t kMostPixels = 16'000'000;
-// nearer than that nothing is drawn, whatever <near> says [m]
+// nothing closer is rendered, whatever <near> is [m]
 constexpr double kNearestClip = 1e-3;
 constexpr std::uint32_t kColorOffset = 16;
 /// As in Fortress.
@@ -33,7 +33,7 @@ constexpr PointField kCameraPointFields[] = {{"x", 0, PointCloudPacked::Field::F
                                              {"z", 8, PointCloudPacked::Field::FLOAT32},
                                              {"rgb", kColorOffset, PointCloudPacked::Field::FLOAT32}};
 
-/// How Fortress's messages name the formats that cameras of colours have, and their bytes a pixel.
+/// Fortress's names of the formats of colour cameras, and their bytes per pixel.
 struct ImageFormat {
   PixelFormat format;
   ignition::msgs::PixelFormatType type;
@@ -53,7 +53,7 @@ Error errorOf(const Sensor& sensor, const std::string& what, const std::string& 
   return Error({Severity::kError, sensor.sdf().position, "camera '" + sensor.scopedName() + "' " + what, hint});
 }
 
-/// @return What an element says of red, green, blue and perhaps opacity; nothing where it says nothing.
+/// @return Red, green, blue and optionally opacity of an element; nothing if it is missing.
 std::optional<Vector3> colorIn(const Element& plugin, const char* name) {
   const Element* element = plugin.child(name);
   if (element == nullptr) return std::nullopt;
@@ -64,21 +64,21 @@ std::optional<Vector3> colorIn(const Element& plugin, const char* name) {
                "<" + element->name + "> is '" + element->text + "', which is not a colour", "as in 0.7 0.7 0.7 1"});
 }
 
-/// @return What the file says, without noise of which it has been warned that cameras have none.
+/// @return The camera's settings, without noise types that cameras do not support; a warning reports these.
 CameraSettings usedSettings(const Sensor& sensor) {
   CameraSettings settings = *sensor.settings<CameraSettings>();
   if (settings.noise.type == NoiseSettings::Type::kGaussianQuantized) settings.noise = {};
   return settings;
 }
 
-/// @return The topic of the infos by default: beside the images.
+/// @return The default topic of `camera_info`: beside the images.
 std::string infoTopic(const std::string& topic, bool isBelow) {
   if (isBelow) return topic + "/camera_info";
   const std::size_t slash = topic.rfind('/');
   return (slash == std::string::npos ? "" : topic.substr(0, slash)) + "/camera_info";
 }
 
-/// Brightness of a colour (ITU-R BT.601), in units of which 255 or 65,535 are the most.
+/// Brightness of a colour (ITU-R BT.601), from 0 to 255 or 65,535.
 double brightness(const std::uint8_t* color, double most) {
   return (0.299 * color[0] + 0.587 * color[1] + 0.114 * color[2]) * most / 255;
 }
@@ -182,7 +182,7 @@ bool CameraSensor::isHeardElsewhere() const {
   return infos_.hasSubscribers() || isDepthHeard() || arePointsHeard() || settings_.savesPictures;
 }
 
-/// @return Whether the pixels are wanted as they are drawn, and by no more than one listener, as the last time.
+/// @return Whether the rendered pixels need no processing, and at most one subscriber took the last image.
 bool CameraSensor::isDrawnAsItIsSent() const {
   return settings_.format == PixelFormat::kR8G8B8 && settings_.noise.type == NoiseSettings::Type::kNone &&
          !distortion_ && !settings_.savesPictures && writes_ <= 1;
@@ -217,7 +217,7 @@ void CameraSensor::drawDepths() {
     if (!std::isfinite(depth)) continue;
     shifts_[i] = static_cast<float>(depthNoise_.apply(0));
     depth += shifts_[i];
-    // as in Fortress, which clips once more behind the noise
+    // as in Fortress, which clips again after adding noise
     if (depth >= static_cast<float>(depthView_.far)) depth = std::numeric_limits<float>::infinity();
     if (depth <= static_cast<float>(depthView_.near)) depth = -std::numeric_limits<float>::infinity();
   }
@@ -241,7 +241,7 @@ void CameraSensor::measure(Message&, bool isHeard) {
 Bulk CameraSensor::depthBulk() const {
   return {.size = std::size_t{settings_.width} * settings_.height * sizeof(float),
           .write = [this](std::span<std::byte> to) {
-            // who has come since they were measured gets those before, or none
+            // a new subscriber gets the previous depths, or none
             if (depths_.empty()) {
               std::ranges::fill(to, std::byte(0));
             } else {
@@ -264,15 +264,15 @@ void CameraSensor::writeColors(std::span<std::byte> place) {
     drawing_ = Drawing::kSent;
     return;
   }
-  // somebody else wants it, too, and the first one's place may be another's already
+  // render again: another subscriber wants the image, and the first one's buffer may have been reused
   if (drawing_ == Drawing::kSent) drawColors();
-  // who has come since it was measured gets the picture before, or a black one
+  // a new subscriber gets the previous image, or a black one
   if (colors_.empty()) {
     std::ranges::fill(place, std::byte(0));
     return;
   }
   if (settings_.format == PixelFormat::kR8G8B8) {
-    // std::ranges::copy becomes a loop of single bytes with GCC 12
+    // GCC 12 compiles std::ranges::copy to a loop over single bytes
     std::memcpy(to, colors_.data(), colors_.size());
     return;
   }
@@ -293,7 +293,7 @@ void CameraSensor::writeColors(std::span<std::byte> place) {
 Eigen::Vector3f CameraSensor::placeOf(std::size_t pixel, double right, double down) const {
   const float depth = depths_[pixel];
   if (!std::isfinite(depth)) return Eigen::Vector3f::Constant(depth);
-  // Fortress adds the noise of the depth to y and z, too
+  // as in Fortress, the noise of the depth also changes y and z
   const double shift = shifts_.empty() ? 0 : static_cast<double>(shifts_[pixel]);
   const double ahead = static_cast<double>(depth) - shift;
   return {depth, static_cast<float>(shift - ahead * right), static_cast<float>(shift - ahead * down)};

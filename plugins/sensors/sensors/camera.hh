@@ -23,11 +23,11 @@ namespace pongsim {
 /// What the cameras of a world share.
 class CameraSurroundings : public Surroundings<CameraScene> {
  public:
-  /// @param plugin May give colours in place of those of the world's `<scene>`.
+  /// @param plugin Its colours replace those of the world's `<scene>`.
   CameraSurroundings(const World& world, Node& node, const Element& plugin);
 };
 
-/// One camera, of colours, of depths or of both: a sensor of a `SensorSystem`.
+/// One camera for colours, depths or both: a sensor of a `SensorSystem`.
 class CameraSensor {
  public:
   using Message = ignition::msgs::Image;
@@ -36,21 +36,21 @@ class CameraSensor {
   static constexpr const char* kSuffix = "/image";
   static constexpr const char* kText = "Publishes what the world's cameras see: colours, depths, points.";
 
-  /// Of the topic by default.
+  /// Suffix of the default topic.
   static const char* suffix(const Sensor& sensor);
-  /// Behind the topic, where images are published.
+  /// Appended to the topic on which images are published.
   static const char* behindTopic(const Sensor& sensor);
 
-  /// @throws Error where it can't be had: it has too many pixels, or there is nothing to draw with.
+  /// @throws Error if it has too many pixels, or OpenGL is not available.
   CameraSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message,
                CameraSurroundings& shared);
 
-  /// @return Whether it takes a picture now: always, unless it waits for a message first or has no power.
+  /// @return Whether it takes an image now. It does not while it waits for a trigger, or has no power.
   bool isReady();
-  /// @param isHeard Somebody listens to the images.
+  /// @param isHeard Whether the images have subscribers.
   void measure(Message& message, bool isHeard);
-  /// @return The pixels that were measured, as the message has them. A picture that has no need of more is drawn where
-  /// the first listener wants it, when he does.
+  /// @return The pixels as in the message. An image that needs no processing is rendered directly into the first
+  /// subscriber's buffer, when that asks for it.
   Bulk bulk();
   bool isHeardElsewhere() const;
   /// Publishes and saves what `measure` has measured.
@@ -60,7 +60,7 @@ class CameraSensor {
 
  private:
   enum class Kind { kColors, kDepths, kBoth };
-  /// Of the picture of now: it is to be drawn; the first listener alone has it; it is in `colors_` where it is
+  /// State of the current image: not rendered yet; rendered into the first subscriber's buffer only; in `colors_`, if
   /// anywhere.
   enum class Drawing { kDue, kSent, kDone };
   static Kind kindOf(const Sensor& sensor);
@@ -74,8 +74,8 @@ class CameraSensor {
   void drawDepths();
   void writeColors(std::span<std::byte> to);
   Bulk depthBulk() const;
-  /// @param right, down Slopes of the line of sight of the pixel.
-  /// @return The point of the cloud; minus infinity where it is too near, infinity where nothing is.
+  /// @param right, down Slopes of the pixel's line of sight.
+  /// @return The point of the cloud; minus infinity if it is too near, infinity if there is none.
   Eigen::Vector3f placeOf(std::size_t pixel, double right, double down) const;
   void writePoints(std::span<std::byte> to) const;
   void save();
@@ -85,21 +85,21 @@ class CameraSensor {
   Kind kind_;
   CameraSurroundings& surroundings_;
   Noise& noise_;
-  /// In metres; of its own, so that depths do not depend on whether colours are drawn.
+  /// In metres. A stream of its own, so that depths do not depend on whether colours are rendered.
   Noise& depthNoise_;
-  /// Of colours and of depths, which may have other clip planes.
+  /// For colours and for depths, which may have other clip planes.
   PictureView view_;
   PictureView depthView_;
   std::optional<Distortion> distortion_;
   std::vector<std::uint8_t> colors_;
   Drawing drawing_ = Drawing::kDone;
-  /// How often the pixels of now have been written.
+  /// How often the pixels of the current image have been written.
   int writes_ = 0;
   bool arePointsMeasured_ = false;
-  /// Before it is distorted.
+  /// Before distortion.
   std::vector<std::uint8_t> drawn_;
   std::vector<float> depths_;
-  /// What noise has added to each of them [m]; empty: there is none.
+  /// Noise added to each depth [m]; empty without noise.
   std::vector<float> shifts_;
   Publisher infos_;
   Publisher depthImages_;

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// further than that on each side nothing is drawn for a distorted picture, in its sizes
+// largest margin on each side that is rendered for a distorted image, in image sizes
 constexpr double kMostMargin = 0.5;
 
 Vector2d distorted(const DistortionSettings& k, const Vector2d& point) {
@@ -24,7 +24,7 @@ Vector2d distorted(const DistortionSettings& k, const Vector2d& point) {
           y * radial + 2 * k.p2 * x * y + k.p1 * (r2 + 2 * y * y)};
 }
 
-/// @return What is shown there, found step by step; nothing where the model shows nothing there.
+/// @return The undistorted point shown there, found by iteration; nothing if the model has none.
 std::optional<Vector2d> undistorted(const DistortionSettings& k, const Vector2d& shown) {
   constexpr int kMostSteps = 50;
   constexpr double kCloseEnough = 1e-7;
@@ -122,7 +122,7 @@ void Distortion::apply(std::span<const std::uint8_t> drawn, std::span<std::uint8
       std::ranges::fill(pixels.subspan(3 * i, 3), std::uint8_t{0});
       continue;
     }
-    // between the middles of four pixels
+    // interpolates between the centres of four pixels
     const float x = places_[i].x() - 0.5F, y = places_[i].y() - 0.5F;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     const float right = x - static_cast<float>(column), below = y - static_cast<float>(row);

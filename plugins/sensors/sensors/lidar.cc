@@ -18,7 +18,7 @@ namespace {
 using ignition::msgs::LaserScan;
 using ignition::msgs::PointCloudPacked;
 
-// of a scan of which a message has 16 MB
+// gives a scan message of 16 MB
 constexpr std::uint32_t kMostBeams = 1'000'000;
 
 constexpr std::uint32_t kIntensityOffset = 16, kRingOffset = 24;
@@ -29,18 +29,18 @@ constexpr PointField kPointFields[] = {{"x", 0, PointCloudPacked::Field::FLOAT32
                                        {"intensity", kIntensityOffset, PointCloudPacked::Field::FLOAT32},
                                        {"ring", kRingOffset, PointCloudPacked::Field::UINT16}};
 
-/// @return The number of beams of a row or a column; one more than there may be, if there are too many.
+/// @return The number of beams in a row or a column; one more than the limit if there are too many.
 std::uint32_t beamCount(const LidarSettings::Scan& scan) {
   const double count = std::floor(scan.samples * scan.resolution);
   return static_cast<std::uint32_t>(std::clamp(count, 1.0, kMostBeams + 1.0));
 }
 
-/// @return Angle from one beam to the next [rad].
+/// @return Angle between two beams [rad].
 double angleStep(const LidarSettings::Scan& scan, std::uint32_t count) {
   return count > 1 ? (scan.maxAngle - scan.minAngle) / (count - 1) : 0;
 }
 
-/// @throws Error where there are too many beams.
+/// @throws Error if there are too many beams.
 std::pair<std::uint32_t, std::uint32_t> checkedCounts(const Sensor& sensor, const LidarSettings& settings) {
   const std::uint32_t columns = beamCount(settings.horizontal), rows = beamCount(settings.vertical);
   if (std::uint64_t{columns} * rows > kMostBeams) {
@@ -120,7 +120,7 @@ void LidarSensor::writePoints(const Message& scan, std::span<std::byte> to) cons
   std::byte* point = to.data();
   for (std::size_t i = 0; i < directions_.size(); ++i, point += kPointSize) {
     const double range = scan.ranges(static_cast<int>(i));
-    // as in Fortress infinite where the range is, or no number
+    // as in Fortress, infinite or NaN where the range is infinite
     const Eigen::Vector3f place = (range * directions_[i]).cast<float>();
     const auto intensity = static_cast<float>(scan.intensities(static_cast<int>(i)));
     const auto ring = static_cast<std::uint16_t>(i / cloud_.width());

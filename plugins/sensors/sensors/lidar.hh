@@ -28,13 +28,13 @@ class LidarSensor {
   static constexpr const char* kText =
       "Publishes what the world's lidars see: how far it is along each of their beams.";
 
-  /// @throws Error where it has too many beams.
+  /// @throws Error if it has too many beams.
   LidarSensor(const Sensor& sensor, const World& world, NoiseSet& noises, Message& message, LidarSurroundings& shared);
 
   bool isReady() const { return surroundings_.hasPower(sensor_); }
   void measure(Message& message);
   bool isHeardElsewhere() const { return points_.hasSubscribers(); }
-  /// Publishes the points that a scan tells of.
+  /// Publishes the points of a scan.
   void publishElsewhere(const Message& message);
 
  private:
@@ -45,7 +45,7 @@ class LidarSensor {
   LidarSurroundings& surroundings_;
   Noise& noise_;
   bool hasNoise_;
-  /// Of the beams in the sensor frame, row by row from the lowest one.
+  /// Directions of the beams in the sensor frame, row by row from the lowest one.
   std::vector<Vector3> directions_;
   std::vector<Echo> echoes_;
   Publisher points_;

@@ -53,7 +53,7 @@ class Sensors final : public System {
   }
 
  private:
-  /// Read again by what the sensors share.
+  /// Read again by `Surroundings`.
   bool restsWithoutPower_ = false;
   SensorSystem<LidarSensor> lidars_;
   SensorSystem<CameraSensor> cameras_;

@@ -12,7 +12,7 @@
 
 namespace pongsim {
 
-/// What the sensors of a kind share: what there is to be seen, and where to speak of it.
+/// What the sensors of a kind share: the visible scene, the node, the batteries.
 template <class SeenScene>
 class Surroundings {
  public:
@@ -30,8 +30,8 @@ class Surroundings {
 
   SeenScene& scene() { return scene_; }
   Node& node() { return node_; }
-  /// @return Whether the sensor works: not where it is to rest and its model, or one that holds that, has empty
-  /// batteries.
+  /// @return Whether the sensor works. With `<disable_on_drained_battery>` it does not if its model, or an outer one,
+  /// has empty batteries.
   bool hasPower(const Sensor& sensor) const {
     if (!restsWithoutPower_) return true;
     for (std::optional<Model> model = sensor.link().model(); model; model = model->parent()) {
@@ -39,7 +39,7 @@ class Surroundings {
     }
     return true;
   }
-  /// @return The scene with everything where it is in this step.
+  /// @return The scene with the poses of this step.
   SeenScene& now() {
     if (!isOfNow_) scene_.update();
     isOfNow_ = true;

@@ -14,7 +14,7 @@ namespace pongsim {
 
 namespace {
 
-/// @return "world/W/model/M/link/L/collision/C", which targets are searched in.
+/// @return "world/W/model/M/link/L/collision/C", in which targets are searched.
 std::string pathOf(const World& world, const Collision& collision) {
   std::string path = "/link/" + std::string(collision.link().name()) + "/collision/" + std::string(collision.name());
   for (std::optional<Model> model = collision.link().model(); model; model = model->parent()) {
@@ -23,7 +23,7 @@ std::string pathOf(const World& world, const Collision& collision) {
   return "world/" + std::string(world.name()) + path;
 }
 
-/// Calls `take` with each collision of the models and of those nested in them.
+/// Calls `take` with each collision of the models and of their nested models.
 template <class Take>
 void forEachCollision(const std::vector<Model>& models, Take take) {
   for (const Model& model : models) {
@@ -131,7 +131,7 @@ class TouchPlugin : public System {
   void setEnabled(bool enabled) {
     since_.reset();
     enabled_ = enabled;
-    // stays when it is disabled, for its last message is still on its way to other processes then
+    // it outlives disabling, because its last message may still be on the way to other processes
     if (enabled && !publisher_) publisher_ = node_->advertise<ignition::msgs::Boolean>(topic_);
   }
 
@@ -147,7 +147,7 @@ class TouchPlugin : public System {
   bool startsEnabled_ = false;
   bool enabled_ = false;
 
-  /// Since when the touch is unbroken.
+  /// Start of the uninterrupted touch.
   std::optional<Time> since_;
   std::vector<Contact> contacts_;
   Publisher publisher_;

@@ -14,7 +14,7 @@ namespace pongsim {
 
 namespace {
 
-/// @return The link of a name as "model::link".
+/// @return The link named by "model::link".
 std::optional<Link> linkNamed(const World& world, const std::string& name) {
   const std::size_t separator = name.rfind("::");
   if (separator == std::string::npos) return std::nullopt;
@@ -22,7 +22,7 @@ std::optional<Link> linkNamed(const World& world, const std::string& name) {
   return model ? model->link(name.substr(separator + 2)) : std::nullopt;
 }
 
-/// Applies wrenches to links that the file names, in every step.
+/// Applies wrenches to links, persistent ones in every step.
 class ApplyLinkWrench : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -115,12 +115,12 @@ class ApplyLinkWrench : public System {
     return model ? model->canonicalLink() : std::nullopt;
   }
 
-  /// @return The link that a message means, or the canonical link of the model that it does.
+  /// @return The link that a message names, or the canonical link of the model that it names.
   std::optional<Link> find(const ignition::msgs::Entity& entity) const {
     if (entity.id() == 0) return find(entity.name(), entity.type() == ignition::msgs::Entity::MODEL);
     std::vector<Model> models = world_->models();
     for (std::size_t i = 0; i < models.size(); ++i) {
-      // a copy, for the list grows
+      // a copy, because the list grows
       const Model model = models[i];
       if (model.id().value == entity.id()) return model.canonicalLink();
       for (const Link& link : model.links()) {
@@ -131,7 +131,7 @@ class ApplyLinkWrench : public System {
     return std::nullopt;
   }
 
-  /// Adds the wrench that a message asks for to `wrenches`.
+  /// Adds the wrench of a message to `wrenches`.
   void receive(const ignition::msgs::EntityWrench& message, std::vector<LinkWrench>& wrenches) {
     const std::string name =
         message.entity().id() != 0 ? std::to_string(message.entity().id()) : "'" + message.entity().name() + "'";
@@ -146,7 +146,7 @@ class ApplyLinkWrench : public System {
     wrenches.push_back({link->id(), wrench});
   }
 
-  /// Ends all wrenches on the link or the model.
+  /// Clears all wrenches on the link or the model.
   void clear(const ignition::msgs::Entity& entity) {
     const std::optional<Link> link = find(entity);
     const auto isMeant = [&](const LinkWrench& wrench) { return link && link->id() == wrench.link; };

@@ -15,7 +15,7 @@ namespace pongsim {
 
 namespace {
 
-/// Leaves copies of a model where its own model is.
+/// Deploys copies of a model at its own model's pose.
 class Breadcrumbs : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -61,7 +61,7 @@ class Breadcrumbs : public System {
     }
   }
 
-  // what is asked for now is there when the next step begins
+  // requests made here are carried out before the next step begins
   void postUpdate(const StepInfo& info) override {
     while (!falling_.empty() && falling_.front().since &&
            info.time + info.dt - *falling_.front().since > fromSeconds(timeToRest_)) {
@@ -81,10 +81,10 @@ class Breadcrumbs : public System {
   }
 
  private:
-  /// One that is to be held some day.
+  /// A copy that will become static.
   struct Falling {
     ModelId model;
-    /// Since when it is there.
+    /// When it appeared.
     std::optional<Time> since;
 
     void transfer(StateArchive& archive) {
@@ -120,7 +120,7 @@ class Breadcrumbs : public System {
     remaining_.publish(message);
   }
 
-  /// @return Whether one is on its way.
+  /// @return Whether a copy is being inserted.
   bool leave() {
     const std::optional<std::string> name = freeName();
     if (!name) return false;
@@ -143,7 +143,7 @@ class Breadcrumbs : public System {
     }
   }
 
-  /// Makes of a copy what it is to be.
+  /// Finishes a copy once it has been inserted.
   void settle(const Outcome<Model>& model) {
     if (!model) {
       --count_;
@@ -156,7 +156,7 @@ class Breadcrumbs : public System {
     if (!template_->isStatic() && timeToRest_ > 0) falling_.push_back({model.value->id(), std::nullopt});
   }
 
-  /// Lets a model stay where it is: a static one beside it holds it, as in Fortress.
+  /// Holds a model in place by attaching it to a static one, as in Fortress.
   void hold(ModelId id) {
     const std::optional<Model> model = world_->model(id);
     if (!model) return;
@@ -187,10 +187,10 @@ class Breadcrumbs : public System {
   std::optional<Model> model_;
   std::optional<ModelTemplate> template_;
   std::optional<Vector3> performerSize_;
-  /// How many were left.
+  /// Number of copies deployed.
   int count_ = 0;
   std::uint64_t dropped_ = 0;
-  /// In the order of coming.
+  /// In the order of deployment.
   std::vector<Falling> falling_;
   Subscription deploy_;
   Publisher remaining_;

@@ -19,7 +19,7 @@ using Textures = std::map<std::filesystem::path, std::string>;
 
 void append(double value, std::string& text) {
   std::array<char, 32> digits{};
-  // as many as tell every float from the next
+  // enough digits to read back the same float
   std::snprintf(digits.data(), digits.size(), "%.9g", value);
   if (!text.empty()) text += ' ';
   text += digits.data();
@@ -46,7 +46,7 @@ std::string matrixText(const Pose& pose) {
   return text + " 0 0 0 1";
 }
 
-/// @return Where the corner is, seen from the part's frame: its size is in it.
+/// @return Position of the corner in the part's frame, with the part's size applied.
 Vector3 scaledPosition(const VisiblePart& part, const Corner& corner) {
   return part.scale.cwiseProduct(corner.position.cast<double>());
 }
@@ -55,8 +55,8 @@ Vector3 scaledNormal(const VisiblePart& part, const Corner& corner) {
   return corner.normal.cast<double>().cwiseQuotient(part.scale).stableNormalized();
 }
 
-/// Writes a `<source>`: lists of numbers, one for each corner.
-/// @param axes Names of the numbers of a corner: "XYZ".
+/// Writes a `<source>`: numbers for each corner.
+/// @param axes Names of a corner's numbers: "XYZ".
 template <class Numbers>
 void writeSource(const std::string& id, std::string_view axes, const VisiblePart& part, Numbers numbers,
                  XmlWriter& xml) {
@@ -86,7 +86,7 @@ void writeGeometry(const VisiblePart& part, const std::string& number, XmlWriter
       id + "-Positions", "XYZ", part, [&](const Corner& corner) { return scaledPosition(part, corner); }, xml);
   writeSource(
       id + "-Normals", "XYZ", part, [&](const Corner& corner) { return scaledNormal(part, corner); }, xml);
-  // theirs count from the bottom
+  // COLLADA's texture coordinates count from the bottom
   writeSource(
       id + "-UVMap", "ST", part,
       [](const Corner& corner) { return Eigen::Vector2f(corner.coordinates.x(), 1 - corner.coordinates.y()); }, xml);
@@ -97,7 +97,7 @@ void writeGeometry(const VisiblePart& part, const std::string& number, XmlWriter
   xml.add("input", {{"semantic", "VERTEX"}, {"source", "#" + id + "-Vertex"}, {"offset", "0"}});
   xml.add("input", {{"semantic", "NORMAL"}, {"source", "#" + id + "-Normals"}, {"offset", "0"}});
   xml.add("input", {{"semantic", "TEXCOORD"}, {"source", "#" + id + "-UVMap"}, {"offset", "0"}, {"set", "0"}});
-  // what is mirrored goes round the other way
+  // mirroring reverses the order of the corners
   const bool isMirrored = part.scale.prod() < 0;
   std::string indices;
   for (std::size_t i = 0; i + 2 < part.triangles.size(); i += 3) {
@@ -123,7 +123,7 @@ void writeImages(const Textures& textures, XmlWriter& xml) {
   xml.end();
 }
 
-/// Says what a sampler needs to take its colours from the picture.
+/// Writes the surface and sampler for a texture.
 void writeSampler(const std::string& image, XmlWriter& xml) {
   xml.begin("newparam", {{"sid", image + "_surface"}});
   xml.begin("surface", {{"type", "2D"}});
@@ -222,7 +222,7 @@ void writeLightNode(const std::string& number, const VisibleLight& light, XmlWri
   xml.end();
 }
 
-/// Begins a library, calls `write` with each number below `count`, and ends it. There is none without an entry.
+/// Writes a library, with `write` called for each number below `count`. An empty library is left out.
 template <class Write>
 void writeLibrary(const char* name, std::size_t count, XmlWriter& xml, Write write) {
   if (count == 0) return;
@@ -241,7 +241,7 @@ void writeCollada(const std::vector<VisiblePart>& parts, const std::vector<Visib
   xml.begin("contributor");
   xml.add("authoring_tool", {}, "pongsim");
   xml.end();
-  // the format wants a time, and the same world is to give the same file
+  // the format requires a time, and the same world must give the same file
   xml.add("created", {}, "1970-01-01T00:00:00Z");
   xml.add("modified", {}, "1970-01-01T00:00:00Z");
   xml.add("unit", {{"name", "meter"}, {"meter", "1"}});

@@ -11,8 +11,8 @@
 namespace pongsim {
 
 /// Writes parts and lights as a COLLADA 1.4.1 document, with z up and in metres. Part number i is the geometry "mesh_i"
-/// in the node "node_i", as Fortress has it; sizes are in the vertices, places in the nodes.
-/// @param textures Names of the textures' files as the document is to have them.
+/// in the node "node_i", as in Fortress; sizes are in the vertices, poses in the nodes.
+/// @param textures File names of the textures in the document.
 void writeCollada(const std::vector<VisiblePart>& parts, const std::vector<VisibleLight>& lights,
                   const std::map<std::filesystem::path, std::string>& textures, std::ostream& out);
 

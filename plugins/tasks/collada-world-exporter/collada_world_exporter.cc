@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @return A name for each texture's file in one folder: its own, with a number where another has that.
+/// @return A unique name in one folder for each texture file: its own, with a number if that is taken.
 std::map<fs::path, std::string> textureNames(const std::vector<VisiblePart>& parts) {
   std::map<fs::path, std::string> names;
   std::set<std::string> taken;
@@ -33,7 +33,7 @@ std::map<fs::path, std::string> textureNames(const std::vector<VisiblePart>& par
   return names;
 }
 
-/// Writes all that is to be seen into a COLLADA file, once.
+/// Writes all visuals and lights into a COLLADA file, once.
 class ColladaWorldExporter : public System {
  public:
   void declare(Declaration& declaration) override {

@@ -9,7 +9,7 @@
 
 namespace pongsim {
 
-/// Writes XML, an element a line, from the root to its end.
+/// Writes XML from the root to its end, one element per line.
 class XmlWriter {
  public:
   using Attributes = std::initializer_list<std::pair<std::string_view, std::string_view>>;
@@ -21,7 +21,7 @@ class XmlWriter {
   void begin(std::string_view name, Attributes attributes = {});
   void end();
 
-  /// Writes an element that holds text, or nothing.
+  /// Writes an element with text, or an empty one.
   void add(std::string_view name, Attributes attributes = {}, std::string_view text = {});
 
  private:
@@ -31,7 +31,7 @@ class XmlWriter {
   std::vector<std::string> names_;
 };
 
-/// @return The text as it stands between tags or quotes; what XML can't hold is replaced by a question mark.
+/// @return The text, escaped for XML; characters that XML does not allow become question marks.
 std::string escaped(std::string_view text);
 
 }  // namespace pongsim

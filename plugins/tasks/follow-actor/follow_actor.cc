@@ -13,7 +13,7 @@ namespace pongsim {
 
 namespace {
 
-/// Lets an actor walk behind a model or another actor.
+/// Makes an actor follow a model or another actor.
 class FollowActor : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -34,7 +34,7 @@ class FollowActor : public System {
     findTarget(context.sdf);
     const std::vector<std::string> animations = actor_->animations();
     if (animation_.empty()) {
-      // one without limbs to move can follow, too
+      // an actor without an animation can follow, too
       if (!animations.empty()) animation_ = animations.front();
     } else if (std::ranges::find(animations, animation_) == animations.end()) {
       context.diagnostics.warning(
@@ -87,7 +87,7 @@ class FollowActor : public System {
                                               : "<target> '" + targetName_ + "' is not a model or actor of the world");
   }
 
-  /// @return Nothing where it has gone.
+  /// @return Nothing if the target was removed.
   std::optional<Pose> targetPose() const {
     if (targetActor_) return targetActor_->exists() ? std::optional(targetActor_->pose()) : std::nullopt;
     const std::optional<Model> model = world_->model(target_);

@@ -8,9 +8,9 @@ namespace pongsim {
 namespace {
 
 constexpr double kSecondsPerHour = 3600;
-/// From there on a battery gives nothing [V].
+/// Below this voltage a battery is empty [V].
 constexpr double kNoVoltage = 1e-3;
-/// It is charged up to there.
+/// Charging stops at this state of charge.
 constexpr double kChargedTo = 0.9;
 
 }  // namespace
@@ -31,7 +31,7 @@ void LinearCell::update(double dt, double load, bool isCharging) {
 
   double wanted = isDead ? 0 : load / voltage_;
   if (isCharging && stateOfCharge_ < kChargedTo) wanted -= parameters_.capacity / parameters_.chargingTime;
-  // a low pass can't be quicker than a step
+  // a filter cannot be faster than a step
   current_ += dt / std::max(parameters_.smoothing, dt) * (wanted - current_);
 
   const double taken = dt * current_ / kSecondsPerHour;

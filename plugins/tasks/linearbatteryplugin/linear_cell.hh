@@ -7,16 +7,16 @@
 
 namespace pongsim {
 
-/// A battery whose open-circuit voltage falls in a straight line with its charge: V = e0 + e1 (1 - q/c) - r i, with the
-/// charge q, the capacity c, the inner resistance r and the current i, which follows P/V by a low pass.
+/// A battery whose open-circuit voltage is a linear function of its charge: V = e0 + e1 (1 - q/c) - r i, with the
+/// charge q, the capacity c, the internal resistance r and the current i, which is P/V after a low-pass filter.
 class LinearCell {
  public:
   struct Parameters {
     /// At the start [V].
     double voltage = 0;
-    /// e0: of the full battery without load [V].
+    /// e0: open-circuit voltage when full [V].
     double constantVoltage = 0;
-    /// e1: how much that changes until the battery is empty, most often below zero [V].
+    /// e1: change of that voltage from full to empty, usually negative [V].
     double linearVoltage = 0;
     /// [Ah], above 0.
     double capacity = 1;
@@ -26,10 +26,10 @@ class LinearCell {
     double resistance = 0;
     /// Time constant of the current [s], above 0.
     double smoothing = 1;
-    /// What an empty battery takes to be full [h], above 0.
+    /// Time from empty to full [h], above 0.
     double chargingTime = 1;
-    /// The state of charge is q/c. Without it, it falls by the last hundred steps' charge in each step, as Fortress has
-    /// it by default (its issue 225): about a hundred times too fast.
+    /// Whether the state of charge is q/c. If not, each step subtracts the charge of the last hundred steps, as in
+    /// Fortress by default (its issue 225): about a hundred times too fast.
     bool countsOnce = false;
   };
 
@@ -37,15 +37,15 @@ class LinearCell {
 
   void reset();
 
-  /// Goes on by `dt` [s].
-  /// @param load What is taken from it [W].
+  /// Advances by `dt` [s].
+  /// @param load Power drawn [W].
   void update(double dt, double load, bool isCharging);
 
-  /// @return State of charge, 1: full; below zero where it is empty.
+  /// @return State of charge, 1 when full; it may fall below zero.
   double stateOfCharge() const { return stateOfCharge_; }
   /// [V]
   double voltage() const { return voltage_; }
-  /// Smoothed, above zero where it drains [A].
+  /// Low-pass filtered, positive while discharging [A].
   double current() const { return current_; }
   /// [Ah]
   double charge() const { return charge_; }
@@ -61,7 +61,7 @@ class LinearCell {
   double current_ = 0;
   double charge_ = 0;
   double stateOfCharge_ = 1;
-  /// What was taken in each of the last steps [Ah], the oldest at `oldest_` once all are there.
+  /// Charge drawn in each of the last steps [Ah], the oldest at `oldest_` once the window is full.
   std::array<double, kWindow> window_{};
   std::size_t oldest_ = 0;
 };

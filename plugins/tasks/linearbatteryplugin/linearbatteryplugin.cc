@@ -131,7 +131,7 @@ class LinearBatteryPlugin : public System {
                           "correct drain; otherwise about a hundred times too fast");
   }
 
-  /// Puts right what can be put right.
+  /// Corrects invalid parameters that have a sensible value, with a warning.
   void checkCell(const SystemContext& context) {
     double& charge = parameters_.initialCharge;
     charge = initialCharge_.value_or(parameters_.capacity);

@@ -27,7 +27,7 @@ Vector3 positionOf(const Element& pose) {
   return position;
 }
 
-/// Publishes who enters and leaves a box around a model.
+/// Publishes which performers enter and leave a box around a model.
 class PerformerDetector : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -41,7 +41,7 @@ class PerformerDetector : public System {
     declaration.publishes("<topic>", "ignition.msgs.Pose",
                           "pose of a performer in the model's frame, with its name and id; in the header's data "
                           "`frame_id` (the model), `state` (1: entered, 0: left) and `count` (performers inside)");
-    // those of one place often speak to one listener
+    // detectors of one place often share a topic
     declaration.sharesTopics();
   }
 
@@ -78,7 +78,7 @@ class PerformerDetector : public System {
   }
 
   void worldChanged() override {
-    // who is gone has not left, as in Fortress, but does not count any more
+    // a removed performer has not left, as in Fortress, but no longer counts
     world_->performers(performers_);
     std::erase_if(present_, [this](std::uint64_t id) {
       return std::ranges::find(performers_, id, &Performer::id) == performers_.end();
@@ -134,7 +134,7 @@ class PerformerDetector : public System {
     publisher_.publish(message);
   }
 
-  /// @return The name of the model that performs.
+  /// @return The name of the performer's model.
   std::string nameOf(const Performer& performer) const {
     const std::optional<Model> model = performer.model ? world_->model(*performer.model) : std::nullopt;
     return model ? std::string(model->name()) : std::string(performer.name);
@@ -146,9 +146,9 @@ class PerformerDetector : public System {
   Vector3 size_ = Vector3::Zero();
   Vector3 middle_ = Vector3::Zero();
   std::map<std::string, std::string> headerData_;
-  /// Who is in the box, in the order of coming.
+  /// Performers in the box, in the order of arrival.
   std::vector<std::uint64_t> present_;
-  // made once, used in each step
+  // reused in each step
   std::vector<Performer> performers_;
   Publisher publisher_;
 };

@@ -40,7 +40,7 @@ std::string nestedText(const std::vector<const FieldDescriptor*>& path, const st
   return text;
 }
 
-/// Makes `differencer` compare as a match does.
+/// Configures `differencer` with the tolerance and rules of a match.
 void setUp(MessageDifferencer& differencer, DefaultFieldComparator& comparator, double tolerance) {
   comparator.set_float_comparison(DefaultFieldComparator::APPROXIMATE);
   comparator.set_treat_nan_as_equal(true);
@@ -124,7 +124,7 @@ bool Match::matches(const Message& message) const {
   }
   const FieldDescriptor* last = path_.back();
   if (last->is_repeated()) {
-    // PARTIAL and AS_SET: each wanted value has one like it among those found.
+    // PARTIAL and AS_SET: each given value equals one of those in the message.
     differencer.set_scope(MessageDifferencer::PARTIAL);
     differencer.set_repeated_field_comparison(MessageDifferencer::AS_SET);
     differencer.set_message_field_comparison(MessageDifferencer::EQUAL);

@@ -6,8 +6,8 @@
 namespace pongsim {
 
 /// @param element A `<service>` of a TriggeredPublisher.
-/// @return The call that it asks for.
-/// @throws Error at the element for what is missing or wrong.
+/// @return The call that it describes.
+/// @throws Error at the element that is missing or wrong.
 BackgroundCalls::Call serviceCall(const Element& element);
 
 }  // namespace pongsim

@@ -20,7 +20,7 @@ namespace pongsim {
 
 namespace {
 
-/// Publishes messages given in the world's file whenever a message comes in that matches all of its conditions.
+/// Publishes messages from the world's file whenever a message arrives that meets all conditions.
 class TriggeredPublisher : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -56,7 +56,7 @@ class TriggeredPublisher : public System {
   }
 
   void preUpdate(const StepInfo& info) override {
-    // The time since the last step, as what has come in since began its wait then.
+    // The delay of a message starts at the time of the last step before it arrived.
     now_ = info.time;
     while (!due_.empty() && due_.front() <= now_) {
       due_.pop_front();
@@ -80,7 +80,7 @@ class TriggeredPublisher : public System {
     Publisher publisher;
     MessagePointer message;
   };
-  /// A chain of systems of which each triggers the next.
+  /// A chain of systems, each of which triggers the next.
   struct Chain {
     const TriggeredPublisher* end;
     std::string topics;
@@ -91,7 +91,7 @@ class TriggeredPublisher : public System {
     const std::vector<const Element*> all = input.childrenNamed("match");
     for (const Element* match : all) {
       if (match->text.empty()) {
-        // as Fortress does, which does not say so
+        // as in Fortress, which does not report it
         diagnostics.warning(match->position, "a <match> without text is ignored");
       } else {
         matches_.emplace_back(*match, source_.type);
@@ -104,7 +104,7 @@ class TriggeredPublisher : public System {
     const TypedName target = typedName(element, "topic", "type");
     Output output{target, context.node.advertise(target.name, target.type), newMessage(target.type)};
     if (const std::optional<MessageError> error = parseMessage(element.text, *output.message)) {
-      // as Fortress, which sends what it has read
+      // as in Fortress, which sends the fields that it could read
       context.diagnostics.warning(element.position,
                                   "the text of this <output> is not of type " + target.type + ": " + error->message +
                                       "; the fields before the error are published",
@@ -121,7 +121,7 @@ class TriggeredPublisher : public System {
     return output.target.name == source_.name && output.target.type == source_.type && matches(*output.message);
   }
 
-  /// What is published is known beforehand, and so is what it triggers: refuses to close a circle.
+  /// The published messages are known in advance, and so is what they trigger: refuses to close a loop without delay.
   void checkForLoop(const SystemContext& context) const {
     std::vector<const TriggeredPublisher*> others;
     for (const System* system : context.before) {

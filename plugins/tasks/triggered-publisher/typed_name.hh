@@ -7,12 +7,12 @@
 
 namespace pongsim {
 
-/// @return The value of an attribute that must be there.
+/// @return The value of a required attribute.
 /// @throws Error at the element.
 std::string requiredAttribute(const Element& element, std::string_view attribute);
 
 /// @return The full name of the message type that an attribute names.
-/// @throws Error at the element, naming the type that is spelt most like it.
+/// @throws Error at the element, with the most similar type name.
 std::string typeAttribute(const Element& element, std::string_view attribute);
 
 /// A topic and the type of its messages.

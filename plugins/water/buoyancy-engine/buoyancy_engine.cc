@@ -42,7 +42,7 @@ class BuoyancyEngine : public System {
   World* world_ = nullptr;
   std::optional<Link> link_;
   double startVolume_ = 0;
-  /// Of the bladder, now and as it is to be [m^3].
+  /// Current and desired volume of the bladder [m^3].
   double volume_ = 0;
   double target_ = 0;
 
@@ -108,7 +108,7 @@ void BuoyancyEngine::preUpdate(const StepInfo& info) {
     message_.set_data(volume_);
     volumes_.publish(message_);
   }
-  // the oil comes from inside of the hull: its weight is part of the link's
+  // the oil comes from inside the hull, so its weight is part of the link's
   const bool isInFluid = !surface_ || link_->pose().position.z() < *surface_;
   const double mass = (isInFluid ? density_ * volume_ : 0) - density_ * neutralVolume_;
   link_->addWrench(-mass * world_->gravity(), Vector3::Zero());

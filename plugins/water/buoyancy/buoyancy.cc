@@ -23,17 +23,17 @@ struct FloatingLink {
   struct Part {
     Solid solid;
     Pose X_LinkPart;
-    /// Its frame is that of the link.
+    /// Whether its frame is that of the link.
     bool isInPlace;
   };
 
   Link link;
   std::vector<Part> parts;
-  /// Of all parts together [m^3], and where its middle is in the link frame.
+  /// Volume of all parts together [m^3], with its centre in the link frame.
   Volume volume;
-  /// Whether that is the origin of this frame.
+  /// Whether that centre is the origin of the link frame.
   bool isCentred = true;
-  /// Nothing of it is farther from that middle [m].
+  /// Largest distance of any part from that centre [m].
   double radius = 0;
 };
 
@@ -60,7 +60,7 @@ class Buoyancy : public System {
     warnOfUnknown(context.sdf, context.diagnostics);
   }
 
-  // all that it calls for each link becomes one piece, without calls in between
+  // it inlines everything that it calls for each link
   [[gnu::flatten]] void preUpdate(const StepInfo& info) override {
     if (info.paused) return;
     const Vector3 gravity = world_->gravity();
@@ -92,7 +92,7 @@ class Buoyancy : public System {
 
   Fluid fluid_;
   std::vector<FloatingLink> links_;
-  /// All of these, and what pushes them.
+  /// The links above as a group, and the wrenches on them.
   std::optional<LinkGroup> group_;
   std::vector<Wrench> wrenches_;
   World* world_ = nullptr;
@@ -214,7 +214,7 @@ void Buoyancy::warnOfUnknown(const Element& sdf, Diagnostics& diagnostics) const
   }
 }
 
-/// What a link displaces where the fluid is not the same all around it.
+/// What a link displaces if the fluid around it is not uniform.
 Displaced Buoyancy::displacedBy(const FloatingLink& each, const Pose& X_WorldLink) const {
   const double height = X_WorldLink.position.z();
   if (each.parts.size() == 1 && each.parts[0].isInPlace) {
@@ -231,7 +231,7 @@ Displaced Buoyancy::displacedBy(const FloatingLink& each, const Pose& X_WorldLin
   return sum;
 }
 
-/// Archimedes: against gravity, the weight of the fluid, at the centre of where it was.
+/// Archimedes: the weight of the displaced fluid, against gravity, at its centre.
 Wrench Buoyancy::lift(const FloatingLink& each, const Pose& X_WorldLink, const Vector3& gravity) const {
   Vector3 linkToCenter = Vector3::Zero();
   if (!each.isCentred) linkToCenter = X_WorldLink.rotation * each.volume.center;

@@ -8,25 +8,25 @@
 
 namespace pongsim {
 
-/// What a body pushes aside.
+/// The fluid that a body displaces.
 struct Displaced {
   /// [kg]
   double mass = 0;
-  /// Mass times where its centre is from the origin of the body, along the axes of the world [kg m].
+  /// Mass times its centre relative to the origin of the body, along the axes of the world [kg m].
   Vector3 first = Vector3::Zero();
 };
 
-/// A fluid at rest, whose density may change with the height.
+/// A fluid at rest, whose density may depend on the height.
 class Fluid {
  public:
-  /// @param density Of all that lies below the first layer [kg/m^3].
+  /// @param density Below the first layer [kg/m^3].
   explicit Fluid(double density = 1000) : bottom_(density), top_(density) {}
 
-  /// Adds what begins at that height [m], up to where another begins.
-  /// @return Whether there was none at this height yet; else its density is replaced.
+  /// Adds a layer from that height [m] up to the next one.
+  /// @return Whether there was none at this height; otherwise its density is replaced.
   bool addLayer(double from, double density);
 
-  /// @return The density of all between two heights [m], where it is the same.
+  /// @return The density between two heights [m], if it is uniform there.
   std::optional<double> densityBetween(double lower, double upper) const {
     double density = bottom_;
     for (const Layer& layer : layers_) {
@@ -37,8 +37,8 @@ class Fluid {
   }
 
   /// @param height Of the origin of the body's frame in the world [m].
-  /// @return What of the fluid a body displaces, wherever the edges of the layers cut it: all of it as if the highest
-  /// layer were everywhere, and for what lies below each edge the difference of the densities at it.
+  /// @return The displaced fluid, wherever the boundaries of the layers cut the body: all of it with the highest
+  /// layer's density, plus for the part below each boundary the difference of densities there.
   Displaced displacedBy(const Solid& solid, const Quaternion& R_WorldSolid, double height) const {
     Displaced displaced{top_ * solid.moments().volume, Vector3::Zero()};
     if (!solid.isCentered()) displaced.first = top_ * (R_WorldSolid * solid.moments().first);
@@ -52,15 +52,15 @@ class Fluid {
 
  private:
   struct Layer {
-    /// Where it begins [m].
+    /// Lower boundary [m].
     double from;
     double density;
-    /// By how much that is less than the density below it.
+    /// Density below it minus its own.
     double drop;
   };
 
   double bottom_;
-  /// That of the highest layer.
+  /// Density of the highest layer.
   double top_;
   /// From the lowest to the highest.
   std::vector<Layer> layers_;

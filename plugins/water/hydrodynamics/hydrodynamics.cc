@@ -14,10 +14,10 @@ namespace pongsim {
 
 namespace {
 
-/// As the Society of Naval Architects and Marine Engineers names forces and torques, and velocities.
+/// Names of forces, torques and velocities of the Society of Naval Architects and Marine Engineers.
 constexpr std::string_view kForceLetters = "xyzkmn";
 constexpr std::string_view kVelocityLetters = "UVWPQR";
-/// No current is faster [m/s].
+/// Maximum velocity of a current [m/s].
 constexpr double kFastestCurrent = 100;
 
 /// Applies the drag and added mass of water to a link.
@@ -54,9 +54,9 @@ class Hydrodynamics : public System {
   Vector3 defaultCurrent_ = Vector3::Zero();
 
   std::optional<Link> link_;
-  /// Of the water, world frame [m/s].
+  /// Velocity of the water, world frame [m/s].
   Vector3 current_ = Vector3::Zero();
-  /// In the last step, unless there was none.
+  /// Velocity in the last step, if there was one.
   std::optional<Vector6> lastVelocity_;
 
   Subscription currents_;
@@ -118,7 +118,7 @@ void Hydrodynamics::configure(const SystemContext& context) {
       SubscriptionOptions{.largestNumber = kFastestCurrent});
 }
 
-/// What makes a run go astray, and looks right.
+/// Warns of parameters that look right but make a run unstable.
 void Hydrodynamics::warnOfDerivatives(const SystemContext& context) const {
   double mass = 0;
   for (const Link& link : context.model->links()) mass += link.mass().mass;
@@ -156,7 +156,7 @@ void Hydrodynamics::preUpdate(const StepInfo& info) {
   Vector6 force = craft_.dampingForce(velocity);
   if (!hasNoAddedMass_) force += craft_.addedMassForce(acceleration);
   if (!hasNoCoriolis_) force += craft_.coriolisForce(velocity);
-  // at speeds whose square is not a number any more
+  // at speeds whose square overflows
   if (!force.allFinite()) return;
   link_->addWrench(R_WorldLink * Vector3(force.head<3>()), R_WorldLink * Vector3(force.tail<3>()));
 }

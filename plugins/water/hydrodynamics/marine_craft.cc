@@ -11,8 +11,8 @@ MarineCraft::MarineCraft() {
   quadratic.fill(Matrix6::Zero());
 }
 
-// C(v) v with Fossen's C, in the direction in which Fortress applies it. With the momenta l and h of the added mass
-// that is l x w, and l x v + h x w.
+// C(v) v with Fossen's C, in the direction in which Fortress applies it: with the momenta l and h of the added mass, it
+// is l x w, and l x v + h x w.
 Vector6 MarineCraft::coriolisForce(const Vector6& velocity) const {
   const Vector6 momentum = addedMass.diagonal().cwiseProduct(velocity);
   const Eigen::Vector3d l = momentum.head<3>(), h = momentum.tail<3>();

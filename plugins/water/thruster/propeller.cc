@@ -8,11 +8,11 @@
 namespace pongsim {
 
 double Propeller::turnFor(double thrust) {
-  // one that stands has no advance; some speed is needed to begin with
+  // a propeller at rest has no advance ratio, so it starts with some speed
   if (!settings_.coefficient && std::abs(speed_) > std::numeric_limits<double>::epsilon()) {
     const double waterSpeed = (1 - settings_.wakeFraction) * craftSpeed_;
     const double coefficient = settings_.alpha1 + settings_.alpha2 * waterSpeed / (speed_ * settings_.diameter);
-    // no speed gives a thrust without one
+    // keep the last one otherwise: with a coefficient of zero, no speed gives thrust
     if (std::abs(coefficient) > std::numeric_limits<double>::epsilon()) coefficient_ = coefficient;
   }
   speed_ = speedFor(thrust);

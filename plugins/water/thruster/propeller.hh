@@ -6,33 +6,33 @@
 
 namespace pongsim {
 
-/// What the file says of a propeller.
+/// Parameters of a propeller.
 struct PropellerSettings {
   /// [m]
   double diameter = 0.02;
   /// Of the fluid [kg/m^3].
   double density = 1000;
-  /// Thrust by density, fourth power of the diameter and square of the speed in rad/s; without it, it is
-  /// `alpha1 + alpha2 * advance`.
+  /// Thrust divided by density, fourth power of the diameter and square of the speed in rad/s; default: `alpha1 +
+  /// alpha2 * advance`.
   std::optional<double> coefficient = std::nullopt;
-  /// By how much less than the craft the water at the propeller comes along.
+  /// Relative reduction of the water speed at the propeller.
   double wakeFraction = 0.2;
   double alpha1 = 1;
   double alpha2 = 0;
 };
 
-/// How fast a propeller must turn for a thrust (T. I. Fossen, Guidance and Control of Ocean Vehicles, 1994, p. 95 and
-/// 246, with rad/s in place of turns a second, as Fortress has it).
+/// The speed of a propeller for a given thrust (T. I. Fossen, Guidance and Control of Ocean Vehicles, 1994, p. 95 and
+/// 246, with rad/s instead of revolutions per second, as in Fortress).
 class Propeller {
  public:
   explicit Propeller(const PropellerSettings& settings = {}) : settings_(settings) { reset(); }
 
-  /// Says how fast the craft goes [m/s]; counts where the coefficient follows from it.
+  /// Sets the craft's speed [m/s]; needed if the coefficient depends on it.
   void setCraftSpeed(double speed) { craftSpeed_ = speed; }
-  /// Turns it for that thrust [N], with the coefficient that its speed so far gives.
+  /// Sets the thrust [N], using the coefficient at the current speed.
   /// @return The speed [rad/s], with the sign of the thrust.
   double turnFor(double thrust);
-  /// @return The speed for a thrust with the coefficient as it is now.
+  /// @return The speed for a thrust with the current coefficient.
   double speedFor(double thrust) const;
   double speed() const { return speed_; }
 

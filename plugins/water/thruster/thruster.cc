@@ -18,7 +18,7 @@ namespace pongsim {
 namespace {
 
 constexpr double kMostThrust = 1000;
-/// A controller rests where the speed is that near [rad/s].
+/// Below this error of the speed the controller is off [rad/s].
 constexpr double kNearEnough = 0.1;
 
 /// Applies a commanded thrust at a propeller, and spins it accordingly.
@@ -59,11 +59,11 @@ class Thruster : public System {
 
   std::optional<Model> model_;
   std::optional<Batteries> batteries_;
-  /// Batteries come with systems that may be configured later.
+  /// Looked up late, because batteries come with systems that may be configured later.
   bool isConnected_ = false;
   std::optional<Joint> joint_;
   std::optional<Link> link_;
-  /// Of the joint in the link frame, along which it pushes.
+  /// Axis of the joint in the link frame, the direction of thrust.
   Vector3 axis_ = Vector3::UnitX();
   double thrust_ = 0;
   Propeller propeller_;
@@ -158,7 +158,7 @@ void Thruster::receive(double thrust) {
   propeller_.turnFor(thrust_);
 }
 
-/// Says once what it takes from its battery.
+/// Reports once the power drawn from its battery.
 void Thruster::connectBattery() {
   isConnected_ = true;
   if (batteryName_.empty() || !powerLoad_) return;
