@@ -19,7 +19,7 @@ namespace pongsim::ign {
 
 namespace {
 
-// Where the sender's address stands in the header of IPv4.
+// Offset of the sender's address in an IPv4 header.
 constexpr std::uint32_t kSourceAddress = 12;
 
 bool isDiscovery(int handle) {
@@ -37,17 +37,17 @@ sock_filter statement(std::uint32_t code, std::uint32_t value) {
   return {static_cast<std::uint16_t>(code), 0, 0, value};
 }
 
-/// @return A program of the kernel's packet filter (socket(7), SO_ATTACH_FILTER) that lets through what comes from
-/// 127.0.0.0/8 and from this machine's other addresses, at which clients with default settings speak. The kernel itself
-/// drops what comes from elsewhere and claims to come from these.
+/// @return A program of the kernel's packet filter (socket(7), SO_ATTACH_FILTER) that accepts packets from 127.0.0.0/8
+/// and from this machine's other addresses, which clients with default settings use. The kernel itself drops packets
+/// from elsewhere with such a sender.
 std::vector<sock_filter> ownSendersOnly() {
   std::vector<std::uint32_t> own;
   for (const NetworkInterface& each : networkInterfaces()) own.push_back(ntohl(inet_addr(each.address.c_str())));
-  // a jump is at most so long
+  // the longest possible jump
   own.resize(std::min<std::size_t>(own.size(), 200));
   std::vector<sock_filter> filter;
   filter.push_back(statement(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(SKF_NET_OFF) + kSourceAddress));
-  // each jumps over those that are left, and over the refusal
+  // each jump skips the remaining comparisons and the refusal
   for (std::size_t i = 0; i < own.size(); ++i) {
     filter.push_back({BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint8_t>(own.size() - i - 1 + 3), 0, own[i]});
   }

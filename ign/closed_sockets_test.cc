@@ -16,14 +16,14 @@ namespace {
 TEST(ClosedSockets, AreThoseOfDiscoveryWhichHearThisMachine) {
   setenv("IGN_IP", "127.0.0.1", 1);
   library();
-  // of messages, of services
+  // for messages and for services
   const int before = closeDiscoveryToOthers();
   EXPECT_GE(before, 2);
   Heartbeats heartbeats("127.0.0.1");
   EXPECT_EQ(closeDiscoveryToOthers(), before + 1);
   const std::string beat = packetOf("neighbour", ignition::msgs::Discovery::HEARTBEAT);
   EXPECT_TRUE(sayToGroup(beat, library().discoveryIP, library().msgDiscPort));
-  // one that was never heard would be there still
+  // a process without any packet would still be listed
   EXPECT_TRUE(test::waitUntil([&] {
     heartbeats.read();
     return !heartbeats.isAlive("neighbour", Heartbeats::Clock::now() + std::chrono::seconds(11));

@@ -12,9 +12,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostParcels = 10'000;
 constexpr std::size_t kMostBytes = 64 << 20;
-// What readers that are stopped may hold, of all topics, in ZeroMQ's queues.
+// Limit of the messages in ZeroMQ's queues for stopped subscribers, over all topics.
 constexpr std::size_t kMostHeld = 512 << 20;
-// How soon a reader is seen.
+// Interval of checks for new subscribers.
 constexpr std::chrono::milliseconds kLookPeriod{20};
 
 }  // namespace
@@ -86,7 +86,7 @@ void Courier::work() {
       parcels.swap(parcels_);
       waitingBytes_ = 0;
     }
-    // a topic is there before it has messages, so that what waits is of one that is there still
+    // before the tasks: a topic may be closed by one of them
     deliver(parcels);
     for (const std::function<void()>& task : tasks) task();
     tasks.clear();

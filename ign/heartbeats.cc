@@ -16,14 +16,14 @@ namespace pongsim::ign {
 
 namespace {
 
-// Each says so once a second; on a machine that is busy it may be late.
+// Processes announce themselves every second; on a busy machine they may be late.
 constexpr std::chrono::seconds kSilence{10};
-// Somebody who makes up processes must not make this one grow.
+// Invented processes must not use up memory.
 constexpr std::size_t kMostProcesses = 10'000;
 constexpr int kMostAtOnce = 1000;
 
-/// @return A socket that hears the group by way of that address, or -1. It is bound to the group, so that it takes
-/// nothing that is sent to the library's alone.
+/// @return A socket that receives from the group through that address, or -1. It is bound to the group, so it does not
+/// receive what is sent to the library's socket alone.
 int openGroup(const std::string& address) {
   const auto& shared = library();
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
@@ -56,7 +56,7 @@ void Heartbeats::read() {
   for (int i = 0; socket_ >= 0 && i < kMostAtOnce; ++i) {
     const ssize_t size = recv(socket_, packet.data(), packet.size(), 0);
     if (size < 0) return;
-    // the length of what follows stands in front
+    // the packet is preceded by its length
     std::uint16_t length = 0;
     if (size < static_cast<ssize_t>(sizeof length)) continue;
     std::memcpy(&length, packet.data(), sizeof length);

@@ -20,12 +20,12 @@ std::string beatOf(const std::string& process) { return packetOf(process, igniti
 TEST(Heartbeats, TellsOfTheLivingAndTakesNoGarbage) {
   setenv("IGN_IP", "127.0.0.1", 1);
   Heartbeats heartbeats("127.0.0.1");
-  // one that was never heard may have been there before
+  // an unknown process counts as alive
   EXPECT_TRUE(heartbeats.isAlive("somebody"));
   for (const char* garbage : {"", "x", "xy", "\x02\x01garbage"}) say(garbage);
   say(std::string("\x05\0", 2) + "\xff\xff\xff\xff\xff");
   say(beatOf("somebody"));
-  // what is sent to a group may take its time on a busy machine
+  // multicast packets may be late on a busy machine
   EXPECT_TRUE(test::waitUntil([&] {
     heartbeats.read();
     return !heartbeats.isAlive("somebody", Heartbeats::Clock::now() + std::chrono::seconds(11));

@@ -15,8 +15,8 @@ namespace pongsim::ign {
 
 namespace {
 
-// What may wait for a reader: as many messages as Fortress lets wait, and fewer where some of them are pictures or
-// clouds, so that a reader that is stopped does not hold gigabytes.
+// Limit of messages queued for a subscriber: Fortress's, and fewer in worlds with images or point clouds, so that a
+// stopped subscriber does not take gigabytes.
 constexpr int kQueue = 1000;
 constexpr int kQueueWithPictures = 100;
 constexpr std::string_view kPictures[] = {
@@ -35,7 +35,7 @@ class Ign final : public System {
     try {
       place = placeOfEnvironment();
     } catch (const std::exception& error) {
-      // the run does not begin
+      // the run does not start
       context.diagnostics.error(context.sdf.position, error.what());
       return;
     }
@@ -53,7 +53,7 @@ class Ign final : public System {
       context.log.warning("ign-transport is not secured, only DDS is");
     }
     bridge_.emplace(context.node, context.log, place.address);
-    // its own socket there, too
+    // it has opened a further socket
     if (!place.isOpen) closeDiscoveryToOthers();
   }
 

@@ -7,7 +7,7 @@ namespace pongsim::ign {
 
 namespace {
 
-// Somebody who publishes ever new types must not make this process grow.
+// Messages of ever new types must not use up memory.
 constexpr std::size_t kMostTypes = 64;
 constexpr std::size_t kMostEarly = 64;
 
@@ -19,7 +19,7 @@ IncomingTopic::IncomingTopic(std::string topic, const Logger& log, std::function
     : name(std::move(topic)), log_(log), wake_(std::move(wake)) {}
 
 void IncomingTopic::subscribe() {
-  // a thread of the library's may be in it still when it has been unsubscribed
+  // a thread of the library may still run it after it has been unsubscribed
   node_.SubscribeRaw(name, [topic = weak_from_this()](const char* data, std::size_t size,
                                                       const ignition::transport::MessageInfo& info) {
     if (const auto self = topic.lock()) {
@@ -55,7 +55,7 @@ void IncomingTopic::end() {
   early_.clear();
 }
 
-/// With the mutex held.
+/// The caller holds the mutex.
 void IncomingTopic::open(Node& simulation, const std::string& type) {
   if (publishers_.contains(type)) return;
   try {

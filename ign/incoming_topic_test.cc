@@ -59,7 +59,7 @@ TEST_F(IncomingTopicTest, TellsTheWorldUntilItEnds) {
   topic_->end();
   EXPECT_TRUE(publisher.Publish(message));
   topic_->unsubscribe();
-  // what the world says itself comes behind it
+  // a message published by the world arrives after it
   node_.advertise<StringMsg>("/in").publish(message);
   EXPECT_TRUE(dispatchUntil([&] { return heard.size() > 1; }));
   EXPECT_EQ(heard.size(), 2U);

@@ -2,8 +2,7 @@
 
 #include <functional>
 
-// What is a member of this class is the library's own, and must not be made a second time here, where it would be
-// hidden.
+// Members of this class belong to the library: they must not be instantiated here a second time with hidden visibility.
 #pragma GCC visibility push(default)
 #include <ignition/transport/Discovery.hh>
 extern template class ignition::transport::Discovery<ignition::transport::MessagePublisher>;
@@ -17,7 +16,7 @@ using ignition::transport::MessagePublisher;
 using ignition::transport::NodeShared;
 using Discovery = ignition::transport::Discovery<MessagePublisher>;
 
-/// Gives `memberOf` that member of the class. An explicit instantiation may name what is private.
+/// Defines `memberOf` as that member of the class. An explicit instantiation may access private members.
 template <class Name, auto kMember>
 struct Opened {
   friend constexpr auto memberOf(Name) { return kMember; }
@@ -31,9 +30,9 @@ struct Unregistration {
 template struct Opened<Registration, &Discovery::registrationCb>;
 template struct Opened<Unregistration, &Discovery::unregistrationCb>;
 
-/// The threads of the library's discovery run until the process is gone, and copy, for each packet, two functions that
-/// are static members of its class: `exit` has destroyed them by then, and with them what they hold on the heap.
-/// Functions that hold a pointer and nothing on the heap can be copied and called after that, too.
+/// The library's discovery threads run until the process ends. For each packet they copy two functions that are static
+/// members of their class, which `exit` has destroyed by then, with their heap memory. Functions that hold only a
+/// pointer can be copied and called after that.
 void keepFunctionsThroughExit(NodeShared& shared) {
   NodeShared* const there = &shared;
   *memberOf(Registration()) = [there](const MessagePublisher& reader) { there->OnNewRegistration(reader); };

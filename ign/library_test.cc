@@ -22,7 +22,7 @@ TEST(Library, IsThereOnce) {
 }
 
 TEST(Library, EndsWithItsProcessWhateverIsSaidMeanwhile) {
-  // of the many that come and go here each ends in the midst of what the others say, who are on a port of their own
+  // many short processes end in the midst of discovery packets from others, all on a port of their own
   const int port = 20'000 + getpid() % 20'000;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe");
   std::atomic<bool> mustEnd = false;

@@ -14,10 +14,10 @@ namespace pongsim::ign {
 
 namespace {
 
-// A system that has been switched off does not answer, and nothing else of ign-transport is read meanwhile.
+// A system that is switched off does not answer, and ign-transport reads nothing else meanwhile.
 constexpr std::chrono::seconds kPatience{10};
 
-/// What came of a request. Guarded by the service's mutex; who asked may have left when it comes.
+/// The result of a request. Guarded by the service's mutex; the caller may have given up when it arrives.
 struct Answer {
   bool isThere = false;
   bool isDone = false;

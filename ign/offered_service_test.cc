@@ -21,7 +21,7 @@ class OfferedServiceTest : public testing::Test {
     const std::vector<OwnService> all = node_.ownServices();
     return *std::ranges::find(all, name, &OwnService::name);
   }
-  /// What comes of a request on a thread of the library's: the text of the answer, "refused".
+  /// The result of a request on a thread of the library: the text of the response, or "refused".
   std::string ask(OfferedService& service, const std::string& bytes) {
     std::future<std::string> answer = std::async(std::launch::async, [&] {
       std::string reply;
@@ -67,7 +67,7 @@ TEST_F(OfferedServiceTest, LetsGoOfWhoWaitsWhenItEnds) {
     std::string reply;
     return service.RunCallback(bytesOf("ab"), reply);
   });
-  // nobody dispatches
+  // the simulation does not dispatch
   service.end();
   EXPECT_FALSE(answer.get());
   std::string reply;

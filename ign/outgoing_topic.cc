@@ -29,7 +29,7 @@ bool OutgoingTopic::look(const Heartbeats& heartbeats) {
   return isHeard.exchange(isHeardNow) != isHeardNow;
 }
 
-/// Not as Publisher::HasConnections, which counts what this process itself listens to, and processes that were killed.
+/// Unlike Publisher::HasConnections, it leaves out subscribers in this process, and killed processes.
 bool OutgoingTopic::hasListeners(const Heartbeats& heartbeats) const {
   auto& shared = library();
   const std::lock_guard lock(shared.mutex);

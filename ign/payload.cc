@@ -8,7 +8,7 @@ namespace pongsim::ign {
 
 namespace {
 
-// In front of the bytes stands how many they are; they are aligned as malloc's.
+// The size is stored in front of the bytes, which are aligned like malloc's.
 constexpr std::size_t kHead = alignof(std::max_align_t);
 
 std::atomic<std::size_t>& totalBytes() {

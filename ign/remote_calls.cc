@@ -17,7 +17,7 @@ namespace {
 using ignition::transport::ServicePublisher;
 using ignition::transport::Uuid;
 
-/// What other processes offer under that name.
+/// A service that other processes offer under that name.
 std::vector<ServicePublisher> offersOf(const std::string& wireName) {
   std::map<std::string, std::vector<ServicePublisher>> byProcess;
   std::vector<ServicePublisher> offers;
@@ -31,7 +31,7 @@ std::vector<ServicePublisher> offersOf(const std::string& wireName) {
 
 }  // namespace
 
-/// A request as the library knows it, whatever its types.
+/// A request in the form that the library needs, for any types.
 class RemoteCalls::Request final : public ignition::transport::IReqHandler {
  public:
   struct Answer {
@@ -59,7 +59,7 @@ class RemoteCalls::Request final : public ignition::transport::IReqHandler {
   std::string ReqTypeName() const override { return requestType_; }
   std::string RepTypeName() const override { return replyType_; }
 
-  /// Waits for the answer, until the timeout or until the calls end.
+  /// Waits for the response, until the timeout or until the calls end.
   Answer wait(std::chrono::nanoseconds timeout) {
     std::unique_lock lock(shared_->mutex);
     shared_->changed.wait_for(lock, timeout, [this] { return answer_.isThere || shared_->hasEnded; });
@@ -89,7 +89,7 @@ std::optional<CallResult> RemoteCalls::call(const std::string& service, const Me
   auto& shared = library();
   const std::vector<ServicePublisher> offers = offersOf(*name);
   if (offers.empty()) {
-    // who asks again may find it
+    // a retry may find it
     shared.DiscoverService(*name);
     return std::nullopt;
   }

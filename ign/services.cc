@@ -14,10 +14,10 @@ namespace pongsim::ign {
 
 namespace {
 
-/// @return The node's number, by which the library knows whose a service is and which it tells nobody: that of a
-/// service of a known type, which stays within this process.
+/// @return The node's id, by which the library assigns services and which it does not expose: that of a temporary
+/// service that is visible in this process only.
 std::string uuidOf(ignition::transport::Node& node) {
-  // another world's may do the same at the same time
+  // nodes of several worlds may do this at the same time
   static std::atomic<int> count = 0;
   const std::string name = "/pongsim/node" + std::to_string(++count);
   ignition::transport::AdvertiseServiceOptions options;
@@ -41,7 +41,7 @@ std::string uuidOf(ignition::transport::Node& node) {
 
 Services::Services() : nodeUuid_(uuidOf(node_)) {}
 
-// As Node::Advertise does, whose types must be known when it is compiled.
+// Like Node::Advertise, which needs the types at compile time.
 void Services::advertise(const std::shared_ptr<OfferedService>& service) {
   const OwnService& offered = service->service();
   const std::optional<std::string> name = wireName(offered.name);

@@ -20,7 +20,7 @@ namespace {
 
 bool isOption(std::string_view word) { return word.size() > 1 && word.starts_with('-'); }
 
-/// The action that the user named, or the program itself.
+/// The action given by the user, or the program itself.
 const CLI::App& namedAction(const CLI::App& program) {
   const std::vector<CLI::App*> named = program.get_subcommands();
   return named.empty() ? program : *named.front();
@@ -54,7 +54,7 @@ UsageError unknownAction(const CLI::App& program, const std::string& name) {
   return unknown("action", name, known, helpFor(program) + " lists them");
 }
 
-/// Says in our words what CLI11 found wrong.
+/// Rewords CLI11's error.
 UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App& action = namedAction(program);
   const std::vector<std::string> extras = program.remaining(true);
@@ -80,7 +80,7 @@ UsageError explain(const CLI::App& program, const CLI::ParseError& error) {
 void addActions(CLI::App& app, const Program& program, Work& work) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.footer(program.footer);
-  // behind an action its words are its own
+  // all words after an action belong to it
   app.require_subcommand(0, 1);
   for (const AddAction add : program.actions) add(app, work);
   for (CLI::App* action : app.get_subcommands({})) {
@@ -99,7 +99,7 @@ int workOf(std::vector<std::string> words, const Program& program) {
   if (words.front() == "help") std::ranges::rotate(words, words.begin() + 1);
   if (words.back() == "help") words.back() = "--help";
   try {
-    // CLI11 takes them from the back
+    // CLI11 expects them in reverse order
     std::ranges::reverse(words);
     app.parse(std::move(words));
   } catch (const CLI::Success& success) {

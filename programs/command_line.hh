@@ -11,32 +11,31 @@ class App;
 
 namespace pongsim::programs {
 
-/// What is to be done once the command line has been read.
+/// The work of an action, which runs once the command line has been parsed.
 /// @return The exit code.
 using Work = std::function<int()>;
 
-/// Adds an action to `program`, which sets `work` where the user names it; both stay until the work is done. One of no
-/// group is not told of.
+/// Adds an action to `program`. The action sets `work` if the user chose it; both outlive the work. An action without a
+/// group is hidden from the help.
 using AddAction = void (*)(CLI::App& program, Work& work);
 
-/// A program of a room, which `pongsim NAME` becomes.
+/// The program of a component, which `pongsim NAME` runs.
 struct Program {
-  /// As the user calls it: "pongsim log".
+  /// The user's command: "pongsim log".
   const char* name = "";
-  /// What it is for, in a sentence.
+  /// Its purpose, in a sentence.
   const char* about = "";
   std::span<const AddAction> actions;
-  /// Stands behind its help; may be empty.
+  /// Text below its help; may be empty.
   const char* footer = "";
-  /// Makes of the words that the user gave, of which there is one at least, those that are read. None: they are the
-  /// same.
+  /// Converts the words of the command line, at least one, before they are parsed. Null: no conversion.
   /// @throws UsageError
   std::vector<std::string> (*words)(std::vector<std::string> words) = nullptr;
 };
 
-/// Reads a whole command line, of which the program's name is the first word, and does what it says. A reader that goes
-/// away, and a limit on the size of files, is seen where the writing is done, and ends no program.
-/// @return The program's exit code: 0 done, 1 the work failed, 2 the command line was wrong.
+/// Parses a command line, whose first word is the program's name, and runs the action. SIGPIPE and SIGXFSZ do not end
+/// the program: failed writes are handled where they happen.
+/// @return The exit code: 0 success, 1 the work failed, 2 the command line was wrong.
 int run(int argc, char** argv, const Program& program);
 
 }  // namespace pongsim::programs

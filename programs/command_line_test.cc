@@ -20,7 +20,7 @@ void addTopics(CLI::App& program, Work& work) {
   action->callback([&work] { work = [] { return 42; }; });
 }
 
-/// An action with a word of its own.
+/// An action with an argument.
 void addPlay(CLI::App& program, Work& work) {
   const auto file = std::make_shared<std::string>();
   CLI::App* action = program.add_subcommand("play", "Play a file");
@@ -35,7 +35,7 @@ void addPlay(CLI::App& program, Work& work) {
   });
 }
 
-/// One that nobody is told of.
+/// A hidden action.
 void addHidden(CLI::App& program, Work& work) {
   CLI::App* action = program.add_subcommand("fetch", "Do what another program asks for")->group("");
   action->callback([&work] { work = [] { return 8; }; });
@@ -61,7 +61,7 @@ Outcome outcomeOf(std::vector<std::string> words,
   return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
 }
 
-/// @return What it says, where the command line is wrong.
+/// @return The error message for a wrong command line.
 std::string wrong(std::vector<std::string> words) {
   const Outcome outcome = outcomeOf(std::move(words));
   EXPECT_EQ(outcome.code, kWrongUsage);

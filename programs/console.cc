@@ -15,7 +15,7 @@ namespace pongsim::programs {
 
 namespace {
 
-/// In one write, so that lines of several processes do not mix.
+/// A single write, so that lines of several processes do not mix.
 void writeError(std::string text) {
   text += '\n';
   std::fwrite(text.data(), 1, text.size(), stderr);

@@ -15,7 +15,7 @@
 namespace pongsim::programs {
 namespace {
 
-/// Stdout is another file while it lives.
+/// Redirects stdout to a file while it exists.
 class StdoutAt {
  public:
   explicit StdoutAt(int file) : kept_(dup(STDOUT_FILENO)) {
@@ -23,7 +23,7 @@ class StdoutAt {
     dup2(file, STDOUT_FILENO);
   }
   ~StdoutAt() {
-    // what could not be written stays in the buffer otherwise, and comes later
+    // otherwise the failed output stays in the buffer and is written later
     std::setvbuf(stdout, nullptr, _IONBF, 0);
     dup2(kept_, STDOUT_FILENO);
     close(kept_);

@@ -6,12 +6,12 @@
 
 namespace pongsim::programs {
 
-/// Why something can't be done, in a sentence without a full stop, and what can be done about it.
+/// Why something failed, as a sentence without a full stop, with a hint.
 class Failure : public std::runtime_error {
  public:
   explicit Failure(const std::string& message, std::string hint = {})
       : std::runtime_error(message), hint_(std::move(hint)) {}
-  /// One line of help, or empty.
+  /// One line of advice, or empty.
   const std::string& hint() const { return hint_; }
 
  private:

@@ -2,10 +2,10 @@
 
 namespace pongsim::programs {
 
-/// From now on SIGINT, SIGTERM and SIGHUP are a wish to end; a second one ends the process.
+/// From now on SIGINT, SIGTERM and SIGHUP are requests to stop; a second one ends the process.
 void takeStopSignals();
 
-/// @return Whether one has come. From any thread.
+/// @return Whether a stop was requested. For any thread.
 bool isStopped();
 
 }  // namespace pongsim::programs

@@ -38,7 +38,7 @@ unsigned modeOf(const fs::path& path) {
   return lstat(path.c_str(), &about) == 0 ? about.st_mode & 07777U : 0;
 }
 
-/// What is said where something is refused, with the folder's name as KEYS; empty where nothing is.
+/// @return The error message, with KEYS for the folder's name; empty if there is none.
 std::string refusal(const std::function<void()>& work, const fs::path& keystore) {
   try {
     work();
@@ -270,7 +270,7 @@ TEST_F(Keystore, RefusesPermissionsThatDoNotFit) {
   const std::string text = contentOf(own_ / "permissions.xml");
   sign("permissions.p7s", replaced(text, "CN=/pongsim", "CN=/other"));
   EXPECT_EQ(refusalToRead(), "KEYS/enclaves/pongsim/permissions.p7s grants nothing to CN=/pongsim, but to CN=/other");
-  // at noon: Fast DDS, and we with it, read it by the local time zone
+  // at noon, because Fast DDS, and pongsim with it, reads it in the local time zone
   sign("permissions.p7s", permissionsDocument("/pongsim", 0, 1'000'036'800, {}));
   EXPECT_EQ(refusalToRead(), "KEYS/enclaves/pongsim/permissions.p7s expired on 2001-09-09");
   sign("permissions.p7s", replaced(text, "<max>232", "<max>9"));

@@ -28,7 +28,7 @@ struct FreeMore {
 template <class T>
 using Owned = std::unique_ptr<T, FreeMore>;
 
-/// @throws programs::Failure where OpenSSL has failed to do it.
+/// @throws programs::Failure if OpenSSL failed.
 void require(bool isDone, const std::string& what) {
   if (isDone) return;
   char reason[256];
@@ -46,7 +46,7 @@ Owned<BIO> readable(const std::string& text) {
   return Owned<BIO>(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }
 
-/// Gives the certificate a number that none of its authority's others has.
+/// Gives the certificate a random serial number.
 void setSerialNumber(X509& certificate) {
   constexpr int kBits = 127;
   const Owned<BIGNUM> number(BN_new());
@@ -88,7 +88,7 @@ std::time_t timeOf(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &parts) == 1 ? timegm(&parts) : 0;
 }
 
-/// @return Eight digits by chance: two authorities of one machine have different names in messages.
+/// @return Eight random digits, so that two authorities on one machine have different names in messages.
 std::string mark() {
   const Owned<BIGNUM> number(BN_new());
   require(BN_rand(number.get(), 32, BN_RAND_TOP_ONE, BN_RAND_BOTTOM_ANY) == 1, "make a random number");
@@ -142,7 +142,8 @@ Credentials makeIdentity(const std::string& name, int days, const Credentials& a
   require(X509_set_issuer_name(&certificate, X509_get_subject_name(&issuer)) == 1, "name an issuer");
   addExtension(certificate, issuer, NID_basic_constraints, "critical,CA:FALSE");
   addExtension(certificate, issuer, NID_key_usage, "critical,digitalSignature,keyAgreement");
-  // no use that S/MIME asks for: Fast DDS 2.9 takes permissions that any certificate of the authority has signed
+  // without the extended key usage of S/MIME: Fast DDS 2.9 accepts permissions signed by any certificate of the
+  // authority
   addExtension(certificate, issuer, NID_ext_key_usage, "clientAuth,serverAuth");
   addExtension(certificate, issuer, NID_subject_key_identifier, "hash");
   require(X509_sign(&certificate, authority.key.get(), EVP_sha256()) > 0, "sign a certificate");

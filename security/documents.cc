@@ -6,7 +6,7 @@ namespace pongsim::security {
 
 namespace {
 
-// Beside the census and the counts of pongsim's own transport: which nodes of ROS there are.
+// Beside the discovery topics of pongsim's own transport: the graph of ROS nodes.
 constexpr std::string_view kEverybodys[] = {"pongsim/census", "pongsim/traffic", "ros_discovery_info"};
 
 constexpr std::string_view kHead =
@@ -46,7 +46,7 @@ std::string timeText(std::time_t time) {
   return text;
 }
 
-/// "robot" and "*" mean the names "/robot" and "/*".
+/// "robot" and "*" are short for "/robot" and "/*".
 std::string absolute(const std::string& pattern) { return pattern.front() == '/' ? pattern : "/" + pattern; }
 
 struct Topics {
@@ -54,7 +54,7 @@ struct Topics {
   std::vector<std::string> subscribe;
 };
 
-/// DDS topics, with those of ROS, which calls "/odom" "rt/odom".
+/// DDS topics, including those of ROS, which adds a prefix: "/odom" is "rt/odom".
 Topics topicsOf(const Permissions& permissions) {
   if (permissions.areAll()) return {{"*"}, {"*"}};
   Topics topics;

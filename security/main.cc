@@ -1,4 +1,4 @@
-// pongsim-security, which `pongsim security` becomes.
+// pongsim-security, which `pongsim security` runs.
 #include "programs/command_line.hh"
 #include "security/command.hh"
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
   throw programs::Failure("can't " + std::string(what) + " " + path.string() + ": " + std::strerror(errno));
 }
 
-/// Writes all of it to the disk.
+/// Writes the whole text to the disk.
 bool writeAll(int file, std::string_view content) {
   while (!content.empty()) {
     const ssize_t count = ::write(file, content.data(), content.size());
@@ -45,7 +45,7 @@ void makeFolders(const fs::path& folder) {
 NewFolder::NewFolder(const fs::path& beside) {
   makeFolders(beside);
   std::string name = ((beside.empty() ? "." : beside) / ".new-XXXXXX").string();
-  // for its owner alone
+  // accessible only to its owner
   if (mkdtemp(name.data()) == nullptr) fail(beside, "make a folder in");
   path_ = name;
 }

@@ -1,7 +1,8 @@
-// What talking to clients of Fortress costs beside a pair of nodes of ign-transport, and what it costs the simulation.
-//   pongsim_ign_bench                   the whole of it
-//   pongsim_ign_bench hear KIND         its other process: receives one kind, and prints the median age [us]
-//   pongsim_ign_bench say KIND WAY      says it, stamped: native, or by pongsim
+// Measures messages to clients of Fortress, compared with those between two ign-transport nodes, and their cost in the
+// simulation.
+//   pongsim_ign_bench                   runs everything
+//   pongsim_ign_bench hear KIND         the other process: receives one kind, and prints the median age [us]
+//   pongsim_ign_bench say KIND WAY      publishes it, stamped: natively, or through pongsim
 
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/twist.pb.h>
@@ -75,13 +76,13 @@ Image stampedImage() {
   return message;
 }
 
-/// A picture as a camera has it: drawn once, in memory of its own.
+/// An image like that of a camera: rendered once, in its own memory.
 const std::vector<char>& picture() {
   static const std::vector<char> pixels(3 * kWidth * kHeight, 'x');
   return pixels;
 }
 
-/// Ages of what comes, until there are enough.
+/// Collects ages of received messages until there are enough.
 class Ages {
  public:
   void add(double age) {
@@ -133,7 +134,7 @@ void waitFor(const std::function<bool()>& condition) {
   while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-// A connection is there a little after it is known.
+// Connections are ready shortly after discovery.
 void settleDown() { std::this_thread::sleep_for(std::chrono::milliseconds(500)); }
 
 int sayNatively(int kind) {
@@ -220,7 +221,7 @@ double nanosecondsOf(const std::function<void()>& call) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / kIdleSteps;
 }
 
-/// What a step pays while nobody listens by ign-transport.
+/// Cost of a step without ign-transport subscribers.
 void measureIdle() {
   Transport plain({.network = false});
   Node plainNode = plain.node();

@@ -1,14 +1,14 @@
-// A process that speaks ign-transport and knows nothing of pongsim, for the tests.
-//   ign_peer listen TOPIC TYPE        prints "heard" at the first message, and how many came when it is interrupted
-//   ign_peer statistics TOPIC TYPE    prints "numbered" when messages have come that are numbered and stamped
+// A process for the tests that uses ign-transport and nothing of pongsim.
+//   ign_peer listen TOPIC TYPE        prints "heard" at the first message, and their number when it is interrupted
+//   ign_peer statistics TOPIC TYPE    prints "numbered" when it receives messages that are numbered and stamped
 //   ign_peer raw TOPIC                prints the type of each message
 //   ign_peer texts TOPIC              prints each StringMsg
-//   ign_peer flood TOPIC              publishes Int32 as fast as it goes, until it is killed
-//   ign_peer serve NAME               answers StringMsg with the text twice; refuses "no"; prints "ready"
-//   ign_peer serve-one-way NAME       prints what it is asked
-//   ign_peer call NAME TEXT           calls such a service, and prints the answer, "refused" or "no answer"
-//   ign_peer call-one-way NAME TEXT   tells such a service the text, once it is there, and prints "told"
-//   ign_peer publish TOPIC TEXT...    publishes each text as a StringMsg once somebody listens
+//   ign_peer flood TOPIC              publishes Int32 as fast as possible, until it is killed
+//   ign_peer serve NAME               responds to a StringMsg with its text twice; refuses "no"; prints "ready"
+//   ign_peer serve-one-way NAME       prints each request
+//   ign_peer call NAME TEXT           calls such a service, and prints the response, "refused" or "no answer"
+//   ign_peer call-one-way NAME TEXT   sends the text to such a service, once it exists, and prints "told"
+//   ign_peer publish TOPIC TEXT...    publishes each text as a StringMsg once there is a subscriber
 
 #include <ignition/msgs/int32.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
@@ -132,7 +132,7 @@ int callOneWay(Node& node, const std::string& name, const std::string& text) {
 int publish(Node& node, const std::string& topic, const std::vector<std::string>& texts) {
   Node::Publisher publisher = node.Advertise<StringMsg>(topic);
   while (!publisher.HasConnections()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  // its connection is there a little after it is known, and those of others a little after it
+  // connections are ready shortly after discovery, those of other subscribers a little later
   std::this_thread::sleep_for(std::chrono::seconds(1));
   for (const std::string& text : texts) {
     StringMsg message;
@@ -165,7 +165,7 @@ int act(const std::vector<std::string>& arguments) {
 
 int main(int count, char** words) {
   const int code = act({words + 1, words + count});
-  // not by exit: the library's threads run on, and fall over what that destroys
+  // not exit: the library's threads still run, and would use what it destroys
   std::fflush(nullptr);
   std::_Exit(code);
 }

@@ -1,5 +1,5 @@
-// What recording costs the simulation's thread, beside the same run without, how large its files are, and what a
-// message takes of who records topics, as it is and as one of ROS.
+// Measures the cost of recording in the simulation's thread, compared with the same run without, the size of the files,
+// and the cost per message of recording topics, unchanged and as ROS messages.
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/laserscan.pb.h>
 #include <ignition/msgs/odometry.pb.h>
@@ -69,7 +69,7 @@ double threadTime() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// @return What a step takes of the simulation's thread [us].
+/// @return Cost of a step in the simulation's thread [us].
 double run(const std::filesystem::path& file) {
   Diagnostics diagnostics;
   const std::unique_ptr<Simulation> simulation = Simulation::fromFile(file, {}, diagnostics);
@@ -112,7 +112,7 @@ std::vector<std::unique_ptr<Message>> someMessages() {
   return messages;
 }
 
-/// @return What a message takes of the thread that hands it to the writer [us].
+/// @return Cost of a message in the thread that passes it to the writer [us].
 double writing(log::Writer& writer, const Message& message) {
   constexpr int kMessages = 300;
   const std::string bytes = message.SerializeAsString(), type = message.GetTypeName();

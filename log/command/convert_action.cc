@@ -32,7 +32,7 @@ struct ConvertCommandLine {
   Ros2Wish ros2;
 };
 
-/// A file beside the one that is wanted, which takes that one's place when it is whole.
+/// A temporary file beside the destination, which replaces it when it is complete.
 class Draft {
  public:
   explicit Draft(fs::path target)
@@ -69,7 +69,7 @@ void checkTarget(const ConvertCommandLine& given) {
   }
 }
 
-/// A tlog has messages in protobuf only, of types with a name.
+/// A tlog holds only protobuf messages of named types.
 void checkForTlog(const LogFile& log, const Selection& selection) {
   for (const Topic& topic : log.reader().topics()) {
     if (selection.topics && std::ranges::count(*selection.topics, topic.name) == 0) continue;
@@ -81,7 +81,7 @@ void checkForTlog(const LogFile& log, const Selection& selection) {
   }
 }
 
-/// @return The messages in the new log.
+/// @return Number of messages in the new log.
 std::uint64_t copy(const LogFile& log, const Selection& selection, const fs::path& to, McapOptions options) {
   if (log.mcap() != nullptr) options.profile = log.mcap()->profile();
   const auto writer = newLog(
@@ -96,7 +96,7 @@ std::uint64_t copy(const LogFile& log, const Selection& selection, const fs::pat
   return count;
 }
 
-/// Topics, with their types, whose messages are not in protobuf. Of those that are wanted the user is told.
+/// Topics, with their types, whose messages are not in protobuf. Reports the selected ones among them.
 std::set<std::pair<std::string, std::string>, std::less<>> topicsOfOthers(const LogFile& log,
                                                                           const Selection& selection) {
   std::set<std::pair<std::string, std::string>, std::less<>> found;
@@ -111,7 +111,7 @@ std::set<std::pair<std::string, std::string>, std::less<>> topicsOfOthers(const 
   return found;
 }
 
-/// As `copy`, as messages of ROS.
+/// Like `copy`, with ROS messages.
 std::uint64_t copyForRos2(const LogFile& log, const Selection& selection, const fs::path& to,
                           const McapOptions& options, const ConvertCommandLine& given) {
   const auto writer = newRos2Log(to, options, given.ros2);

@@ -14,7 +14,7 @@ namespace {
 
 namespace protobuf = google::protobuf;
 
-/// Keeps what is wrong with the description of a type.
+/// Collects the errors in the description of a type.
 class FirstError final : public protobuf::DescriptorPool::ErrorCollector {
  public:
   void AddError(const std::string&, const std::string& element, const protobuf::Message*, ErrorLocation,
@@ -53,7 +53,7 @@ class KnownDecoder final : public ProtobufDecoder {
   }
 };
 
-/// Of a type that the file describes.
+/// For a type described in the file.
 class DescribedDecoder final : public ProtobufDecoder {
  public:
   DescribedDecoder(const std::string& schema, const std::string& type) {
@@ -70,7 +70,7 @@ class DescribedDecoder final : public ProtobufDecoder {
     if (descriptor == nullptr) throw Failure("the log's description of '" + type + "' lacks that type");
     message_ = MessagePointer(factory_.GetPrototype(descriptor)->New());
   }
-  // the message goes before its type
+  // the message is destroyed before its type
   ~DescribedDecoder() override { message_.reset(); }
   DescribedDecoder(const DescribedDecoder&) = delete;
   DescribedDecoder& operator=(const DescribedDecoder&) = delete;

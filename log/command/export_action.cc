@@ -27,7 +27,7 @@ struct ExportCommandLine {
   bool asJson = false, asCsv = false;
 };
 
-/// Where the lines go: standard output, or a new file.
+/// The output: stdout, or a new file.
 class Lines {
  public:
   explicit Lines(const std::optional<std::string>& file) {
@@ -61,7 +61,7 @@ class Lines {
   std::ofstream file_;
 };
 
-/// Those of one topic in each type that it has.
+/// The rows of one topic, for each of its types.
 class ExportTask {
  public:
   ExportTask(const ExportCommandLine& given, const LogFile& log) : given_(given), log_(log) {
@@ -89,7 +89,7 @@ class ExportTask {
         return true;
       });
     } catch (const Failure&) {
-      // what came before it is there
+      // everything before the error has been printed
       lines.flush();
       throw;
     }

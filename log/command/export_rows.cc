@@ -17,7 +17,7 @@ std::string jsonText(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// @return The value at the path: a number as one, what JSON has no number for as protobuf's JSON has it.
+/// @return The value at the path: a number if JSON can express it, else as in protobuf's JSON.
 std::string jsonValue(const FieldPath& field, const Message& message) {
   const std::optional<std::string> text = field.valueIn(message);
   if (!text) return "null";

@@ -64,7 +64,7 @@ TEST(ExportRows, ReadTypesThatOnlyTheFileKnows) {
 }
 
 TEST(ExportRows, EndOnATypeThatHasFieldsWithoutEnd) {
-  // each has two of the next: 2^60 values
+  // each level has two of the next: 2^60 values
   google::protobuf::FileDescriptorSet set;
   auto& file = *set.add_file();
   file.set_name("a.proto");

@@ -24,7 +24,7 @@ struct InfoCommandLine {
   bool asJson = false;
 };
 
-/// What is said of a log, in words or as JSON.
+/// Information about a log, as text or as JSON.
 struct LogInfo {
   std::string file;
   std::uint64_t size = 0;
@@ -44,7 +44,7 @@ LogInfo infoOf(const std::string& file, const LogFile& log) {
   return info;
 }
 
-/// Messages a second, over the whole log.
+/// Messages per second, over the whole log.
 double rateOf(const Topic& topic, const LogInfo& info) {
   return info.duration > 0 ? static_cast<double>(topic.count) / info.duration : 0;
 }

@@ -23,7 +23,7 @@ LogFile::LogFile(const fs::path& file) {
   constexpr std::string_view kSqlite = "SQLite format 3";
   bool isTlog = false;
   {
-    // closed before SQLite opens it
+    // closed before SQLite opens the file
     const InputFile bytes(file);
     isTlog = bytes.size() >= kSqlite.size() && bytes.read(0, kSqlite.size()) == kSqlite;
   }

@@ -61,7 +61,7 @@ TEST(LogFile, KnowsFormatsAndCompressionsByName) {
   EXPECT_EQ(compressionFrom("none"), Compression::kNone);
   EXPECT_EQ(compressionFrom("lz4"), Compression::kLz4);
   EXPECT_EQ(compressionFrom("zstd"), Compression::kZstd);
-  // as MCAP names none
+  // MCAP does not define it
   for (const char* name : {"", "gzip"}) EXPECT_THROW(compressionFrom(name), programs::UsageError) << name;
 }
 

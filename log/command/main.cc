@@ -1,4 +1,4 @@
-// pongsim-log, which `pongsim log` becomes.
+// pongsim-log, which `pongsim log` runs.
 #include "log/command/command.hh"
 
 namespace {

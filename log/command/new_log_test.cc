@@ -16,7 +16,7 @@ class NewLogTest : public testing::Test {
     return newLog(file, {.overwrites = overwrites},
                   [](std::string_view, std::string_view type) { return protobufDefinition(type); });
   }
-  /// @return What is said, and the hint.
+  /// @return The message and its hint.
   std::string refusal(const std::filesystem::path& file) {
     try {
       newLogAt(file);
@@ -50,7 +50,7 @@ TEST_F(NewLogTest, LeavesWhatIsThere) {
     newLogAt(file, true)->close();
     EXPECT_GT(std::filesystem::file_size(file), 3U);
   }
-  // one that leads nowhere is there, too
+  // a dangling link counts as an existing file, too
   std::filesystem::create_symlink("nothing", folder_.path() / "link.mcap");
   EXPECT_NE(refusal(folder_.path() / "link.mcap").find("already exists"), std::string::npos);
   std::filesystem::create_directory(folder_.path() / "folder.mcap");

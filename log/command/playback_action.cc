@@ -34,7 +34,7 @@ struct PlaybackOptions {
   bool isFast = false;
 };
 
-/// @return Whether it came to its end before somebody stopped the program.
+/// @return Whether it reached its end before it was stopped.
 bool sleepUntil(Clock::time_point time) {
   constexpr std::chrono::milliseconds kLook{50};
   while (!programs::isStopped() && Clock::now() < time)
@@ -42,7 +42,7 @@ bool sleepUntil(Clock::time_point time) {
   return !programs::isStopped();
 }
 
-/// @return A topic's name and what it is renamed to.
+/// @return A topic's name and its new name.
 std::pair<std::string, std::string> remapOf(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t sign = text.find(":=");
@@ -61,7 +61,7 @@ std::regex expressionOf(const std::string& pattern) {
 
 using Publishers = std::map<std::pair<std::string, std::string>, Publisher, std::less<>>;
 
-/// Makes a publisher for each topic that is wanted.
+/// Creates a publisher for each selected topic.
 Publishers advertise(Node node, const TlogReader& reader, const PlaybackOptions& options) {
   const auto [from, to] = remapOf(options.remap);
   const std::regex wanted = expressionOf(options.pattern);

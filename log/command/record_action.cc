@@ -38,7 +38,7 @@ struct RecordCommandLine {
   Ros2Wish ros2;
 };
 
-/// As `ign log record` names it, but for the end.
+/// The name that `ign log record` uses, except for the extension.
 std::string defaultName(const Ros2Wish& ros2) {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -68,7 +68,7 @@ void sayLost(const Recording& recording) {
   if (sum > 0) programs::say("warning: this process or the disk was too slow: record fewer topics");
 }
 
-/// Records until the user or the time ends it.
+/// Records until the user stops it or the time is over.
 void recordWhile(Recording& recording, const std::string& file, std::chrono::nanoseconds duration) {
   const Clock::time_point start = Clock::now();
   programs::say("recording to " + file + "; Ctrl-C ends it");
@@ -79,7 +79,7 @@ void sayWritten(std::uint64_t messages, std::size_t topics, const std::string& f
   programs::say(counted(messages, "message") + " of " + counted(topics, "topic") + " in " + file);
 }
 
-/// Of a recording into which nothing went: else the same command is refused the next time.
+/// Removes the file of an empty recording; otherwise repeating the command would be refused.
 void removeEmpty(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error)))

@@ -11,9 +11,9 @@ namespace pongsim::log {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{200};
-/// At most: a process that is stopped does not answer.
+/// An upper limit: a stopped process does not answer.
 constexpr std::chrono::milliseconds kLookTime{300};
-// 64 MiB of each topic are kept besides
+// in addition to the limit of 64 MiB per topic
 constexpr std::size_t kQueueLength = 20'000;
 
 }  // namespace
@@ -39,7 +39,7 @@ void Recording::look() {
     try {
       subscribe(topic.name);
     } catch (const KeystoreError& error) {
-      // nobody has asked for this one by its name
+      // it was not requested by name
       refused_.insert(topic.name);
       programs::say(std::string(error.what()) + "; it is not recorded");
     }
@@ -68,7 +68,7 @@ void Recording::take(const std::string& topic, std::string_view type, std::span<
     ++messages_;
     heard_.insert(topic);
   } catch (...) {
-    // not through those who call this
+    // exceptions must not pass through the caller, which is the transport
     failure_ = std::current_exception();
   }
 }

@@ -17,7 +17,7 @@ namespace {
 using ignition::msgs::Int32;
 using ignition::msgs::StringMsg;
 
-/// Keeps the topics and the messages, as "/topic TYPE TEXT".
+/// Keeps topics and messages, as "/topic TYPE TEXT".
 class KeptRecords : public Writer {
  public:
   void write(const Record& record) override {
@@ -35,7 +35,7 @@ class KeptRecords : public Writer {
 
 class RecordingTest : public testing::Test {
  protected:
-  /// Lets the recording go on while somebody publishes, until it holds.
+  /// Continues recording while messages are published, until the condition holds.
   bool recordUntil(Recording& recording, const std::function<void()>& publish, const std::function<bool()>& condition) {
     return test::waitUntil([&] {
       publish();

@@ -9,7 +9,7 @@ namespace pongsim::log {
 
 namespace {
 
-/// @return "bridge.yaml:3:5: MESSAGE", of what stands in no file the message alone.
+/// @return "bridge.yaml:3:5: MESSAGE", or the message alone if it has no position in a file.
 std::string placed(const Diagnostic& diagnostic) {
   const SourcePosition& place = diagnostic.position;
   if (place.file == nullptr) return diagnostic.message;

@@ -18,7 +18,7 @@ constexpr std::int64_t kFirstOfWall = 1'000'000'000 * kSecond;
 }  // namespace
 
 std::string secondsText(std::int64_t timeNs) {
-  // of a negative one neither half may be
+  // the sign applies to both parts
   const std::uint64_t size = timeNs < 0 ? 0 - static_cast<std::uint64_t>(timeNs) : static_cast<std::uint64_t>(timeNs);
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%s%llu.%09llu", timeNs < 0 ? "-" : "",
@@ -37,7 +37,7 @@ std::string timeText(std::int64_t timeNs) {
   std::array<char, 40> date{};
   std::strftime(date.data(), date.size(), "%Y-%m-%d %H:%M:%S", &parts);
   const std::string nanoseconds = secondsText(timeNs);
-  // of nine places three
+  // three of the nine decimals
   return date.data() + nanoseconds.substr(nanoseconds.size() - 10, 4) + " UTC";
 }
 

@@ -13,7 +13,7 @@ TEST(TopicChoice, KnowsNamesFromExpressions) {
   EXPECT_TRUE(choice.has("/odom"));
   EXPECT_TRUE(choice.has("/model/box/pose"));
   EXPECT_FALSE(choice.has("/odometry"));
-  // the whole name, as ign does
+  // expressions match whole names, as with ign
   EXPECT_FALSE(choice.has("/world/a"));
 }
 

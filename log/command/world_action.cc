@@ -17,7 +17,7 @@ namespace pongsim::log {
 
 namespace {
 
-/// @return The name in "/world/NAME/changed_state"; "default" where no topic has one.
+/// @return The name in "/world/NAME/changed_state"; "default" if there is no such topic.
 std::string worldNameIn(const TlogReader& reader) {
   constexpr std::string_view kPrefix = "/world/", kSuffix = "/changed_state";
   for (const std::string& topic : reader.topicsOf("ignition.msgs.SerializedStateMap")) {
@@ -27,7 +27,7 @@ std::string worldNameIn(const TlogReader& reader) {
   return "default";
 }
 
-/// @return The world in SDF, as its recorder told it; empty where it did not.
+/// @return The recorded world in SDF; empty if there is none.
 std::string recordedWorld(const TlogReader& reader) {
   std::vector<std::string> topics;
   for (const std::string& topic : reader.topicsOf("ignition.msgs.StringMsg")) {

@@ -13,7 +13,7 @@ TEST(ChunkBuilder, KnowsWhereItsMessagesAreAndWhen) {
   EXPECT_EQ(chunk.endTime(), 0U);
   chunk.add(mcap::Schema{1, "some.A", "", ""});
   chunk.add(mcap::Channel{7, 1, "/a", "", {}});
-  // what says what messages are is none
+  // schemas and channels do not count as messages
   EXPECT_FALSE(chunk.isEmpty());
   EXPECT_TRUE(chunk.indexes().empty());
   for (const auto& [channel, time] : {std::pair(7, 30), std::pair(8, 20), std::pair(7, 40)}) {

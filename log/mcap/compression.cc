@@ -15,7 +15,7 @@ namespace pongsim::log {
 
 namespace {
 
-// quick enough for a simulation beside it, and a third smaller than lz4
+// fast enough beside a simulation, and a third smaller than lz4
 constexpr int kZstdLevel = 1;
 constexpr std::size_t kStep = std::size_t{1} << 18U;
 
@@ -29,12 +29,12 @@ struct EndsLz4 {
   void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
 };
 
-/// What unpacked bytes go into: it grows as they come, and not beyond what was claimed.
+/// A buffer for decompressed bytes. It grows as they arrive, up to the claimed size.
 class Unpacked {
  public:
   explicit Unpacked(std::uint64_t size) : size_(size) {}
 
-  /// @return Where to write next, and how much: one byte at least beyond the claim, so that too much is seen.
+  /// @return Address and size of the free part: at least one byte more than claimed, so that excess data is detected.
   std::pair<char*, std::size_t> room() {
     if (used_ == bytes_.size()) bytes_.resize(std::min<std::size_t>(size_ + 1, std::max(bytes_.size() * 2, kStep)));
     return {bytes_.data() + used_, bytes_.size() - used_};

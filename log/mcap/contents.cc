@@ -28,7 +28,7 @@ mcap::Header readHeader(const InputFile& file) {
   }
   const std::uint64_t start = mcap::kMagic.size() + mcap::kRecordHead;
   const std::uint64_t length = reader.number<std::uint64_t>();
-  // a file that has just been begun
+  // the file has only just been started
   if (length > file.size() - start) return {};
   const std::string content = file.read(start, length);
   ByteReader fields(content, start, "header");

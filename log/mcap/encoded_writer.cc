@@ -27,7 +27,7 @@ EncodedWriter::EncodedWriter(const std::filesystem::path& path, McapOptions opti
     : encoder_(std::move(encoder)),
       warn_(std::move(warn)),
       writer_(path, withProfile(std::move(options), encoder_->profile()),
-              // asked from within `write`, of what is written there
+              // called from within `write`, for the topic being written
               [this](std::string_view, std::string_view) {
                 return Definition{current_->schemaEncoding, current_->schema, current_->messageEncoding,
                                   current_->metadata};

@@ -12,7 +12,7 @@ namespace {
 
 using samples::Kept;
 
-/// Turns "abc" of "/x" into "[abc]" of "/new/x" and of "/all"; "damaged" is no message of it.
+/// Encodes "abc" on "/x" as "[abc]" on "/new/x" and on "/all"; refuses "damaged".
 class InBrackets final : public TopicEncoder {
  public:
   explicit InBrackets(std::string_view topic)

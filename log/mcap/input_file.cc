@@ -12,7 +12,7 @@
 
 namespace pongsim::log {
 
-// not blocking, for it may be a pipe that nobody writes to
+// non-blocking, because it may be a pipe without a writer
 InputFile::InputFile(const std::filesystem::path& path)
     : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
   const auto refuse = [&](const std::string& why) {

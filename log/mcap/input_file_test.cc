@@ -61,7 +61,7 @@ TEST_F(InputFileTest, IsNotReadBeyondItsEnd) {
 
 TEST_F(InputFileTest, IsAPlainFile) {
   EXPECT_NE(refusal(folder_.path()).find("it is a folder"), std::string::npos);
-  // it is not waited for who writes into it
+  // it does not wait for a writer
   ASSERT_EQ(mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
   EXPECT_NE(refusal(folder_.path() / "pipe").find("it is not a regular file"), std::string::npos);
   EXPECT_NE(refusal(folder_.path() / "none").find("No such file"), std::string::npos);

@@ -82,7 +82,7 @@ void McapFile::finish(const std::vector<mcap::Schema>& schemas, const std::vecto
   const mcap::Footer footer{start, start + summary.size(), 0};
   summary += offsets;
   appendRecord(footer, summary);
-  // its last field is the sum of all before it
+  // its last field is the checksum of everything before it
   summary.resize(summary.size() - sizeof(footer.summaryCrc));
   ByteWriter writer(summary);
   writer.number(crc32Of(summary));

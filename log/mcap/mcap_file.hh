@@ -34,7 +34,7 @@ class McapFile {
   OutputFile file_;
   Compression compression_;
   Packer packer_;
-  /// Of all bytes so far.
+  /// Of all bytes written so far.
   std::uint32_t crc_ = 0;
   std::vector<mcap::ChunkIndex> chunks_;
   mcap::Statistics statistics_;

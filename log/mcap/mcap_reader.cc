@@ -13,7 +13,7 @@ namespace pongsim::log {
 
 namespace {
 
-/// What `work` throws, with the file's name in front.
+/// Rethrows the errors of `work` with the file's name in front.
 template <class Work>
 auto named(const std::string& name, const Work& work) {
   try {

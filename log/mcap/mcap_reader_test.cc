@@ -58,7 +58,7 @@ TEST_F(McapReaderTest, ReadsUpToWhereAFileIsCutOff) {
   for (std::size_t size = 8; size < whole.size(); size += 13) {
     const McapReader reader(write(whole.substr(0, size)));
     const std::vector<Kept> read = samples::readLog(reader);
-    // what is there is the beginning
+    // the rest is the beginning of the file
     ASSERT_LE(read.size(), records.size());
     EXPECT_TRUE(std::ranges::equal(read, std::span(records).first(read.size()))) << size;
     EXPECT_GE(read.size(), longest);
@@ -105,7 +105,7 @@ TEST_F(McapReaderTest, SaysWhereAChunkIsDamaged) {
 
 TEST_F(McapReaderTest, ReadsAllWhereTheIndexIsDamaged) {
   std::string bytes = bytesOfSome();
-  // in the summary
+  // within the summary
   bytes[bytes.size() - 60] ^= 1;
   const McapReader reader(write(bytes));
   EXPECT_EQ(samples::readLog(reader), samples::someRecords());
@@ -139,7 +139,7 @@ TEST_F(McapReaderTest, SaysWhatIsNoMcap) {
 }
 
 TEST_F(McapReaderTest, IsNotBlownUpByAChunk) {
-  // 100 MiB of zeros in some kilobytes, which claim to be 4 exabytes, or 1 kB
+  // 100 MiB of zeros in some kilobytes, with a claimed size of 4 exabytes, or of 1 kB
   const std::string zeros(std::size_t{100} << 20U, '\0');
   Packer packer(Compression::kZstd);
   const std::string packed(packer.pack(zeros));

@@ -29,7 +29,7 @@ McapWriter::~McapWriter() {
   try {
     close();
   } catch (const std::exception&) {
-    // who wants to know closes it
+    // errors are reported by close
   }
 }
 
@@ -51,7 +51,7 @@ void McapWriter::write(const Record& record) {
   if (isFirst || open_.isEmpty()) changed_.notify_all();
 }
 
-/// With the mutex held, as those that it calls.
+/// The caller holds the mutex, here and in the functions called from here.
 mcap::Channel& McapWriter::channelFor(const Record& record) {
   const auto found = channelIds_.find(std::tie(record.topic, record.type));
   if (found != channelIds_.end()) return channels_[found->second - 1U];
@@ -80,14 +80,14 @@ std::uint16_t McapWriter::schemaFor(std::string_view type, const Definition& def
   return schemas_.emplace_back(std::move(schema)).id;
 }
 
-/// With the mutex held.
+/// The caller holds the mutex.
 void McapWriter::endChunk() {
   if (open_.isEmpty()) return;
   waitingSize_ += open_.records().size();
   waiting_.push_back(std::exchange(open_, {}));
 }
 
-/// @return What is to be written next, once there is something; nothing at the end.
+/// @return The next chunk to write, once there is one; nothing at the end.
 std::optional<ChunkBuilder> McapWriter::nextChunk() {
   std::unique_lock lock(mutex_);
   while (waiting_.empty()) {
@@ -114,7 +114,7 @@ void McapWriter::work() {
     waitingSize_ -= chunk->records().size();
     changed_.notify_all();
   }
-  // nobody adds to them any more
+  // both are complete now
   file_.finish(schemas_, channels_);
 }
 

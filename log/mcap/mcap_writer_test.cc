@@ -60,7 +60,7 @@ TEST_F(McapWriterTest, OverwritesOnlyWhereItIsToldTo) {
   EXPECT_THROW(McapWriter(folder_.path() / "no" / "a.mcap", {}, samples::someDefinition), Failure);
 }
 
-/// Files may not become larger than that for as long as it lives.
+/// Limits the size of files while it exists.
 class SizeLimit {
  public:
   explicit SizeLimit(rlim_t size) {

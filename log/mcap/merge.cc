@@ -11,7 +11,7 @@ namespace pongsim::log {
 namespace {
 
 constexpr std::size_t kMostLoaded = std::size_t{512} << 20U;
-// 2 GiB of them
+// with a total of 2 GiB
 constexpr std::size_t kMostEntries = std::size_t{1} << 26U;
 
 }  // namespace
@@ -74,7 +74,7 @@ const UnpackedBlock& Merge::unpacked(std::size_t block) {
   return wanted.unpacked;
 }
 
-/// A message of the block has been used.
+/// A message of the block has been returned.
 void Merge::forget(std::size_t block) {
   const auto found = loaded_.find(block);
   if (--found->second.wanted > 0) return;

@@ -12,13 +12,13 @@ constexpr std::uint64_t kEnd = 1'000'000;
 
 class MergeTest : public testing::Test {
  protected:
-  /// Writes a message at each of the times, in chunks of one.
+  /// Writes one message per time, in chunks of one.
   void write(const std::vector<std::int64_t>& times) {
     std::vector<samples::Kept> records;
     for (const std::int64_t time : times) records.push_back({time, "/a", "some.A", std::to_string(time)});
     samples::writeLog(path_, records, {.chunkSize = 1});
   }
-  /// @return The times of the messages that are wanted, in the order in which they come.
+  /// @return The times of the selected messages, in the order in which they are returned.
   std::vector<std::uint64_t> timesOf(std::uint64_t from, std::uint64_t to, const Merge::IsWanted& isWanted) const {
     const InputFile file(path_);
     const Contents contents = contentsOf(file);
@@ -48,7 +48,7 @@ TEST_F(MergeTest, DoesNotReadChunksOfOtherTimes) {
   write({10, 20, 30});
   std::string bytes = samples::bytesOf(path_);
   const Contents contents = contentsOf(InputFile(path_));
-  // the first one is damaged
+  // the first chunk is damaged
   bytes[contents.blocks[0].offset + contents.blocks[0].length - 1] ^= 1;
   folder_.write("a.mcap", bytes);
   const auto all = [](std::uint16_t, std::uint64_t) { return true; };

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::string_literals;
 
-/// All fields of a record in their order, as text, to compare those that have no `==`.
+/// All fields of a record in their order, as text, to compare records without `==`.
 class Told {
  public:
   void operator()(const auto&... fields) { (tell(fields), ...); }
@@ -42,7 +42,7 @@ std::string textOf(const Record& record) {
   return told.text();
 }
 
-/// Calls `use` with one of each type of record, no field of which is empty.
+/// Calls `use` with a record of each type, with no field empty.
 void forSomeRecords(const auto& use) {
   use(Header{"ros2", "a library"});
   use(Footer{100, 200, 0xdeadbeef});
@@ -89,7 +89,7 @@ TEST(RecordArchive, RefusesARecordThatIsCutOffAnywhere) {
     std::string bytes;
     appendRecord(record, bytes);
     const std::string_view content = std::string_view(bytes).substr(kRecordHead);
-    // a message has what is left as its data
+    // a message's data is the rest of the record
     const std::size_t least = std::is_same_v<Record, Message> ? 2 + 4 + 8 + 8 : content.size();
     for (std::size_t size = 0; size < least; ++size) {
       ByteReader reader(content.substr(0, size), 0, "record");
@@ -109,7 +109,7 @@ TEST(RecordArchive, PassesOverWhatALaterVersionAdds) {
 TEST(RecordArchive, SaysWhereAListLies) {
   std::string bytes;
   appendRecord(Statistics{1, 2, 3, 4, 5, 6, 7, 8, {{1, 9}}}, bytes);
-  // the list claims a byte less than its pair has
+  // the list claims one byte less than its pair needs
   const std::size_t length = bytes.size() - 10 - 4;
   bytes[length] = 9;
   ByteReader reader(std::string_view(bytes).substr(kRecordHead), kRecordHead, "statistics");

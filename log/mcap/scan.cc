@@ -11,16 +11,16 @@ namespace {
 
 using mcap::Opcode;
 
-/// Of records outside of chunks, which are read together.
+/// Maximum size of a block of records outside of chunks.
 constexpr std::uint64_t kBlockSize = std::uint64_t{4} << 20U;
 
-/// A record's head.
+/// A record's opcode and length.
 struct Head {
   std::uint8_t opcode = 0;
   std::uint64_t length = 0;
 };
 
-/// In one block.
+/// Contents of one block.
 struct Found {
   std::vector<mcap::Schema> schemas;
   std::vector<mcap::Channel> channels;
@@ -43,7 +43,7 @@ class Scan {
   }
 
  private:
-  /// @return Whether there is more.
+  /// @return Whether there is more to read.
   bool next() {
     const std::uint64_t left = file_.size() - at_;
     if (left < mcap::kRecordHead) return cutOff("a record");
@@ -94,7 +94,7 @@ class Scan {
     return head;
   }
 
-  /// A record outside of chunks, which goes into the block before it where it stands right behind that.
+  /// Adds a record outside of chunks, to the preceding block if it directly follows that.
   void addLoose(std::uint64_t size) {
     std::vector<Block>& blocks = contents_.blocks;
     Block loose = blockAt(size, false);
@@ -116,7 +116,7 @@ class Scan {
     contents_.blocks.push_back(std::move(block));
   }
 
-  /// Takes note of all that is in it, or of nothing where it is damaged.
+  /// Adds the block's contents, or nothing if it is damaged.
   void readBlock(Block& block) {
     const UnpackedBlock unpacked = unpackBlock(file_, block);
     Found found;

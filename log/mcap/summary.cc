@@ -8,7 +8,7 @@ namespace pongsim::log {
 
 namespace {
 
-/// A summary without what is needed to do without a scan.
+/// A summary that does not suffice, so the file must be scanned.
 struct Insufficient {};
 
 Block blockOf(const mcap::ChunkIndex& index, std::uint64_t end, const ByteReader& at) {
@@ -34,7 +34,7 @@ void check(const Contents& contents, const std::optional<mcap::Statistics>& stat
   }
 }
 
-/// @param start Of the summary in the file, where the data ends.
+/// @param start Offset of the summary in the file, the end of the data.
 Contents parse(std::string_view summary, std::uint64_t start) {
   Contents contents;
   std::optional<mcap::Statistics> statistics;
@@ -101,7 +101,7 @@ std::optional<Contents> contentsBySummary(const InputFile& file, std::string& wh
   } catch (const Failure& failure) {
     why = failure.what();
   } catch (const Insufficient&) {
-    // as the format allows
+    // the format allows this
   }
   return std::nullopt;
 }

@@ -16,13 +16,13 @@ class SummaryTest : public testing::Test {
     samples::writeLog(path_, samples::someRecords(), {.chunkSize = 500});
     bytes_ = samples::bytesOf(path_);
   }
-  /// @return What is wrong with the summary; nothing where it is fine or there is none.
+  /// @return What is wrong with the summary; nothing if it is valid or missing.
   std::string faultOf(const std::string& bytes) {
     std::string why;
     hasContents_ = contentsBySummary(InputFile(folder_.write("b.mcap", bytes)), why).has_value();
     return why;
   }
-  /// The file with another footer, and the sum that belongs to it where there is to be one.
+  /// @return The file with another footer, and with its checksum if that should be valid.
   std::string withFooter(const mcap::Footer& footer) const {
     const std::size_t size = mcap::kFooterSize + mcap::kMagic.size();
     std::string bytes = bytes_.substr(0, bytes_.size() - size);
@@ -61,7 +61,7 @@ TEST_F(SummaryTest, IsNotUsedWhereItIsDamagedOrLies) {
   damaged[damaged.size() - 60] ^= 1;
   EXPECT_NE(faultOf(damaged).find("its checksum is wrong"), std::string::npos);
   EXPECT_FALSE(hasContents_);
-  // in front of the footer, behind the file's end, and in the middle of a chunk
+  // in the footer, beyond the end of the file, and in the middle of a chunk
   EXPECT_NE(faultOf(withFooter({bytes_.size(), 0, 0})).find("its summary can't be at byte"), std::string::npos);
   EXPECT_NE(faultOf(withFooter({~std::uint64_t{0}, 0, 0})).find("its summary can't be at byte"), std::string::npos);
   EXPECT_NE(faultOf(withFooter({100, 99, 0})).find("its summary can't be at byte"), std::string::npos);

@@ -61,7 +61,7 @@ std::string element(const std::string& name, const std::string& content) {
   return "<" + name + ">" + content + "</" + name + ">";
 }
 
-/// @return The opening of an element with a name.
+/// @return The start tag of an element with a name.
 std::string opening(const char* kind, const std::string& name, const std::string& more = {}) {
   return std::string("<") + kind + " name='" + escaped(name) + "'" + more + ">";
 }
@@ -165,8 +165,8 @@ std::string jointText(const RecordedState& state, std::uint64_t joint) {
   return text + "</joint>";
 }
 
-/// @param depth How many models it is in.
-/// @throws Failure where that are too many: in a damaged log models may hold themselves.
+/// @param depth Number of enclosing models.
+/// @throws Failure if there are too many: in a damaged log models may contain themselves.
 std::string composed(const RecordedState& state, std::uint64_t model, const PlayedFiles& files, int depth = 0) {
   if (depth > kMostNested) throw Failure("its models nest more than " + std::to_string(kMostNested) + " deep");
   std::string text = opening("model", state.text(model, "Name")) + poseText(state, model) +

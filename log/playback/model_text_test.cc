@@ -28,7 +28,7 @@ class ModelTextTest : public testing::Test {
     add(kModel, kWorld, "Model", "robot");
   }
 
-  /// Gives an entity a component.
+  /// Adds a component to an entity.
   void set(std::uint64_t entity, const std::string& component, const std::string& bytes = {}) {
     im::SerializedStateMap message;
     auto& known = (*message.mutable_entities())[entity];
@@ -39,21 +39,21 @@ class ModelTextTest : public testing::Test {
     added.set_component(bytes);
     ASSERT_TRUE(state_.apply("ignition.msgs.SerializedStateMap", message.SerializeAsString()));
   }
-  /// Adds an entity that another one holds.
+  /// Adds a child entity.
   void add(std::uint64_t entity, std::uint64_t parent, const std::string& kind, const std::string& name) {
     set(entity, kind);
     set(entity, "Name", name);
     set(entity, "ParentEntity", std::to_string(parent));
   }
   std::string text(std::uint64_t model = kModel) const { return modelText(state_, model, files_); }
-  /// @return What is in the model, which is not static and has no pose.
+  /// @return The content of the model, which is not static and has no pose.
   std::string content() const {
     const std::string whole = text();
     const std::string begin = "<sdf version='1.9'><model name='robot'><static>false</static>", end = "</model></sdf>";
     if (!whole.starts_with(begin) || !whole.ends_with(end)) return "something else: " + whole;
     return whole.substr(begin.size(), whole.size() - begin.size() - end.size());
   }
-  /// @return The shape of a collision of that geometry.
+  /// @return The shape of a collision with that geometry.
   std::string shape(const im::Geometry& geometry) {
     add(3, kModel, "Link", "base");
     add(4, 3, "Collision", "c");
@@ -178,7 +178,7 @@ TEST_F(ModelTextTest, HasNestedModels) {
 }
 
 TEST_F(ModelTextTest, RefusesModelsThatHoldThemselves) {
-  // as a damaged log may say
+  // as in a damaged log
   set(kWorld, "Model");
   set(kWorld, "ParentEntity", std::to_string(kWorld));
   EXPECT_THROW(text(kWorld), Failure);

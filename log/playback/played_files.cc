@@ -28,8 +28,8 @@ bool isZip(const fs::path& file) {
   return begin[0] == 'P' && begin[1] == 'K';
 }
 
-/// @return The folder, if it is a recording; else those in it that are, as deep as told: a zip file has a folder in it,
-/// of whatever name, and a recording of several worlds one for each.
+/// @return The folder, if it is a recording; else the recordings in it, down to that depth: a zip file contains a
+/// folder of any name, and a recording of several worlds has one folder for each.
 std::vector<fs::path> recordingsIn(const fs::path& folder, int depth) {
   std::error_code error;
   if (fs::exists(folder / kStateFile, error)) return {folder};

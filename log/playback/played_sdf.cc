@@ -16,7 +16,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-// They see where things are. What knows velocities or forces is not among them.
+// Systems that only read poses. Those that need velocities or forces are not among them.
 constexpr std::array<std::string_view, 11> kLooking{"scene-broadcaster",
                                                     "sensors",
                                                     "pose-publisher",
@@ -42,7 +42,7 @@ void removePlugins(XMLElement& element) {
   }
 }
 
-/// Takes away a file's worlds but the one of that name.
+/// Removes all worlds of a file except the one of that name.
 void keepWorld(XMLElement& root, std::string_view name) {
   std::vector<XMLElement*> others;
   bool isThere = false;

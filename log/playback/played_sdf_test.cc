@@ -9,7 +9,7 @@ namespace {
 
 class PlayedSdfTest : public testing::Test {
  protected:
-  /// @return What is played of a file with two worlds.
+  /// @return The world that is played from a file with two worlds.
   std::string played(std::string_view world) const {
     return playedSdf("<sdf version='1.9'><world name='a'/><world name='b c'/></sdf>", files_, world);
   }

@@ -115,7 +115,7 @@ std::vector<double> RecordedState::numbersOf(std::uint64_t entity, std::string_v
 
 std::string RecordedState::scopedName(std::uint64_t entity) const {
   std::string name = text(entity, "Name");
-  // a damaged log may have a circle of them
+  // a damaged log may contain a cycle
   int depth = 0;
   for (std::uint64_t parent = parentOf(entity); find(parent, "Model") != nullptr && depth < 100; ++depth) {
     name.insert(0, text(parent, "Name") + "::");

@@ -34,7 +34,7 @@ void Replay::goTo(Time time) {
     lastAxes_.clear();
     isMatched_ = false;
   }
-  // the first state counts from the start
+  // the first state applies from the start
   const std::int64_t to = std::max(time.count(), range_->first);
   std::size_t unread = 0;
   reader_.forEach({from, to, topics_}, [&](const Record& record) {
@@ -46,7 +46,7 @@ void Replay::goTo(Time time) {
   if (state_.takeNews()) editModels();
 }
 
-/// Asks for the models of the top level to come and go.
+/// Requests the insertion and removal of top-level models.
 void Replay::editModels() {
   isMatched_ = false;
   std::set<std::string> recorded;
@@ -58,7 +58,7 @@ void Replay::editModels() {
       try {
         edits_.insertText(modelText(state_, model, files_), "recorded model '" + name + "'", {},
                           [this, name](const Outcome<Model>& made) {
-                            // one that was asked for before has come
+                            // no warning if an earlier request has created it
                             if (!made && !world_.model(name))
                               log_.warning("model '" + name + "' can't be created: " + made.error);
                           });
@@ -67,14 +67,14 @@ void Replay::editModels() {
       }
     }
   }
-  // what has no world, as in a torn log, is no reason to remove all
+  // a damaged log without a world does not remove all models
   if (recorded.empty()) return;
   for (const Model& model : world_.models()) {
     if (!recorded.contains(std::string(model.name()))) edits_.remove(model);
   }
 }
 
-/// Finds who in the world is whom in the recording.
+/// Matches the recording's entities with the world's.
 void Replay::match() {
   links_.clear();
   joints_.clear();

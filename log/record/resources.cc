@@ -23,7 +23,7 @@ bool hasAddress(std::string_view element) {
   return std::ranges::find(kAddresses, element) != kAddresses.end() || element.ends_with("_map");
 }
 
-/// @return The folder of the model that a file belongs to; nothing where it belongs to none.
+/// @return The folder of the model that a file belongs to, if any.
 std::optional<fs::path> modelFolderOf(const fs::path& file) {
   std::error_code error;
   for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
@@ -32,7 +32,7 @@ std::optional<fs::path> modelFolderOf(const fs::path& file) {
   return std::nullopt;
 }
 
-/// @return Whether a mesh beside it may want the file.
+/// @return Whether a mesh beside it may refer to the file.
 bool isLook(const fs::path& file) {
   constexpr std::array<std::string_view, 5> kKinds{".mtl", ".png", ".jpg", ".jpeg", ".material"};
   return std::ranges::find(kKinds, file.extension().string()) != kKinds.end();

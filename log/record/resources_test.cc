@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// @return The text with the addresses in brackets.
+/// @return The text with brackets around the addresses.
 std::string marked(std::string_view sdf) {
   return withAddresses(sdf, [](const std::string& address) { return "[" + address + "]"; });
 }
@@ -19,7 +19,7 @@ TEST(WithAddresses, FindsThoseThatAreAnElementsWholeText) {
   EXPECT_EQ(marked("<mesh><uri>model://a/b.dae</uri></mesh>"), "<mesh><uri>[model://a/b.dae]</uri></mesh>");
   EXPECT_EQ(marked("<albedo_map>a.png</albedo_map><normal>b.png</normal>"),
             "<albedo_map>[a.png]</albedo_map><normal>[b.png]</normal>");
-  // other elements, and those without a text of their own
+  // other elements, and elements without text
   for (const char* same : {"<name>uri</name>", "<uri></uri>", "<uri> \n</uri>", "<uri><a/></uri>", "<a b='<uri'>x",
                            "<uri>x", "no markup", ""}) {
     EXPECT_EQ(marked(same), same);
@@ -28,7 +28,7 @@ TEST(WithAddresses, FindsThoseThatAreAnElementsWholeText) {
 
 class ResourceCopiesTest : public testing::Test {
  protected:
-  /// Where the copy of a file goes.
+  /// Path of a file's copy.
   fs::path copyOf(const fs::path& file) const { return recording_ / file.relative_path(); }
 
   test::TempFolder folder_;

@@ -10,7 +10,7 @@ namespace pongsim::log {
 namespace {
 
 constexpr std::size_t kMostWaiting = 64;
-/// So many are worth to be woken for; fewer wait for the time to pass.
+/// The writer is woken for this many snapshots; fewer wait for the timeout.
 constexpr std::size_t kWorthWaking = 16;
 constexpr std::chrono::milliseconds kLongestWait{50};
 
@@ -27,7 +27,7 @@ StateRecorder::~StateRecorder() {
   try {
     finish();
   } catch (const Failure&) {
-    // who wants to know calls finish
+    // errors are reported by finish
   }
 }
 

@@ -40,7 +40,7 @@ void TopicRecorder::update(Time now) {
         expressions_, [&](const std::regex& expression) { return std::regex_match(topic.name, expression); });
     if (isWanted && !subscriptions_.contains(topic.name)) subscribe(topic.name);
   }
-  // after our own have come
+  // once our own topics exist
   version_ = node_.ownTopicsVersion();
 }
 

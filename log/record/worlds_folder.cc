@@ -13,13 +13,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What this process records into now, by what was asked for.
+/// The folders in use by this process, keyed by the request.
 struct Open {
   std::mutex mutex;
   std::map<std::pair<std::string, std::string>, std::weak_ptr<WorldsFolder>> folders;
 };
 
-/// Never destroyed: a recording may end as late as it likes.
+/// Never destroyed, because a recording may end during the exit of the process.
 Open& openFolders() {
   static Open& open = *std::make_unique<Open>().release();
   return open;
@@ -52,7 +52,7 @@ void WorldsFolder::leave(std::shared_ptr<WorldsFolder> folder, bool mustPack) {
   Open& open = openFolders();
   const std::lock_guard lock(open.mutex);
   if (folder.use_count() > 1) {
-    // before others may look: of those who leave at the same time one is the last
+    // released under the lock: of several that leave at the same time, one is the last
     folder.reset();
     return;
   }

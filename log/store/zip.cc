@@ -37,8 +37,8 @@ Archive openZip(const fs::path& file, int how) {
   throw Failure("'" + file.string() + "' can't be opened as a zip file: " + why);
 }
 
-/// @return Where an entry goes below a folder.
-/// @throws Failure where that is elsewhere.
+/// @return The path of an entry below a folder.
+/// @throws Failure if it is outside of the folder.
 fs::path placeOf(const std::string& name) {
   const fs::path path = fs::path(name).lexically_normal();
   if (path.empty() || path.is_absolute() || *path.begin() == "..")
@@ -74,7 +74,7 @@ void packFolder(const fs::path& folder, const fs::path& zipFile) {
     zip_source_free(source);
     fail();
   }
-  // the work is done here
+  // libzip writes the file here
   if (zip_close(zip.get()) != 0) fail();
   static_cast<void>(zip.release());
 }

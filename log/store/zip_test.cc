@@ -21,7 +21,7 @@ std::string contentOf(const fs::path& file) {
 
 class ZipTest : public testing::Test {
  protected:
-  /// A zip file with a file of that name.
+  /// Creates a zip file with an entry of that name.
   fs::path zipWith(const std::string& name) const {
     const fs::path file = folder_.path() / "other.zip";
     int error = 0;
@@ -30,7 +30,7 @@ class ZipTest : public testing::Test {
     EXPECT_EQ(zip_close(zip), 0);
     return file;
   }
-  /// @return What is said, or "".
+  /// @return The error message, or "".
   std::string refusalOf(const fs::path& zip) const {
     try {
       unpackZip(zip, out_);

@@ -48,7 +48,7 @@ void PlaybackSystem::goTo(Time time) {
 }
 
 void PlaybackSystem::preUpdate(const StepInfo& info) {
-  // another step size, or a time that was set
+  // the step size has changed, or the time was set
   if (!info.paused && info.time != at_) goTo(info.time);
   replay_->place();
 }
@@ -56,7 +56,7 @@ void PlaybackSystem::preUpdate(const StepInfo& info) {
 void PlaybackSystem::postUpdate(const StepInfo& info) {
   if (info.paused) return;
   pauseAtEnd(info);
-  // the models of the next step come and go at the end of this one
+  // models of the next step are inserted and removed at the end of this one
   goTo(info.time + info.dt);
 }
 
@@ -65,7 +65,7 @@ void PlaybackSystem::pauseAtEnd(const StepInfo& info) {
   ignition::msgs::WorldControl pause;
   pause.set_pause(true);
   pause_ = node_->request(controlService_, pause, "ignition.msgs.Boolean", {});
-  // a warning: who asked for more steps than it has sees why they do not come
+  // a warning, so that a run with more `--iterations` than the recording has explains why it waits
   log_->warning("end of the recording at " + std::to_string(toSeconds(info.time)) +
                 " s; paused until it is rewound or stopped");
 }

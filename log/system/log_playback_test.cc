@@ -25,7 +25,7 @@ class LogPlaybackTest : public testing::Test {
  protected:
   fs::path recording() const { return folder_.path() / "rec"; }
 
-  /// Records 30 steps of a pendulum, in which another comes after 10 and goes after 20.
+  /// Records 30 steps of a pendulum; another one is inserted after 10 and removed after 20.
   void record() {
     const fs::path file = folder_.write(
         "w.sdf", test::worldText(test::pendulum("p", "0 0 2 0 0 0") +
@@ -48,7 +48,7 @@ class LogPlaybackTest : public testing::Test {
     }
   }
 
-  /// @return A world of which nothing but the player is told.
+  /// @return A world with only the player.
   std::unique_ptr<Simulation> play(const fs::path& path) {
     const fs::path file = folder_.write(
         "played.sdf", "<sdf version='1.9'><world name='w'>" +
@@ -57,12 +57,12 @@ class LogPlaybackTest : public testing::Test {
     return test::load(file, {.physics = false});
   }
 
-  /// Makes all steps, and looks where what is there at both ends of a step is.
+  /// Makes all steps, and looks up the position of each model that exists at both ends of a step.
   void expectAll(Simulation& played) {
     for (int step = 1; step <= 30; ++step) {
       played.step();
       const std::map<std::string, double> angles = anglesIn(played);
-      // between two steps those are there who are in the next one
+      // between two steps, the models are those of the next step
       EXPECT_EQ(angles.contains("q"), angles_[std::min(step + 1, 30)].contains("q")) << step;
       for (const auto& [name, angle] : angles_[step]) {
         if (angles.contains(name)) {
@@ -72,7 +72,7 @@ class LogPlaybackTest : public testing::Test {
     }
   }
 
-  /// @return The angle of each pendulum's hinge [rad].
+  /// @return Hinge angle of each pendulum [rad].
   static std::map<std::string, double> anglesIn(Simulation& simulation) {
     std::map<std::string, double> angles;
     for (const Model& model : simulation.world().models())

@@ -34,7 +34,7 @@ const char* wordFor(LogLevel level) {
   }
 }
 
-/// Says what is of use at a terminal whatever is logged there.
+/// Prints a message on the terminal, regardless of the log level except none.
 void say(const std::string& message) {
   if (logLevel() == LogLevel::kNone) return;
   const std::string line = "pongsim: " + message + "\n";
@@ -114,13 +114,13 @@ void RecordSystem::startConsoleLog() {
   });
 }
 
-/// @return The world with all that it includes; what it names of files by their paths. It goes into the recording with
-/// the files, where these are wanted.
+/// @return The world with everything that it includes, and with paths of files. They are replaced in the recording if
+/// resources are recorded.
 std::string RecordSystem::worldText(const SystemContext& context) {
   const SourcePosition position = context.world.sourcePosition();
   std::error_code error;
   std::optional<std::string> text;
-  // what is wrong with it has been said when it was loaded
+  // its errors were reported when it was loaded
   Diagnostics known;
   if (position.file && fs::is_regular_file(*position.file, error)) text = resolvedSdf(*position.file, known);
   if (!text) {
@@ -168,7 +168,7 @@ void RecordSystem::postUpdate(const StepInfo& info) {
 }
 
 void RecordSystem::reset() {
-  // a log's times do not go back
+  // times in a log do not go back
   if (!isRecording_ || !last_) return;
   log_->warning("the world was reset: the recording ends here");
   finish();
@@ -185,7 +185,7 @@ void RecordSystem::fail(const std::exception& why) {
 void RecordSystem::finish() {
   if (!writer_) return;
   try {
-    // what is on its way comes first
+    // queued messages first
     topicRecorder_.reset();
     stateRecorder_->finish();
     writer_->close();

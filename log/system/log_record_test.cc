@@ -28,7 +28,7 @@ class LogRecordTest : public testing::Test {
   fs::path recording() const { return folder_.path() / "rec"; }
   fs::path state() const { return recording() / "state.tlog"; }
 
-  /// @param parameters Beside the path.
+  /// @param parameters In addition to the path.
   fs::path world(const std::string& parameters = {}, const std::string& models = test::pendulum("p", "0 0 2 0 0 0")) {
     return folder_.write("w.sdf",
                          test::worldText(models + test::plugin("LogRecord", "<record_path>" + recording().string() +

@@ -1,4 +1,4 @@
-// Several worlds of a file, recorded by options of the command line and played.
+// Several worlds of a file, recorded with command-line options and played.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class SeveralRecordedWorlds : public testing::Test {
  protected:
   fs::path recording() const { return folder_.path() / "rec"; }
 
-  /// Makes steps of worlds "w" and "v", 10 and 20, as `pongsim run --record-path REC` does.
+  /// Makes 10 steps of world "w" and 20 of "v", as `pongsim run --record-path REC` does.
   void record(const std::vector<std::string>& more = {}) {
     const auto world = [](const std::string& name) {
       return "<world name='" + name + "'>" + test::pendulum("p_" + name, "0 0 2 0 0 0") + "</world>";

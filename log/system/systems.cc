@@ -1,4 +1,4 @@
-// The library of Fortress's log systems, of which a world asks for one by its class.
+// The library of Fortress's log systems; a world selects one by its class.
 #include <array>
 #include <memory>
 

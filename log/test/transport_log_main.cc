@@ -1,5 +1,5 @@
-// What Debian's own library of logs, which knows nothing of pongsim, reads of a log: a line for each topic with its
-// type and the number of its messages.
+// Reads a log with Debian's own log library, without pongsim, and prints each topic with its type and the number of its
+// messages.
 #include <cstdio>
 #include <map>
 #include <string>

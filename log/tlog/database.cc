@@ -10,7 +10,7 @@ namespace pongsim::log {
 
 namespace {
 
-/// How long a writer waits for a reader of the same file [ms].
+/// Waiting time of a writer for a reader of the same file [ms].
 constexpr int kBusyTime = 10000;
 
 const char* hintFor(int code) {
@@ -71,7 +71,7 @@ void Statement::bindText(int parameter, std::string_view text) {
 }
 
 void Statement::bindBytes(int parameter, std::string_view bytes) {
-  // an empty view may have no address, which would be NULL
+  // the address of an empty view may be null, which would be NULL
   const void* const data = bytes.empty() ? "" : bytes.data();
   if (sqlite3_bind_blob64(handle_, parameter, data, bytes.size(), SQLITE_STATIC) != SQLITE_OK) database_.fail();
 }
@@ -97,7 +97,7 @@ void Statement::reset() { sqlite3_reset(handle_); }
 std::int64_t Statement::number(int column) const { return sqlite3_column_int64(handle_, column); }
 
 std::string_view Statement::text(int column) const {
-  // the bytes first: their number is of the form that was asked for last
+  // the bytes first: their size refers to the last requested form
   const auto* const bytes = static_cast<const char*>(sqlite3_column_blob(handle_, column));
   return {bytes == nullptr ? "" : bytes, static_cast<std::size_t>(sqlite3_column_bytes(handle_, column))};
 }

@@ -29,7 +29,7 @@ struct TopicName {
   std::string type;
 };
 
-/// @return A file's name as SQLite's URIs have it.
+/// @return The file's name as an SQLite URI.
 std::string uriOf(const fs::path& file, const char* parameters) {
   std::string uri = "file:";
   for (const char letter : file.string()) {
@@ -43,12 +43,12 @@ std::string uriOf(const fs::path& file, const char* parameters) {
 }
 
 void readSchema(const Database& database) {
-  // a file that is shorter than it says is then read as far as it goes
+  // a file that is shorter than its header says is then read as far as it goes
   sqlite3_db_config(database.handle(), SQLITE_DBCONFIG_WRITABLE_SCHEMA, 1, nullptr);
   database.run("SELECT COUNT(*) FROM sqlite_master");
 }
 
-/// Opens a file that need not be writable, nor its folder.
+/// Opens a file that may be read-only, in a read-only folder.
 std::unique_ptr<Database> openDatabase(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
@@ -60,21 +60,21 @@ std::unique_ptr<Database> openDatabase(const fs::path& file) {
     readSchema(*database);
     return database;
   } catch (const Failure&) {
-    // what another process would have to mend first, in a folder where nothing can be written: as far as it is there
+    // it needs recovery, which a read-only folder prevents: read it as it is
     auto database = std::make_unique<Database>(uriOf(file, "mode=ro&immutable=1"), file, Database::Access::kRead);
     readSchema(*database);
     return database;
   }
 }
 
-/// @return The size of a database by its own header (SQLite's file format, 1.3) [bytes].
+/// @return The size of a database according to its header (SQLite's file format, 1.3) [bytes].
 std::int64_t sizeByHeader(const fs::path& file) {
   std::array<unsigned char, 32> header{};
   std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(header.data()), header.size());
   const std::int64_t page = header[16] << 8 | header[17];
   std::int64_t count = 0;
   for (std::size_t i = 28; i < 32; ++i) count = count << 8 | header[i];
-  // 1 stands for what two bytes can't have
+  // 1 stands for 65536, which does not fit into two bytes
   return count * (page == 1 ? 65536 : page);
 }
 
@@ -91,7 +91,7 @@ struct TlogReader::Parts {
     while (rows.stepWhole(isDamaged)) topics[rows.number(0)] = {std::string(rows.text(1)), std::string(rows.text(2))};
   }
 
-  /// Looks at what tells of a writer that has not come to its end, or of a copy that has not.
+  /// Looks for signs of a writer that was interrupted, or of an incomplete copy.
   void lookForTears(const fs::path& file) {
     std::error_code error;
     const auto size = static_cast<std::int64_t>(fs::file_size(file, error));
@@ -110,7 +110,7 @@ struct TlogReader::Parts {
     }
   }
 
-  /// @return Ids of topics, as SQL has a list; nothing: all.
+  /// @return Ids of the topics as an SQL list; nothing: all.
   std::optional<std::string> idsOf(const std::optional<std::vector<std::string>>& names) const {
     if (!names) return std::nullopt;
     std::string list;
@@ -124,9 +124,9 @@ struct TlogReader::Parts {
   std::unique_ptr<Database> database;
   std::map<std::int64_t, TopicName> topics;
   std::optional<std::string> tear;
-  /// Its index can't be followed: its rows are read in the order in which they were written.
+  /// Its index is unusable: rows are read in the order of writing.
   bool isCutOff = false;
-  /// The last row that it had when it was opened.
+  /// The last row at the time of opening.
   std::int64_t lastRow = 0;
   std::optional<std::vector<Topic>> counted;
 };
@@ -188,7 +188,7 @@ std::optional<TimeRange> TlogReader::timeRange() const {
     });
     return range;
   }
-  // each by the index
+  // two queries, so that each uses the index
   Statement first(*parts_->database, "SELECT time_recv FROM messages ORDER BY time_recv LIMIT 1");
   Statement last(*parts_->database, "SELECT time_recv FROM messages WHERE id <= ?1 ORDER BY time_recv DESC LIMIT 1");
   last.bind(1, parts_->lastRow);
@@ -198,7 +198,7 @@ std::optional<TimeRange> TlogReader::timeRange() const {
 
 void TlogReader::forEach(const Selection& selection, const std::function<bool(const Record&)>& visit) const {
   const std::optional<std::string> ids = parts_->idsOf(selection.topics);
-  // the plus keeps it from the index
+  // the plus disables the index
   const std::string time = parts_->isCutOff ? "+time_recv" : "time_recv";
   const std::string text = "SELECT time_recv, topic_id, message FROM messages WHERE " + time +
                            " BETWEEN ?1 AND ?2 AND +id <= ?3" + (ids ? " AND topic_id IN (" + *ids + ")" : "") +

@@ -20,7 +20,7 @@ class TlogReaderTest : public testing::Test {
  protected:
   std::filesystem::path file() const { return folder_.path() / "state.tlog"; }
 
-  /// @return Whose payloads come, one behind the other.
+  /// @return The payloads of the records, concatenated.
   static std::string payloads(const TlogReader& reader, const Selection& selection) {
     std::string text;
     reader.forEach(selection, [&](const Record& record) {

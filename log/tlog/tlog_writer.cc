@@ -27,7 +27,7 @@ namespace {
 constexpr std::chrono::milliseconds kTransactionTime{500};
 constexpr std::size_t kMostWaiting = std::size_t{64} << 20U;
 
-// As ignition-transport 11 makes it; its readers look for the version.
+// As in ignition-transport 11; its readers check the version.
 constexpr const char* kSchema = R"(
 BEGIN;
 CREATE TABLE migrations (
@@ -54,11 +54,11 @@ INSERT INTO migrations (to_version) VALUES ('0.1.0');
 COMMIT;
 )";
 
-/// The rows of a file that is written.
+/// The tables of the file.
 class Tables {
  public:
   explicit Tables(const fs::path& file) : database_(file.string(), file, Database::Access::kCreate) {
-    // readers may come while it is written, and what a transaction has ended stays whatever becomes of the process
+    // allows readers meanwhile; a committed transaction survives the end of the process
     database_.run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;");
     database_.run(kSchema);
     insertType_.emplace(database_, "INSERT INTO message_types (name) VALUES (?1)");
@@ -87,12 +87,12 @@ class Tables {
     insert(*insertMessage_);
   }
 
-  /// Lets one file have all, as Fortress's have.
+  /// Merges the write-ahead log, so that one file has everything, as with Fortress.
   void end() {
     insertType_.reset();
     insertTopic_.reset();
     insertMessage_.reset();
-    // where a reader holds it open it stays two files, which are as good
+    // while a reader holds it open there remain two files, which work as well
     sqlite3_busy_timeout(database_.handle(), 0);
     sqlite3_exec(database_.handle(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
   }
@@ -109,7 +109,7 @@ class Tables {
   std::optional<Statement> insertType_, insertTopic_, insertMessage_;
 };
 
-/// Records that wait, their bytes one behind the other.
+/// Queued records, with their bytes concatenated.
 struct Batch {
   struct Entry {
     std::int64_t timeNs;
@@ -119,7 +119,7 @@ struct Batch {
   };
   std::vector<Entry> entries;
   std::string bytes;
-  /// Of topics that are new: name and type.
+  /// New topics: name and type.
   std::vector<std::pair<std::string, std::string>> topics;
 
   void clear() {
@@ -147,8 +147,8 @@ struct TlogWriter::Parts {
     taken.notify_all();
   }
 
-  /// Waits for what is to be written, and takes all of it, after the time of a transaction.
-  /// @return Whether there is any, now or later.
+  /// Waits for the next transaction, and takes all queued records.
+  /// @return False at the end.
   bool take(Batch& batch) {
     batch.clear();
     std::unique_lock lock(mutex);
@@ -170,13 +170,13 @@ struct TlogWriter::Parts {
   }
 
   Tables tables;
-  /// By their numbers; of the thread.
+  /// Indexed by topic number; used by the thread only.
   std::vector<std::int64_t> topicIds;
 
   std::mutex mutex;
   std::condition_variable given, taken;
   Batch waiting;
-  /// The numbers of topics by name and type, with a line's end between them.
+  /// Numbers of the topics, keyed by name and type with a newline between them.
   std::unordered_map<std::string, std::size_t> numbers;
   std::string numbersKey;
   bool isClosing = false;
@@ -186,7 +186,7 @@ struct TlogWriter::Parts {
 
 namespace {
 
-/// Takes away what is there of a file, so that a new one can be made.
+/// Removes an existing log, so that a new one can be created.
 void removeOld(const fs::path& file) {
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
     std::error_code error;
@@ -207,7 +207,7 @@ TlogWriter::~TlogWriter() {
   try {
     close();
   } catch (const Failure&) {
-    // who wants to know calls close
+    // errors are reported by close
   }
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kType = "ignition.msgs.Int32";
 
-/// @return Each column of each table, with its type: "topics.name TEXT".
+/// @return Name and type of each column of each table: "topics.name TEXT".
 std::vector<std::string> columnsOf(const std::filesystem::path& file) {
   const Database database("file:" + file.string() + "?mode=ro", file, Database::Access::kRead);
   Statement rows(database,
@@ -106,7 +106,7 @@ TEST_F(TlogWriterTest, OfAKilledRecorderAllButTheLastSecondIsThere) {
     try {
       seen = countIn(file());
     } catch (const Failure&) {
-      // it is not there yet
+      // not there yet
     }
     return seen > 0;
   });
