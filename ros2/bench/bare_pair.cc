@@ -29,7 +29,7 @@ using Bytes = std::vector<std::byte>;
 // larger than an image
 constexpr std::uint32_t kMost = 4 << 20;
 
-/// Bytes that are CDR already.
+/// Bytes that are already CDR.
 class RawType final : public dds::TopicDataType {
  public:
   explicit RawType(const std::string& name) {

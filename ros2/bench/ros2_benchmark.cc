@@ -1,9 +1,9 @@
-// What talking to ROS costs beside bare Fast DDS, and what it costs the simulation.
-//   pongsim_ros2_bench                       the whole of it
-//   pongsim_ros2_bench ways                  how long messages take, steps: what steps cost
-//   pongsim_ros2_bench write KIND WAY        its other process: writes what a kind is, stamped
-//   pongsim_ros2_bench read KIND WAY         hears it, and prints the median age [us]
-//   pongsim_ros2_bench listen                five readers of the world's sensors, until it is killed
+// Measures messages to and from ROS, compared with bare Fast DDS, and their cost in the simulation.
+//   pongsim_ros2_bench                       runs everything
+//   pongsim_ros2_bench ways                  measures the latency of messages; steps: the cost of steps
+//   pongsim_ros2_bench write KIND WAY        the other process: writes messages of a kind, stamped
+//   pongsim_ros2_bench read KIND WAY         receives them, and prints the median age [us]
+//   pongsim_ros2_bench listen                runs five readers of the world's sensors, until it is killed
 
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/laserscan.pb.h>
@@ -58,7 +58,7 @@ constexpr unsigned kWidth = 640, kHeight = 480;
 /// Seconds of the steady clock, the same in all processes.
 double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
-/// @return How old a payload is [us]: a Twist says it in its first number, the others in the stamp of their header.
+/// @return Age of a payload [us]: a Twist has its time in its first number, other types in the stamp of their header.
 double age(int kind, std::span<const std::byte> payload) {
   if (kind == kTwist) {
     double at = 0;
@@ -82,7 +82,7 @@ double median(std::vector<double> all) {
   return all[all.size() / 2];
 }
 
-/// Ages of what comes, until there are enough.
+/// Collects ages of received messages until there are enough.
 class Ages {
  public:
   void add(double age) {
@@ -90,7 +90,7 @@ class Ages {
     ages_.push_back(age);
     last_ = Clock::now();
   }
-  /// Waits for so many, and no longer than a while after the last one.
+  /// Waits for this many, or until a while after the last one.
   std::vector<double> wait(int count) {
     while (true) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -138,7 +138,7 @@ sensor_msgs::Image rosImage() {
   return image;
 }
 
-/// Writes a kind by bare Fast DDS: into the payload, and on.
+/// Writes messages of a kind with bare Fast DDS, directly into its payload.
 void writeBare(BarePeer& peer, int number) {
   const Kind& kind = kKinds[number];
   peer.openWriter(topicOnWire(kind.topic), ddsTypeName(kind.type));
@@ -187,7 +187,7 @@ int readProcess(int domain, int number, Way way) {
 
 std::string own() { return "/proc/self/exe"; }
 
-/// @return The median age that a reading process tells.
+/// @return The median age reported by a reading process.
 double toldBy(Process& reader) {
   if (reader.wait() != 0) std::fprintf(stderr, "a reader failed: %s\n", reader.error().c_str());
   std::size_t count = 0;
@@ -213,7 +213,7 @@ double bareFromWriter(int domain, int kind, const std::string& way) {
   return median(ages.wait(kKinds[kind].count));
 }
 
-/// A transport of the simulation with the bridge on it, without a world.
+/// A transport of the simulation with the bridge, without a world.
 struct Bridged {
   explicit Bridged(int domain)
       : transport({.network = false}),
@@ -264,7 +264,7 @@ double scanOut(int domain) {
   return toldBy(reader);
 }
 
-/// @param copies How often a picture's bytes were copied on the way to the wire.
+/// @param copies How often an image's bytes were copied on the way to the wire.
 double imageOut(int domain, double& copies) {
   Bridged bridged(domain);
   const std::string pixels(std::size_t{3} * kWidth * kHeight, 'x');
@@ -335,12 +335,12 @@ std::unique_ptr<Simulation> load(bool withRos) {
   return simulation;
 }
 
-/// From a test's domain to one where nobody is.
+/// Switches from a test's domain to an empty one.
 constexpr int kOtherDomain = 100;
 std::atomic<bool> isOver = false;
 
 int listenProcess(int domain) {
-  // ends in order, so that it is forgotten at once
+  // stopped cleanly, so that it is removed from the graph at once
   std::signal(SIGTERM, [](int) { isOver = true; });
   BarePeer peer(domain, Way::kUdp);
   std::atomic<int> heard[3] = {};
@@ -358,7 +358,7 @@ int listenProcess(int domain) {
 }
 
 constexpr std::uint64_t kQuietSteps = 5000;
-/// A slice has three pictures, ten measurements of the IMU and one scan.
+/// A slice has three images, ten IMU readings and one scan.
 constexpr std::uint64_t kSliceSteps = 100;
 constexpr int kSlices = 100;
 
@@ -368,7 +368,7 @@ double costOf(Simulation& simulation, std::uint64_t steps) {
   return cpuSeconds() - before;
 }
 
-/// A world whose sensors measure for somebody: for nodes of ROS, or for who listens in the simulation and takes all.
+/// A world whose sensors have subscribers: ROS nodes, or subscribers in the simulation that receive everything.
 struct MeasuredWorld {
   explicit MeasuredWorld(bool isHeardInside) : simulation(load(true)) {
     if (isHeardInside) {
@@ -388,20 +388,21 @@ struct MeasuredWorld {
 };
 
 struct ReadersCost {
-  /// Microseconds a step of the simulation's thread, without readers and with them.
+  /// Cost of a step in the simulation's thread without readers and with them [us].
   double without = 0;
   double with = 0;
-  /// With them, the median of pairs of slices side by side.
+  /// With readers, the median of pairs of adjacent slices.
   double share = 0;
 };
 
-/// @return What five nodes that read lidar, camera and IMU add to the processor time of the simulation's thread: two
-/// worlds, of which one has the readers, take turns in slices; each begins when what the other has sent is through.
+/// @return The processor time that five nodes subscribed to lidar, camera and IMU add to the simulation's thread. Two
+/// worlds, one of them with the readers, take turns in slices; a slice begins when everything that the other has sent
+/// has arrived.
 ReadersCost costOfReaders() {
   const MeasuredWorld read(false);
   std::vector<std::unique_ptr<Process>> readers;
   for (int j = 0; j < 5; ++j) readers.push_back(std::make_unique<Process>(std::vector<std::string>{own(), "listen"}));
-  // until each of the five has heard of each of the three
+  // until each of the five has received something from each of the three
   waitFor([&] {
     read.simulation->step(20);
     return std::ranges::all_of(readers, [](const auto& each) { return each->output().starts_with("ready"); });
@@ -419,7 +420,7 @@ ReadersCost costOfReaders() {
   return {median(without), median(with), median(shares)};
 }
 
-/// @return Microseconds that the system adds to a step while nobody listens.
+/// @return Cost of the system per step without subscribers [us].
 double costUnheard() {
   const auto plain = load(false), withRos = load(true);
   plain->step(500);

@@ -11,7 +11,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-// Names that mean the same in every namespace.
+// Names that are the same in every namespace.
 constexpr std::string_view kGlobalNames[] = {"/clock", "/tf", "/tf_static"};
 
 }  // namespace
@@ -19,7 +19,7 @@ constexpr std::string_view kGlobalNames[] = {"/clock", "/tf", "/tf_static"};
 struct Bridge::Entry {
   TopicRule rule;
   bool isLatched = false;
-  /// Whether messages of ROS go to the simulation, now or as soon as somebody listens there.
+  /// Whether ROS messages are passed to the simulation, now or as soon as it subscribes.
   bool isFromRosWanted = false;
   std::atomic<std::uint64_t> refused = 0;
 
@@ -27,7 +27,7 @@ struct Bridge::Entry {
   std::unique_ptr<RosPublisher> publisher;
   ToIgnition toIgnition;
   Publisher toSimulation;
-  // they end first, for they call the others
+  // destroyed first, because they use the others
   Subscription heard;
   std::unique_ptr<RosSubscription> subscription;
 };
@@ -42,7 +42,7 @@ Bridge::Bridge(const Node& simulation, RosNode& ros, const Settings& settings)
 Bridge::~Bridge() = default;
 
 void Bridge::update() {
-  // what is opened here makes another version too, after which nothing is left to do
+  // endpoints opened here change the version once more, without further work
   if (const std::uint64_t version = simulation_.ownTopicsVersion(); version != topicsVersion_) {
     topicsVersion_ = version;
     followTopics();
@@ -88,7 +88,7 @@ void Bridge::followTopics() {
     try {
       want(*entry, {topic.publishers > 0, topic.subscriptions > 0, topic.isLatched});
     } catch (const std::runtime_error& error) {
-      // the permissions of an enclave may leave out one that no rule asks for
+      // an enclave's permissions may deny a topic that no rule names
       if (refusedNames_.insert(topic.name + " " + topic.type).second) {
         ros_.log().warning("topic '" + topic.name + "' is not bridged: " + error.what());
       }
@@ -96,7 +96,7 @@ void Bridge::followTopics() {
   }
 }
 
-/// Whether a rule gives the name in ROS to another topic of the simulation.
+/// Whether a rule gives the ROS name to another topic of the simulation.
 bool Bridge::isTakenByRule(const TopicRule& automatic) {
   const auto found = std::ranges::find(settings_.rules, automatic.ros, &TopicRule::ros);
   if (found == settings_.rules.end()) return false;
@@ -120,7 +120,7 @@ void Bridge::followRules(const std::vector<OwnTopic>& topics) {
   }
 }
 
-/// A rule for messages that the simulation does not have does nothing, which its user would look for long.
+/// A rule for a type that the topic does not have has no effect; without a warning that is hard to find.
 void Bridge::warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>& topics) {
   for (const OwnTopic& topic : topics) {
     if (topic.name != rule.ignition || topic.type == rule.pair->ignition || topic.type == "*") continue;
@@ -134,7 +134,7 @@ void Bridge::warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>
   }
 }
 
-/// @return Null where another topic has the name in ROS already.
+/// @return Null if another topic already has the ROS name.
 Bridge::Entry* Bridge::entryFor(const TopicRule& rule) {
   const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
     return entry.rule.ignition == rule.ignition && entry.rule.pair == rule.pair && entry.rule.ros == rule.ros;
@@ -259,7 +259,7 @@ void Bridge::setWallTime(bool isUsed) {
   settings_.frames.usesWallTime = isUsed;
   for (Entry& entry : entries_) {
     if (!entry.publisher) continue;
-    // nobody calls it while it changes
+    // it is not called while it changes
     entry.heard = {};
     entry.toRos = entry.rule.pair->toRos(framesOf(entry.rule));
   }

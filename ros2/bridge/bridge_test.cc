@@ -30,7 +30,7 @@ StringMsg textOf(const std::string& content) {
   return message;
 }
 
-/// Texts that DDS's threads add.
+/// Texts received on DDS's threads.
 class Heard {
  public:
   void add(const std::string& text) {
@@ -47,7 +47,7 @@ class Heard {
   std::vector<std::string> texts_;
 };
 
-/// A bridge of a transport without a world, and a node of ROS beside it.
+/// A bridge on a transport without a world, and another ROS node.
 class BridgeTest : public testing::Test {
  protected:
   Bridge& bridge(const Settings& settings = {}) {
@@ -108,7 +108,7 @@ TEST_F(BridgeTest, CarriesEachWayAndNothingBack) {
     const auto topics = bridge_->topics();
     return topics.size() == 1 && topics[0].readers == 1 && topics[0].writers == 1 && writer->hasReaders();
   };
-  // the reader of the peer itself is of its own participant, which hears nothing of its own
+  // the peer's own reader belongs to its own participant, from which it receives nothing
   ASSERT_TRUE(updateUntil(bridged));
   writer->publish(std_msgs::String{"from ROS"});
   ASSERT_TRUE(updateUntil([&] { return inside.size() == 1; }));
@@ -148,7 +148,7 @@ TEST_F(BridgeTest, RefusesACommandThatIsNoNumber) {
       simulation_.subscribe<ignition::msgs::Twist>("/cmd_vel", [&](const ignition::msgs::Twist&) { ++commands; });
   bridge();
   const auto writer = peer_.advertise<geometry_msgs::Twist>("/cmd_vel");
-  // both know of each other, which comes about one after the other
+  // both have discovered each other, which happens one after the other
   ASSERT_TRUE(updateUntil([&] { return writer->hasReaders() && bridge_->topics()[0].writers == 1; }));
   geometry_msgs::Twist twist;
   twist.angular.z = std::numeric_limits<double>::quiet_NaN();
@@ -181,7 +181,7 @@ TEST_F(BridgeTest, WritesThePixelsOfAPictureOnceForAllReaders) {
   EXPECT_EQ(written, 1);
 }
 
-/// Settings that bridge nothing but "/chatter", as "/talk" in ROS.
+/// Settings that bridge only "/chatter", as "/talk" in ROS.
 Settings onlyChatter(Direction direction) {
   Settings settings;
   settings.bridgesAll = false;

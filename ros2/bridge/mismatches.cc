@@ -9,7 +9,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// What a reader asks for and a writer does not give; null where there is no such thing.
+/// @return The quality that a reader requests and a writer does not offer; null if there is none.
 const char* missing(const Qos& writer, const Qos& reader) {
   if (reader.isReliable && !writer.isReliable) return "reliable";
   if (reader.isTransientLocal && !writer.isTransientLocal) return "transient local";
@@ -36,19 +36,19 @@ std::optional<std::string> mismatch(const Offer& offer, const Graph::Endpoint& t
     std::string text = who + type + ", which is " + std::string(offer.pair->ros) + " here: " + outcome;
     if (const Pair* other = findPair(type, offer.pair->ignition)) {
       text += "; --ros2-topic '" + offer.ignition + "@" + std::string(other->ros) + "@" + other->ignition +
-              "' makes it that";
+              "' bridges that type";
     }
     return text;
   }
   if (const char* quality = theyWrite ? missing(theirs.contract.qos, *here) : missing(*here, theirs.contract.qos)) {
-    return theyWrite ? who + "not " + quality + ", which is asked for here: " + outcome
-                     : who + quality + ", which it is not: " + outcome;
+    return theyWrite ? who + "not " + quality + ", but " + quality + " is required here: " + outcome
+                     : who + quality + ", but it is published as not " + quality + ": " + outcome;
   }
   return std::nullopt;
 }
 
 void Mismatches::update(std::uint64_t offersVersion, const std::function<std::vector<Offer>()>& offers) {
-  // while nodes come, something is new in many steps: looked at is what is there when it is quiet again
+  // while nodes start, the graph changes in many steps: check once it is stable
   const std::uint64_t version = ros_.participant().graph().version();
   const bool isQuiet = std::exchange(seenVersion_, version) == version;
   if (!isQuiet || (version == checkedVersion_ && offersVersion == offersVersion_)) return;

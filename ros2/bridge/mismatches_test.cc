@@ -34,7 +34,7 @@ TEST(Mismatch, IsNoneWhereTheyMeet) {
 
 TEST(Mismatch, IsNoneOfOtherTopicsAndDirections) {
   EXPECT_EQ(mismatch(commandOffer(), theirWriter("rt/other", kScanOnWire)), std::nullopt);
-  // another node that takes or gives the same is no business of the simulation
+  // mismatches between other nodes are not reported
   EXPECT_EQ(mismatch(commandOffer(), theirReader("rt/cmd_vel", kScanOnWire)), std::nullopt);
   EXPECT_EQ(mismatch(scanOffer(), theirWriter("rt/scan", kTwistOnWire)), std::nullopt);
 }
@@ -50,17 +50,18 @@ TEST(Mismatch, NamesBothTypes) {
 TEST(Mismatch, SaysHowATypeThatHasAPairIsHad) {
   EXPECT_EQ(mismatch(commandOffer(), theirWriter("rt/cmd_vel", "geometry_msgs::msg::dds_::TwistStamped_")),
             "a node publishes '/cmd_vel' as geometry_msgs/msg/TwistStamped, which is geometry_msgs/msg/Twist here: "
-            "no messages arrive; --ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' makes "
-            "it that");
+            "no messages arrive; --ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' bridges "
+            "that type");
 }
 
 TEST(Mismatch, NamesTheQualityThatIsMissing) {
   EXPECT_EQ(mismatch(scanOffer(kBestEffortQos), theirReader("rt/scan", kScanOnWire)),
-            "a node subscribes to '/scan' as reliable, which it is not: it receives no messages");
+            "a node subscribes to '/scan' as reliable, but it is published as not reliable: it receives no messages");
   EXPECT_EQ(mismatch(scanOffer(), theirReader("rt/scan", kScanOnWire, kLatchedQos)),
-            "a node subscribes to '/scan' as transient local, which it is not: it receives no messages");
+            "a node subscribes to '/scan' as transient local, but it is published as not transient local: it receives "
+            "no messages");
   EXPECT_EQ(mismatch(commandOffer(kDefaultQos), theirWriter("rt/cmd_vel", kTwistOnWire, kBestEffortQos)),
-            "a node publishes '/cmd_vel' as not reliable, which is asked for here: no messages arrive");
+            "a node publishes '/cmd_vel' as not reliable, but reliable is required here: no messages arrive");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ void SimulationParameters::declareReadOnly(const Settings& settings) {
   addReadOnly("config_file", "what the bridge was configured with; empty: nothing", parameterOf(settings.configFile));
 }
 
-/// Named as rclcpp names them: those of the events, which its nodes have too, and those that rules say.
+/// Named as in rclcpp: those of the events, which rclcpp's nodes have too, and those of rules.
 void SimulationParameters::declareQuality(const Settings& settings) {
   constexpr const char* kDescription = "quality of service";
   addReadOnly("qos_overrides./parameter_events.publisher.depth", kDescription, parameterOf(std::int64_t{1000}));
@@ -109,7 +109,7 @@ void SimulationParameters::declareQuality(const Settings& settings) {
 void SimulationParameters::preUpdate(Time time) {
   time_ = time;
   if (world_.realTimeFactor() == realTimeFactor_) return;
-  // by a service of the simulation, or a reset
+  // changed by a service of the simulation, or by a reset
   realTimeFactor_ = world_.realTimeFactor();
   parameters_.update(kRealTimeFactor, parameterOf(realTimeFactor_));
 }

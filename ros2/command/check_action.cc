@@ -40,7 +40,7 @@ std::string toRosOf(const TopicRule& rule) {
          std::to_string(qos.depth) + (isLazyToRos(rule, false) ? ", lazy" : "");
 }
 
-/// Without a depth: nothing waits.
+/// Without a depth, because nothing is queued.
 std::string fromRosOf(const TopicRule& rule) {
   const Qos qos = readerQos(rule);
   return std::string("from ROS: ") + reliabilityOf(qos) + ", " + durabilityOf(qos) +
@@ -106,10 +106,10 @@ Json jsonOf(const Diagnostics& diagnostics) {
   return list;
 }
 
-/// Says each with its line of the file below it.
+/// Prints each message with its line of the file below.
 void tell(const Diagnostics& diagnostics, const std::string& file) {
   std::vector<std::string> lines;
-  // what is not a file is not read again
+  // only files are read again
   if (std::error_code error; std::filesystem::is_regular_file(file, error)) {
     std::ifstream stream(file, std::ios::binary);
     for (std::string line; std::getline(stream, line);) lines.push_back(line);

@@ -28,7 +28,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-// As ros_gz_sim waits for the answer.
+// Equal to ros_gz_sim's waiting time for the response.
 constexpr std::chrono::seconds kAnswerTime{5};
 constexpr std::chrono::milliseconds kDiscoveryTime{300};
 constexpr std::string_view kWorldPrefix = "/world/", kCreateSuffix = "/create";
@@ -73,7 +73,7 @@ CreateOptions optionsOf(const CreateCommandLine& given) {
   options.rotation = fromRollPitchYaw(number("R"), number("P"), number("Y"));
   if (!given.timeout.empty()) {
     const double milliseconds = numberOf("--timeout", given.timeout);
-    // a year is as good as for ever
+    // a year stands for no limit
     if (milliseconds < 0) throw UsageError("option '--timeout' takes a number from 0 up, not '" + given.timeout + "'");
     options.search.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(std::min(milliseconds, 3e10)));
   }
@@ -95,8 +95,8 @@ std::vector<std::string> worldsIn(const std::vector<ServiceInfo>& services) {
   return worlds;
 }
 
-/// Waits for the world, and says so where that takes longer.
-/// @return Its name; nothing where there is none in time, or several, which it has said.
+/// Waits for the world, with a message if that takes longer.
+/// @return Its name; nothing if there is none in time, or several, after an error message.
 std::optional<std::string> findWorld(Transport& transport, const CreateOptions& options) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -127,7 +127,7 @@ std::optional<std::string> findWorld(Transport& transport, const CreateOptions& 
   }
 }
 
-/// @return Whether `request` has it now; else it has said why not.
+/// @return Whether `request` has the model now; if not, an error was printed.
 bool describe(const CreateOptions& options, ignition::msgs::EntityFactory& request) {
   const CreateCommandLine& given = options.given;
   if (!given.text.empty()) {
@@ -164,7 +164,7 @@ int create(const CreateOptions& options) {
   if (!describe(options, request)) return kFailed;
   request.set_name(options.given.name);
   request.set_allow_renaming(options.given.allowsRenaming);
-  // always, as ros_gz_sim: what the file says of its pose does not count
+  // always set, as in ros_gz_sim: the pose in the file is ignored
   auto& position = *request.mutable_pose()->mutable_position();
   position.set_x(options.position.x());
   position.set_y(options.position.y());

@@ -20,11 +20,11 @@ using Clock = std::chrono::steady_clock;
 using GetParameters = rcl_interfaces::srv::GetParameters;
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};
-// So long nothing is said; and a node that is there answers.
+// Grace period before the first message: a running node answers within it.
 constexpr std::chrono::seconds kUnremarkable{1};
 constexpr std::string_view kGetParameters = "/get_parameters";
 
-/// Says each thing once, and nothing in the first second.
+/// Prints each message once, and none in the first second.
 class Remarks {
  public:
   explicit Remarks(const SearchOptions& options) : options_(options) {}
@@ -40,7 +40,7 @@ class Remarks {
   std::set<std::string> said_;
 };
 
-/// @return Whether somebody publishes it without keeping the last message, so that a late reader gets none.
+/// @return Whether a node publishes it without keeping the last message, so that late subscribers get none.
 bool isPublishedOnceOnly(RosNode& node, const std::string& topic) {
   return std::ranges::any_of(node.participant().graph().endpoints(), [&](const Graph::Endpoint& endpoint) {
     return endpoint.role == Graph::Role::kWriter && endpoint.contract.topic == topicOnWire(topic) &&
@@ -48,7 +48,7 @@ bool isPublishedOnceOnly(RosNode& node, const std::string& topic) {
   });
 }
 
-/// @return The services of all nodes by which parameters are read.
+/// @return The parameter services of all nodes.
 std::set<std::string> parameterServices(RosNode& node) {
   std::set<std::string> services;
   for (const Graph::Endpoint& endpoint : node.participant().graph().endpoints()) {

@@ -1,4 +1,4 @@
-// pongsim-ros2, which `pongsim ros2` becomes.
+// pongsim-ros2, which `pongsim ros2` runs.
 #include "ros2/command/command.hh"
 #include "ros2/command/command_line.hh"
 

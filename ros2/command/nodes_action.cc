@@ -18,7 +18,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-// Whoever is there has told by then; on an idle machine it takes a second.
+// Enough for all nodes to be discovered; on an idle machine it takes a second.
 constexpr std::chrono::seconds kNodesTime{5};
 
 struct NodesCommandLine {

@@ -32,7 +32,7 @@ using ignition::msgs::Param;
 using ignition::msgs::Param_V;
 using Clock = std::chrono::steady_clock;
 
-/// How long a look around waits for the other processes to tell of their services, at most.
+/// Maximum time for other processes to report their services.
 constexpr std::chrono::milliseconds kServicesTime{5000};
 constexpr std::chrono::milliseconds kDispatchTime{20};
 constexpr std::chrono::seconds kTopicsTime{5};
@@ -42,20 +42,20 @@ constexpr std::string_view kTopicsPrefix = "/world/", kTopicsSuffix = "/ros2/top
 struct TopicsCommandLine {
   std::string world;
   bool asJson = false;
-  /// How long rates are measured [s].
+  /// Measuring time of rates [s].
   double duration = 1;
   std::chrono::milliseconds timeout{1000};
 };
 
-/// What passed while it was looked at.
+/// The messages that passed during the measurement.
 struct Watched {
   Param_V topics;
-  /// From the first look to the last [s].
+  /// From the first to the last request [s].
   double seconds = 0;
   Param_V before;
 };
 
-/// @return The worlds that offer such a service, as they stand in its name.
+/// @return The worlds that offer such a service, by their names in its name.
 std::vector<std::string> worldsWith(const std::vector<ServiceInfo>& services, std::string_view suffix) {
   std::vector<std::string> worlds;
   for (const ServiceInfo& service : services) {
@@ -86,7 +86,7 @@ int failWithout(const std::string& wanted, const std::vector<std::string>& bridg
               "start it with pongsim run WORLD --ros2");
 }
 
-/// @return The world to ask; nothing where there is none, which was said.
+/// @return The world to ask; nothing if there is none, after an error message.
 std::optional<std::string> findWorld(Transport& transport, const TopicsCommandLine& given) {
   const std::string wanted = cleanTopic(given.world);
   const Clock::time_point deadline = Clock::now() + given.timeout;
@@ -135,7 +135,7 @@ double number(const Param& topic, const char* name) {
   return found == topic.params().end() ? 0 : found->second.double_value();
 }
 
-/// @return A second, while it was watched.
+/// @return Messages per second during the measurement.
 double rateOf(const Watched& watched, const Param& topic, const char* counter) {
   double before = 0;
   for (const Param& each : watched.before.param()) {
@@ -191,7 +191,7 @@ std::string jsonOf(const Watched& watched) {
 }
 
 int listTopics(const TopicsCommandLine& given) {
-  // types that do not fit are what this fails with
+  // mismatched types make this action fail
   setLogLevel(LogLevel::kError);
   Transport transport;
   const std::optional<std::string> world = findWorld(transport, given);
@@ -205,7 +205,7 @@ int listTopics(const TopicsCommandLine& given) {
   return print(tableOf(*watched));
 }
 
-/// @throws UsageError where it is not a number from 0 to `most`.
+/// @throws UsageError unless it is a number from 0 to `most`.
 double numberOption(const char* option, const std::string& text, double most) {
   double value = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

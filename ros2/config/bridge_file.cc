@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kMostBytes = std::size_t{16} << 20U;
 constexpr std::size_t kLargestDepth = 1'000'000;
 
-/// Named settings, as those of rmw: what one leaves out is as usual.
+/// Named QoS profiles, like those of rmw. Unset values are the defaults.
 struct Profile {
   std::string_view name;
   WayRule rule;
@@ -75,12 +75,12 @@ class Reading {
   Diagnostics& diagnostics_;
 };
 
-/// One map of the list.
+/// Parses one map of the list.
 class Entry {
  public:
   Entry(const YAML::Node& node, Reading& reading) : node_(node), reading_(reading) {}
 
-  /// @return The rule, where nothing is wrong with it.
+  /// @return The rule, if it has no errors.
   std::optional<RuleText> read() {
     readKeys();
     rule_.position = reading_.at(node_);
@@ -114,7 +114,7 @@ class Entry {
   std::optional<std::size_t> depth(std::string_view key, const YAML::Node& value);
   template <class Value, std::size_t N>
   std::optional<Value> word(std::string_view key, const YAML::Node& value, const Word<Value> (&words)[N]);
-  /// Into a place that a key of another name may have filled before.
+  /// Sets a value that a key with another name may have set before.
   void text(std::string_view key, const YAML::Node& value, std::optional<Said>& to);
 
   template <std::optional<Said> Entry::*target>
@@ -171,7 +171,7 @@ const Entry::Key Entry::kKeys[] = {
     {"service_name", &Entry::takeText<&Entry::service_>},
     {"gz_req_type_name", &Entry::takeRuleText<&RuleText::requestType>},
     {"gz_rep_type_name", &Entry::takeRuleText<&RuleText::replyType>},
-    // ours
+    // pongsim's own key
     {"qos", &Entry::takeQos},
     {"frame_prefix", &Entry::takeRuleText<&RuleText::framePrefix>},
     {"ros_service_name", &Entry::takeText<&Entry::rosService_>},
@@ -210,7 +210,7 @@ std::optional<Said> Entry::text(std::string_view key, const YAML::Node& value) {
     fail(reading_.at(value), "'" + std::string(key) + "' must be a string");
     return std::nullopt;
   }
-  // as in ros_gz an empty one is none
+  // as in ros_gz, an empty name counts as missing
   if (value.Scalar().empty()) return std::nullopt;
   return Said{value.Scalar(), reading_.at(value)};
 }
@@ -350,7 +350,7 @@ void Entry::takeQuality() {
   }
 }
 
-/// Hears where a document begins.
+/// Records where documents begin.
 class DocumentStart final : public YAML::EventHandler {
  public:
   const YAML::Mark& mark() const { return mark_; }
@@ -369,8 +369,8 @@ class DocumentStart final : public YAML::EventHandler {
   YAML::Mark mark_;
 };
 
-/// @return Where something stands that `YAML::Load` has left out: another document, or a line that is no part of the
-/// first. `YAML::LoadAll` would find the latter again and again, without end.
+/// @return Position of text that `YAML::Load` ignores: another document, or a line that does not belong to the first.
+/// `YAML::LoadAll` loops forever on the latter.
 std::optional<YAML::Mark> behindTheFirstDocument(std::string_view text) {
   std::istringstream stream{std::string(text)};
   YAML::Parser parser(stream);

@@ -25,12 +25,12 @@ FileRead fileOf(const std::string& text) {
   return result;
 }
 
-/// A topic with some more keys.
+/// A topic with additional keys.
 std::string topicWith(const std::string& keys) {
   return "- topic_name: a\n  ros_type_name: std_msgs/msg/String\n  gz_type_name: gz.msgs.StringMsg\n" + keys;
 }
 
-/// @return What is said of the text, a line each.
+/// @return The diagnostics of the text, one per line.
 std::string saidOf(const std::string& text) {
   std::string said;
   for (const Diagnostic& each : fileOf(text).said) said += format(each) + "\n";
@@ -155,7 +155,7 @@ TEST(BridgeFile, SaysWhatIsNoList) {
   EXPECT_NE(saidOf("- topic_name: [a\n").find("bridge.yaml:2:1: error: it is not YAML: "), std::string::npos);
   EXPECT_NE(saidOf("--- []\n--- []\n").find("bridge.yaml:2:1: error: the indentation here is wrong"),
             std::string::npos);
-  // which yaml-cpp leaves out without a word
+  // yaml-cpp ignores it silently
   EXPECT_NE(saidOf("- a: b\n, c: d\n").find("bridge.yaml:2:1: error: the indentation here is wrong"),
             std::string::npos);
 }

@@ -18,13 +18,13 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// Where the element stands, or the plugin where it was not given.
+/// Position of the element, or of the plugin if it is missing.
 const SourcePosition& positionOf(const Element& plugin, std::string_view name) {
   const Element* found = plugin.child(name);
   return found == nullptr ? plugin.position : found->position;
 }
 
-/// @return The file as it is to be opened, and named in messages.
+/// @return The path of the file, to be opened and for messages.
 std::filesystem::path besideItsElement(const std::string& file, const SourcePosition& position) {
   const std::filesystem::path path(file);
   if (path.is_absolute() || position.file == nullptr) return path;
@@ -72,7 +72,7 @@ std::optional<ParticipantOptions> SettingsElements::readParticipant(const Elemen
   try {
     options = participantOptionsOfEnvironment();
   } catch (const std::invalid_argument& error) {
-    // it may be said here in its place
+    // here it can be reported with its position
     if (!domain_) refuse(plugin.position, error.what());
   }
   if (domain_ && (*domain_ < 0 || *domain_ > kLastDomain || *domain_ != std::floor(*domain_))) {
@@ -91,7 +91,7 @@ std::optional<ParticipantOptions> SettingsElements::readParticipant(const Elemen
   }
   if (!isFine) return std::nullopt;
   try {
-    // as the participant does, which would end without a word of where
+    // the participant would fail with the same reason, but without the position
     const Security security = securityOfEnvironment(options.domain);
     if (!security.warning.empty()) diagnostics.warning(plugin.position, security.warning);
   } catch (const KeystoreError& error) {
@@ -110,7 +110,7 @@ std::optional<Settings> SettingsElements::read(const Element& plugin, Diagnostic
   settings.frames.usesWallTime = usesWallTime_;
   settings.bridgesAll = bridgesAll_;
   settings.configFile = configFile_;
-  // each alone, so that the message is about what is wrong
+  // checked separately, so that the message names the wrong one
   if (const auto wrong = rosNameError("/" + nodeName_); wrong || nodeName_.find('/') != std::string::npos) {
     found.error(positionOf(plugin, "node_name"), "the name of the node, '" + nodeName_ + "', " +
                                                      wrong.value_or("contains a slash: put that part in <namespace>"));

@@ -17,7 +17,7 @@ namespace {
 
 class ElementsTest : public testing::Test {
  protected:
-  /// Adds an element to the plugin, on a line of its own.
+  /// Adds an element to the plugin, on its own line.
   void add(const std::string& name, const std::string& text) {
     plugin_.name = "plugin";
     Element& element = plugin_.children.emplace_back();

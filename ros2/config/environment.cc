@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kDistros[] = {"dashing", "eloquent", "foxy",   "galactic", "humble",
                                          "iron",    "jazzy",    "kilted", "lyrical",  "rolling"};
-// Those before it are as Humble.
+// Earlier distributions use Humble's format.
 constexpr std::string_view kFirstNew = "iron";
 
 std::string_view environment(const char* name) {
@@ -41,7 +41,7 @@ ParticipantOptions participantOptionsOfEnvironment() {
     }
   }
   options.isLoopbackOnly = environment("ROS_LOCALHOST_ONLY") == "1";
-  // a distribution that is not known is a later one
+  // an unknown distribution is taken for a later one
   if (const std::string_view text = environment("ROS_DISTRO"); !text.empty()) {
     options.distro = distroNamed(text).value_or(Distro::kJazzy);
   }

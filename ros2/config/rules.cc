@@ -15,10 +15,10 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// A service of ros_gz_interfaces, and what it is in the simulation.
+/// A service of ros_gz_interfaces, and its counterpart in the simulation.
 struct ServiceKind {
   std::string_view type;
-  /// Behind "/world/W/".
+  /// Name after "/world/W/".
   std::string_view name;
   std::string_view request;
   std::string_view reply;
@@ -30,13 +30,13 @@ constexpr ServiceKind kServices[] = {
     {"ros_gz_interfaces/srv/SetEntityPose", "set_pose", "ignition.msgs.Pose", "ignition.msgs.Boolean"},
 };
 
-/// @return "bridge.yaml:4:3"; "another option" where there is no line.
+/// @return "bridge.yaml:4:3"; "another option" if it has no line.
 std::string placeOf(const SourcePosition& position) {
   if (position.line == 0) return "another option";
   return *position.file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
 }
 
-/// @return As `messageTypeName`, of names with "::" too.
+/// @return Like `messageTypeName`, also for names with "::".
 std::optional<std::string> ignitionTypeOf(std::string name) {
   for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::")) name.replace(at, 2, ".");
   return messageTypeName(name);
@@ -145,7 +145,7 @@ void Maker::addTopic(const RuleText& text) {
   rules_.topics.push_back(std::move(rule));
 }
 
-/// @return Whether there is nothing to add: another rule has it all, or contradicts it.
+/// @return Whether nothing is to be added, because another rule includes or contradicts this one.
 bool Maker::isSaidBefore(const TopicRule& rule) {
   for (TopicRule& known : rules_.topics) {
     if (known.ros == rule.ros && known.pair->ros != rule.pair->ros) {
@@ -163,7 +163,7 @@ bool Maker::isSaidBefore(const TopicRule& rule) {
   return false;
 }
 
-/// Two rules of the same names and types.
+/// Whether two rules have the same names and types.
 bool Maker::join(TopicRule& known, const TopicRule& rule) {
   const bool bothToRos = known.goesToRos() && rule.goesToRos(),
              bothFromRos = known.comesFromRos() && rule.comesFromRos();

@@ -12,7 +12,7 @@ namespace {
 
 struct MadeRules {
   Rules rules;
-  /// What is said, a line or two each.
+  /// The diagnostics, one or two lines each.
   std::string said;
 };
 

@@ -20,7 +20,7 @@ std::optional<RuleText> readTopicArgument(std::string_view text, const SourcePos
   const std::size_t first = text.find('@');
   if (first == std::string_view::npos || first == 0) return refuse("has no topic before the '@'");
   std::string_view rest = text.substr(first + 1);
-  // as ros_gz does: a second @ counts before the others
+  // as in ros_gz, a second @ takes precedence over the others
   std::size_t second = rest.find('@');
   if (second == std::string_view::npos) second = rest.find_first_of("[]");
 

@@ -8,7 +8,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// @return The text of the `<param name="...">` below the element; null where there is none.
+/// @return The text of the `<param name="...">` in the element; null if there is none.
 const Element* paramOf(const Element& holder, std::string_view name) {
   for (const Element& child : holder.children) {
     if (child.name == "param" && child.attributeOr("name", "") == name) return &child;
@@ -58,7 +58,7 @@ void readState(const Element& interface, ControlledJoint& joint, Diagnostics& di
   if (name == "velocity") joint.initialVelocity = numberOf(*initial, diagnostics);
 }
 
-/// By Humble's `<param name="mimic">`, else by the `<mimic>` of the robot's own `<joint>`.
+/// From Humble's `<param name="mimic">`, else from the `<mimic>` of the robot's own `<joint>`.
 std::optional<ControlledJoint::Mimic> mimicOf(const Element& element, const Element& holder, const std::string& name,
                                               Diagnostics& diagnostics) {
   if (const Element* param = paramOf(element, "mimic")) {
@@ -71,7 +71,7 @@ std::optional<ControlledJoint::Mimic> mimicOf(const Element& element, const Elem
     }
     return mimic;
   }
-  // as ros2_control has it, a word that switches it off
+  // as in ros2_control, the word that disables it
   if (element.attributeOr("mimic", "true") == "false") return std::nullopt;
   for (const Element* joint : holder.childrenNamed("joint")) {
     const Element* mimic = joint->child("mimic");

@@ -16,7 +16,7 @@ void take(const YAML::Node& parameters, const char* name, std::optional<Value>& 
   if (found) value = found.as<Value>();
 }
 
-/// Nodes stand below the words of their namespaces.
+/// Node names are nested in their namespaces.
 void readNodes(const YAML::Node& yaml, ControllerFile& file, int depth) {
   if (!yaml.IsMap() || depth > kDeepest) return;
   for (const auto& entry : yaml) {
@@ -26,7 +26,7 @@ void readNodes(const YAML::Node& yaml, ControllerFile& file, int depth) {
       readNodes(entry.second, file, depth + 1);
       continue;
     }
-    // controllers have rates of their own by the same name
+    // controllers have a rate of the same name
     const bool isManager = entry.first.as<std::string>().find("manager") != std::string::npos;
     if (isManager) take(parameters, "update_rate", file.updateRate);
     take(parameters, "position_proportional_gain", file.positionGain);

@@ -11,7 +11,7 @@ namespace {
 
 using Axis = ignition::msgs::Axis;
 
-/// Puts one of the three lists to the joints that it is of.
+/// Assigns the values of one of the three lists to its joints.
 template <class Value, class Takes, class Target>
 void deal(const ignition::msgs::Model& message, const std::vector<std::optional<std::size_t>>& indices,
           std::span<const ControlledJoint> joints, std::vector<JointCommand>& commands, const Value& valueOf,

@@ -11,7 +11,7 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 using Words = std::vector<std::string>;
 
-/// A message as the bridge makes it of names and lists that may be shorter.
+/// A message as made by the bridge, from names and lists that may be shorter.
 ignition::msgs::Model messageOf(const Words& names, std::vector<double> positions,
                                 std::vector<double> velocities = {}) {
   ignition::msgs::Model message;
@@ -46,7 +46,7 @@ TEST(JointCommands, GoByTheNames) {
   ASSERT_EQ(commands.size(), 3U);
   EXPECT_EQ(commands[0].velocity, std::nullopt);
   EXPECT_EQ(commands[1].position, 2);
-  // what it can't be commanded by does not count
+  // interfaces that it does not have are ignored
   EXPECT_EQ(commands[1].velocity, std::nullopt);
   EXPECT_EQ(commands[2].velocity, 3);
   EXPECT_EQ(commands[2].position, std::nullopt);

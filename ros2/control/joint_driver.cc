@@ -20,7 +20,7 @@ JointDriver::JointDriver(const Model& model, std::vector<ControlledJoint> joints
 void JointDriver::command(const std::vector<JointCommand>& commands) {
   for (std::size_t i = 0; i < driven_.size(); ++i) {
     Driven& driven = driven_[i];
-    // what drives a joint in another way is another number than before, or the first one that is not zero
+    // another interface takes over when its command changes, or with its first nonzero command
     const auto take = [&](const std::optional<double>& told, std::optional<double>& known, Way way) {
       if (!told) return;
       const bool isNew = known ? *known != *told : (driven.way == Way::kNone || *told != 0);
@@ -51,7 +51,7 @@ std::vector<std::string> JointDriver::begin() {
 }
 
 void JointDriver::drive(Time dt) {
-  // no more of the way than there is, in a step that is longer than the controllers' period
+  // no farther than the target, even in a step longer than the controllers' period
   const double perSecond = 1 / toSeconds(dt);
   const double follow = std::min(settings_.updateRate, perSecond);
   const double approach = std::min(settings_.positionGain * settings_.updateRate, perSecond);

@@ -10,7 +10,7 @@ namespace {
 using test::inWorld;
 using test::worldOf;
 
-/// Two arms on a base that the world holds.
+/// Two arms on a base that is fixed to the world.
 class JointDriverTest : public testing::Test {
  protected:
   JointDriver driver(const JointDriver::Settings& settings = {}) {
@@ -49,7 +49,7 @@ TEST_F(JointDriverTest, GoesToAPositionAsGzRos2ControlDoes) {
   JointDriver driver = this->driver();
   driver.command({{.position = 1.0}, {}});
   step(driver, 100);
-  // 0.1 of what is left in each period of 10 ms, ten times
+  // 0.1 of the remaining distance in each period of 10 ms, ten times
   EXPECT_NEAR(position("first"), 1 - std::exp(-1.0), 0.01);
   step(driver, 2000);
   EXPECT_NEAR(position("first"), 1, 1e-6);
@@ -61,7 +61,7 @@ TEST_F(JointDriverTest, TurnsAtAVelocityAndPushes) {
   driver.command({{.velocity = 0.5}, {}});
   step(driver, 1000);
   EXPECT_NEAR(velocity("first"), 0.5, 1e-6);
-  // it lets go of the velocity
+  // the velocity command ends
   ASSERT_EQ(model_.joint("first")->resetVelocity(0), std::nullopt);
   driver.command({{.velocity = 0.5, .effort = 0.2}, {}});
   step(driver, 100);
@@ -71,7 +71,7 @@ TEST_F(JointDriverTest, TurnsAtAVelocityAndPushes) {
 
 TEST_F(JointDriverTest, GoesTheWayWhoseCommandChangedLast) {
   JointDriver driver = this->driver();
-  // both are told always, as topic_based_ros2_control does
+  // both are always sent, as by topic_based_ros2_control
   driver.command({{.position = 0.0, .velocity = 1.0}, {}});
   step(driver, 100);
   EXPECT_NEAR(velocity("first"), 1, 1e-6);

@@ -14,7 +14,7 @@
 namespace pongsim::ros2 {
 namespace {
 
-/// As example_interfaces has it.
+/// Like example_interfaces/action/Fibonacci.
 struct Fibonacci {
   static constexpr const char* kName = "example_interfaces/action/Fibonacci";
   struct Goal {
@@ -40,7 +40,7 @@ struct Fibonacci {
 using Status = action_msgs::GoalStatus;
 using Cancel = action_msgs::srv::CancelGoal;
 
-/// Takes goals of an order up to 50, keeps them until they are ended here, and cancels all but those of order 13.
+/// Accepts goals of an order up to 50, keeps them until the test ends them, and agrees to cancel all except order 13.
 class ActionTest : public testing::Test {
  protected:
   ActionTest() {
@@ -109,7 +109,7 @@ TEST_F(ActionTest, WhoAsksForTheResultGetsItWhenItIsThereAndLater) {
   ASSERT_TRUE(send(1, 3));
   ASSERT_TRUE(send(2, 3));
   auto early = start<GetResult<Fibonacci>>("get_result", {idOf(1)});
-  // answered by the same service behind it, when the early one has come
+  // the same service answers it after the earlier one
   EXPECT_EQ(result(99).status, Status::kStatusUnknown);
   server_->end(idOf(1), Status::kStatusSucceeded, {{1, 1, 2}});
   server_->end(idOf(1), Status::kStatusAborted, {});
@@ -154,7 +154,7 @@ TEST_F(ActionTest, FeedbackAndStatusAreTold) {
   EXPECT_EQ(feedback[0].goal_id, idOf(4));
   EXPECT_EQ(feedback[0].feedback.sequence, (std::vector<std::int32_t>{1, 1}));
   server_->end(idOf(4), Status::kStatusSucceeded, {});
-  // who comes late gets the last
+  // late subscribers get the last status
   const auto statusReader = peer_.subscribe<action_msgs::GoalStatusArray>(
       "/pongsim/fibonacci/_action/status",
       [&](const action_msgs::GoalStatusArray& message) {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kActionPart = "/_action/", kGoal = "/_action/send_goal";
 constexpr std::string_view kTypeRequestEnd = "_Request", kGoalEnd = "_SendGoal";
 constexpr std::chrono::milliseconds kBetweenLooks{50};
-// Participants answer within a few milliseconds, and repeat twice a second what was lost.
+// Participants answer within a few milliseconds, and repeat lost announcements twice a second.
 constexpr std::chrono::milliseconds kQuiet{700};
 
 template <std::size_t GidSize>
@@ -33,8 +33,8 @@ std::string without(std::string text, std::string_view end) {
   return text;
 }
 
-/// Adds a service that is offered or called; that of an action's goals stands for the action, and the others of an
-/// action for nothing.
+/// Adds an offered or called service. The goal service of an action represents the action; its other services are
+/// skipped.
 void addService(const std::string& name, std::string type, std::vector<NodeInfo::Way>& services,
                 std::vector<NodeInfo::Way>& actions) {
   type = without(std::move(type), kTypeRequestEnd);
@@ -52,7 +52,7 @@ void addEndpoint(const Graph::Endpoint& endpoint, NodeInfo& node) {
     if (topic->find(kActionPart) != std::string::npos) return;
     (isWriter ? node.publishes : node.subscribes).push_back({*topic, std::move(type)});
   } else if (const auto service = serviceFromWire(endpoint.contract.topic)) {
-    // who reads the requests serves
+    // readers of requests are servers
     addService(*service, std::move(type), isWriter ? node.calls : node.serves,
                isWriter ? node.callsActions : node.servesActions);
   }
@@ -80,7 +80,7 @@ std::unique_ptr<Reader> NodeWatch::makeReader() {
   const Contract contract{kDiscoveryTopic, ddsTypeName(type.name), type.hash, kLatchedQos};
   return participant_.makeReader(contract, [this](const Sample& sample) {
     Info info;
-    // of another distribution, or damaged
+    // from another distribution, or damaged
     if (readCdr(sample.payload, info)) return;
     std::vector<Told> nodes;
     for (const auto& each : info.node_entities_info_seq) {

@@ -70,7 +70,7 @@ TEST_P(NodeWatchTest, ForgetsTheNodesOfAParticipantThatHasGone) {
 
 TEST_P(NodeWatchTest, SettlesWhenWhoIsThereHasTold) {
   RosNode node(other_, {.name = "talker"});
-  // a busy machine may be quiet for that while before they have met
+  // on a busy machine nothing may arrive for that long before discovery
   EXPECT_TRUE(becomesTrue([&] {
     watch_.settle(test::kDeadline);
     return infoOf("/talker").name == "talker";

@@ -15,7 +15,7 @@ using rcl_interfaces::SetParametersResult;
 namespace {
 
 constexpr char kSeparator = '.';
-// As rmw_qos_profile_parameter_events.
+// Equal to rmw_qos_profile_parameter_events.
 constexpr Qos kEventsQos{.depth = 1000};
 
 std::string typeName(std::uint8_t type) {
@@ -24,7 +24,7 @@ std::string typeName(std::uint8_t type) {
   return type < std::size(kNames) ? kNames[type] : "unknown type";
 }
 
-/// As rclcpp compares: to the last hundred bits of what two numbers can be apart.
+/// Compares like rclcpp: with a relative tolerance of a hundred epsilons.
 bool areEqual(double a, double b) {
   return std::abs(a - b) <= std::numeric_limits<double>::epsilon() * std::abs(a + b) * 100;
 }
@@ -41,7 +41,7 @@ bool isWithin(std::int64_t value, const rcl_interfaces::IntegerRange& range) {
   if (value == range.from_value || value == range.to_value) return true;
   if (value < range.from_value || value > range.to_value) return false;
   if (range.step == 0) return true;
-  // unsigned, for the distance may be larger than an integer
+  // unsigned, because the difference may exceed an integer
   return (static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(range.from_value)) % range.step == 0;
 }
 
@@ -63,7 +63,7 @@ bool isBelow(const std::string& name, const std::string& prefix) {
   return name.size() > prefix.size() && name.starts_with(prefix) && name[prefix.size()] == kSeparator;
 }
 
-/// @return Whether the name has no more than so many parts from there on.
+/// @return Whether the rest of a name has no more than `depth` parts.
 bool isWithinDepth(std::string_view name, std::uint64_t depth) {
   return depth == rcl_interfaces::srv::ListParameters::Request::kDepthRecursive ||
          static_cast<std::uint64_t>(std::ranges::count(name, kSeparator)) < depth;
@@ -168,7 +168,7 @@ SetParametersResult Parameters::setAtomically(const std::vector<Parameter>& aske
   return setAll(asked);
 }
 
-/// @return Why it can't have that value, before its setter is asked; in the words of rclcpp.
+/// @return Why it can't have that value, in rclcpp's words. Its setter may refuse it as well.
 std::optional<std::string> Parameters::refusal(const Parameter& asked) const {
   const auto found = entries_.find(asked.name);
   if (found == entries_.end()) return "parameter '" + asked.name + "' cannot be set because it was not declared";

@@ -58,7 +58,7 @@ class ParametersTest : public testing::Test {
     return parameters_.set({{name, value}}).at(0);
   }
 
-  /// Does what waits for the node until that is true.
+  /// Dispatches the node's mailbox until the condition holds.
   bool dispatchUntil(const std::function<bool()>& condition) {
     return test::waitUntil([&] {
       node_.mailbox().dispatch();
@@ -132,7 +132,7 @@ TEST_F(ParametersTest, AtomicallyAllAreSetOrNone) {
   EXPECT_TRUE(parameters_.setAtomically({{"factor", parameterOf(2.0)}, {"camera.rate", parameterOf(std::int64_t{4})}})
                   .successful);
   EXPECT_EQ(factor_, 2);
-  // what is wrong with the second is seen before, or only when its turn comes
+  // an error in the second one is found before the first is set, or only when it is set
   for (const std::int64_t rate : {0, 13}) {
     const auto result = parameters_.setAtomically({{"factor", parameterOf(5.0)}, {"camera.rate", parameterOf(rate)}});
     EXPECT_FALSE(result.successful);
@@ -213,7 +213,7 @@ TEST_F(ParametersTest, EventsTellOfEachChange) {
                                                               heard.push_back(event);
                                                             },
                                                             {.depth = 1000});
-  // until the reader is met nobody is told
+  // nothing is published until the reader is discovered
   ASSERT_TRUE(dispatchUntil([&] {
     parameters_.update("factor", parameterOf(factor_ += 0.5));
     const std::lock_guard lock(mutex);

@@ -10,7 +10,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-// As rmw_qos_profile_rosout_default.
+// Equal to rmw_qos_profile_rosout_default.
 constexpr Qos kRosoutQos{.isTransientLocal = true, .depth = 1000, .lifespan = std::chrono::seconds(10)};
 
 builtin_interfaces::Time wallTime() {
@@ -20,7 +20,7 @@ builtin_interfaces::Time wallTime() {
           static_cast<std::uint32_t>(std::chrono::nanoseconds(now - seconds).count())};
 }
 
-/// As rcl names a node's logger: "robot.pongsim" for "/robot/pongsim".
+/// A node's logger name as in rcl: "robot.pongsim" for "/robot/pongsim".
 std::string loggerName(const RosNode& node) {
   std::string name = node.fullName().substr(1);
   std::ranges::replace(name, '/', '.');

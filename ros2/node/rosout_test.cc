@@ -20,7 +20,7 @@ class RosoutTest : public testing::Test {
   RosoutTest() { setLogLevel(LogLevel::kNone); }
   ~RosoutTest() override { setLogLevel(LogLevel::kWarning); }
 
-  /// A node that reads, with what it has heard.
+  /// A subscribing node, with the messages that it received.
   struct Listener {
     Listener(int domain, bool wantsLast) : participant({.domain = domain}), node(participant, {.name = "peer"}) {
       subscription = node.subscribe<Log>("/rosout",
@@ -72,7 +72,7 @@ TEST_F(RosoutTest, ALateReaderDoesNotGetWhatIsTooOld) {
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   log.msg = "new";
   Listener listener(domain_, true);
-  // on a busy machine it may be older than a second, too, before the listener is met
+  // on a busy machine it may be older than a second before the subscriber is discovered
   ASSERT_TRUE(test::waitUntil([&] {
     publisher->publish(log);
     return listener.count() > 0;

@@ -7,7 +7,7 @@ namespace pongsim::ros2::detail {
 
 namespace {
 
-// How long a reply waits for its reader to be met.
+// How long a reply waits for the discovery of its reader.
 constexpr std::chrono::seconds kPatience{5};
 constexpr std::size_t kMostWaiting = 1000;
 
@@ -39,7 +39,7 @@ ServerEnds::~ServerEnds() {
   node_.removeWriter(writer_->id());
   reader_.reset();
   {
-    // readers still come and go while the writer ends, which is no longer to be used then
+    // readers still match and unmatch while the writer is destroyed, which must not be used then
     const std::lock_guard lock(mutex_);
     waiting_.clear();
   }
@@ -47,7 +47,7 @@ ServerEnds::~ServerEnds() {
 }
 
 SampleId ServerEnds::callerOf(const Sample& request) {
-  // rmw_fastrtps names the reader of the reply; what does not is answered by its writer's name
+  // rmw_fastrtps gives the reader of the reply; other clients are identified by their writer
   return {request.related.writer == Guid{} ? request.id.writer : request.related.writer, request.id.number};
 }
 
@@ -59,9 +59,9 @@ void ServerEnds::reply(const SampleId& caller, std::vector<std::byte> payload) {
   if (waiting_.size() > kMostWaiting) waiting_.pop_front();
 }
 
-/// @return Whether the caller's reader is there.
+/// @return Whether the caller's reader has been discovered.
 bool ServerEnds::send(const Waiting& reply) {
-  // the entity's kind tells a writer (0x02, 0x03) from a reader (0x04, 0x07)
+  // the entity kind distinguishes writers (0x02, 0x03) from readers (0x04, 0x07)
   constexpr std::uint8_t kKind = 0x3f, kWriter = 0x02, kWriterNoKey = 0x03;
   const std::uint8_t kind = reply.caller.writer.bytes[15] & kKind;
   const bool namesReader = kind != kWriter && kind != kWriterNoKey;
@@ -110,7 +110,7 @@ ClientEnds::~ClientEnds() {
   node_.removeReader(reader_->id());
   node_.removeWriter(writer_->id());
   {
-    // answers still come while the reader ends, which is no longer to be asked for its id then
+    // responses still arrive while the reader is destroyed, which must not be asked for its id then
     const std::lock_guard lock(mutex_);
     awaited_ = 0;
   }
@@ -120,7 +120,7 @@ ClientEnds::~ClientEnds() {
 
 void ClientEnds::received(const Sample& sample) {
   const std::lock_guard lock(mutex_);
-  // answers to others come from the moment on in which there is a reader, before it is known here
+  // responses to other clients may arrive before this constructor has finished
   if (awaited_ == 0 || sample.related != SampleId{reader_->id(), awaited_}) return;
   answer_.emplace(sample.payload.begin(), sample.payload.end());
   changed_.notify_all();
@@ -130,12 +130,12 @@ std::optional<std::vector<std::byte>> ClientEnds::call(const std::vector<std::by
                                                        std::chrono::nanoseconds timeout) {
   const auto deadline = std::chrono::steady_clock::now() + timeout;
   std::unique_lock lock(mutex_);
-  // a look now and then, for the writer tells of readers without this lock
+  // polls as well, because the writer reports readers without holding this lock
   while (!writer_->hasReaders() || reader_->writers() == 0) {
     if (std::chrono::steady_clock::now() >= deadline) return std::nullopt;
     changed_.wait_for(lock, std::chrono::milliseconds(10));
   }
-  // DDS numbers what a writer sends from 1 on
+  // DDS numbers a writer's samples from 1 on
   awaited_ = nextNumber_++;
   answer_.reset();
   writer_->write(request.size(), [&request](std::span<std::byte> place) { std::ranges::copy(request, place.begin()); },

@@ -13,7 +13,7 @@
 namespace pongsim::ros2 {
 namespace {
 
-/// As example_interfaces has it.
+/// Like example_interfaces/srv/AddTwoInts.
 struct AddTwoInts {
   static constexpr const char* kName = "example_interfaces/srv/AddTwoInts";
   struct Request {
@@ -34,7 +34,7 @@ struct AddTwoInts {
 
 class ServiceTest : public testing::Test {
  protected:
-  /// Calls on another thread, for this one answers.
+  /// Calls on another thread, because this one answers.
   std::optional<AddTwoInts::Response> call(std::int64_t a, std::int64_t b,
                                            std::chrono::seconds timeout = test::kDeadline) {
     auto answer = std::async(std::launch::async, [&] {

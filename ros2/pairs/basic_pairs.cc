@@ -16,7 +16,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// Of two types with a field `data` each. A number must be finite: on a topic of its own it is a command.
+/// Converts between two types with a field `data`. A number must be finite, because on its own topic it is a command.
 template <class RosType, class IgnitionType>
 struct DataPair {
   using Ros = RosType;

@@ -55,7 +55,7 @@ struct ContactsPair {
   }
 };
 
-/// The strength of what was received stands in the header's data there.
+/// Fortress stores the received signal strength in the header's data.
 struct DataframePair {
   using Ros = gz::Dataframe;
   using Ignition = ignition::msgs::Dataframe;
@@ -140,7 +140,7 @@ struct ParamPair {
   static void convert(const Ros& from, Ignition& to, const Frames& frames) { ros2::convert(from, to, frames); }
 };
 
-/// To ROS the names say which parameter it was: "param_0/NAME". From there all goes into one, as ros_gz has it.
+/// To ROS, the names say which parameter it was: "param_0/NAME". From ROS, all go into one, as in ros_gz.
 struct ParamsPair {
   using Ros = gz::ParamVec;
   using Ignition = ignition::msgs::Param_V;
@@ -158,7 +158,7 @@ struct ParamsPair {
   }
 };
 
-/// Both number the types of noise alike.
+/// Both types number the kinds of noise in the same way.
 struct SensorNoisePair {
   using Ros = gz::SensorNoise;
   using Ignition = ignition::msgs::SensorNoise;

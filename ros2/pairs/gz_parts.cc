@@ -168,7 +168,7 @@ void convert(const gz::WorldControl& from, ignition::msgs::WorldControl& to) {
 
 void addParameters(const ignition::msgs::Param& from, const std::string& prefix,
                    std::vector<rcl_interfaces::Parameter>& to) {
-  // protobuf's maps have no order of their own
+  // protobuf's maps have no defined order
   const std::map<std::string, ignition::msgs::Any> sorted(from.params().begin(), from.params().end());
   for (const auto& [name, value] : sorted) {
     to.push_back({prefix + name, {}});

@@ -1,4 +1,4 @@
-// images, clouds and what cameras say of themselves, of sensor_msgs
+// images, clouds and camera_info, of sensor_msgs
 #include <ignition/msgs/camera_info.pb.h>
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/pointcloud_packed.pb.h>
@@ -14,7 +14,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// How both sides name formats of pixels, and their bytes a pixel.
+/// Both names of pixel formats, and their bytes per pixel.
 struct ImageFormat {
   ignition::msgs::PixelFormatType type;
   std::string_view encoding;
@@ -106,7 +106,7 @@ struct PointCloudPair {
   }
 };
 
-/// How both sides name models of a lens.
+/// Both names of lens models.
 struct DistortionName {
   ignition::msgs::CameraInfo::Distortion::DistortionModelType type;
   std::string_view name;

@@ -64,12 +64,12 @@ struct TransformsPair {
       const ignition::msgs::Pose& pose = from.pose(i);
       geometry_msgs::TransformStamped& transform = to.transforms[static_cast<std::size_t>(i)];
       ros2::convert(pose, transform, frames);
-      // poses of a world say who they are by names and have no headers; ros_gz leaves both empty
+      // poses of a world are identified by names and have no headers; ros_gz leaves both empty
       if (!pose.header().has_stamp()) ros2::convert(from.header().stamp(), transform.header.stamp);
       if (transform.child_frame_id.empty()) frames.toRos(pose.name(), transform.child_frame_id);
     }
   }
-  // the message has the header of the first transform, as ros_gz has it
+  // the message has the header of the first transform, as in ros_gz
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     to.Clear();
     for (const geometry_msgs::TransformStamped& transform : from.transforms) {
@@ -139,7 +139,7 @@ struct ActuatorsPair {
   }
 };
 
-/// The joints that have an axis, by its first one.
+/// The joints with an axis, with the values of the first one.
 struct JointStatePair {
   using Ros = sensor_msgs::JointState;
   using Ignition = ignition::msgs::Model;
@@ -163,8 +163,8 @@ struct JointStatePair {
       ++i;
     }
   }
-  // Each of the three lists may be left out, or shorter than that of the names: what it says nothing of is not a number,
-  // for a message of Fortress has zeros there, which would command something.
+  // Each of the three lists may be missing, or shorter than that of the names. Missing values become NaN, because the
+  // zeros of a Fortress message would be commands.
   static void convert(const Ros& from, Ignition& to, const Frames& frames) {
     to.Clear();
     ros2::convert(from.header, *to.mutable_header(), frames);

@@ -1,4 +1,5 @@
-// Every pair both ways: a message of ROS with something in each of its fields goes to the simulation's type and back.
+// Tests every pair in both directions: a ROS message with all fields set is converted to the simulation's type and
+// back.
 #include "ros2/pairs/pairs.hh"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@
 namespace pongsim::ros2 {
 namespace {
 
-/// Gives each field a value of its own, one that a float and a double both hold exactly.
+/// Gives each field a value of its own, which both a float and a double can represent.
 class Filler {
  public:
   template <class Value>
@@ -56,11 +57,11 @@ class Filler {
   int count_ = 0;
 };
 
-/// The names of the fields in which the two differ: "header.frame_id".
+/// The names of the fields that differ: "header.frame_id".
 template <class Value>
 void differences(const Value& a, const Value& b, const std::string& name, std::set<std::string>& found) {
   if constexpr (Structure<Value>) {
-    // its one field on the wire is nowhere in memory
+    // its dummy field on the wire does not exist in memory
     if (isEmpty<Value>()) return;
     Value copy = b;
     std::vector<void*> others;
@@ -80,7 +81,7 @@ void differences(const Value& a, const Value& b, const std::string& name, std::s
   }
 }
 
-/// @return What a node of ROS hears of a message.
+/// @return The message that a ROS node receives.
 template <class Ros>
 Ros heardBy(const Pair& pair, const Message& message, const Frames& frames = {}) {
   std::vector<std::byte> payload;
@@ -96,7 +97,7 @@ Ros heardBy(const Pair& pair, const Message& message, const Frames& frames = {})
 template <class Ros>
 using Adjust = std::function<void(Ros&)>;
 
-/// @param lost Fields that the simulation's type has not.
+/// @param lost Fields that the simulation's type lacks.
 template <class Ros>
 void goesThereAndBack(const std::string& ignition, const std::set<std::string>& lost = {},
                       const Adjust<Ros>& adjust = {}) {
@@ -105,7 +106,7 @@ void goesThereAndBack(const std::string& ignition, const std::set<std::string>& 
   ASSERT_NE(pair, nullptr);
   const ToIgnition toIgnition = pair->toIgnition({});
   const ToRos toRos = pair->toRos({});
-  // the second time, what is left of the first one is there
+  // the second time, to find leftovers of the first
   for (int i = 0; i < 2; ++i) {
     Ros sent;
     Filler().fill(sent);
@@ -269,7 +270,7 @@ TEST(Pairs, OfRosGzGoThereAndBack) {
     contact.collision2.type = Entity::kLink;
   };
   const Adjust<ParamVec> whole = [](ParamVec& list) {
-    // they come back in the order of their names
+    // they are sorted by name
     list.params[0].name = "a";
     list.params[1].name = "b";
     for (rcl_interfaces::Parameter& parameter : list.params) {

@@ -1,4 +1,4 @@
-// sensor_msgs but for images, clouds and joints; gps_msgs
+// sensor_msgs except images, clouds and joints; gps_msgs
 #include <ignition/msgs/battery_state.pb.h>
 #include <ignition/msgs/fluid_pressure.pb.h>
 #include <ignition/msgs/imu.pb.h>
@@ -35,7 +35,7 @@ void LaserScanPair::convert(const Ignition& from, Ros& to, const Frames& frames)
   to.angle_increment = static_cast<float>(from.angle_step());
   to.range_min = static_cast<float>(from.range_min());
   to.range_max = static_cast<float>(from.range_max());
-  // of several rows the one in the middle, as ros_gz does
+  // of several rows the middle one, as in ros_gz
   const std::uint64_t count = from.count(), begin = from.vertical_count() / 2 * count;
   const auto copyRow = [&](const auto& all, std::vector<float>& row) {
     row.clear();
@@ -128,7 +128,7 @@ struct NavSatFixPair {
   }
 };
 
-/// Speed over ground and its direction, anticlockwise from east as ros_gz has it [rad].
+/// Ground speed and its direction, anticlockwise from east as in ros_gz [rad].
 struct GpsFixPair {
   using Ros = gps_msgs::GPSFix;
   using Ignition = ignition::msgs::NavSat;
@@ -156,7 +156,7 @@ struct GpsFixPair {
   }
 };
 
-/// Both number the states of the supply alike.
+/// Both types number the states of the supply in the same way.
 struct BatteryStatePair {
   using Ros = sensor_msgs::BatteryState;
   using Ignition = ignition::msgs::BatteryState;

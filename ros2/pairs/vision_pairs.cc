@@ -12,7 +12,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// A class is known by its label, as text; one that is not a number counts as 0.
+/// A class is identified by its label, as text; one that is not a number counts as 0.
 template <class Detection>
 std::uint32_t labelOf(const Detection& detection) {
   std::uint32_t label = 0;
@@ -72,7 +72,7 @@ struct Detection3DPair {
   }
 };
 
-/// Of lists of what another pair takes.
+/// Converts lists of a type that another pair converts.
 template <class RosType, class IgnitionType, class Element>
 struct ListPair {
   using Ros = RosType;

@@ -4,13 +4,13 @@ namespace pongsim::ros2 {
 
 namespace {
 
-// As rmw/types.h numbers them.
+// Numbers of rmw/types.h.
 constexpr int kKeepLast = 1;
 constexpr int kReliable = 1, kBestEffort = 2;
 constexpr int kTransientLocal = 1, kVolatile = 2;
 constexpr int kAutomatic = 1;
 
-/// @return Two lines below a name; without a time one that means for ever (RMW_DURATION_INFINITE).
+/// @return A duration in two lines below its name; without a value it is infinite (RMW_DURATION_INFINITE).
 std::string timeText(const std::optional<std::chrono::seconds>& time) {
   if (!time) return "\n    sec: 9223372036\n    nsec: 854775807\n";
   return "\n    sec: " + std::to_string(time->count()) + "\n    nsec: 0\n";

@@ -6,7 +6,7 @@
 namespace pongsim::ros2 {
 namespace {
 
-// as rosbag2 reads it (rosbag2_storage/qos.cpp)
+// in the format that rosbag2 reads (rosbag2_storage/qos.cpp)
 TEST(OfferedQuality, HasTheNumbersOfRmw) {
   const YAML::Node list = YAML::Load(offeredQuality(kDefaultQos));
   ASSERT_EQ(list.size(), 1U);

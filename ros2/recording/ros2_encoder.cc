@@ -21,8 +21,7 @@ constexpr const char* kConfigFile = "config_file";
 constexpr const char* kTransformTopic = "/tf";
 constexpr const char* kFixedTransforms = "/tf_static";
 
-/// @return Whether the topic is the one on which a drive tells where its robot is, unless it says otherwise:
-/// "/model/M/tf".
+/// @return Whether it is the default topic on which a drive publishes its robot's pose: "/model/M/tf".
 bool isOdometry(std::string_view topic, std::string_view type) {
   return type == "ignition.msgs.Pose_V" && topic.starts_with("/model/") && topic.ends_with("/tf") &&
          std::ranges::count(topic, '/') == 3;
@@ -49,7 +48,7 @@ EncodedTopic encodedTopicOf(const TopicRule& rule) {
 
 class Ros2TopicEncoder final : public TopicEncoder {
  public:
-  /// @param rules One or more, of one topic and type of the simulation.
+  /// @param rules One or more, for one topic and type of the simulation.
   explicit Ros2TopicEncoder(const std::vector<TopicRule>& rules) : message_(newMessage(rules.front().pair->ignition)) {
     for (const TopicRule& rule : rules) {
       topics_.push_back(encodedTopicOf(rule));
@@ -97,7 +96,7 @@ std::unique_ptr<MessageEncoder> Ros2Encoder::make(const EncoderSettings& setting
   return std::make_unique<Ros2Encoder>(std::move(rules.topics));
 }
 
-/// @return How the topic is there in ROS, in one way or several; or why it is not.
+/// @return The topic's counterparts in ROS; or why there are none.
 std::variant<std::vector<TopicRule>, std::string> Ros2Encoder::rulesFor(const std::string& topic,
                                                                         const std::string& type) const {
   std::vector<TopicRule> found;
@@ -118,10 +117,10 @@ std::variant<std::vector<TopicRule>, std::string> Ros2Encoder::rulesFor(const st
   return found;
 }
 
-/// @return Who has the name in ROS so that the topic can't have it, as the end of a sentence; empty: nobody.
+/// @return Which topic has the ROS name already, as the end of a sentence; empty: none.
 std::string Ros2Encoder::takenBy(const TopicRule& rule) const {
   const auto said = std::ranges::find(rules_, rule.ros, &TopicRule::ros);
-  // transforms of several robots are in one topic
+  // transforms of several robots share one topic
   const bool isShared = rule.ros == kTransformTopic && said != rules_.end() && said->pair->ros == rule.pair->ros;
   if (said != rules_.end() && !isShared) return "in ROS '" + rule.ros + "' is '" + said->ignition + "', as configured";
   const auto other = taken_.find(rule.ros);

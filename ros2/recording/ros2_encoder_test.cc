@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kScan = "ignition.msgs.LaserScan";
 constexpr const char* kPoses = "ignition.msgs.Pose_V";
 
-/// A payload with the place of its topic.
+/// A payload and the index of its topic.
 using Payload = std::pair<std::size_t, std::vector<std::byte>>;
 
 std::vector<Payload> encoded(TopicEncoder& encoder, const std::string& bytes) {
@@ -41,7 +41,7 @@ Ros read(const Payload& payload) {
 
 class Ros2EncoderTest : public testing::Test {
  protected:
-  /// As a configuration of ros_gz_bridge says it.
+  /// A topic of a ros_gz_bridge configuration.
   std::unique_ptr<MessageEncoder> configured(const std::string& yaml) {
     return Ros2Encoder::make({{"config_file", folder_.write("bridge.yaml", yaml).string()}}, diagnostics_);
   }
@@ -106,7 +106,7 @@ TEST_F(Ros2EncoderTest, RefusesBytesThatAreNoMessage) {
   EXPECT_EQ(encoded(*lidar, "").size(), 1U);
 }
 
-/// Gives each field, and those of messages in it, the largest number that it takes, or the smallest.
+/// Sets each field, also in nested messages, to its largest or smallest number.
 void fillWithExtremes(Message& message, bool isLargest, int depth = 0) {
   using google::protobuf::FieldDescriptor;
   const auto* reflection = message.GetReflection();
@@ -129,7 +129,7 @@ void fillWithExtremes(Message& message, bool isLargest, int depth = 0) {
         fill(field, std::pair(INT64_MIN, INT64_MAX), &R::SetInt64, &R::AddInt64);
         break;
       case FieldDescriptor::CPPTYPE_UINT32:
-        // of sizes that are multiplied the product is what is large
+        // if sizes are multiplied, the product must be large
         fill(field, std::pair(0x10001U, UINT32_MAX), &R::SetUInt32, &R::AddUInt32);
         break;
       case FieldDescriptor::CPPTYPE_UINT64:
@@ -150,7 +150,7 @@ void fillWithExtremes(Message& message, bool isLargest, int depth = 0) {
   }
 }
 
-// a message of another process, or of a file, may be anything
+// a message from another process or a file may contain anything
 TEST_F(Ros2EncoderTest, TakesNumbersOfAnySize) {
   for (const Pair& pair : allPairs()) {
     if (!pair.isDefault) continue;
@@ -202,7 +202,7 @@ TEST_F(Ros2EncoderTest, FollowsAConfiguration) {
   EXPECT_EQ(read<sensor_msgs::LaserScan>(encoded(*lidar, "")[0]).header.frame_id, "laser");
   EXPECT_EQ(opened(*encoder, "/cmd_vel", "ignition.msgs.Twist")->topics()[0].type, "geometry_msgs/msg/TwistStamped");
   EXPECT_EQ(refusal(*encoder, "/scan", kScan), "in ROS '/scan' is '/lidar', as configured");
-  // what a rule names is there as it says alone, and the others' transforms beside it
+  // a topic with a rule has only that name; the transforms of others are unaffected
   EXPECT_EQ(opened(*encoder, "/model/a/tf", kPoses)->topics().size(), 1U);
   EXPECT_EQ(opened(*encoder, "/model/b/tf", kPoses)->topics().size(), 2U);
   const auto fixed = opened(*encoder, "/fixed", kPoses);

@@ -21,7 +21,7 @@ Pose KinematicTree::rootPose(const Model& model) const {
   if (links.empty()) return {};
   const TreeLink& root = links.front();
   if (root.link) return root.link->pose();
-  // a URDF whose root is called "world" stands where its model does; the root of any other is the world itself
+  // a URDF root link named "world" is at the model's pose; any other root without a link is the world itself
   return model.urdf() != nullptr ? model.pose() : Pose();
 }
 

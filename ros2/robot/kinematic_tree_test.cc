@@ -24,7 +24,7 @@ std::string joint(const std::string& name, const std::string& type, const std::s
 
 std::string axis(const std::string& xyz) { return "<axis><xyz>" + xyz + "</xyz></axis>"; }
 
-/// Expects that joint positions lead to the poses that the simulation has.
+/// Expects that joint positions give the same poses as in the simulation.
 void expectPoses(Simulation& simulation, const Model& model, const KinematicTree& tree, double tolerance) {
   for (std::size_t i = 0; i < tree.links.size(); ++i) {
     if (!tree.links[i].link) continue;
@@ -79,7 +79,7 @@ TEST(KinematicTree, FollowsJointsOfAllKindsAsTheSimulationMoves) {
   ASSERT_EQ(made.model.joint("cross")->resetPosition(0.5), std::nullopt);
   ASSERT_EQ(made.model.joint("cross")->resetPosition(-0.3, 1), std::nullopt);
   expectPoses(*made.simulation, made.model, made.tree, 1e-9);
-  // and where they go by themselves
+  // and after they have moved by themselves
   made.model.joint("turn")->setVelocityTarget(1);
   made.model.link("swung")->setVelocity({0, 0, 0}, {0.1, 0.2, 0.3});
   made.simulation->step(50);
@@ -146,7 +146,7 @@ TEST(KinematicTree, HasAllLinksOfAUrdf) {
   const KinematicTree tree = treeOfUrdf(model, {.prefix = "p/"});
   ASSERT_EQ(tree.links.size(), 3U);
   EXPECT_EQ(tree.links[2].frame, "p/camera");
-  // it is part of the arm
+  // it is merged into the arm
   EXPECT_FALSE(tree.links[2].link);
   ASSERT_EQ(model.joint("hinge")->resetPosition(0.5), std::nullopt);
   expectPoses(*simulation, model, tree, 1e-9);

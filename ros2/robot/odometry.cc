@@ -21,7 +21,8 @@ std::vector<std::string> odometryTopics(const Model& model) {
   }
   const std::string prefix = "/model/" + std::string(model.name());
   names.push_back(prefix + "/tf");
-  // where others tell the poses of all links, so only if there is such a system
+  // PosePublisher publishes the poses of all links on this topic, so it counts only with a system that publishes
+  // odometry
   if (hasPublisher) names.push_back(prefix + "/pose");
   for (std::string& name : names) name = cleanTopic(name);
   return names;

@@ -9,7 +9,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// Of a camera as REP 103 has it, z ahead and x to the right, in its frame as the simulation does, x ahead and z up.
+/// Rotation of the optical frame of REP 103 (z ahead, x to the right) in a camera's frame (x ahead, z up).
 const Pose kOptical{Vector3::Zero(), fromRollPitchYaw(-std::numbers::pi / 2, 0, -std::numbers::pi / 2)};
 
 std::vector<Sensor> sensorsOf(const Model& model) {
@@ -26,7 +26,7 @@ std::vector<Sensor> sensorsOf(const Model& model) {
   return all;
 }
 
-/// @return The frames that the sensors speak of and `isThere` does not know, each once.
+/// @return The frames of the sensors that `isThere` does not accept, each once.
 template <class IsThere, class FrameOf>
 std::vector<SensorFrame> framesOf(const std::vector<Sensor>& sensors, const Frames& frames, const IsThere& isThere,
                                   const FrameOf& frameOf) {
@@ -39,7 +39,7 @@ std::vector<SensorFrame> framesOf(const std::vector<Sensor>& sensors, const Fram
     const std::string parent = frameOf(sensor.link());
     if (parent.empty()) continue;
     add(frames.toRos(sensor.frameName()), parent, sensor.poseInLink());
-    // a camera's info may be in a frame of its own
+    // camera_info may have a frame of its own
     if (const auto* camera = sensor.settings<CameraSettings>(); camera != nullptr && !camera->opticalFrame.empty()) {
       add(frames.toRos(camera->opticalFrame), parent, sensor.poseInLink() * kOptical);
     }
@@ -98,7 +98,7 @@ void RobotList::addRobot(const Model& model) {
   Frames frames = frames_;
   const bool isOfUrdf = model.urdf() != nullptr;
   KinematicTree tree = isOfUrdf ? treeOfUrdf(model, frames) : treeOfModel(model, frames, settings_.worldFrame);
-  // two of one kind have links of the same names
+  // two robots from the same URDF have links of the same names
   const auto isTaken = [this](const TreeLink& link) {
     return std::ranges::any_of(robots_,
                                [&link](const Robot& other) { return other.tree.find(link.frame).has_value(); });

@@ -76,7 +76,7 @@ TEST(RobotList, KnowsTheFramesOfSensors) {
   EXPECT_EQ(eyes[0].parent, "p/drone/body");
   EXPECT_EQ(eyes[0].X_ParentSensor.position, Vector3(1, 0, 0));
   EXPECT_EQ(eyes[1].frame, "p/lens");
-  // what the camera looks at is ahead of its lens
+  // what the camera looks at is along z of the optical frame
   EXPECT_LE((eyes[1].X_ParentSensor * Vector3(0, 0, 1) - Vector3(2, 0, 0)).norm(), 1e-12);
 
   ASSERT_EQ(list.fixtures().size(), 1U);

@@ -47,7 +47,7 @@ void Robots::preUpdate(Time now) {
   if (transforms_) transforms_->preUpdate(now);
 }
 
-/// A robot_state_publisher makes frames of what it describes, and would tell them beside ours.
+/// A robot_state_publisher would publish the same frames a second time.
 void Robots::lookForOthers(Time now) {
   if (hasFoundOthers_ || !transforms_ || !looks_.isDue(now)) return;
   const Graph& graph = ros_.participant().graph();

@@ -37,7 +37,7 @@ std::string vehicle(const std::string& name, const std::string& drive = "") {
          drive + "</plugin></model>";
 }
 
-/// The last of the transforms that came, by child; every parent that a child had.
+/// The last transform of each child frame, and all parents that a child has had.
 struct Tree {
   std::map<std::string, geometry_msgs::TransformStamped> transforms;
   std::map<std::string, std::set<std::string>> parents;
@@ -48,7 +48,7 @@ struct Tree {
       parents[transform.child_frame_id].insert(transform.header.frame_id);
     }
   }
-  /// @return The topmost frames.
+  /// @return The root frames.
   std::set<std::string> roots() const {
     std::set<std::string> all;
     for (const auto& [child, transform] : transforms) {
@@ -61,7 +61,7 @@ struct Tree {
   }
 };
 
-/// A simulation with robots, and a node of ROS beside it.
+/// A simulation with robots, and another ROS node.
 class RobotsTest : public testing::Test {
  protected:
   void run(const std::string& models, const RobotSettings& robotSettings = {}, const Settings& settings = {}) {
@@ -74,7 +74,7 @@ class RobotsTest : public testing::Test {
     robots_.emplace(simulation_->world(), *node_, ros_, *bridge_, settings, robotSettings);
   }
 
-  /// As the system does it.
+  /// As in the system.
   void step() {
     bridge_->update();
     robots_->preUpdate(simulation_->time());
@@ -159,14 +159,14 @@ TEST_F(RobotsTest, FollowTheJointsAtTheTimeOfTheStamp) {
   hear("/tf", messages, {.depth = 100});
   ASSERT_TRUE(stepUntil([&] { return copyOf(messages).size() >= 5; }));
   std::vector<tf2_msgs::TFMessage> heard = copyOf(messages);
-  // the first one comes as soon as it is heard
+  // the first one comes as soon as there is a subscriber
   heard.erase(heard.begin());
   for (const tf2_msgs::TFMessage& message : heard) {
     ASSERT_EQ(message.transforms.size(), 1U);
     const auto& transform = message.transforms[0];
     EXPECT_EQ(transform.header.frame_id, "m/base");
     const double time = transform.header.stamp.sec + 1e-9 * transform.header.stamp.nanosec;
-    // on the grid of 50 Hz
+    // at multiples of 20 ms
     EXPECT_NEAR(std::remainder(time, 0.02), 0, 1e-9);
     EXPECT_NEAR(2 * std::atan2(transform.transform.rotation.z, transform.transform.rotation.w), time, 2e-3);
   }
@@ -264,7 +264,7 @@ TEST_F(RobotsTest, HaveTopicsOfTheirOwnWhereTheyAreSeveral) {
   hear("/u/robot_description", text, kLatchedQos);
   ASSERT_TRUE(stepUntil([&] { return !copyOf(states).empty(); }));
   EXPECT_EQ(copyOf(states).back().name, (Words{"left_joint", "right_joint"}));
-  // one comes while it runs
+  // a robot is inserted at run time
   Diagnostics diagnostics;
   ASSERT_TRUE(simulation_->insertText("<sdf version='1.9'>" + vehicle("u") + "</sdf>", "u", {}, diagnostics));
   robots_->worldChanged();
@@ -272,7 +272,7 @@ TEST_F(RobotsTest, HaveTopicsOfTheirOwnWhereTheyAreSeveral) {
   ASSERT_TRUE(stepUntil([&] { return copyOf(states).back().name.size() == 4; }));
   EXPECT_EQ(copyOf(states).back().name, (Words{"v/left_joint", "v/right_joint", "u/left_joint", "u/right_joint"}));
   EXPECT_EQ(copyOf(own).back().name, (Words{"left_joint", "right_joint"}));
-  // and goes
+  // and removed
   ASSERT_EQ(simulation_->remove(simulation_->world().model("v").value()), std::nullopt);
   robots_->worldChanged();
   ASSERT_TRUE(stepUntil([&] { return copyOf(states).back().name == Words{"left_joint", "right_joint"}; }));

@@ -56,7 +56,7 @@ Transforms::Transforms(const Node& simulation, RosNode& ros, const Settings& set
 
 void Transforms::follow(std::list<Robot>& robots, const std::list<Fixture>& fixtures) {
   fixtures_ = &fixtures;
-  // the old ones are not looked into: their robots may be gone
+  // old entries are only compared by address, because their robots may no longer exist
   std::set<const Robot*> there;
   for (const Robot& robot : robots) there.insert(&robot);
   std::erase_if(robots_, [&there](const RobotFrames& frames) { return there.erase(frames.robot) == 0; });
@@ -121,7 +121,7 @@ void Transforms::followForeign(const std::vector<OwnTopic>& topics) {
   for (const OwnTopic& topic : topics) {
     const bool isStatic = topic.name == kStaticTransforms;
     if ((!isStatic && topic.name != kTransforms) || topic.type != "ignition.msgs.Pose_V") continue;
-    // one that a rule speaks of is not told twice
+    // a topic with a rule is not bridged twice
     const bool hasRule = std::ranges::any_of(
         foreign_, [&topic](const Foreign& known) { return !known.isTold && known.topic == topic.name; });
     if (topic.publishers > 0 && !hasRule) add(topic.name, isStatic, true);
@@ -142,7 +142,7 @@ void Transforms::listen() {
     }
   }
   for (Foreign& foreign : foreign_) {
-    // what is told once is listened to before anybody reads
+    // static transforms are published once, so subscribe before there are readers
     if (!isWanted && !foreign.isStatic) {
       foreign.heard = {};
     } else if (!foreign.heard) {
@@ -173,7 +173,7 @@ void Transforms::rebuild() {
   }
 }
 
-/// @return Whether the frame has no parent yet; it has one from now on.
+/// @return Whether the frame had no parent so far. From now on it has one.
 bool Transforms::claim(const std::string& child) {
   return !foreignChildren_.contains(child) && children_.insert(child).second;
 }
@@ -188,7 +188,7 @@ void Transforms::addTree(RobotFrames& frames) {
   const std::string& root = robot.tree.links.front().frame;
   const bool hangsOnWorld = robotSettings_.groundTruth != "never" && frames.odometry.empty();
   if (!frames.odometry.empty() && !frames.isElsewhere) {
-    // told with each message of the odometry
+    // published with each odometry message
     claim(root);
   } else if (hangsOnWorld && root != world_ && claim(root)) {
     movingFrames_.push_back({&frames, TreeLink::kNone});
@@ -206,7 +206,7 @@ void Transforms::addTree(RobotFrames& frames) {
   }
   for (const SensorFrame& sensor : robot.sensors) addStatic(sensor.parent, sensor.frame, sensor.X_ParentSensor);
   if (frames.alias.empty()) return;
-  // what the odometry speaks of is the canonical link
+  // odometry refers to the canonical link
   const std::optional<Link> canonical = robot.model.canonicalLink();
   const std::size_t base = (canonical ? robot.tree.find(canonical->id()) : std::nullopt).value_or(0);
   if (frames.isElsewhere) {
@@ -221,15 +221,15 @@ bool Transforms::isAbout(const RobotFrames& frames, const std::string& parent, c
   const std::string name = frames_.toRos(robot.name);
   if (parent.empty() || child.empty() || parent == name || robot.tree.find(parent)) return false;
   if (robot.tree.find(child) || child == name || child.starts_with(name + "/")) return true;
-  // one that has the topic for itself may call itself what it likes
+  // if no other robot shares the topic, any name refers to this robot
   return std::ranges::count(robots_, frames.odometry, &RobotFrames::odometry) == 1;
 }
 
 void Transforms::hearOdometry(RobotFrames& frames, const Message& message) {
-  // the systems of the world publish on the simulation's thread; others know nothing of where the links are
+  // the world's systems publish on the simulation's thread; publishers on other threads do not know the links' poses
   if (std::this_thread::get_id() != thread_) return;
   const Robot& robot = *frames.robot;
-  // a robot that hangs on the world has no odometry, whatever is said of it
+  // a robot attached to the world has no odometry, whatever is published
   if (robot.tree.links.empty() || (!robot.tree.links.front().link && robot.model.urdf() == nullptr)) return;
   for (const auto& pose : message.pose()) {
     geometry_msgs::TransformStamped told;

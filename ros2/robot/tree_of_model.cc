@@ -9,12 +9,12 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// How far from its joint's axis a frame may be to count as one that is on it [m].
+/// A frame within this distance counts as on its joint's axis [m].
 constexpr double kOnAxis = 1e-12;
-/// Of the world, which has no link.
+/// The world, which has no link.
 constexpr LinkId kWorld{};
 
-/// A way along a joint.
+/// A joint, followed in one direction.
 struct Edge {
   Joint joint;
   /// "inner/wheel_joint"
@@ -122,8 +122,8 @@ class TreeMaker {
          .X_ParentLink = X_WorldParent.inverse() * link.pose()});
   }
 
-  /// Adds what joints connect with what is there already, the nearest first; backwards only what is reached in no other
-  /// way.
+  /// Adds links that joints connect to the tree, nearest first; a joint is followed backwards only if its parent link
+  /// is not reached otherwise.
   void grow() {
     while (growBy(false) || growBy(true)) {
     }
@@ -153,7 +153,7 @@ class TreeMaker {
            ", which URDF does not have: it is \"floating\" there");
       return addFree(to, parent, edge.name);
     }
-    // seen from `to`, a joint turns the other way about
+    // seen from `to`, the joint rotates in the opposite direction
     const Pose X_FromJoint = edge.isBackwards ? edge.joint.poseInChild() : edge.joint.poseInParent();
     const Pose X_JointTo = (edge.isBackwards ? edge.joint.poseInParent() : edge.joint.poseInChild()).inverse();
     const int count = edge.joint.axisCount();
@@ -192,8 +192,8 @@ class TreeMaker {
     return (point - point.dot(axis) * axis).norm() <= kOnAxis;
   }
 
-  /// @param R_JointLink Of the link frame in that of the joint.
-  /// @param link None for one that only stands between two joints.
+  /// @param R_JointLink Orientation of the link frame in that of the joint.
+  /// @param link Empty for an auxiliary link between two joints.
   std::size_t addMoving(const Edge& edge, int axis, std::size_t parent, const Pose& X_ParentLink,
                         const Quaternion& R_JointLink, const std::optional<Link>& link, const std::string& joint) {
     const Vector3 xyz = edge.joint.axisInfo(axis).xyz;

@@ -13,13 +13,13 @@ namespace {
 
 Vector3 vectorOf(const Element* element, std::string_view attribute, const Vector3& fallback) {
   if (element == nullptr || element->attribute(attribute) == nullptr) return fallback;
-  // `Element` reads texts, not attributes
+  // `Element` reads text, not attributes
   Element text;
   text.text = element->attribute(attribute)->value;
   try {
     return text.as<Vector3>();
   } catch (const std::exception&) {
-    // what the loader of URDF has let pass
+    // the URDF loader accepts it
     return fallback;
   }
 }
@@ -64,7 +64,7 @@ class UrdfTreeMaker {
   }
 
  private:
-  // the loader has seen to it that it is a tree, and may have let it be a very deep one
+  // the loader ensures that it is a tree, which may be very deep
   void addNext() {
     const auto [parentName, parent] = waiting_.back();
     waiting_.pop_back();
@@ -94,7 +94,7 @@ class UrdfTreeMaker {
   const Frames& frames_;
   std::map<std::string, std::vector<const Element*>> jointsBelow_;
   std::set<std::string> children_;
-  /// Links below which the next ones are to be added.
+  /// Links whose children are added next.
   std::vector<std::pair<std::string, std::size_t>> waiting_;
   KinematicTree tree_;
 };

@@ -9,7 +9,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// So thick is a plane that can be seen [m].
+/// Thickness of the box that displays a plane [m].
 constexpr double kSheet = 1e-3;
 
 UrdfShape boxOf(const Vector3& size) { return {.kind = UrdfShape::Kind::kBox, .size = size}; }

@@ -105,7 +105,7 @@ class UrdfWriter {
     xml_.close();
   }
 
-  /// @return A share of a colour, from 0 to 1, which is what URDF takes.
+  /// @return A colour component clamped to 0 to 1, the range of URDF.
   static std::string numberOf(float share) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%g", std::isfinite(share) ? std::min(std::max(share, 0.0F), 1.0F) : 0.0F);
@@ -157,7 +157,7 @@ class UrdfWriter {
   const Model& model_;
   const KinematicTree& tree_;
   ignition::msgs::Scene scene_;
-  /// By the ids of links.
+  /// Keyed by link id.
   std::map<std::uint32_t, const VisualMessages*> visuals_;
   XmlWriter xml_;
   UrdfText result_;

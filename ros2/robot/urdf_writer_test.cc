@@ -27,7 +27,7 @@ Pose poseOf(const ::urdf::Pose& pose) {
           {pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z}};
 }
 
-/// Where the frame is in that of the root, all joints at zero, as a reader of the URDF works it out.
+/// Pose of a frame in that of the root, with all joints at zero, computed from the URDF.
 Pose poseInRoot(const ::urdf::ModelInterface& robot, const std::string& link) {
   Pose X_LinkBelow;
   for (auto at = robot.getLink(link); at->parent_joint != nullptr; at = at->getParent()) {
@@ -36,7 +36,7 @@ Pose poseInRoot(const ::urdf::ModelInterface& robot, const std::string& link) {
   return X_LinkBelow;
 }
 
-/// Reads the text with urdfdom and compares it with the model.
+/// Parses the text with urdfdom and compares it with the model.
 void expectSame(const Simulation& simulation, const Model& model, const KinematicTree& tree, const UrdfText& urdf,
                 const std::string& where) {
   const auto robot = ::urdf::parseURDF(urdf.text);
@@ -160,7 +160,7 @@ TEST(UrdfWriter, TurnsRotationsIntoAnglesAndBackAtAQuarterTurnToo) {
   }
 }
 
-/// Every robot of every world: what is written is sound, and the same robot.
+/// For every robot of every world, the URDF is valid and describes the same robot.
 TEST(UrdfWriter, WritesTheRobotsOfAllWorlds) {
   std::vector<std::filesystem::path> files;
   const auto add = [&files](const std::filesystem::path& folder) {

@@ -97,8 +97,7 @@ Vector3 exactRollPitchYawOf(const Quaternion& rotation) {
   const double level = math::hypot(matrix(0, 0), matrix(1, 0));
   const double yaw = math::atan2(matrix(1, 0), matrix(0, 0));
   const double pitch = math::atan2(-matrix(2, 0), level);
-  // what is left when the two are taken away turns about x, whatever became of the yaw where the pitch is a quarter
-  // turn
+  // the rotation that is left without yaw and pitch is about x, whatever yaw was chosen at a pitch of a quarter turn
   const Matrix3 rest = fromRollPitchYaw(0, pitch, yaw).toRotationMatrix().transpose() * matrix;
   return {math::atan2(rest(2, 1), rest(1, 1)), pitch, yaw};
 }

@@ -20,8 +20,8 @@ namespace si = simulation_interfaces;
 
 namespace {
 
-/// Calls `seen(shape, X_WorldShape)` with each collision of the model and of those nested in it, until it returns true.
-/// @return Whether it has.
+/// Calls `seen(shape, X_WorldShape)` with each collision of the model and its nested models, until it returns true.
+/// @return Whether it has returned true.
 bool anyShape(const Model& model, const std::function<bool(const Shape&, const Pose&)>& seen) {
   for (const Link& link : model.links()) {
     for (const Collision& collision : link.collisions()) {
@@ -37,8 +37,8 @@ std::array<Vector3, 3> corners(const TriangleShape& mesh, const std::array<std::
   return points;
 }
 
-/// @return How often the surface winds around the point: 1 inside of a closed one, 0 outside. The sum of the solid
-/// angles of its triangles (A. Van Oosterom, J. Strackee, "The solid angle of a plane triangle", 1983).
+/// @return The winding number of the surface around the point: 1 inside a closed surface, 0 outside. The sum of the
+/// solid angles of its triangles (A. Van Oosterom, J. Strackee, "The solid angle of a plane triangle", 1983).
 double windingNumber(const TriangleShape& mesh, const Pose& X, const Vector3& point) {
   double sum = 0;
   for (const auto& triangle : mesh.triangles) {
@@ -57,7 +57,7 @@ geometry_msgs::Vector3 message(const Vector3& from) {
   return to;
 }
 
-/// @return Whether some three of the points are the corners of a triangle.
+/// @return Whether three of the points are not collinear.
 bool spanPlane(const std::vector<Vector3>& points) {
   const Vector3 first = points.front();
   const Vector3 farthest =
@@ -134,7 +134,7 @@ bool Region::overlaps(const Shape& shape, const Pose& X_WorldShape) const {
   return convex && box_.intersects(boxAround(*convex)) && overlap(convex_, *convex);
 }
 
-/// A plane has all that is below it behind it.
+/// A plane includes everything below it.
 bool Region::overlaps(const PlaneShape& plane, const Pose& X_WorldShape) const {
   const Vector3 normal = X_WorldShape.rotation * plane.normal;
   return normal.dot(convex_.farthest(-normal) - X_WorldShape.position) <= 0;
@@ -147,7 +147,7 @@ bool Region::overlaps(const TriangleShape& mesh, const Pose& X_WorldShape) const
     box.extend(points[1]).extend(points[2]);
     if (box_.intersects(box) && overlap(convex_, convexHull({points.begin(), points.end()}))) return true;
   }
-  // no triangle crosses it: all of it is inside or outside
+  // no triangle crosses it, so it is entirely inside or outside
   return windingNumber(mesh, X_WorldShape, convex_.center) > 0.5;
 }
 

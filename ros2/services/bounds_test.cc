@@ -23,7 +23,7 @@ std::string collision(const std::string& pose, const std::string& shape) {
          "</geometry></collision></link>";
 }
 const std::string kBox = "<box><size>2 4 6</size></box>";
-/// A prism of 2 x 2 x 2 m with a notch, which is a mesh of triangles and not convex: an L seen from above.
+/// A prism of 2 x 2 x 2 m with a notch, an L seen from above: a mesh that is not convex.
 const std::string kPolyline =
     "<polyline><point>0 0</point><point>2 0</point><point>2 1</point><point>1 1</point><point>1 2</point>"
     "<point>0 2</point><height>2</height></polyline>";
@@ -97,7 +97,7 @@ class RegionTest : public testing::Test {
 TEST_F(RegionTest, ABoxASphereAndAHullOverlapWhatTheyReach) {
   const Model box = world_.model("box");
   EXPECT_TRUE(overlaps(boxFrom({8, -0.1, 0}, {8.7, 0.1, 0.5}), box));
-  // beside the edge, within the box's own bounds
+  // beside the edge, but within the box's own bounds
   EXPECT_FALSE(overlaps(boxFrom({8.6, 0.9, 0}, {9, 1.2, 0.5}), box));
   EXPECT_TRUE(overlaps(sphere({8, 0, 0}, 0.6), box));
   EXPECT_FALSE(overlaps(sphere({8, 0, 0}, 0.5), box));
@@ -116,7 +116,7 @@ TEST_F(RegionTest, AMeshIsItsSurfaceAndWhatThatEncloses) {
   const Vector3 lower = vectorOf(found.value.value().points[1]) + Vector3(-10, 0, 0);
   const auto there = [&](double x, double y, double z) { return Vector3(lower + Vector3(x, y, z)); };
   EXPECT_TRUE(overlaps(sphere(there(1, 0.5, 1), 0.6), world_.model("mesh")));
-  // inside, touching no triangle
+  // inside, without touching a triangle
   EXPECT_TRUE(overlaps(sphere(there(0.5, 0.5, 1), 0.1), world_.model("mesh")));
   // in the notch
   EXPECT_FALSE(overlaps(sphere(there(1.6, 1.6, 1), 0.3), world_.model("mesh")));

@@ -10,7 +10,7 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// Makes a `Convex` of what is known in a shape's own frame.
+/// Makes a `Convex` from a shape's parameters in its own frame.
 Convex placed(const Pose& X, std::function<Vector3(const Vector3&)> farthest) {
   return {X.position, [X, farthest = std::move(farthest)](const Vector3& direction) {
             return X * farthest(X.rotation.conjugate() * direction);
@@ -54,11 +54,11 @@ struct ConvexOf {
   std::optional<Convex> operator()(const TriangleShape&) const { return std::nullopt; }
 };
 
-// What libccd asks for.
+// Callbacks of libccd.
 
 void supportOf(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
   const Vector3 d(direction->v[0], direction->v[1], direction->v[2]);
-  // libccd never means the zero vector, but may come to it by rounding
+  // libccd never asks for the zero vector, but rounding may produce it
   const Vector3 found = static_cast<const Convex*>(object)->farthest(d.isZero(0) ? Vector3(Vector3::UnitX()) : d);
   ccdVec3Set(point, found.x(), found.y(), found.z());
 }

@@ -54,7 +54,7 @@ TEST(Convex, OverlapsWhatItReaches) {
   // beside the corner, where their boxes overlap
   EXPECT_FALSE(overlap(box, at(SphereShape{0.5}, shifted(1.4, 1.4, 1.4))));
   EXPECT_TRUE(overlap(box, at(SphereShape{0.5}, shifted(1.2, 1.2, 1.2))));
-  // one within the other, either way
+  // one inside the other, in both orders
   EXPECT_TRUE(overlap(box, at(CylinderShape{0.1, 0.1}, shifted(0.5))));
   EXPECT_TRUE(overlap(at(CylinderShape{0.1, 0.1}, shifted(0.5)), box));
   EXPECT_TRUE(overlap(box, box));
@@ -66,7 +66,7 @@ TEST(Convex, OverlapsWhatItReaches) {
 }
 
 TEST(Convex, OverlapsAlikeAtEachDistance) {
-  // spheres, of which it is known
+  // spheres, whose result is known
   for (int i = 1; i < 200; ++i) {
     const double distance = 0.02 * i + 0.005;
     const Pose there{distance * Vector3(1, 2, -2) / 3, fromRollPitchYaw(0.1 * i, 0.2 * i, 0)};

@@ -11,7 +11,7 @@ namespace si = simulation_interfaces;
 
 namespace {
 
-/// POSIX Extended, whose matches RE2 finds in a time that grows with the name's length alone.
+/// POSIX Extended; RE2 matches in a time that is linear in the name's length.
 RE2::Options posixExtended() {
   RE2::Options options(RE2::POSIX);
   options.set_log_errors(false);

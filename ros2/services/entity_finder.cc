@@ -11,13 +11,13 @@ bool hasLink(const Model& model) {
   return !model.links().empty() || std::ranges::any_of(model.models(), [](const Model& each) { return hasLink(each); });
 }
 
-/// @return A frame that moves as the link does.
+/// @return A frame with the link's pose and motion.
 MovingFrame partOf(const Link& link, const Pose& X_WorldPart) {
   const Vector3 w = link.angularVelocity();
   return {X_WorldPart, link.linearVelocity() + w.cross(X_WorldPart.position - link.pose().position), w};
 }
 
-/// @return "model::link" of "model/link".
+/// @return "model::link" for "model/link".
 std::string withColons(std::string_view name) {
   std::string result;
   for (const char letter : name) {

@@ -11,7 +11,7 @@ using Category = si::EntityCategory;
 
 namespace {
 
-/// @return Whether it moves by itself or measures something.
+/// @return Whether it has a movable joint or a sensor.
 bool isRobot(const Model& model) {
   return std::ranges::any_of(model.joints(), [](const Joint& joint) { return joint.axisCount() > 0; }) ||
          std::ranges::any_of(model.links(), [](const Link& link) { return !link.sensors().empty(); }) ||

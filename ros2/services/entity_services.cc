@@ -49,7 +49,7 @@ void EntityServices::offerSpawning(const ServiceNames& names) {
   });
 }
 
-/// Each by itself: one that fails does not keep the others away.
+/// Each independently: a failure does not prevent the others.
 void EntityServices::spawnAll(const srv::SpawnEntities::Request& request,
                               const Responder<srv::SpawnEntities>& responder) {
   using Response = srv::SpawnEntities::Response;

@@ -46,7 +46,7 @@ class EntityServicesTest : public testing::Test {
   srv::SpawnEntity::Response spawn(const srv::SpawnEntity::Request& request) {
     return world_.call<srv::SpawnEntity>("~/spawn_entity", request);
   }
-  /// @param part Of the text that the refusal must have.
+  /// @param part Expected in the text of the refusal.
   void expectRefused(const srv::SpawnEntity::Request& request, std::uint8_t code, const std::string& part) {
     const auto response = spawn(request);
     EXPECT_EQ(response.result.result, code) << response.result.error_message;
@@ -179,7 +179,7 @@ TEST_F(EntityServicesTest, SpawnSeveralEachByItself) {
   EXPECT_EQ(response.result, succeeded());
   ASSERT_EQ(response.results.size(), 2U);
   EXPECT_EQ(response.results[1].entity_name, "b");
-  // of two of one name the first is there
+  // of two with the same name, the first one is inserted
   request.spawn_requests = {asMessage(text(ball("c"))), asMessage(text(ball("c"))), asMessage({})};
   response = world_.call<srv::SpawnEntities>("~/spawn_entities", request);
   EXPECT_EQ(response.result.result, srv::SpawnEntities::Response::kEntitiesSpawnFailed);
@@ -224,7 +224,7 @@ TEST_F(EntityServicesTest, TellAndSetInfos) {
   EXPECT_EQ(response.info, info);
   EXPECT_EQ(world_.call<srv::GetEntityInfo>("~/get_entity_info", {"bax"}).result, notFound("there is no entity 'bax'"));
   EXPECT_EQ(world_.call<srv::SetEntityInfo>("~/set_entity_info", {"bax", info}).result.result, Result::kResultNotFound);
-  // those who come after the one that went have their own
+  // entities inserted after the removal have ids of their own
   EXPECT_EQ(world_.call<srv::DeleteEntity>("~/delete_entity", {"box"}).result, succeeded());
   EXPECT_EQ(spawn(text(ball("box"))).result, succeeded());
   EXPECT_EQ(world_.call<srv::GetEntityInfo>("~/get_entity_info", {"box"}).info, si::EntityInfo());

@@ -23,7 +23,7 @@ class EntityStateTest : public testing::Test {
   Result set(const Request& asked) { return setState(finder_, asked); }
   Model ball() { return world_.model("ball"); }
   si::EntityState stateOfBall() { return stateOf(ball(), world_.simulation().time(), accelerations_); }
-  /// As the system does.
+  /// As in the system.
   void step() {
     world_.step(1);
     accelerations_.stepped(world_.simulation().world(), {.time = {}, .dt = world_.simulation().stepSize()});
@@ -75,7 +75,7 @@ TEST_F(EntityStateTest, IsSetInTheWorldOrInAnyFrame) {
   EXPECT_TRUE(ball().pose().position.isApprox(Vector3(4, 5, 6)));
   EXPECT_TRUE(vectorOf(stateOfBall().twist.linear).isApprox(Vector3(1, 2, 3)));
 
-  // the truck looks along y and drives with 10 m/s
+  // the truck faces y and drives at 10 m/s
   world_.model("truck").setVelocity({0, 10, 0}, {0, 0, 0});
   asked.state.header.frame_id = "truck";
   asked.state.pose.position = {1, 0, 0};

@@ -29,14 +29,14 @@ RunRequests::RunRequests(const Node& simulation, const ServiceNames& names)
     : requests_(simulation), names_(names), node_(simulation) {}
 
 bool RunRequests::canBeAsked() {
-  // what answers this is there where the others are, and does nothing
+  // this service has no effect, and exists wherever the others do
   return static_cast<bool>(node_.request("/gazebo/worlds", ignition::msgs::Empty(),
                                          ignition::msgs::StringMsg_V::descriptor()->full_name(), {}));
 }
 
 void RunRequests::preUpdate(const StepInfo& info) {
   info_ = info;
-  // while paused it counts the steps made, else the one to be made, too
+  // while paused this is the number of steps made, otherwise it includes the current one
   if (!info.paused) isStartPaused_ = false;
   requests_.sweep();
   lookAtSteps();
@@ -104,7 +104,7 @@ void RunRequests::step(std::uint64_t count, Done done) {
   });
 }
 
-/// The run is paused again where its steps are made, or where somebody has paused it before.
+/// The run is paused again after its steps, or because somebody paused it.
 void RunRequests::lookAtSteps() {
   if (!stepping_ || !stepping_->isAnswered) return;
   const std::uint64_t made = info_.iteration - (info_.paused ? 0 : 1) - stepping_->first;
@@ -121,7 +121,7 @@ void RunRequests::endSteps(const Result& result) {
 }
 
 void RunRequests::resetAll(bool isStepped, Done done) {
-  // while steps are made it is paused behind them
+  // a pause during the steps takes effect after them
   control({.pause = info_.paused || isStepped || stepping_.has_value(), .reset = true}, Result::kResultOperationFailed,
           std::move(done));
 }

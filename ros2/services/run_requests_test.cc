@@ -14,7 +14,7 @@ using ignition::msgs::WorldControl;
 using State = si::SimulationState;
 using Set = si::srv::SetSimulationState::Response;
 
-/// Requests of a run that a test plays by hand. The one of `pongsim run` is in run_services_test.cc.
+/// Requests to a run that the test plays itself. run_services_test.cc tests that of `pongsim run`.
 class RunRequestsTest : public testing::Test {
  protected:
   void offerControl() {
@@ -51,7 +51,7 @@ TEST_F(RunRequestsTest, SayWhereNobodyRunsIt) {
   EXPECT_EQ(results_[1].result, Set::kStateTransitionError);
   EXPECT_EQ(results_[2].result, Result::kResultOperationFailed);
   EXPECT_EQ(results_[3].result, Result::kResultOperationFailed);
-  // and there are no steps that another request would wait for
+  // no other request is stepping
   run_.step(1, note());
   EXPECT_EQ(results_.back(), results_[2]);
 }

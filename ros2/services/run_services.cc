@@ -79,7 +79,7 @@ si::SimulatorFeatures RunServices::features() {
 si::WorldResource RunServices::world() const {
   si::WorldResource resource;
   resource.name = world_.name();
-  // of a world that came as a text the name stands for no file
+  // the name of a world loaded from text is not a file
   const auto file = world_.sourcePosition().file;
   std::error_code error;
   if (file && std::filesystem::is_regular_file(*file, error)) {

@@ -16,7 +16,7 @@ namespace {
 using Status = action_msgs::GoalStatus;
 using Code = simulation_interfaces::Result;
 
-// What a single request can ask for.
+// Maximum number of steps per request.
 constexpr std::uint64_t kMostAtOnce = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace

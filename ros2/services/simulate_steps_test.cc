@@ -20,7 +20,7 @@ using Status = action_msgs::GoalStatus;
 using Cancel = action_msgs::srv::CancelGoal;
 using Code = simulation_interfaces::Result;
 
-/// A world that is paused at first, run as `pongsim run` does it, and a client.
+/// A world that is initially paused, run like `pongsim run` does, and a client.
 class SimulateStepsTest : public testing::Test {
  protected:
   void offerControl() {

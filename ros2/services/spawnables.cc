@@ -17,7 +17,7 @@ bool isModel(const fs::path& folder) {
   return fs::is_regular_file(folder / "model.config", ignored);
 }
 
-/// @return The model folders in a folder.
+/// @return The model folders inside a folder.
 std::vector<fs::path> modelsIn(const fs::path& folder) {
   std::vector<fs::path> models;
   std::error_code error;

@@ -16,7 +16,7 @@ using si::SpawnResult;
 
 namespace {
 
-/// @return "FILE:1:2: what is wrong (hint)", in a line.
+/// @return "FILE:1:2: ERROR (HINT)", in one line.
 std::string lineOf(const Diagnostic& diagnostic) {
   const SourcePosition& position = diagnostic.position;
   std::string line;
@@ -37,7 +37,7 @@ bool isUnusableFile(const Diagnostic& diagnostic) {
   return has(diagnostic.message, "can't be read as ") || has(diagnostic.message, "is not a supported kind of address");
 }
 
-/// @return What an error in reading means.
+/// @return The result code for an error in reading.
 std::uint8_t codeOf(const Diagnostic& error) {
   if (isMissingFile(error)) return SpawnResult::kMissingAssets;
   if (isUnusableFile(error)) return SpawnResult::kUnsupportedAssets;
@@ -45,7 +45,7 @@ std::uint8_t codeOf(const Diagnostic& error) {
   return SpawnResult::kResourceParseError;
 }
 
-/// @return Whether files with such an ending hold robots or scenes of a format that is not read.
+/// @return Whether the extension is that of an unsupported robot or scene format.
 bool isOtherFormat(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 8> kOthers{".usd",  ".usda", ".usdc",  ".usdz",
                                                     ".mjcf", ".wbt",  ".proto", ".glb"};
@@ -117,7 +117,7 @@ std::optional<ModelTemplate> Spawner::read(const si::Resource& resource, Result&
     result = refused(codeOf(error.diagnostic()), lineOf(error.diagnostic()));
     return std::nullopt;
   }
-  // what it would only lack is a reason not to insert it, too
+  // something missing, which is otherwise only a warning, is a reason not to insert it
   for (const Diagnostic& warning : diagnostics.all()) {
     if (!isMissingFile(warning) && !isUnusableFile(warning)) continue;
     result = refused(codeOf(warning), lineOf(warning));

@@ -1,4 +1,4 @@
-// What it spawns and refuses is in entity_services_test.cc, for it needs a simulation that runs.
+// entity_services_test.cc tests spawning itself, which needs a running simulation.
 #include "ros2/services/spawner.hh"
 
 #include <gtest/gtest.h>

@@ -35,7 +35,7 @@ class Ros2 final : public System {
   void configure(const SystemContext& context) override {
     if (context.sdf.attributeOr("beside_others", "") == "true") elements_.nameAfter(context.world.name(), context.sdf);
     const std::optional<Settings> settings = elements_.read(context.sdf, context.diagnostics);
-    // the run does not begin
+    // the run does not start
     if (!settings) return;
     settings_ = *settings;
     if (!settings_.bridgesAll) robotSettings_.leaveOutUnnamed(context.sdf);
@@ -80,7 +80,7 @@ class Ros2 final : public System {
   RobotSettings robotSettings_;
   std::string servicePrefix_ = "~";
   Settings settings_;
-  // each speaks by the one before it
+  // each uses the one before it
   std::optional<Participant> participant_;
   std::optional<RosNode> node_;
   std::optional<Rosout> rosout_;

@@ -26,8 +26,8 @@ namespace {
 
 constexpr const char* kModelType = "ignition.msgs.Model";
 
-/// Stands where a world has the plugin of gz_ros2_control, which runs the controllers within the simulator: here they
-/// run outside, and reach the joints by topics. It speaks ignition.msgs, so that the bridge alone knows ROS.
+/// Replaces the plugin of gz_ros2_control, which runs the controllers inside the simulator: here they run outside and
+/// command the joints through topics. It uses ignition.msgs, so that only the bridge depends on ROS.
 class Ros2Control final : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -144,14 +144,14 @@ class Ros2Control final : public System {
       settings.positionGain = read.positionGain.value_or(settings.positionGain);
       settings.holdsJoints = read.holdsJoints.value_or(settings.holdsJoints);
     }
-    // what stands in the world counts more than what stands in a file
+    // elements in the world take precedence over those in a file
     if (context.sdf.child("hold_joints") != nullptr) settings.holdsJoints = holdsJoints_;
     settings.updateRate = updateRate_.value_or(settings.updateRate);
     settings.positionGain = positionGain_.value_or(settings.positionGain);
     return settings;
   }
 
-  /// @return Those that the model has, with an axis.
+  /// @return The listed joints that the model has, with an axis.
   static std::vector<ControlledJoint> jointsOf(ControlBlock& block, const Model& model, Diagnostics& diagnostics) {
     std::vector<std::string> names;
     for (const Joint& joint : model.joints()) {
@@ -188,7 +188,7 @@ class Ros2Control final : public System {
     if (const Element* ros = sdf.child("ros")) space = ros->get<std::string>("namespace", "");
     if (!space.empty() && !space.starts_with('/')) space.insert(0, "/");
     while (space.ends_with('/')) space.pop_back();
-    // of several robots that say nothing all but the first have topics of their own
+    // of several robots without names, all but the first have topics of their own
     const std::vector<OwnTopic> topics = node_->ownTopics();
     const auto isTaken = [&topics](const std::string& name) {
       return std::ranges::any_of(topics,
@@ -286,7 +286,7 @@ class Ros2Control final : public System {
   std::string model_;
   std::optional<Node> node_;
   std::list<Group> groups_;
-  /// Unknown joints that were warned of.
+  /// Unknown joints, each reported once.
   std::set<std::string> said_;
   bool isRefusing_ = false;
   bool hasSpoken_ = false;

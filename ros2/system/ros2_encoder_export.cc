@@ -1,4 +1,4 @@
-// What recordings in the encoding of ROS 2 are made with, in the library of the system.
+// Exports the encoder for recordings of ROS messages from the system's library.
 #include "ros2/recording/ros2_encoder.hh"
 
 PONGSIM_EXPORT_ENCODER(pongsim::ros2::Ros2Encoder::make);

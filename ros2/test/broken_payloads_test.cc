@@ -1,4 +1,4 @@
-// What anybody may send, read as each type: it is refused or read, and nothing else happens.
+// Arbitrary payloads, read as each type, are either read or refused, without other effects.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kEncapsulation = 4;
 
-/// A payload of small numbers, so that counts of elements may well be right.
+/// A payload of small numbers, so that counts of elements are often plausible.
 std::vector<std::byte> somePayload(std::mt19937& chance) {
   std::vector<std::byte> payload(kEncapsulation + 400);
   payload[1] = std::byte{1};
@@ -29,8 +29,8 @@ std::vector<std::byte> somePayload(std::mt19937& chance) {
 
 constexpr std::string_view kText = "text";
 
-/// Gives all fields a content: two elements to each list that may have them, `kText` to texts.
-/// @param number What floating-point numbers are to be.
+/// Fills all fields: lists get two elements if possible, texts `kText`.
+/// @param number Value of floating-point numbers.
 template <class Value>
 void fillWith(double number, Value& value) {
   if constexpr (std::is_floating_point_v<Value>) {
@@ -62,7 +62,7 @@ TEST(BrokenPayloads, AreRefusedWhereverTheyEnd) {
   forAllTypes([]<class Type>() {
     for (const std::vector<std::byte>& whole : {toCdr(Type()), filled<Type>()}) {
       for (std::size_t size = 0; size < whole.size(); ++size) {
-        // of its own size, so that a sanitizer sees what is read behind it
+        // allocated with the exact size, so that a sanitizer detects reads beyond it
         const std::vector<std::byte> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
         Type value;
         EXPECT_TRUE(readCdr(part, value).has_value()) << nameOf<Type>() << ", " << size;
@@ -112,7 +112,7 @@ TEST(BrokenPayloads, OfCommandsThatAreNotFiniteDoNotGetIn) {
       if (nameOf<Type>() != pair.ros) return;
       const ToIgnition read = pair.toIgnition({});
       std::string error;
-      // what is read at all: all that are filled with ones
+      // only types that accept a payload of ones
       EXPECT_NE(read(filled<Type>(), error), nullptr) << pair.ros << ": " << error;
       if (read(filled<Type>(std::numeric_limits<double>::quiet_NaN()), error) == nullptr) {
         EXPECT_EQ(error, "a number in it is not finite") << pair.ros;
@@ -130,7 +130,7 @@ TEST(BrokenPayloads, OfCommandsThatAreNotFiniteDoNotGetIn) {
 
 TEST(BrokenPayloads, ClaimNoMoreMemoryThanTheyHave) {
   forAllTypes([]<class Type>() {
-    // each number of the payload says four thousand million in turn
+    // each number of the payload in turn claims four thousand million
     const std::vector<std::byte> whole = filled<Type>();
     for (std::size_t at = kEncapsulation; at + 4 <= whole.size(); at += 4) {
       std::vector<std::byte> payload = whole;

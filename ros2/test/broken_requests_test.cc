@@ -1,4 +1,4 @@
-// Requests to a service that are none, from a participant that is no node.
+// Invalid requests to a service, from a participant that is not a node.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using ros_gz_interfaces::srv::SetEntityPose;
 
-/// @return A payload that is none: cut off somewhere, and not where what DDS pads it with would make it whole again.
+/// @return An invalid payload: truncated, at a point where DDS's padding does not complete it.
 std::vector<std::byte> rubbish(std::mt19937& chance) {
   std::vector<std::byte> payload = toCdr(SetEntityPose::Request());
   payload.resize(kEncapsulation + chance() % (payload.size() - kEncapsulation - 3));

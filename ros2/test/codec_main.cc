@@ -1,6 +1,5 @@
-// Reads lines "TYPE HEX", a payload of that type each, and writes what becomes of it when it is read and written again;
-// a line "TYPE" alone gives the type's hash, "TYPE definition" its definition with '|' for the ends of lines. For
-// test_codec.py.
+// For test_codec.py. Reads lines "TYPE HEX" with a payload of that type, decodes it and prints it encoded again. For a
+// line "TYPE" it prints the type's hash, for "TYPE definition" its definition with '|' for line breaks.
 #include <algorithm>
 #include <charconv>
 #include <functional>

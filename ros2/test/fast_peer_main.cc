@@ -1,9 +1,9 @@
-// A node of ROS by Fast DDS as rmw_fastrtps sets it up, with nothing of pongsim's in it. For test_fast_dds.py.
-//   fast_peer read TOPIC TYPE QOS          "read SECONDS HEX" for each payload, from when the reader was there
-//   fast_peer write TOPIC TYPE QOS HEX MS  writes the payload every so many milliseconds; 0: once
-// QOS is reliable, best_effort or latched. Says "matched N" whenever the number of counterparts changes. Ends when its
-// input does. ROS_DOMAIN_ID and ROS_LOCALHOST_ONLY count as for a node, and so do ROS_SECURITY_ENABLE, _KEYSTORE and
-// _ENCLAVE_OVERRIDE.
+// A ROS node on Fast DDS, set up like rmw_fastrtps, without any code of pongsim. For test_fast_dds.py.
+//   fast_peer read TOPIC TYPE QOS          prints "read SECONDS HEX" for each payload, counted from the reader's
+//   creation fast_peer write TOPIC TYPE QOS HEX MS  writes the payload every MS milliseconds; 0: once
+// QOS is reliable, best_effort or latched. Prints "matched N" whenever the number of counterparts changes. Ends with
+// its input. ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY, ROS_SECURITY_ENABLE, _KEYSTORE and _ENCLAVE_OVERRIDE work as for any
+// node.
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -37,10 +37,10 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using Clock = std::chrono::steady_clock;
 
-// the payload of a type that grows begins small, as that of rmw does
+// the payload of a type of variable size starts small, like rmw's
 constexpr std::uint32_t kBegin = 256;
 
-/// Payloads as they are on the wire.
+/// Payloads as raw bytes.
 class RawType final : public dds::TopicDataType {
  public:
   using Bytes = std::vector<unsigned char>;
@@ -71,7 +71,7 @@ class RawType final : public dds::TopicDataType {
   bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
 };
 
-/// One line at a time, from any thread.
+/// Prints one line at a time, from any thread.
 class Output {
  public:
   void matched(int count) {
@@ -122,7 +122,7 @@ std::string environment(const char* name) {
   return text == nullptr ? std::string() : std::string(text);
 }
 
-/// As rmw_fastrtps_shared_cpp has them for an enclave, where security is on.
+/// As in rmw_fastrtps_shared_cpp for an enclave, if security is on.
 void addSecurity(dds::DomainParticipantQos& qos) {
   if (environment("ROS_SECURITY_ENABLE") != "true") return;
   const std::string folder = "file://" + environment("ROS_SECURITY_KEYSTORE") + "/enclaves" +
@@ -141,7 +141,7 @@ void addSecurity(dds::DomainParticipantQos& qos) {
   add("dds.sec.access.builtin.Access-Permissions.permissions", folder + "permissions.p7s");
 }
 
-/// As rmw_fastrtps_shared_cpp makes it (participant.cpp, branch humble).
+/// As in rmw_fastrtps_shared_cpp (participant.cpp, branch humble).
 dds::DomainParticipant* makeParticipant() {
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
   constexpr std::string_view kUserData("enclave=/;", 11);
@@ -163,7 +163,7 @@ dds::DomainParticipant* makeParticipant() {
   return dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
 }
 
-/// As rmw_fastrtps_shared_cpp/qos.cpp fills them in.
+/// As in rmw_fastrtps_shared_cpp/qos.cpp.
 template <class EndpointQos>
 EndpointQos endpointQos(const std::string& name) {
   EndpointQos qos;
@@ -182,7 +182,7 @@ RawType::Bytes bytesOf(std::string_view hex) {
 }
 
 /// Waits for the end of the input.
-/// @return Whether it has come within the time; negative: for ever.
+/// @return Whether it has ended within the time; negative: no limit.
 bool isOver(int milliseconds) {
   pollfd input{STDIN_FILENO, POLLIN, 0};
   char bytes[256];

@@ -1,6 +1,6 @@
-// Any bytes as what comes from other participants: the first two choose a type, the rest is a payload of it, and a
-// packet of RTPS. Whatever they are, the readers end, keep within the bytes and within a small multiple of their
-// memory, and what is taken is written as the same again.
+// Arbitrary bytes as input from other participants: the first two select a type, the rest is a payload of it and an
+// RTPS packet. Readers must end, stay within the bytes, and use a small multiple of their size as memory; what they
+// accept must be encoded to the same bytes.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,7 +18,7 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::size_t kChoice = 2;
-// The smallest element of a list is a byte, the largest structure that may stand for one of few bytes has many texts.
+// The smallest list element is one byte; the largest structure encoded in few bytes has many texts.
 constexpr std::size_t kMostGrowth = 64;
 
 using fuzz::require;

@@ -167,7 +167,7 @@ def test_a_command_of_another_type_is_said_and_not_obeyed(tmp_path):
         text = peers.until(said, "a warning")
         assert ("a node publishes '/cmd_vel' as std_msgs/msg/String, which is geometry_msgs/msg/Twist here: no messages "
                 "arrive") in text
-        assert "--ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' makes it that" in text
+        assert "--ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' bridges that type" in text
         # who does it right is obeyed, and nobody is told twice
         publish_until(right, Twist(linear=Vector3(x=0.5)),
                       lambda: [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.4], "a drive")
@@ -177,7 +177,7 @@ def test_a_command_of_another_type_is_said_and_not_obeyed(tmp_path):
 def test_a_reader_that_asks_for_more_is_told(tmp_path):
     with open(tmp_path / "log", "w") as log, peers.running(peers.ROOT / "worlds/pong_lidar.sdf", "--ros2", log=log):
         reader = peers.Peer().reader("/lidar", LaserScan, peers.LATCHED)
-        peers.until(lambda: "a node subscribes to '/lidar' as transient local, which it is not: it receives no messages"
+        peers.until(lambda: "a node subscribes to '/lidar' as transient local, but it is published as not transient local: it receives no messages"
                     in (tmp_path / "log").read_text(), "a warning")
         assert not peers.take(reader)
 

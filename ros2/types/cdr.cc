@@ -7,7 +7,7 @@ namespace pongsim::ros2 {
 namespace {
 static_assert(std::endian::native == std::endian::little);
 
-// kinds of encoding: OMG DDS-XTypes 1.3, table 60
+// identifiers of encodings: OMG DDS-XTypes 1.3, table 60
 constexpr std::uint8_t kBigEndian1 = 0x00, kLittleEndian1 = 0x01, kBigEndian2 = 0x06, kLittleEndian2 = 0x07;
 }  // namespace
 
@@ -68,7 +68,7 @@ void CdrReader::readText(std::string& text, std::size_t most) {
          " bytes are left");
     return;
   }
-  // an empty text has one letter, the zero at its end; some writers leave that out
+  // an empty text has one byte, its terminating zero; some writers leave that out
   const char* begin = reinterpret_cast<const char*>(bytes_.data() + at_);
   if (size > 0 && begin[size - 1] != '\0') {
     fail("is a string without an end");

@@ -39,7 +39,7 @@ TEST(Cdr, RefusesEveryPayloadThatIsCutOff) {
 TEST(Cdr, RefusesASequenceThatClaimsMoreThanThereIs) {
   auto bytes = toCdr(someScan());
   const std::uint32_t many = 4'000'000'000;
-  // behind the encapsulation: stamp 8, text 4 + 11, seven floats from 24 on
+  // after the encapsulation: stamp 8, text 4 + 11, seven floats from 24 on
   std::memcpy(&bytes[kEncapsulation + 52], &many, sizeof many);
   sensor_msgs::LaserScan read;
   EXPECT_EQ(readCdr(bytes, read), "field 'ranges' claims 4000000000 elements, but 16 bytes are left");

@@ -9,16 +9,16 @@ namespace {
 
 constexpr std::size_t kLineLength = 80;
 
-/// The fields of types, a line each, by the names of the types.
+/// The fields of types, one per line, keyed by type name.
 using FieldLists = std::map<std::string, std::string>;
 
-/// @return Of "std_msgs/msg/Header" "std_msgs/Header", as .msg files write it.
+/// @return "std_msgs/Header" for "std_msgs/msg/Header", as in .msg files.
 std::string nameInMsg(std::string_view name) {
   const std::size_t package = name.find('/'), last = name.rfind('/');
   return std::string(name.substr(0, package)) + std::string(name.substr(last));
 }
 
-/// @return The word for a type that is neither a list nor a structure.
+/// @return The name of a type that is neither a list nor a structure.
 std::string wordInMsg(const FieldType& type) {
   switch (type.id) {
     case FieldType::kNested:
@@ -55,7 +55,7 @@ std::string wordInMsg(const FieldType& type) {
   return {};
 }
 
-/// @return "[]", "[9]", "[<=4]" behind a type's word, or nothing.
+/// @return Suffix of a list type, "[]", "[9]" or "[<=4]"; empty for other types.
 std::string listInMsg(const FieldType& type) {
   switch (type.list) {
     case FieldType::kNoList:
@@ -70,7 +70,7 @@ std::string listInMsg(const FieldType& type) {
   return {};
 }
 
-/// Adds the type and all types in it.
+/// Adds the type and all types inside it.
 void listFields(const TypeDescription& type, FieldLists& all) {
   if (!all.try_emplace(type.name).second) return;
   std::string fields;

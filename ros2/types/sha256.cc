@@ -57,7 +57,7 @@ void addBlock(const unsigned char* block, Hash& hash) {
 }  // namespace
 
 std::string sha256(std::string_view text) {
-  // 5.1.1: a one, zeros, and the length in bits in the last eight bytes of a block
+  // 5.1.1: a one bit, zeros, and the length in bits in the last eight bytes of a block
   std::string padded(text);
   padded += '\x80';
   while (padded.size() % kBlock != kBlock - 8) padded += '\0';

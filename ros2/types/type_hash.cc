@@ -9,10 +9,10 @@ namespace pongsim::ros2 {
 
 namespace {
 
-/// Descriptions by the names of the types: "{\"type_name\": ..., \"fields\": [...]}".
+/// Descriptions keyed by type name: "{\"type_name\": ..., \"fields\": [...]}".
 using Descriptions = std::map<std::string, std::string>;
 
-/// One field, as the message type_description_interfaces/msg/FieldType has it.
+/// One field, like the message type_description_interfaces/msg/FieldType.
 std::string describeField(std::string_view name, const FieldType& type, std::string_view nested) {
   return "{\"name\": \"" + std::string(name) +
          "\", \"type\": {\"type_id\": " + std::to_string(int{type.list} + int{type.id}) +
@@ -21,7 +21,7 @@ std::string describeField(std::string_view name, const FieldType& type, std::str
          std::string(nested) + "\"}}";
 }
 
-/// Adds the type and all types in it.
+/// Adds the type and all types inside it.
 void describe(const TypeDescription& type, Descriptions& all) {
   if (!all.try_emplace(type.name).second) return;
   std::string fields;

@@ -7,9 +7,9 @@
 namespace pongsim::ros2 {
 
 namespace {
-// Buffers beyond this much are not kept for later.
+// Memory beyond this is freed instead of kept.
 constexpr std::size_t kSpareBytes = 32 << 20;
-// That of the smallest ones.
+// Size of the smallest buffers.
 constexpr std::size_t kSmallestCapacity = 256;
 }  // namespace
 

@@ -13,7 +13,7 @@ constexpr std::array<unsigned char, 4> kProtocol{'R', 'T', 'P', 'S'};
 constexpr std::size_t kHeader = 20, kSubmessageHeader = 4;
 constexpr unsigned char kAcknack = 0x06, kPad = 0x01, kInfoTimestamp = 0x09;
 constexpr unsigned char kLittleEndian = 0x01, kFinal = 0x02;
-// reader, writer, first number wanted (its upper half, its lower half), how many bits follow, they, count
+// offsets: writer, first requested number (high and low half), number of bits, and the smallest size
 constexpr std::size_t kWriter = 4, kFirstHigh = 8, kFirstLow = 12, kBits = 16, kLeast = 24;
 constexpr std::uint32_t kMostBits = 256;
 constexpr std::array<unsigned char, 4> kPublications{0, 0, 3, 0xc2}, kSubscriptions{0, 0, 4, 0xc2};
@@ -63,7 +63,7 @@ std::size_t hastenFirstAcknacks(std::span<unsigned char> packet) {
     std::size_t size =
         static_cast<std::size_t>(rest[isLittle ? 2 : 3]) | static_cast<std::size_t>(rest[isLittle ? 3 : 2]) << 8;
     rest = rest.subspan(kSubmessageHeader);
-    // the last one may go on to the end
+    // a size of zero means up to the end of the packet
     if (size == 0 && kind != kPad && kind != kInfoTimestamp) size = rest.size();
     if (size > rest.size()) break;
     if (kind == kAcknack && hasten(rest.first(size), flags)) ++count;

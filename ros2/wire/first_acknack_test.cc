@@ -25,7 +25,7 @@ void put(Packet& packet, std::uint32_t number, bool isLittle) {
   for (int i = 0; i < 4; ++i) packet.push_back(static_cast<unsigned char>(number >> 8 * (isLittle ? i : 3 - i)));
 }
 
-/// A message with another submessage in front of the ACKNACK, as Cyclone's have.
+/// A message with another submessage before the ACKNACK, like Cyclone's.
 Packet message(const Asked& asked) {
   Packet packet{'R', 'T', 'P', 'S', 2, 1, 1, 16};
   packet.resize(20, 7);
@@ -77,7 +77,7 @@ TEST(FirstAcknack, OfOtherWritersIsLeftAlone) {
 TEST(FirstAcknack, IsNotLookedForBehindTheEnd) {
   const Packet whole = message({});
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    // of its own size, so that a sanitizer sees what is read behind it
+    // allocated with the exact size, so that a sanitizer detects reads beyond it
     Packet packet(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
     EXPECT_EQ(hastenFirstAcknacks(packet), 0U) << size;
   }

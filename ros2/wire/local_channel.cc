@@ -51,7 +51,7 @@ void LocalChannel::drain(const UdpSocket& socket) {
     socklen_t length = sizeof sender;
     const ssize_t size =
         recvfrom(socket.handle(), packet_.data(), packet_.size(), 0, reinterpret_cast<sockaddr*>(&sender), &length);
-    // also where an error of an earlier packet is told of
+    // also if an error of an earlier packet is reported
     if (size < 0) return;
     if (size == 0) continue;
     Locator from;

@@ -17,13 +17,13 @@ namespace pongsim::ros2 {
 
 namespace {
 
-// The kernel gives what net.core.rmem_max and wmem_max allow: an image needs room for all of its packets at once.
+// The kernel limits it to net.core.rmem_max and wmem_max: an image needs room for all of its packets at once.
 constexpr int kSocketBuffer = 4 << 20;
-// Where the addresses stand in the header of IPv4.
+// Offsets of the addresses in an IPv4 header.
 constexpr std::uint32_t kSourceAddress = 12;
 constexpr std::uint32_t kDestinationAddress = 16;
 constexpr std::uint32_t kWholePacket = 0xffffffff;
-// A jump in a filter is at most so long.
+// Longest jump in a filter.
 constexpr std::size_t kMostAddresses = 200;
 
 template <class Value>
@@ -40,7 +40,7 @@ sock_filter statement(std::uint32_t code, std::uint32_t value) {
   return {static_cast<std::uint16_t>(code), 0, 0, value};
 }
 
-/// Lets through what `senders` says, by a program of the kernel's classic packet filter (socket(7), SO_ATTACH_FILTER).
+/// Installs the filter for `senders` as a program of the kernel's classic packet filter (socket(7), SO_ATTACH_FILTER).
 bool limit(const UdpSocket& socket, const Senders& senders) {
   if (senders.isAnybody) return true;
   if (senders.addresses.size() > kMostAddresses) return false;
@@ -55,7 +55,7 @@ bool limit(const UdpSocket& socket, const Senders& senders) {
     filter.push_back(statement(BPF_RET | BPF_K, kWholePacket));
   }
   filter.push_back(load(kSourceAddress));
-  // each jumps over what is left, and over the refusal
+  // each jump skips the remaining comparisons and the refusal
   for (std::size_t i = 0; i < count; ++i) {
     filter.push_back(
         {BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint8_t>(count - i - 1 + 3), 0, ntohl(senders.addresses[i])});
@@ -123,7 +123,7 @@ UdpSocket& UdpSocket::operator=(UdpSocket&& other) noexcept {
 
 UdpSocket openUnicast(std::uint16_t port, const Senders& senders) {
   UdpSocket socket = open();
-  // before it has a port, or a packet could come in between
+  // before it has a port, so that no packet arrives in between
   if (!socket || !limit(socket, senders) || !bindTo(socket, INADDR_ANY, port)) return UdpSocket();
   return socket;
 }
@@ -133,7 +133,7 @@ UdpSocket openMulticast(std::uint32_t group, std::uint16_t port, std::uint32_t i
   ip_mreq membership{};
   membership.imr_multiaddr.s_addr = group;
   membership.imr_interface.s_addr = interface;
-  // not what other programs have joined by other interfaces
+  // otherwise it receives groups that other programs have joined on other interfaces
   if (!socket || !limit(socket, senders) || !set(socket, IPPROTO_IP, IP_MULTICAST_ALL, 0) ||
       !set(socket, SOL_SOCKET, SO_REUSEADDR, 1) || !bindTo(socket, group, port) ||
       !set(socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, membership)) {

@@ -30,10 +30,10 @@ namespace dds_rtps = eprosima::fastdds::rtps;
 namespace rtps = eprosima::fastrtps::rtps;
 using rtps::Locator_t;
 
-// Where participants look for each other (RTPS 9.6.1.1.3).
+// The ports for discovery (RTPS 9.6.1.1.3).
 constexpr std::uint32_t kGroup = 0xefff0001;
-// So many participants of this machine are looked for at the ports that they have by their numbers, for those who hear
-// no group.
+// Number of participants on this machine that are looked for at their unicast ports, in case they do not receive
+// multicast.
 constexpr std::uint32_t kParticipantsSought = 32;
 constexpr std::size_t kLargestPacket = 65536;
 
@@ -56,7 +56,7 @@ bool isMulticast(const Locator_t& locator) { return (ntohl(addressOf(locator)) >
 
 class LocalUdpTransport;
 
-/// The way out, once.
+/// The output channel, opened once.
 class LocalSender final : public rtps::SenderResource {
  public:
   explicit LocalSender(LocalUdpTransport& transport);
@@ -106,7 +106,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
     return true;
   }
   bool getDefaultMetatrafficUnicastLocators(rtps::LocatorList_t& list, std::uint32_t port) const override {
-    // the library announces these as they are, and a peer of ours sends nothing to 0.0.0.0
+    // the library announces these addresses, and peers of ours do not send to 0.0.0.0
     for (const Locator_t& each : announced(port)) list.push_back(each);
     return true;
   }
@@ -127,7 +127,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
                                    rtps::LocatorList_t& list) const override;
 
  private:
-  /// A channel is all that comes in at a port, for the group or for this machine.
+  /// A channel receives everything at one port, multicast or from this machine.
   using Key = std::pair<bool, std::uint32_t>;
   static Key keyOf(const Locator_t& locator) { return {isMulticast(locator), locator.port}; }
 
@@ -143,7 +143,7 @@ class LocalUdpTransport final : public dds_rtps::TransportInterface {
   Reach reach_;
   std::shared_ptr<std::atomic<bool>> isOpen_;
   UdpSocket sender_;
-  /// One by each interface.
+  /// One per interface.
   std::vector<UdpSocket> groupSenders_;
   mutable std::mutex mutex_;
   std::map<Key, std::unique_ptr<LocalChannel>> channels_;
@@ -159,7 +159,7 @@ LocalSender::LocalSender(LocalUdpTransport& transport) : SenderResource(LOCATOR_
 bool LocalUdpTransport::init(const rtps::PropertyPolicy*) {
   sender_ = openSender();
   for (const LocalAddress& each : reach_.addresses) {
-    // an interface that knows no groups has none
+    // interfaces without multicast are skipped
     if (UdpSocket socket = openGroupSender(each.address, isOpenBy(each) ? 1 : 0)) {
       groupSenders_.push_back(std::move(socket));
     }
@@ -235,8 +235,8 @@ void LocalUdpTransport::sendBy(const UdpSocket& socket, const rtps::octet* bytes
   name.sin_port = htons(static_cast<std::uint16_t>(to.port));
   name.sin_addr.s_addr = addressOf(to);
   const auto* const address = reinterpret_cast<const sockaddr*>(&name);
-  // A full buffer empties itself within this machine. That nobody listened to an earlier packet is told once, and
-  // this one was not sent then.
+  // A full buffer empties within this machine. An ICMP error due to an earlier packet is reported once, instead of
+  // sending this one.
   for (int i = 0; i < 3; ++i) {
     if (sendto(socket.handle(), bytes, size, 0, address, sizeof name) >= 0) return;
     if (errno == EAGAIN || errno == EWOULDBLOCK) {
@@ -261,8 +261,8 @@ bool LocalUdpTransport::send(const rtps::octet* bytes, std::uint32_t size, rtps:
   return true;
 }
 
-/// Peers are told of the addresses of the interfaces, which those with default settings can reach, and of 127.0.0.1
-/// where there is no other.
+/// Peers are told the addresses of the interfaces, which those with default settings can reach; 127.0.0.1 is announced
+/// only if there is no other.
 rtps::LocatorList_t LocalUdpTransport::announced(std::uint32_t port) const {
   rtps::LocatorList_t list;
   for (const LocalAddress& each : reach_.addresses) {
@@ -279,7 +279,7 @@ rtps::LocatorList_t LocalUdpTransport::NormalizeLocator(const Locator_t& locator
   return list;
 }
 
-/// Of the addresses at which a peer of this machine hears one is enough.
+/// One of the addresses of a peer on this machine is enough.
 void LocalUdpTransport::select_locators(rtps::LocatorSelector& selector) const {
   auto& entries = selector.transport_starts();
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -293,7 +293,7 @@ void LocalUdpTransport::select_locators(rtps::LocatorSelector& selector) const {
     };
     bool isReached = false;
     for (std::size_t j = 0; j < entry.unicast.size() && !isReached; ++j) {
-      // or with another endpoint of the peer
+      // or for another endpoint of the peer
       isReached = is_local_locator(entry.unicast[j]);
       take(entry.unicast, entry.state.unicast, j);
     }

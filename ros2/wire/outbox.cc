@@ -40,7 +40,7 @@ void Outbox::flush(Target& target) {
 }
 
 void Outbox::run() {
-  // not to push away the thread that simulates
+  // so that it does not preempt the simulation's thread
   constexpr sched_param kNoPriority{};
   sched_setscheduler(0, SCHED_BATCH, &kNoPriority);
   std::unique_lock lock(mutex_);

@@ -9,7 +9,7 @@
 namespace pongsim::ros2 {
 namespace {
 
-/// Notes what it is sent, and holds up the outbox's thread where it is told to.
+/// Records what it is sent, and blocks the outbox's thread on request.
 class SlowTarget final : public Outbox::Target {
  public:
   SlowTarget(Outbox& outbox, std::size_t depth) : outbox_(outbox), depth_(depth) {}
@@ -37,7 +37,7 @@ class SlowTarget final : public Outbox::Target {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return sent_.size() >= count; });
   }
-  /// Only after a flush.
+  /// Only valid after a flush.
   const std::vector<int>& sent() const { return sent_; }
 
  private:

@@ -23,14 +23,14 @@ namespace {
 
 using eprosima::fastrtps::Duration_t;
 
-// How soon a process that died without a word is forgotten.
+// Time after which a process that died silently is removed.
 const Duration_t kLease{10, 0};
-// Whoever was not told when he came is told soon: Fast DDS answers a new participant once, and that may be lost.
+// Announcements are repeated often, because Fast DDS answers a new participant only once, and the answer may be lost.
 const Duration_t kAnnouncementPeriod{0, 500'000'000};
-// So many may find a port on this machine.
+// Maximum number of participants on this machine that can find a port.
 constexpr std::uint32_t kParticipants = 115;
 
-/// Settings that Fast DDS has once for the whole process; the same as those of pongsim's own transport.
+/// Process-wide settings of Fast DDS, the same as those of pongsim's own transport.
 void setUpLibrary() {
   static const bool once = [] {
     eprosima::fastdds::dds::Log::ClearConsumers();
@@ -57,14 +57,14 @@ rtps::RTPSParticipantAttributes attributesOf(const ParticipantOptions& options,
   attributes.useBuiltinTransports = false;
   attributes.userTransports.push_back(
       std::make_shared<LocalUdp>(reachOf(options.isLoopbackOnly, options.interface), isOpen));
-  // those who hear no group are looked for on 127.0.0.1
+  // participants that do not receive multicast are looked for on 127.0.0.1
   attributes.builtin.initialPeersList.push_back(locatorOf("239.255.0.1"));
   attributes.builtin.initialPeersList.push_back(locatorOf("127.0.0.1"));
   attributes.builtin.mutation_tries = kParticipants;
-  // as rmw names them: by the enclave
+  // rmw names participants by their enclave
   const std::string enclave = identity ? identity->name : "/";
   attributes.setName(enclave.c_str());
-  // from it peers see that it is ROS; the zero at its end belongs to it
+  // identifies a ROS participant to peers; the terminating zero is part of it
   const std::string userData = "enclave=" + enclave + ";" + '\0';
   attributes.userData.assign(userData.begin(), userData.end());
   if (identity) {

@@ -45,7 +45,7 @@ void Reader::onNewCacheChangeAdded(rtps::RTPSReader* reader, const rtps::CacheCh
   const SampleId id{guidOf(change->writerGUID), static_cast<std::int64_t>(change->sequenceNumber.to64long())};
   if (change->kind == rtps::ALIVE && !id.writer.isOfSameParticipant(id_)) {
     ++receivedCount_;
-    // Fast DDS puts what the sender calls related where it has a sample's own identity when sending
+    // Fast DDS stores the sender's related identity where outgoing samples have their own
     const SampleId related = sampleIdOf(change->write_params.sample_identity());
     const auto payload = std::as_bytes(std::span(change->serializedPayload.data, change->serializedPayload.length));
     received_({payload, id, related});

@@ -12,7 +12,7 @@ std::string variable(const char* name) {
   return text == nullptr ? std::string() : std::string(text);
 }
 
-/// @return "a, b" of the names "/a" and "/b".
+/// @return "a, b" for the names "/a" and "/b".
 std::string listOf(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;

@@ -13,12 +13,12 @@
 
 namespace pongsim::ros2 {
 
-/// Where the payloads of a writer are: in the outbox's buffers. For the writer's lock.
+/// Keeps a writer's payloads in the outbox's buffers. Guarded by the writer's lock.
 class Writer::Payloads final : public rtps::IPayloadPool {
  public:
   explicit Payloads(Outbox& outbox) : outbox_(outbox) {}
 
-  /// The change that is made next has this buffer, which goes back to the outbox with it.
+  /// Sets the buffer of the next change, which is returned to the outbox with the change.
   void setNext(Buffer* buffer) { next_ = buffer; }
 
   bool get_payload(std::uint32_t, rtps::CacheChange_t& change) override {
@@ -30,7 +30,7 @@ class Writer::Payloads final : public rtps::IPayloadPool {
     kept_.push_back(std::exchange(next_, nullptr));
     return true;
   }
-  /// Only readers take what others have.
+  /// Only readers share payloads.
   bool get_payload(rtps::SerializedPayload_t&, IPayloadPool*&, rtps::CacheChange_t&) override { return false; }
 
   bool release_payload(rtps::CacheChange_t& change) override {
@@ -39,7 +39,7 @@ class Writer::Payloads final : public rtps::IPayloadPool {
     if (found == kept_.end()) return false;
     outbox_.buffers().giveBack(*found);
     kept_.erase(found);
-    // the library frees what it finds there
+    // the library would free it
     change.serializedPayload.data = nullptr;
     change.serializedPayload.length = 0;
     change.serializedPayload.max_size = 0;
@@ -74,7 +74,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
   attributes.endpoint.durabilityKind = durabilityOf(contract);
   // for access control, before it is announced
   attributes.endpoint.properties.properties().emplace_back("topic_name", contract.topic);
-  // sends on the outbox's thread
+  // it sends on the outbox's thread
   attributes.mode = rtps::SYNCHRONOUS_WRITER;
   attributes.times.initialHeartbeatDelay = kAtOnce;
   attributes.times.heartbeatPeriod = kHeartbeatPeriod;
@@ -94,8 +94,8 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
 Writer::~Writer() {
   outbox_.flush(*this);
   {
-    // Before the writer ends: Fast DDS 2.9 gives the samples back before it stops the heartbeats, and one that comes in
-    // between looks for the end of a history whose samples have lost their numbers, for ever.
+    // Before the writer is destroyed: Fast DDS 2.9 releases the samples before it stops the heartbeats, and a heartbeat
+    // in between searches forever for the end of a history whose samples have lost their numbers.
     const std::lock_guard lock(writer_->getMutex());
     history_.remove_all_changes();
   }
@@ -136,8 +136,8 @@ void Writer::send(Buffer* buffer, const SampleId& related) {
   history_.add_change(change, params);
 }
 
-// Not when DDS tells that all have a sample: in Fast DDS 2.9 that may be in the middle of letting go of a reader, with
-// locks held that the sending thread takes the other way round (Fast-DDS pull request 3468).
+// Not in DDS's callback for acknowledged samples: in Fast DDS 2.9 it may run while a reader is being removed, with
+// locks that the sending thread takes in the opposite order (Fast-DDS pull request 3468).
 void Writer::makeRoom() {
   rtps::CacheChange_t* oldest = nullptr;
   while (history_.get_min_change(&oldest)) {
@@ -149,7 +149,7 @@ void Writer::makeRoom() {
   }
 }
 
-/// Before a late reader asks for them: DDS has promised them when it tells of him, and says then that they have gone.
+/// Called before a late reader requests samples: DDS announces expired ones to it, and then reports them as gone.
 void Writer::dropOutlived() {
   const std::lock_guard lock(writer_->getMutex());
   rtps::Time_t now;
