@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kFile = "file://";
 constexpr std::string_view kModel = "model://";
-// Folders of a model that has no model.config.
+// Folders to serve of a model without model.config.
 constexpr std::string_view kParts[] = {"meshes", "materials"};
 
 std::string_view withoutFileScheme(std::string_view address) {
@@ -23,8 +23,8 @@ std::string_view withoutFileScheme(std::string_view address) {
   return address;
 }
 
-/// @return Whether models consist of such files. Of what the page consists of there is nothing: from here a script
-/// would be of the server's own origin.
+/// @return Whether it is a type of file used by models. Types used by pages are excluded: a script from here would have
+/// the server's own origin.
 bool isOfModels(const std::filesystem::path& file) {
   const std::string_view type = mediaType(file);
   return type.starts_with("image/") || type.starts_with("model/") || type == "application/octet-stream";
@@ -41,7 +41,7 @@ WorldFiles::WorldFiles(const Message& scene, const std::vector<std::string>& mor
   for (const std::string& file : more) addNamed(file);
 }
 
-/// Adds what a text names, if that is a file.
+/// Adds the file that a text names, if any.
 void WorldFiles::addNamed(std::string_view text) {
   const std::string_view path = withoutFileScheme(text);
   if (path.starts_with('/') && isOfModels(path)) add(path);

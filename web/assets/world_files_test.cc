@@ -11,7 +11,7 @@
 namespace pongsim::web {
 namespace {
 
-/// A model with a mesh and pictures, another without model.config, and what is nobody's business.
+/// A model with a mesh and textures, another one without model.config, and files that must not be served.
 class WorldFilesTest : public testing::Test {
  protected:
   WorldFilesTest() {

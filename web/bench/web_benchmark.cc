@@ -1,5 +1,5 @@
-// What it costs to show a world of 1,000 moving models in browsers, 60 times a second: on the simulation's thread for
-// each step, on the server's for each second, on the wire for each frame.
+// Measures the cost of a world of 1,000 moving models in browsers, with 60 frames per second: on the simulation's
+// thread per step, on the server's per second, on the wire per frame.
 //   web_benchmark [MODELS]
 
 #include <algorithm>
@@ -32,7 +32,7 @@ constexpr std::chrono::milliseconds kStep{1};
 constexpr double kFramesASecond = 60;
 constexpr std::uint64_t kKey = 1;
 
-/// Bodies that fly apart, none of which meets another.
+/// Bodies that fly apart without collisions.
 std::string flyingWorld(int models) {
   std::string text = "<sdf version='1.9'><world name='w'><gravity>0 0 0</gravity>";
   for (int i = 0; i < models; ++i) {
@@ -65,7 +65,7 @@ class FrameProtocol final : public Protocol {
   std::shared_ptr<PoseChannel> channel_;
 };
 
-/// A client that reads as quickly as it can.
+/// A client that reads as fast as possible.
 class Reader {
  public:
   explicit Reader(int port) : client_(port), thread_([this] { read(); }) {}
@@ -92,7 +92,7 @@ class Reader {
   std::thread thread_;
 };
 
-/// Processor time of the process's thread of that name [s].
+/// Processor time of the thread of that name in this process [s].
 double threadSeconds(const std::string& name) {
   for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
     std::string called;
@@ -106,13 +106,13 @@ double threadSeconds(const std::string& name) {
 }
 
 struct Cost {
-  /// Of the simulation's thread [us]: medians of steps that copy nothing and of those that copy a frame, which a busy
-  /// machine does not change much.
+  /// Of the simulation's thread [us]: medians of steps with and without a copied frame, which a busy machine affects
+  /// little.
   double idleMicroseconds = 0;
   double frameMicroseconds = 0;
-  /// Both together, for each step of a world that runs in real time with all its frames.
+  /// Both combined, per step of a world in real time with all its frames.
   double stepMicroseconds = 0;
-  /// Of one core.
+  /// As a fraction of one core.
   double serverShare = 0;
   double framesASecond = 0;
   double bytesAFrame = 0;
@@ -120,7 +120,7 @@ struct Cost {
 
 double median(std::span<const double> sorted) { return sorted.empty() ? 0 : sorted[sorted.size() / 2]; }
 
-/// A step that copies nothing takes far less, one that copies a frame more [us].
+/// Threshold between steps without and with a copied frame [us].
 constexpr double kFrameFrom = 1;
 
 /// @param durations Of all steps [us].
@@ -133,7 +133,7 @@ void noteSteps(std::vector<double> durations, Cost& cost) {
   cost.stepMicroseconds = cost.idleMicroseconds + cost.frameMicroseconds * kFramesASecond * toSeconds(kStep);
 }
 
-/// Steps in real time with so many clients.
+/// Steps in real time with this many clients.
 Cost measure(int models, int clients) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(flyingWorld(models), "bench.sdf", {}, diagnostics);
@@ -171,7 +171,7 @@ Cost measure(int models, int clients) {
       cost.bytesAFrame += static_cast<double>(reader->bytes) / static_cast<double>(reader->frames) / clients;
   }
   noteSteps(std::move(durations), cost);
-  // the last frame ends the readers' wait
+  // the last frame unblocks the readers
   for (const auto& reader : readers) {
     const std::uint64_t last = reader->frames;
     while (reader->frames == last) {

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-// Foxglove reads the fields of requests from it, but sends what has other ones, too.
+// Foxglove reads the fields of requests from this schema, but also sends requests with other fields.
 constexpr const char* kAnyObject = R"({"type":"object","properties":{}})";
 
 json description(const std::string& type, MessageForm form, Offers& offers) {
@@ -30,7 +30,7 @@ std::string failure(std::uint32_t service, std::uint32_t call, const std::string
   return textOf({{"op", "serviceCallFailure"}, {"serviceId", service}, {"callId", call}, {"message", message}});
 }
 
-/// A call that waits for its answer.
+/// A call that waits for its response.
 struct Asked {
   std::uint32_t service = 0;
   std::uint32_t call = 0;
@@ -38,7 +38,7 @@ struct Asked {
   std::string replyType;
 };
 
-/// Makes JSON of a reply, on the server's thread.
+/// Converts a response to JSON, on the server's thread.
 class JsonReply final : public Callee {
  public:
   JsonReply(std::shared_ptr<Client> client, Asked asked, std::string bytes)
@@ -117,7 +117,7 @@ void Calls::call(const ServiceCall& call) {
                                                                                           const Message& reply) {
         if (!result) return client->sendText(failure(asked.service, asked.call, result.error));
         std::string bytes = writeMessage(reply, MessageForm::kProtobuf);
-        // on the world's thread, for which the long way is too long
+        // on the world's thread, where the conversion would take too long
         if (asked.form == MessageForm::kJson)
           return client->callSoon(std::make_shared<JsonReply>(client, asked, bytes));
         client->sendBinary(answerFrame(asked.service, asked.call, "protobuf", Payload(std::string_view(bytes))));

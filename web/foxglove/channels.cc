@@ -55,7 +55,7 @@ void Channels::follow(std::vector<Offer> offers) {
     come.push_back(jsonOf(id, *offer));
     channels_.emplace(id, *offer);
   }
-  // clients wait for the first list, be it empty
+  // clients wait for the first list, even an empty one
   if (come.empty() && std::exchange(hasTold_, true)) return;
   hasTold_ = true;
   client_->sendText(textOf({{"op", "advertise"}, {"channels", std::move(come)}}));
@@ -63,7 +63,7 @@ void Channels::follow(std::vector<Offer> offers) {
 
 std::string Channels::subscribe(std::uint32_t subscription, std::uint32_t channel) {
   const auto found = channels_.find(channel);
-  // it may have gone while the client was asking
+  // it may have been removed while the request was on its way
   if (found == channels_.end()) return "there is no channel " + std::to_string(channel);
   if (subscribed_.contains(subscription)) {
     return "subscription " + std::to_string(subscription) + " already exists";

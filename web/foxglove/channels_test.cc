@@ -33,7 +33,7 @@ class ChannelsTest : public testing::Test {
     return all;
   }
 
-  /// By topic: the key, and what stands in front of a message.
+  /// For each topic: its key, and the header of its messages.
   std::map<std::string, std::pair<std::uint64_t, std::string>> open_;
   std::shared_ptr<RecordedClient> client_ = std::make_shared<RecordedClient>();
   Channels channels_{client_};

@@ -18,7 +18,7 @@ json changed(const Ends& before, const Ends& now, const char* ids) {
     const auto found = before.find(name);
     if (found == before.end() || found->second != ends) list.push_back({{"name", name}, {ids, ends}});
   }
-  // who has gone from a topic that is still there
+  // endpoints removed from a topic that still exists
   for (const auto& [name, ends] : before) {
     if (!now.contains(name)) list.push_back({{"name", name}, {ids, json::array()}});
   }

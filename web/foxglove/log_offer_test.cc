@@ -19,7 +19,7 @@ TEST_F(LogOfferTest, IsAChannelOfWarningsForAllClients) {
     EXPECT_EQ(offered["schemaName"], "foxglove.Log") << protocol;
     say({{"op", "subscribe"}, {"subscriptions", {{{"id", 1}, {"channelId", offered["id"]}}}}});
     ::foxglove::Log message;
-    // behind the number of the subscription and the time
+    // after the subscription id and the time
     ASSERT_TRUE(message.ParseFromString(awaitBinary('\1').substr(12)));
     EXPECT_EQ(message.message(), "before");
     EXPECT_EQ(message.name(), "tests");

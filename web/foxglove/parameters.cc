@@ -20,10 +20,10 @@ using nlohmann::json;
 namespace im = ignition::msgs;
 
 constexpr std::string_view kWorld = "/world/";
-// of one message of the client
+// maximum per message of a client
 constexpr std::size_t kMostNames = 1000;
 
-/// @return The names that a message lists; nothing where it has no such list.
+/// @return The names in a message's list; nothing if it has no valid one.
 std::optional<std::set<std::string>> namesIn(const json& message) {
   const auto list = listField(message, "parameterNames");
   if (!list || list->size() > kMostNames) return std::nullopt;
@@ -51,9 +51,9 @@ std::optional<double> numberAboveZero(const json& value) {
   return number && *number > 0 ? number : std::nullopt;
 }
 
-/// What a world is asked so that a parameter gets a value.
+/// The request to a world that sets a parameter.
 struct Wish {
-  /// Behind "/world/W/".
+  /// Name after "/world/W/".
   const char* service = "set_physics";
   std::shared_ptr<Message> request;
 };
@@ -98,10 +98,10 @@ std::string wishGravity(const json& value, Wish& wish) {
   return {};
 }
 
-/// A parameter of each world.
+/// A kind of parameter, which each world has.
 struct Kind {
   std::string_view name;
-  /// @return What of a value is wrong, behind its name, or an empty text and a wish.
+  /// @return What is wrong with a value, as the end of a sentence; or an empty text and the request.
   std::string (*wish)(const json& value, Wish& wish);
 };
 constexpr std::array kKinds{Kind{"paused", wishPaused}, Kind{"real_time_factor", wishFactor},
@@ -109,7 +109,7 @@ constexpr std::array kKinds{Kind{"paused", wishPaused}, Kind{"real_time_factor",
 
 json jsonOf(const std::string& name, const json& value) {
   json parameter = {{"name", name}, {"value", value}};
-  // 1.0 is no integer
+  // 1.0 is not an integer
   if (value.is_number()) parameter["type"] = "float64";
   if (value.is_array()) parameter["type"] = "float64_array";
   return parameter;
@@ -120,14 +120,14 @@ json jsonOf(const std::string& name, const json& value) {
 struct Parameters::Setting {
   std::mutex mutex;
   std::optional<std::string> id;
-  /// What the worlds have taken.
+  /// Values accepted by the worlds.
   Values taken;
 };
 
 Parameters::Parameters(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds)
     : client_(std::move(client)), worlds_(std::move(worlds)) {}
 
-/// @return All that are known.
+/// @return All parameters with known values.
 Parameters::Values Parameters::values() const {
   Values values;
   for (const auto& world : worlds_->all()) {
@@ -164,7 +164,7 @@ std::string Parameters::set(const json& message) {
   if (!list || list->size() > kMostNames) {
     return "'setParameters' has a list 'parameters' of up to " + std::to_string(kMostNames) + " parameters";
   }
-  // its last owner answers, when the last world has
+  // the response is sent when the last world has answered and the last owner is destroyed
   const std::shared_ptr<Setting> setting(new Setting{{}, textField(message, "id"), {}},
                                          [self = shared_from_this()](Setting* done) {
                                            if (done->id) self->tell(done->taken, done->id);

@@ -16,7 +16,7 @@ namespace {
 
 namespace im = ignition::msgs;
 
-/// A world whose services set what it is asked to.
+/// A world whose services apply what is requested.
 class ParametersTest : public SessionTest {
  protected:
   ParametersTest() {

@@ -11,7 +11,7 @@ namespace pongsim::web::foxglove {
 namespace {
 
 constexpr std::size_t kMostChannels = 1000;
-// To find the type that was meant takes milliseconds.
+// Limit of errors with a suggested type, because finding one takes milliseconds.
 constexpr std::size_t kMostHints = 10;
 
 std::string unknown(std::uint32_t channel) { return "the client has no channel " + std::to_string(channel); }
@@ -56,7 +56,7 @@ std::string Publications::fault(const nlohmann::json& channel) {
   return {};
 }
 
-/// @return The world that has the topic, or else the first one, or null.
+/// @return The world that has the topic, else the first one, or null.
 std::shared_ptr<WorldLink> Publications::worldFor(const std::string& topic) const {
   if (const auto place = worlds_->findTopic(topic)) return place->world;
   const auto all = worlds_->all();

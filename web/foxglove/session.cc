@@ -18,19 +18,19 @@ namespace {
 
 using nlohmann::json;
 
-// where what is no subscription's waits for the socket; subscriptions have 32 bits
+// key of data that belongs to no subscription; subscription ids have 32 bits
 constexpr std::uint64_t kListsKey = std::uint64_t{1} << 32;
 constexpr std::uint64_t kTimeKey = kListsKey + 1;
-// of one message of the client
+// maximum per message of a client
 constexpr std::size_t kMostComplaints = 10;
 
-/// @return What tells a client that comes back whether this is still the same run.
+/// @return An id by which a client that reconnects recognizes the same run.
 std::string sessionId() {
   static const auto start = std::chrono::system_clock::now().time_since_epoch();
   return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(start).count());
 }
 
-/// Tells a client the time of the first world.
+/// Sends a client the time of the first world.
 class TimeTeller final : public Callee {
  public:
   TimeTeller(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds)
@@ -49,14 +49,14 @@ class TimeTeller final : public Callee {
  private:
   const std::shared_ptr<Client> client_;
   const std::shared_ptr<Worlds> worlds_;
-  /// 60 times a second are enough.
+  /// At most 60 times per second.
   bool isTurn_ = false;
   std::uint64_t told_ = 0;
 };
 
 using ParameterOperation = std::string (Parameters::*)(const json&);
 
-/// @return What is to be done of an operation with parameters; null where it is another one.
+/// @return The handler of an operation on parameters; null for other operations.
 ParameterOperation parameterOperation(std::string_view operation) {
   if (operation == "getParameters") return &Parameters::get;
   if (operation == "setParameters") return &Parameters::set;
@@ -92,7 +92,7 @@ FoxgloveSession::FoxgloveSession(std::shared_ptr<Client> client, std::shared_ptr
       parameters_(std::make_shared<Parameters>(client_, worlds_)) {
   sendServerInfo();
   told_->follow();
-  // on a world's thread: has the server's look
+  // called on a world's thread: leave the update to the server's thread
   watch_ = worlds_->watch({.changed = [to = client_, told = std::weak_ptr(told_)] {
     to->sendWhenFree(kListsKey, [told]() -> Frame {
       if (const auto there = told.lock()) there->follow();

@@ -23,7 +23,7 @@ bool has(const Lists& lists, const std::string& service) {
   return std::ranges::find(lists.services, service, &OwnService::name) != lists.services.end();
 }
 
-/// What somebody who subscribes holds.
+/// The state of a subscription.
 struct Open {
   std::shared_ptr<typed::WorldScene> scene;
   std::shared_ptr<void> ear;

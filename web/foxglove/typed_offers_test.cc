@@ -20,7 +20,7 @@ class TypedOffersTest : public SessionTest {
   void subscribe(const json& channel) {
     say({{"op", "subscribe"}, {"subscriptions", {{{"id", channel["id"]}, {"channelId", channel["id"]}}}}});
   }
-  /// Publishes until the client has a message of that type, and returns it.
+  /// Publishes until the client has received a message of that type, and returns it.
   template <class M>
   M received(const std::function<void()>& publish) {
     M message;

@@ -18,7 +18,7 @@ void put(Number number, std::string& bytes) {
   for (std::size_t i = 0; i < sizeof number; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
 }
 
-/// Takes a number off the front, or nothing where there are too few bytes.
+/// Removes a number from the front; nothing if there are too few bytes.
 std::optional<std::uint32_t> takeNumber(std::span<const std::byte>& bytes) {
   if (bytes.size() < sizeof(std::uint32_t)) return std::nullopt;
   std::uint32_t number = 0;

@@ -19,7 +19,7 @@ void put(std::span<std::byte> place, std::size_t at, Number number) {
 Payload encodeFrame(const FrameStatus& status, std::span<const FramePose> now, std::vector<FramePose>& before) {
   const bool hasAll = before.size() != now.size();
   if (hasAll) before.assign(now.size(), FramePose{});
-  // first what has moved, so that memory is had once
+  // count moved entities first, to allocate once
   std::size_t count = 0;
   for (std::size_t i = 0; i < now.size(); ++i) count += hasAll || now[i] != before[i] ? 1 : 0;
   Payload payload(kFrameHead + count * kFrameEntry);

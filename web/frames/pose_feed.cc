@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::chrono::nanoseconds kPeriod{1'000'000'000 / 60};
 constexpr std::chrono::milliseconds kPaceWindow{500};
-// One that is shown, one that is written, and one that a client is being told of.
+// One is being shown, one is being written, and one is being sent.
 constexpr std::size_t kPool = 4;
 
 }  // namespace
@@ -18,7 +18,7 @@ struct PoseChannel::Viewer {
   std::shared_ptr<Client> client;
   std::uint64_t key = 0;
   std::function<std::string(std::uint64_t)> head;
-  // of the server's thread: what it has got
+  // for the server's thread: its latest snapshot
   std::vector<FramePose> before;
   std::optional<FrameStatus> status;
 };
@@ -37,10 +37,10 @@ std::shared_ptr<void> PoseChannel::open(const std::shared_ptr<Client>& client, s
     all_.push_back(viewer);
     if (!regularly_) {
       regularly_ = client->callRegularly(weak_from_this());
-      // of when somebody watched before
+      // a snapshot from an earlier watch is outdated
       isNew_ = false;
     }
-    // who comes sees something at once, where a world is paused, too
+    // a new client gets a frame at once, even if the world is paused
     isWanted_ = true;
     if (wake_) wake_();
   }
@@ -65,13 +65,13 @@ void PoseChannel::called() {
   const Clock::time_point now = Clock::now();
   const std::lock_guard lock(mutex_);
   if (now >= next_ && !all_.empty()) {
-    // what is late is not made up for
+    // missed frames are not made up for
     next_ = std::max(next_ + kPeriod, now + kPeriod / 2);
     isWanted_ = true;
   }
   if (!std::exchange(isNew_, false)) return;
   for (const std::shared_ptr<Viewer>& viewer : all_) {
-    // weak, for the viewer has the client, which has this
+    // weak, because the viewer owns the client, which owns this function
     viewer->client->sendWhenFree(viewer->key, [self = shared_from_this(), waiting = std::weak_ptr(viewer)] {
       const std::shared_ptr<Viewer> there = waiting.lock();
       return there ? self->frameFor(*there) : Frame{};
@@ -94,7 +94,7 @@ Frame PoseChannel::frameFor(Viewer& viewer) {
   if (viewer.status && viewer.status->revision != snapshot->status.revision) viewer.before.clear();
   viewer.status = snapshot->status;
   Payload body = encodeFrame(snapshot->status, poses_, viewer.before);
-  // while a world is paused the only news is what somebody has moved
+  // while a world is paused, poses change only on request
   if (isSameMoment && body.size() == kFrameHead) return {};
   return {.head = viewer.head(snapshot->status.timeNs), .body = std::move(body)};
 }
@@ -136,7 +136,7 @@ void PoseFeed::take(const StepInfo& step) {
 std::shared_ptr<PoseSnapshot> PoseFeed::freeSnapshot() {
   for (const std::shared_ptr<PoseSnapshot>& each : pool_) {
     if (each.use_count() > 1) continue;
-    // what its last reader has read, it has read before this
+    // its last reader finished before this
     std::atomic_thread_fence(std::memory_order_acquire);
     return each;
   }
@@ -148,7 +148,7 @@ std::shared_ptr<PoseSnapshot> PoseFeed::freeSnapshot() {
 double PoseFeed::realTimeFactor(const StepInfo& step, Clock::time_point now) {
   const auto wall = now - paceBegan_;
   if (wall >= kPaceWindow) {
-    // the first one, or after nobody has watched, says nothing
+    // the first value, and the first after a break, has no reference
     const bool isKnown = wall < 2 * kPaceWindow && step.time >= paceTime_;
     pace_ = isKnown ? toSeconds(step.time - paceTime_) / std::chrono::duration<double>(wall).count() : pace_;
     paceBegan_ = now;

@@ -21,7 +21,7 @@ namespace {
 using pongsim::test::RunningWorld;
 using pongsim::test::waitUntil;
 
-/// A client whose socket is free when the test says so.
+/// A client whose socket is free when the test decides.
 class FreeClient final : public Client {
  public:
   void sendText(std::string) override {}
@@ -55,7 +55,7 @@ std::uint32_t countIn(const Frame& frame) { return at<std::uint32_t>(frame, 44);
 
 class PoseFeedTest : public testing::Test {
  protected:
-  /// A step that is long enough after the one before for another frame.
+  /// A step long enough for the next frame to be due.
   void step() {
     world_.step(1);
     feed_->update({.time = world_.simulation().time(), .dt = {}, .iteration = ++iteration_, .paused = isPaused_});
@@ -64,7 +64,7 @@ class PoseFeedTest : public testing::Test {
   std::shared_ptr<void> open(const std::shared_ptr<Client>& client, std::uint64_t key = 1) {
     return channel_->open(client, key, [](std::uint64_t) { return std::string("head"); });
   }
-  /// Steps until a frame comes.
+  /// Steps until a frame arrives.
   Frame next(FreeClient& client) {
     std::optional<Frame> frame;
     EXPECT_TRUE(waitUntil([&] {
@@ -110,7 +110,7 @@ TEST_F(PoseFeedTest, ClientsEachGetWhatTheyHaveNotGot) {
   next(*quick);
   world_.model("moves").setVelocity({1, 0, 0}, {0, 0, 0});
   EXPECT_EQ(countIn(next(*quick)), 2U);
-  // it has read nothing meanwhile, and gets one frame, of now
+  // it did not read meanwhile, and gets one current frame
   const std::optional<Frame> frame = slow->take();
   ASSERT_TRUE(frame);
   EXPECT_EQ(countIn(*frame), 4U);
@@ -140,7 +140,7 @@ TEST_F(PoseFeedTest, ComesAtMost60TimesASecond) {
     frames += client->take() ? 1 : 0;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  // two come at once, as the channel opens and when it is first called, and the next one after half a period
+  // two arrive at once, when the channel opens and at the first regular call; the next one after half a period
   EXPECT_LE(frames, 60 * seconds + 3);
 }
 
@@ -205,7 +205,7 @@ TEST_F(PoseFeedTest, APausedWorldTellsWhatSomebodyMoves) {
     channel_->called();
     return client->take();
   };
-  // what was left of the steps before
+  // left over from earlier steps
   EXPECT_TRUE(waitUntil([&] { return !pausedFrame(); }));
   world_.model("moves").setPose({{7, 0, 0}});
   std::optional<Frame> frame;

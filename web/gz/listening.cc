@@ -71,10 +71,10 @@ void Listening::follow() {
   }
 }
 
-/// Has the ear listen to the topic as it is now.
+/// Makes the ear listen to the topic in its current state.
 std::string Listening::open(const std::string& topic, Ear& ear, const std::optional<Worlds::TopicPlace>& place) {
   if (!place) {
-    // it may be back
+    // it may have been added again
     ear.hearing.reset();
     ear.type.clear();
     ear.world.reset();

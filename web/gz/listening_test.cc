@@ -16,7 +16,7 @@ class ListeningTest : public testing::Test {
  protected:
   ListeningTest() { settings_.publicationHz = 1e9; }
 
-  /// Publishes until the client has got something.
+  /// Publishes until the client has received something.
   std::string received(Publisher& publisher, const Message& message) {
     std::vector<std::string> got;
     world_.stepUntil([&] {

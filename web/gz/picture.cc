@@ -16,18 +16,18 @@ namespace {
 
 namespace im = ignition::msgs;
 
-/// Pixels as PNG takes them.
+/// Pixels in PNG's formats.
 struct Pixels {
   std::uint32_t format = PNG_FORMAT_RGB;
   std::vector<std::uint8_t> bytes;
 };
 
-/// Pixels of several numbers of 8 bits, as they stand in the message.
+/// Copies pixels with several 8-bit channels.
 std::optional<Pixels> asTheyAre(const im::Image& image, std::uint32_t format) {
   const std::size_t row = std::size_t{image.width()} * PNG_IMAGE_PIXEL_CHANNELS(format);
   const std::size_t step = image.step() == 0 ? row : image.step();
   const std::size_t size = image.data().size();
-  // divided, for the product may be more than a number holds
+  // divides, because the product may overflow
   if (step < row || size < row || (size - row) / step < image.height() - 1) return std::nullopt;
   Pixels pixels{format, {}};
   pixels.bytes.reserve(row * image.height());
@@ -38,8 +38,8 @@ std::optional<Pixels> asTheyAre(const im::Image& image, std::uint32_t format) {
   return pixels;
 }
 
-/// One number a pixel, spread from the smallest to the largest, which is what infinite ones are.
-/// @param low What the smallest is at most.
+/// Scales a single channel to the range from the smallest to the largest value; infinite ones are the largest.
+/// @param low Upper bound of the smallest value.
 template <class Number>
 std::optional<Pixels> spread(const im::Image& image, double low, bool isFlipped) {
   const std::size_t count = std::size_t{image.width()} * image.height();
@@ -98,7 +98,7 @@ std::optional<std::string> picture(std::span<const std::byte> bytes) {
   png.width = image.width();
   png.height = image.height();
   png.format = pixels->format;
-  // it is made while others wait, and read once
+  // fastest compression: others wait meanwhile, and the image is read once
   png.flags = PNG_IMAGE_FLAG_FAST;
   std::string file(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
   png_alloc_size_t size = file.size();

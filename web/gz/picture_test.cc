@@ -28,7 +28,7 @@ std::optional<std::string> pictureOf(const im::Image& message) {
   return picture(std::as_bytes(std::span(bytes)));
 }
 
-/// @return The picture's pixels, each as red, green and blue; empty where it is none.
+/// @return The image's pixels as red, green and blue; empty if it is no image.
 std::vector<int> pixels(const std::optional<std::string>& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -76,7 +76,7 @@ TEST(Picture, IsNoneOfWhatIsNoImage) {
   EXPECT_FALSE(pictureOf(image(2, 2, im::RGB_INT8, "abc")));
   EXPECT_FALSE(pictureOf(image(4'000'000'000, 4'000'000'000, im::RGB_INT8, "abc")));
   EXPECT_FALSE(pictureOf(image(4'000'000'000, 4'000'000'000, im::R_FLOAT32, "abc")));
-  // their bytes are 2^64
+  // their size is 2^64 bytes
   EXPECT_FALSE(pictureOf(image(1U << 31, 1U << 31, im::RGBA_INT8, "abc")));
   EXPECT_FALSE(pictureOf(image(1U << 31, 1U << 31, im::R_FLOAT32, "abc")));
   EXPECT_FALSE(pictureOf(image(1, 1, im::BAYER_RGGB8, "abc")));

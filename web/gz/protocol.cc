@@ -8,7 +8,7 @@ namespace pongsim::web::gz {
 
 namespace {
 
-/// Of a client that is sent away.
+/// The session of a refused client.
 class NoSession final : public Session {
  public:
   void text(std::string_view) override {}

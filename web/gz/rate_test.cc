@@ -7,7 +7,7 @@
 namespace pongsim::web::gz {
 namespace {
 
-/// @return How many of so many messages pass, which come so many a second for a second.
+/// @return How many messages pass within a second, at that rate of arrival.
 int passing(Rate& rate, int hz) {
   int count = 0;
   const Rate::Clock::time_point start{std::chrono::hours(1)};

@@ -22,12 +22,12 @@ namespace {
 namespace im = ignition::msgs;
 
 constexpr std::size_t kMostVoices = 100;
-// questions that wait for the worlds' first lists
+// limit of requests that wait for the worlds' first lists
 constexpr int kMostEarly = 10;
-// where what has changed waits for the socket, apart from the topics' keys
+// key of queued changes, different from those of topics
 constexpr std::uint64_t kListsKey = 0;
 
-/// Compares without telling by its time how much is right.
+/// Compares in constant time.
 bool isKey(std::string_view said, std::string_view key) {
   if (key.empty()) return false;
   unsigned difference = said.size() == key.size() ? 0 : 1;
@@ -62,7 +62,7 @@ GzSession::GzSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> wor
       isLetIn_(settings.authorizationKey.empty() && settings.adminAuthorizationKey.empty()),
       listening_(std::make_shared<Listening>(client_, worlds_, settings_)),
       early_(std::make_shared<Early>(Early{this})) {
-  // on a world's thread: has the server's look
+  // called on a world's thread: leave the update to the server's thread
   watch_ =
       worlds_->watch({.changed = [to = client_, listening = std::weak_ptr(listening_), early = std::weak_ptr(early_)] {
         to->sendWhenFree(kListsKey, [listening, early]() -> Frame {
@@ -110,7 +110,7 @@ const std::map<std::string_view, GzSession::Operation>& GzSession::operations() 
 
 void GzSession::auth(const Call& call) {
   const bool isOpen = settings_.authorizationKey.empty() && settings_.adminAuthorizationKey.empty();
-  // the key may have commas in it; gzweb sends it as payload
+  // the key may contain commas; gzweb sends it as payload
   isLetIn_ = isLetIn_ || isOpen || isKey(call.payload, settings_.authorizationKey) ||
              isKey(call.payload, settings_.adminAuthorizationKey);
   client_->sendBinary({isLetIn_ ? "authorized" : "invalid", {}});
@@ -121,7 +121,7 @@ void GzSession::protos(const Call&) {
   client_->sendBinary({{}, text});
 }
 
-/// @return Whether all worlds have been looked at, which the first client has them be.
+/// @return Whether all worlds have reported their topics, which the first client triggers.
 bool GzSession::areListsKnown() const {
   return std::ranges::all_of(worlds_->all(), [](const auto& world) { return world->areListsKnown(); });
 }
@@ -167,7 +167,7 @@ void GzSession::particleEmitters(const Call& call) {
   ask(call, "/particle_emitters", "ignition.msgs.ParticleEmitter_V");
 }
 
-/// Asks a service of the world that the call names. The answer is empty where it has none.
+/// Calls a service of the world that the request names. The response is empty if there is no such service.
 void GzSession::ask(const Call& call, const char* service, const char* type) {
   const auto answer = [client = client_, operation = std::string(call.operation), type](const CallResult& result,
                                                                                         const Message& reply) {
@@ -175,7 +175,7 @@ void GzSession::ask(const Call& call, const char* service, const char* type) {
   };
   const auto world = worlds_->find(call.topic);
   if (!world) return client_->sendBinary(frame("pub", call.operation, *newMessage(type)));
-  // not by the lists, which for the first client nobody has made yet
+  // not by the lists, which may not exist yet for the first client
   world->request({"/world/" + world->world() + service, "ignition.msgs.Empty", type}, std::make_shared<im::Empty>(),
                  answer);
 }
@@ -213,7 +213,7 @@ void GzSession::publish(const Call& call) {
   }
 }
 
-/// @return What publishes on the call's topic; null where it can't, which the client is told.
+/// @return A publisher on the request's topic; null if that is impossible, after an error message to the client.
 WorldLink::Voice* GzSession::voice(const Call& call, const std::string& type) {
   const std::pair key(std::string(call.topic), type);
   if (const auto found = voices_.find(key); found != voices_.end()) return found->second.get();
@@ -226,7 +226,7 @@ WorldLink::Voice* GzSession::voice(const Call& call, const std::string& type) {
   if (all.empty()) fault = "there is no world";
   std::shared_ptr<WorldLink::Voice> speaker;
   if (fault.empty()) {
-    // what several worlds listen to goes to all of them
+    // a topic that several worlds subscribe to is published in all of them
     const auto place = worlds_->findTopic(key.first);
     speaker = (place ? place->world : all.front())->speak(key.first, type);
     if (!speaker) fault = "the world is too slow";
@@ -251,14 +251,14 @@ void GzSession::request(const Call& call) {
   found->world->request(service, std::shared_ptr<const Message>(std::move(std::get<MessagePointer>(request))),
                         [client = client_, service](const CallResult& result, const Message& reply) {
                           if (result) return client->sendBinary(frame("req", service.name, reply));
-                          // an empty answer, as clients of Fortress get it, and a word
+                          // an empty response, like Fortress's, and a reason
                           client->sendBinary({head("req", service.name, service.replyType), {}});
                           client->sendBinary(textFrame("error", service.name, result.error));
                         });
 }
 
 void GzSession::asset(const Call& call) {
-  // gzweb has the address as payload
+  // gzweb sends the address as payload
   const std::string_view address = call.payload.empty() ? call.topic : call.payload;
   if (address.empty()) return client_->sendBinary(textFrame("asset", "", "asset_uri_missing"));
   Asset file = assets_.fetch(address);

@@ -21,7 +21,7 @@ namespace im = ignition::msgs;
 
 class GzSessionTest : public testing::Test {
  protected:
-  /// Says something, and returns what comes back.
+  /// Sends a request and returns the response.
   std::vector<std::string> say(const std::string& text) {
     session().text(text);
     return client_->takeBinaries();
@@ -30,7 +30,7 @@ class GzSessionTest : public testing::Test {
     const auto all = say(text);
     return all.size() == 1 ? all.front() : std::to_string(all.size()) + " answers";
   }
-  /// Says something, and steps until there are answers.
+  /// Sends a request, and steps until there are responses.
   std::vector<std::string> answersOfTheWorld(const std::string& text) {
     session().text(text);
     std::vector<std::string> all;
@@ -40,7 +40,7 @@ class GzSessionTest : public testing::Test {
     });
     return all;
   }
-  /// @return What stands behind the three commas as a message; the head has to be that.
+  /// @return The payload after the third comma as a message; checks the header.
   template <class M>
   static M message(const std::string& head, const std::string& frame) {
     EXPECT_TRUE(frame.starts_with(head)) << frame;
@@ -95,7 +95,7 @@ TEST_F(GzSessionTest, AsksTheWorldForItsScene) {
   ASSERT_TRUE(world_.stepUntil([&] { return !worlds_->services().empty(); }));
   const auto frames = answersOfTheWorld("scene,w,,");
   EXPECT_EQ(message<im::Scene>("pub,scene,ignition.msgs.Scene,", frames.at(0)).name(), "w");
-  // where there is none an empty one, as Fortress has it
+  // as in Fortress, an empty response if there is no such service
   EXPECT_EQ(answer("scene,other,,"), "pub,scene,ignition.msgs.Scene,");
   EXPECT_EQ(answersOfTheWorld("particle_emitters,w,,").at(0), "pub,particle_emitters,ignition.msgs.ParticleEmitter_V,");
 }

@@ -19,7 +19,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// @return What may be shown at a terminal, whoever has said it.
+/// @return The text without control characters, safe to print on a terminal.
 std::string shown(std::string_view text) {
   std::string result(text);
   std::ranges::replace_if(
@@ -27,7 +27,7 @@ std::string shown(std::string_view text) {
   return result;
 }
 
-/// @return "127.0.0.1" of "127.0.0.1:9002", "[::1]" of "[::1]:9002".
+/// @return "127.0.0.1" for "127.0.0.1:9002", "[::1]" for "[::1]:9002".
 std::string_view withoutPort(std::string_view host) {
   const std::size_t colon = host.rfind(':');
   if (colon == std::string_view::npos || host.find(']', colon) != std::string_view::npos) return host;
@@ -47,7 +47,7 @@ bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::ranges::find(all, one) != all.end();
 }
 
-/// @return Whether a page of that origin came from this server.
+/// @return Whether the origin is this server itself.
 bool isSameOrigin(const std::string& origin, const std::string& host) {
   return origin == "http://" + host || origin == "https://" + host;
 }
@@ -58,7 +58,7 @@ bool isOwnHost(const AccessRules& rules, std::string_view host) {
   const std::string name = lower(withoutPort(host));
   if (name == "localhost" || name == "127.0.0.1" || name == "[::1]") return true;
   if (!rules.isOpen) return false;
-  // an address is nobody's name
+  // addresses cannot be rebound by DNS
   if (isAddress(name)) return true;
   return std::ranges::any_of(rules.hostNames, [&](const std::string& own) { return lower(own) == name; });
 }

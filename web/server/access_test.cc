@@ -61,7 +61,7 @@ TEST(Access, AsksForTheToken) {
   EXPECT_EQ(judgeClient(rules, {kHost, "", ""}).status, 401);
   EXPECT_EQ(judgeClient(rules, {kHost, "", "Secret"}).status, 401);
   EXPECT_EQ(kindOf(rules, {kHost, "", "secret"}), Kind::kWrite);
-  // a foreign page with the token is a foreign page
+  // the token does not make a foreign page acceptable
   EXPECT_EQ(judgeClient(rules, {kHost, "https://evil.example", "secret"}).status, 403);
   EXPECT_EQ(judgePage(rules, {kHost, "", ""}).kind, Kind::kRead);
 }

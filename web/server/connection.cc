@@ -12,15 +12,15 @@ namespace pongsim::web {
 
 namespace {
 
-// A piece of a frame, which the library may have to keep while the socket is full.
+// Size of a piece of a frame, which the library may have to keep while the socket is full.
 constexpr std::size_t kPiece = std::size_t{64} << 10;
-// Then others have their turn.
+// After this many bytes other connections have their turn.
 constexpr int kPiecesATurn = 8;
 constexpr std::size_t kLongestReason = 123;
-// A message's memory is kept for the next one up to this.
+// The memory of a message up to this size is kept for the next one.
 constexpr std::size_t kKeptMessage = std::size_t{64} << 10;
 
-/// Copies the part of a frame from `begin` on that fits.
+/// Copies the part of a frame that starts at `begin` and fits.
 void copyPart(const Frame& frame, std::size_t begin, std::span<unsigned char> place) {
   std::size_t done = 0;
   if (begin < frame.head.size()) {
@@ -84,7 +84,7 @@ void Connection::wake() {
 
 void Connection::called() {
   if (socket_ == nullptr) return;
-  // what comes from now on asks again
+  // later items request another write
   isAwake_ = false;
   if (isClosing()) lws_set_timeout(socket_, PENDING_TIMEOUT_CLOSE_SEND, static_cast<int>(limits_.handshake.count()));
   lws_callback_on_writable(socket_);

@@ -15,7 +15,7 @@ namespace pongsim::web {
 namespace {
 
 constexpr std::string_view kBearer = "Bearer ";
-// Longer ones are none of ours.
+// Longer tokens cannot be ours.
 constexpr int kLongestToken = 256;
 
 }  // namespace
@@ -70,7 +70,7 @@ int answerFile(lws* request, const std::filesystem::path& file, const std::strin
   std::filesystem::path sent = file;
   sent += ".gz";
   std::error_code error;
-  // a link would lead out of the folder that the file was looked for in
+  // a symbolic link might lead out of the folder
   const bool isCompressed = headerOf(request, WSI_TOKEN_HTTP_ACCEPT_ENCODING).find("gzip") != std::string::npos &&
                             std::filesystem::symlink_status(sent, error).type() == std::filesystem::file_type::regular;
   if (isCompressed) {
@@ -81,7 +81,7 @@ int answerFile(lws* request, const std::filesystem::path& file, const std::strin
   const int result = lws_serve_http_file(request, sent.c_str(), std::string(mediaType(file)).c_str(), headers.c_str(),
                                          static_cast<int>(headers.size()));
   if (result < 0) return -1;
-  // it is all sent already
+  // everything has been sent
   return result > 0 && lws_http_transaction_completed(request) != 0 ? -1 : 0;
 }
 

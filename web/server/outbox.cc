@@ -24,7 +24,7 @@ void Outbox::addWaiting(std::uint64_t key, std::size_t most, Waiting waiting) {
   const std::lock_guard lock(mutex_);
   auto found = lines_.find(key);
   if (found != lines_.end()) {
-    // the oldest go, and the line keeps its turn
+    // the oldest frames are dropped; the key keeps its turn
     std::deque<Waiting>& line = found->second.waiting;
     while (!line.empty() && line.size() >= most) {
       dataBytes_ -= line.front().frame.size();
@@ -93,7 +93,7 @@ std::optional<Outbox::Item> Outbox::take() {
     }
   }
   while (std::optional<Waiting> waiting = takeData()) {
-    // without the lock, for it may take a while
+    // without the lock, because it may take long
     if (waiting->make) waiting->frame = waiting->make();
     if (waiting->frame.size() > 0) return Item{.isText = false, .frame = std::move(waiting->frame)};
   }

@@ -66,7 +66,7 @@ TEST_F(OutboxTest, DataBeyondTheLimitIsDroppedAndCounted) {
   send(2, 1, "123456");
   EXPECT_EQ(all(), Texts{"123456"});
   EXPECT_EQ(outbox_.dropped(), 1U);
-  // and there is room again
+  // there is room again
   send(2, 1, "123456");
   EXPECT_EQ(all(), Texts{"123456"});
 }

@@ -28,20 +28,20 @@ namespace pongsim::web {
 
 namespace {
 
-// So much that the other side has not asked for yet may wait in the kernel: the rest waits in the outbox, where what is
-// newer takes its place.
+// Limit of bytes in the kernel that the other side has not asked for: the rest waits in the outbox, where newer data
+// replaces it.
 constexpr int kUnsent = 64 << 10;
-// The library keeps tables for all files that a process may have open. In containers that may be 2^30, for which it has
-// no memory: beyond this it gets as many as it needs, and searches in them.
+// The library keeps tables for the maximum number of open files. In containers that may be 2^30, which needs too much
+// memory: beyond this limit the server sets a number of its own, and the library searches in a smaller table.
 constexpr long kMostFilesInTables = 65536;
-// Besides the connections: addresses, and what the library has for itself.
+// In addition to connections: listening sockets, and the library's own.
 constexpr unsigned kOtherFiles = 32;
 constexpr std::size_t kReadBuffer = std::size_t{16} << 10;
 constexpr const char* kNoSubprotocol = "pongsim.none";
 constexpr const char* kAssets = "/assets";
 constexpr std::size_t kMostReasons = 20;
 
-// What the page may do: nothing but what came with it.
+// Content security policy of the page: only what it consists of.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; "
     "font-src 'self'; connect-src 'self' blob: data:; worker-src 'self'; manifest-src 'self'; base-uri 'none'; "
@@ -51,7 +51,7 @@ constexpr lws_protocol_vhost_options kReferrer{&kOpener, nullptr, "referrer-poli
 constexpr lws_protocol_vhost_options kSniff{&kReferrer, nullptr, "x-content-type-options:", "nosniff"};
 constexpr lws_protocol_vhost_options kHeaders{&kSniff, nullptr, "content-security-policy:", kPolicy};
 
-/// What the library has said last, of which there is one for a process.
+/// The library's last message; the library has one log per process.
 std::mutex errorMutex;
 std::string lastError;
 
@@ -60,7 +60,7 @@ void keepError(int, const char* line) {
   lastError = line;
 }
 
-/// @throws std::runtime_error where the address and port can't be had.
+/// @throws std::runtime_error if the address and port are not available.
 void checkPort(const std::string& address, int port) {
   if (port == 0) return;
   const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
@@ -111,7 +111,7 @@ class Server::Loop {
 
  private:
   void listProtocols(const std::vector<Protocol*>& protocols) {
-    // the library takes the first one for plain HTTP, and for clients that name none
+    // the library uses the first protocol for plain HTTP, and for clients that request none
     names_.emplace_back(kNoSubprotocol);
     for (Protocol* const protocol : protocols) {
       for (const std::string& name : protocol->names()) {
@@ -193,7 +193,7 @@ class Server::Loop {
   }
 
   void work() {
-    // those of the process are the simulation's business
+    // signals of the process belong to the simulation
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
@@ -208,7 +208,7 @@ class Server::Loop {
   static int call(lws* socket, lws_callback_reasons reason, void* data, void* in, std::size_t length) {
     auto* const loop = static_cast<Loop*>(lws_context_user(lws_get_context(socket)));
     if (loop == nullptr) return 0;
-    // the library is in C
+    // exceptions must not pass through the library, which is in C
     try {
       return loop->handle(socket, reason, data, in, length);
     } catch (const std::exception& error) {
@@ -253,7 +253,7 @@ class Server::Loop {
     return {headerOf(socket, WSI_TOKEN_HOST), headerOf(socket, WSI_TOKEN_ORIGIN), tokenOf(socket)};
   }
 
-  /// @return What the callback of a request is to return, which has had a text for its answer.
+  /// @return What the callback of a request must return after a response with a text.
   static int refuse(lws* socket, int status, const std::string& why) {
     return !answerText(socket, status, why + "\n") || lws_http_transaction_completed(socket) != 0 ? -1 : 0;
   }
@@ -262,7 +262,7 @@ class Server::Loop {
     char* uri = nullptr;
     int length = 0;
     const int method = lws_http_get_uri_and_method(socket, &uri, &length);
-    // behind others there may be a body, which nobody reads
+    // requests other than GET may have a body, which is not read
     if (method != LWSHUMETH_GET && method != LWSHUMETH_HEAD) {
       refuse(socket, HTTP_STATUS_METHOD_NOT_ALLOWED, "only GET is supported");
       return -1;
@@ -281,13 +281,13 @@ class Server::Loop {
     return answerFile(socket, *file, isAsset ? visit.origin : std::string{});
   }
 
-  /// @return Below 0: hang up; above: it was refused, and told; 0: it may come in.
+  /// @return Below 0: close; above: refused, with a response; 0: accepted.
   int admit(lws* socket, std::string_view wanted) {
     if (wanted != "websocket" && wanted != "WebSocket") return -1;
     const auto say = [socket](int status, const std::string& why) { return answerText(socket, status, why) ? 1 : -1; };
     const Permission permission = judgeClient(settings_.access, visitOf(socket));
     if (permission.kind == Permission::Kind::kRefused) {
-      // each reason once: some clients try again and again
+      // each reason once, because some clients retry again and again
       if (reasons_.size() < kMostReasons && reasons_.insert(permission.why).second)
         log_.warning("a client was refused: " + permission.why);
       return say(permission.status, permission.why + "\n");
@@ -364,15 +364,15 @@ class Server::Loop {
   int port_ = 0;
   std::shared_ptr<Waker> waker_;
   std::unordered_set<lws*> sockets_;
-  /// Why clients were refused so far.
+  /// Reasons for refusals so far.
   std::unordered_set<std::string> reasons_;
-  /// Those that may come in, and whether they may write; until they are connections.
+  /// Accepted handshakes, with write access or not, until they are connections.
   std::unordered_map<lws*, bool> admitted_;
   std::unordered_map<lws*, std::shared_ptr<Connection>> connections_;
   std::atomic<std::size_t> clients_ = 0;
   std::vector<unsigned char> buffer_;
   std::atomic<bool> mustEnd_ = false;
-  // begins last
+  // starts last
   std::thread thread_;
 };
 

@@ -28,7 +28,7 @@ using test::RawClient;
 
 constexpr const char* kEcho = "Sec-WebSocket-Protocol: other, echo\r\n";
 
-/// Sends back what it gets, and does a few things that it is told by a text.
+/// Sends back what it receives, and performs some actions requested by text.
 class EchoSession final : public Session {
  public:
   explicit EchoSession(std::shared_ptr<Client> client) : client_(std::move(client)) {}
@@ -82,7 +82,7 @@ class ServerTest : public testing::Test {
     server_ = std::make_unique<Server>(settings_, log_, std::vector<Protocol*>{&protocol_});
     return server_->port();
   }
-  /// @return A client that has said nothing yet and was greeted.
+  /// @return A client that has been greeted and has not sent anything yet.
   std::unique_ptr<RawClient> greeted(int receiveBuffer = 0) {
     auto client = std::make_unique<RawClient>(server_->port(), receiveBuffer);
     EXPECT_TRUE(client->open("/", kEcho).starts_with("HTTP/1.1 101"));
@@ -173,7 +173,7 @@ TEST_F(ServerTest, ServesWhatTheWorldNeedsAndNothingElse) {
   const int port = start();
   EXPECT_TRUE(RawClient(port).get("/assets/a%20b.png").ends_with("picture"));
   EXPECT_TRUE(RawClient(port).get("/assets/other.png").starts_with("HTTP/1.1 404"));
-  // of no type that a world consists of
+  // of a type that worlds do not use
   EXPECT_TRUE(RawClient(port).get("/assets/passwd").starts_with("HTTP/1.1 404"));
 }
 
@@ -210,7 +210,7 @@ TEST_F(ServerTest, ClosesWhoSendsTooMuch) {
   const auto inPieces = greeted();
   for (int i = 0; i < 11; ++i) inPieces->sendFrame(i == 0 ? 1 : 0, std::string(100, 'x'), false);
   EXPECT_EQ(inPieces->next().value().closeCode(), 1009);
-  // says that 2^62 bytes are coming
+  // announces 2^62 bytes
   const auto liar = greeted();
   liar->send(std::string("\x82\xff\x40\0\0\0\0\0\0\0\0\0\0\0abc", 17));
   const auto answer = liar->next();
@@ -257,7 +257,7 @@ TEST_F(ServerTest, AClientThatReadsLateGetsTheLatest) {
   start();
   const auto client = greeted(4096);
   const std::shared_ptr<Client> sender = protocol_.client(0);
-  // far more than sockets hold
+  // far more than sockets can buffer
   constexpr int kFrames = 400;
   for (int i = 0; i < kFrames; ++i) sender->sendData(1, 1, {.head = std::to_string(i) + " ", .body = Payload(1 << 20)});
   int count = 0;
@@ -278,7 +278,7 @@ TEST_F(ServerTest, ClosesWhoNeverReadsWhatMustNotBeLost) {
   const auto client = greeted(4096);
   const std::shared_ptr<Client> sender = protocol_.client(0);
   for (int i = 0; i < 100; ++i) sender->sendBinary({.head = {}, .body = Payload(1 << 17)});
-  // all that was on its way, then the end
+  // all queued messages, then the close frame
   std::optional<RawClient::Message> message;
   do message = client->next();
   while (message && message->opcode != 8);
@@ -333,7 +333,7 @@ TEST_F(ServerTest, SaysThatACertificateCantBeUsed) {
   EXPECT_THROW(start(), std::runtime_error);
   settings_.certificate = settings_.key = folder_.path() / "secret.txt";
   EXPECT_THROW(start(), std::runtime_error);
-  // the next one without is not the worse for it
+  // the next client without it is unaffected
   settings_.certificate = settings_.key = "";
   start();
   EXPECT_TRUE(greeted()->isConnected());

@@ -9,7 +9,7 @@ namespace pongsim::web {
 
 namespace {
 
-// of calls, where those who are called have others called
+// of rounds, as calls may add calls
 constexpr int kRounds = 2;
 constexpr std::chrono::microseconds kPeriod{1'000'000 / 120};
 
@@ -44,7 +44,7 @@ void Waker::callAll() {
     isDue = std::exchange(isDue_, false);
   }
   if (isDue) callRegulars();
-  // not for ever: sockets have their turn, too
+  // limited, so that sockets have their turn
   for (int round = 0; round < kRounds; ++round) {
     {
       const std::lock_guard lock(mutex_);
@@ -60,7 +60,7 @@ void Waker::callAll() {
 
 void Waker::callRegulars() {
   std::erase_if(regulars_, [](const auto& each) { return each.expired(); });
-  // who is called may add others
+  // the called functions may add others
   for (std::size_t i = 0; i < regulars_.size(); ++i) {
     const std::shared_ptr<Regular> regular = regulars_[i].lock();
     const std::shared_ptr<Callee> callee = regular ? regular->callee.lock() : nullptr;
@@ -78,7 +78,7 @@ void Waker::beat(const std::stop_token& stop) {
 }
 
 void Waker::call(Callee& callee) {
-  // the library, which is in C, calls this
+  // exceptions must not pass through the library, which is in C
   try {
     callee.called();
   } catch (const std::exception& error) {

@@ -34,7 +34,7 @@ class Counter final : public Callee {
   std::function<void()> then_;
 };
 
-/// A session that has a counter called regularly.
+/// A session whose counter is called regularly.
 class CountedProtocol final : public Protocol {
  public:
   explicit CountedProtocol(std::shared_ptr<Counter> counter) : counter_(std::move(counter)) {}
@@ -84,7 +84,7 @@ TEST_F(WakerTest, CallsRegularlyUntilTheSessionEnds) {
   visitor_.reset();
   EXPECT_TRUE(waitUntil([&] { return server_->clients() == 0; }));
   const int last = regular_->calls;
-  // a server that still called it would do so with this one
+  // a server that still made regular calls would do so with this one
   const auto other = std::make_shared<Counter>();
   std::shared_ptr<void> regularly;
   const auto begin = std::make_shared<Counter>([&] { regularly = protocol_.client->callRegularly(other); });
@@ -109,7 +109,7 @@ TEST_F(WakerTest, OutlivesWhatFailsAndWhoCallsThemselvesForEver) {
   again = std::make_shared<Counter>([&] { protocol_.client->callSoon(again); });
   protocol_.client->callSoon(again);
   EXPECT_TRUE(waitUntil([&] { return again->calls > 100; }));
-  // the sockets have their turn meanwhile
+  // sockets have their turn meanwhile
   EXPECT_FALSE(test::RawClient(server_->port()).get("/").empty());
   server_.reset();
   const int last = again->calls;

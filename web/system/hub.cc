@@ -16,7 +16,7 @@ namespace pongsim::web {
 
 namespace {
 
-/// @return Whether two worlds mean the same server. A token that is made at random is another one each time.
+/// @return Whether two worlds request the same server. Random tokens are not compared.
 bool isSame(const ServerSettings& a, const ServerSettings& b) {
   const auto values = [](const ServerSettings& each) {
     const AccessRules& access = each.access;
@@ -62,7 +62,7 @@ std::filesystem::path installedPage() {
   if (dladdr(reinterpret_cast<const void*>(&installedPage), &self) == 0 || self.dli_fname == nullptr) return {};
   std::error_code error;
   const std::filesystem::path library = std::filesystem::canonical(self.dli_fname, error);
-  // PREFIX/lib/pongsim/plugins, or with a folder more where libraries are by architecture
+  // PREFIX/lib/pongsim/plugins, or one folder deeper with multiarch
   for (std::filesystem::path folder = library.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
     std::filesystem::path page = folder / "share" / "pongsim" / "web";

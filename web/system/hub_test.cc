@@ -15,7 +15,7 @@ TEST(Hub, IsSharedByAllWorldsOfAPort) {
   settings.port = 0;
   const std::shared_ptr<Hub> one = Hub::open(settings, {});
   EXPECT_EQ(Hub::open(settings, {}), one);
-  // a second server can't have the port that the first one was given
+  // a second server cannot open the port given to the first one
   settings.port = one->server().port();
   EXPECT_THROW(Hub::open(settings, {}), std::runtime_error);
 }

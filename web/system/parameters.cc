@@ -40,7 +40,7 @@ std::vector<std::string> ownNames() {
   return {host, host + ".local"};
 }
 
-/// @return What stands for it behind the '?' of an address.
+/// @return The text, escaped for the query of an address.
 std::string escaped(const std::string& text) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string result;
@@ -54,7 +54,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// @throws std::runtime_error where there is none.
+/// @throws std::runtime_error if there is none.
 std::string addressOf(const std::string& network) {
   std::string known;
   for (const NetworkInterface& each : networkInterfaces()) {

@@ -19,7 +19,7 @@ Element element(const std::string& name, const std::string& text, std::vector<El
   return made;
 }
 
-/// What stands below a `<plugin>`, read.
+/// The parsed content of a `<plugin>`.
 WebParameters read(std::vector<Element> children) {
   const Element plugin = element("plugin", "", std::move(children));
   WebParameters parameters;

@@ -25,7 +25,7 @@ std::string variable(const char* name) {
   return value == nullptr ? std::string{} : std::string(value);
 }
 
-/// Tells where the page is, however little else is said.
+/// Prints the address of the page, whatever the log level.
 void announce(const Hub& hub) {
   if (logLevel() == LogLevel::kNone) return;
   const std::string address = pageAddress(hub.settings(), hub.server().port());
@@ -55,7 +55,7 @@ class Web final : public System {
       settings.page = installedPage();
       hub_ = Hub::open(settings, parameters_.gz);
     } catch (const std::exception& error) {
-      // the run does not begin
+      // the run does not start
       context.diagnostics.error(context.sdf.position, error.what());
       return;
     }
@@ -71,7 +71,7 @@ class Web final : public System {
 
   void preUpdate(const StepInfo& step) override {
     if (!relay_) return;
-    // only here is it known that the run begins
+    // in the first step, because only then the run has started
     if (std::exchange(mustAnnounce_, false)) announce(*hub_);
     tellSettings(step);
     relay_->update(step);
@@ -97,9 +97,9 @@ class Web final : public System {
     hub_->assets().set(this, WorldFiles(*scene, skins));
   }
 
-  /// Before anybody asks, for clients do so when they come.
+  /// Published in advance, because clients request it when they connect.
   void tellSettings(const StepInfo& step) {
-    // none while it is paused
+    // there are no steps while it is paused
     if (step.dt > Time(0)) stepSize_ = toSeconds(step.dt);
     const Vector3 gravity = world_->gravity();
     relay_->tell({.isPaused = step.paused,
@@ -114,7 +114,7 @@ class Web final : public System {
   std::shared_ptr<PoseChannel> channel_;
   std::optional<PoseFeed> feed_;
   std::optional<Relay> relay_;
-  /// Of the last step [s].
+  /// Duration of the last step [s].
   std::optional<double> stepSize_;
   bool areFilesOld_ = true;
   bool mustAnnounce_ = false;

@@ -76,7 +76,7 @@ bool RawClient::sendFrame(int opcode, std::string_view payload, bool isFinal) {
     frame += static_cast<char>(0x80 | (bytes == 2 ? 126 : 127));
     for (int i = bytes - 1; i >= 0; --i) frame += static_cast<char>(payload.size() >> (8 * i));
   }
-  // a mask of zeros is one
+  // a mask of zeros is valid
   frame += std::string(4, '\0');
   frame += payload;
   return send(frame);

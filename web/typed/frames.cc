@@ -38,7 +38,7 @@ void Frames::add(const ignition::msgs::Model& model, const Frame& frame) {
     fillIn(pose.orientation(), *transform.mutable_rotation());
   };
   for (const auto& pose : poses.pose()) {
-    // others are visuals and lights, or have come since
+    // other ids are visuals and lights, or were inserted later
     if (const auto found = moving_.find(pose.id()); found != moving_.end()) add(found->second, pose);
   }
   for (const Fixed& fixed : fixed_) add(fixed.frame, fixed.pose);

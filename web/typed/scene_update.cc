@@ -15,13 +15,13 @@ namespace {
 namespace im = ignition::msgs;
 using ::foxglove::SceneEntity;
 
-// What Foxglove knows of meshes, by the end of their names.
+// Media types of mesh formats that Foxglove supports, by file extension.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kMeshes{{{".dae", "model/vnd.collada+xml"},
                                                                                 {".glb", "model/gltf-binary"},
                                                                                 {".gltf", "model/gltf+json"},
                                                                                 {".obj", "model/obj"},
                                                                                 {".stl", "model/stl"}}};
-// An endless plane has to end somewhere.
+// Size at which an infinite plane is drawn.
 constexpr double kPlaneSide = 100;
 
 std::string mediaType(std::string name) {
@@ -43,7 +43,7 @@ void fillInColor(const im::Visual& visual, ::foxglove::Color& color) {
   color.set_a((isSaid ? diffuse.a() : 1) * (1 - visual.transparency()));
 }
 
-/// Fills in what all primitives have but for their sizes.
+/// Fills in the fields that all primitives have, except sizes.
 template <class Primitive>
 Primitive& begin(const im::Visual& visual, Primitive& primitive) {
   fillIn(visual.pose(), *primitive.mutable_pose());
@@ -67,7 +67,7 @@ void addCapsule(const im::Visual& visual, SceneEntity& entity) {
   addCylinder(visual, capsule.radius(), capsule.length(), 1, entity);
   for (const double end : {-0.5, 0.5}) {
     addBall(visual, 2 * capsule.radius(), 2 * capsule.radius(), 2 * capsule.radius(), entity);
-    // along the capsule's own z, which the visual has turned
+    // along the capsule's own z axis, in the orientation of the visual
     ::foxglove::Pose& pose = *entity.mutable_spheres(entity.spheres_size() - 1)->mutable_pose();
     const ::foxglove::Quaternion& q = pose.orientation();
     const double z = end * capsule.length();
@@ -78,14 +78,14 @@ void addCapsule(const im::Visual& visual, SceneEntity& entity) {
   }
 }
 
-/// A plane across the normal, as two triangles.
+/// A plane perpendicular to the normal, as two triangles.
 void addPlane(const im::Visual& visual, SceneEntity& entity) {
   const im::PlaneGeom& plane = visual.geometry().plane();
   const double x = plane.size().x() > 0 ? plane.size().x() / 2 : kPlaneSide / 2;
   const double y = plane.size().y() > 0 ? plane.size().y() / 2 : kPlaneSide / 2;
   auto& triangles = begin(visual, *entity.add_triangles());
   const im::Vector3d& n = plane.normal();
-  // corners across z, turned to the normal by the shortest way
+  // corners in the x-y plane, rotated to the normal by the smallest angle
   const bool isUp = n.x() == 0 && n.y() == 0;
   const double length = n.x() * n.x() + n.y() * n.y();
   const double tilt = isUp ? 0 : (1 - n.z()) / length;

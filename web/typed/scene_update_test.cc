@@ -72,7 +72,7 @@ TEST_F(SceneUpdateTest, RoundsTheEndsOfCapsules) {
   im::Visual& capsule = addVisual(im::Geometry::CAPSULE);
   capsule.mutable_geometry()->mutable_capsule()->set_radius(1);
   capsule.mutable_geometry()->mutable_capsule()->set_length(4);
-  // about x by a quarter turn: its z is -y then
+  // a quarter turn about x, after which z points along -y
   capsule.mutable_pose()->mutable_orientation()->set_x(std::sqrt(0.5));
   capsule.mutable_pose()->mutable_orientation()->set_w(std::sqrt(0.5));
   const auto all = entity();

@@ -18,7 +18,7 @@ namespace {
 namespace im = ignition::msgs;
 namespace fg = ::foxglove;
 
-/// @return The name that Foxglove has for a format, as ROS; null where it has none.
+/// @return Foxglove's name of a format, the same as in ROS; null if there is none.
 const char* encodingOf(im::PixelFormatType format) {
   switch (format) {
     case im::PixelFormatType::RGB_INT8:
@@ -84,7 +84,7 @@ bool convert(im::CameraInfo& info, std::uint64_t timeNs, fg::CameraCalibration& 
   return true;
 }
 
-/// Of a lidar with several rows, the one in the middle: Foxglove's scans are flat.
+/// Of a lidar with several rows, the middle one, because Foxglove's scans are flat.
 bool convert(im::LaserScan& scan, std::uint64_t timeNs, fg::LaserScan& out) {
   const auto count = static_cast<int>(scan.count());
   const int rows = std::max(1, static_cast<int>(scan.vertical_count()));

@@ -14,7 +14,7 @@ namespace {
 
 namespace im = ignition::msgs;
 
-/// @return What a message becomes, or nothing.
+/// @return The converted message, or nothing.
 template <class Out>
 std::optional<Out> become(const google::protobuf::Message& in) {
   const auto conversion = conversionOf(in.GetTypeName());

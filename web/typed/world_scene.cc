@@ -7,7 +7,7 @@
 namespace pongsim::web::typed {
 
 std::shared_ptr<WorldScene> WorldScene::open(std::shared_ptr<WorldLink> world) {
-  // the ears apart: what they call holds the scene for a moment, and must not be what ends them
+  // the listeners separately: their callbacks hold the scene for a moment, and must not destroy it
   struct Listening {
     std::shared_ptr<WorldScene> scene;
     std::vector<std::shared_ptr<void>> ears;
@@ -76,7 +76,7 @@ void WorldScene::answered(const CallResult& result, const Message& reply) {
       for (const auto& watch : watches_) (*watch)();
     }
   }
-  // what refuses is not asked again and again
+  // a refused request is not repeated
   if (isOld && result) ask();
 }
 

@@ -7,7 +7,7 @@ namespace pongsim::web {
 
 namespace {
 
-/// @return The text, or its beginning, which does not end within a letter of UTF-8.
+/// @return The text, or its beginning, which does not end inside a UTF-8 character.
 std::string_view cut(std::string_view text) {
   if (text.size() <= HeardLog::kLongest) return text;
   std::size_t end = HeardLog::kLongest;

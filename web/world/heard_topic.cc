@@ -17,7 +17,7 @@ void HeardTopic::add(std::shared_ptr<const Listener> listener) {
 void HeardTopic::remove(const Listener& listener) {
   const std::lock_guard lock(mutex_);
   std::erase_if(ears_, [&](const Ear& each) { return each.listener.get() == &listener; });
-  // who comes when nobody has listened hears it anew
+  // a later subscription receives the latched message again
   if (ears_.empty()) last_.reset();
 }
 

@@ -11,7 +11,7 @@ std::string textOf(const Payload& payload) {
   return {reinterpret_cast<const char*>(payload.bytes().data()), payload.size()};
 }
 
-/// Has the topic hear a text, and counts how often it was written.
+/// Delivers a text to the topic, and counts how often it was serialized.
 int say(HeardTopic& topic, const std::string& text, std::uint64_t timeNs = 5) {
   int written = 0;
   topic.heard(

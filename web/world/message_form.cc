@@ -28,7 +28,7 @@ std::string writeMessage(const Message& message, MessageForm form) {
   options.always_print_primitive_fields = true;
   options.preserve_proto_field_names = true;
   std::string json;
-  // fails of Any of unknown types only, which no type of ours has
+  // fails only for Any with an unknown type, which ignition.msgs does not contain
   if (!google::protobuf::util::MessageToJsonString(message, &json, options).ok()) return "{}";
   return json;
 }

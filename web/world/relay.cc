@@ -10,7 +10,7 @@ namespace pongsim::web {
 namespace {
 
 constexpr std::string_view kAnyType = "*";
-// A world whose topics change from step to step is looked at so often.
+// Minimum interval of look-ups for a world whose topics change in every step.
 constexpr std::chrono::milliseconds kBetweenLooks{50};
 
 }  // namespace
@@ -53,7 +53,7 @@ void Relay::work() {
   if (link_->takeEarsChanged()) followListeners(node_.ownTopics());
 }
 
-/// Sees what topics and services there are, where something may have changed.
+/// Lists topics and services, if something may have changed.
 void Relay::look() {
   const std::uint64_t topics = node_.ownTopicsVersion();
   const std::uint64_t services = node_.ownServicesVersion();
@@ -66,7 +66,7 @@ void Relay::look() {
   servicesVersion_ = services;
   const std::vector<OwnTopic> own = node_.ownTopics();
   Lists lists = listsOf(own);
-  // a topic that was heard from others may be the world's own now
+  // a topic received from another process may now be published by the world itself
   followListeners(own);
   const bool isFirst = !link_->areListsKnown();
   const bool isSame = lists == *link_->lists();
@@ -100,7 +100,7 @@ void Relay::followListeners(const std::vector<OwnTopic>& topics) {
   for (const OwnTopic& topic : topics) own.emplace(Key(topic.name, topic.type), &topic);
   for (const auto& topic : wanted) {
     const auto found = own.find({topic->name, topic->type});
-    // what the world says itself is not awaited from other processes, which would cost a reader of the network
+    // receiving the world's own topics from other processes too would cost a DDS reader
     const bool ownOnly = found != own.end() && found->second->publishers > 0;
     Heard& heard = heard_[{topic->name, topic->type}];
     if (heard.topic && heard.ownOnly == ownOnly) continue;

@@ -22,7 +22,7 @@ class RelayTest : public testing::Test {
     return std::nullopt;
   }
   std::shared_ptr<WorldLink> link() { return worlds_->find("w"); }
-  /// Listens, and adds what is heard to `texts_`.
+  /// Subscribes, and adds received messages to `texts_`.
   std::shared_ptr<void> hear(const std::string& name) {
     return link()->hear(name, "ignition.msgs.StringMsg", {[this](const Payload& bytes, std::uint64_t timeNs) {
                           im::StringMsg message;
@@ -140,7 +140,7 @@ TEST_F(RelayTest, CarriesRequestsAndAnswers) {
   ask("/s", "no");
   ask("/nothing", "yes");
   ASSERT_TRUE(world_.stepUntil([&] { return answers.size() == 3; }));
-  // there is none: said at once
+  // there is no such service, which is reported at once
   EXPECT_EQ(answers[0], "there is no service '/nothing'");
   EXPECT_EQ(answers[1], "ignition.msgs.Boolean");
   EXPECT_NE(answers[2].find("it says no"), std::string::npos) << answers[2];

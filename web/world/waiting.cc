@@ -13,7 +13,7 @@ constexpr std::string_view kStates[] = {
     "ignition.msgs.PointCloud", "ignition.msgs.PointCloudPacked",
     "ignition.msgs.Pose_V",     "ignition.msgs.WorldStatistics",
 };
-// some tenths of a second of an IMU at 1 kHz
+// some tenths of a second of messages of an IMU at 1 kHz
 constexpr std::size_t kMostEvents = 256;
 
 }  // namespace

@@ -10,19 +10,19 @@ namespace pongsim::web {
 
 namespace {
 
-// What may wait for a world whose steps are long.
+// Limits of requests queued for a world with long steps.
 constexpr std::size_t kMostWishes = 4096;
 constexpr std::size_t kMostBytes = std::size_t{32} << 20;
 
 }  // namespace
 
-/// As long as it lives, its number stands for a publisher in the world.
+/// Represents a publisher in the world as long as it exists.
 class WorldLink::SpokenTopic final : public Voice {
  public:
   SpokenTopic(std::shared_ptr<WorldLink> link, std::uint64_t number) : link_(std::move(link)), number_(number) {}
   SpokenTopic(const SpokenTopic&) = delete;
   SpokenTopic& operator=(const SpokenTopic&) = delete;
-  // never refused, whatever waits: else it would stay for ever
+  // never refused, however much is queued: otherwise the publisher would exist forever
   ~SpokenTopic() override {
     link_->post(0, [number = number_](WorldSide& side) { side.close(number); });
   }
@@ -101,7 +101,7 @@ void WorldLink::request(const OwnService& service, std::shared_ptr<const Message
            *newMessage("Empty"));
 }
 
-/// @param bytes What it holds; 0 of what must not be refused.
+/// @param bytes Size of its data; 0 for wishes that must not be refused.
 bool WorldLink::post(std::size_t bytes, Wish wish) {
   {
     const std::lock_guard lock(mutex_);
@@ -126,7 +126,7 @@ std::vector<WorldLink::Wish> WorldLink::takeWishes() {
   return std::exchange(wishes_, {});
 }
 
-/// @return Those that somebody listens to.
+/// @return The topics with listeners.
 std::vector<std::shared_ptr<HeardTopic>> WorldLink::heardTopics() {
   const std::lock_guard lock(mutex_);
   std::vector<std::shared_ptr<HeardTopic>> topics;

@@ -52,7 +52,7 @@ TEST_F(WorldLinkTest, MayBeAskedByWhoHearsAMessage) {
   auto publisher = world_.node().advertise<im::StringMsg>("/said");
   const Service service =
       world_.node().serve<im::StringMsg, im::Boolean>("/s", [](const auto&, auto&) { return true; });
-  // the last answers come with the end of the world
+  // the end of the world fails the pending requests
   const auto answers = std::make_shared<int>(0);
   const auto ear =
       link_->hear("/said", kText, {[this, answers](const Payload&, std::uint64_t) {

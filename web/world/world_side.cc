@@ -7,7 +7,7 @@ namespace pongsim::web {
 
 namespace {
 
-// A system that has been switched off does not answer.
+// A system that is switched off does not respond.
 constexpr std::chrono::seconds kPatience{10};
 constexpr std::size_t kMostRequests = 1000;
 

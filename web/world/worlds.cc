@@ -22,7 +22,7 @@ std::shared_ptr<void> Worlds::watch(Watch watch) {
     watches_.push_back(shared);
     watchCount_ = static_cast<int>(watches_.size());
   }
-  // while nobody watches nobody looks what there is
+  // lists are only updated while there are watches
   for (const auto& world : all()) world->changed();
   return {this, [worlds = shared_from_this(), shared](void*) {
             const std::lock_guard lock(worlds->watching_);
