@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What all actions begin with.
+/// What all actions need.
 struct Session {
   explicit Session(const Options& options)
       : progress(options.verbosity, options.verbosity >= kUsualVerbosity && isatty(STDERR_FILENO) == 1) {
@@ -42,7 +42,7 @@ bool isWorldType(const std::string& type) {
   return type == "world";
 }
 
-/// @return The addresses that the user gave, in both ways.
+/// @return The addresses given by the user, as options and as arguments.
 std::vector<std::string> givenAddresses(const Options& options) {
   std::vector<std::string> all = options.addresses;
   if (options.url) all.insert(all.begin(), *options.url);
@@ -67,7 +67,7 @@ FuelAddress oneAddress(const Options& options) {
   return addressFrom(all.front());
 }
 
-/// @return The server of "-u URL", which need not be one of the configuration.
+/// @return The server given with "-u URL", which need not be configured.
 Server serverFrom(const std::string& url, const Settings& settings) {
   std::string plain = url;
   while (plain.ends_with('/')) plain.pop_back();
@@ -117,7 +117,7 @@ int listCached(const Options& options, bool worlds, const Session& session) {
   return programs::kDone;
 }
 
-/// @return What the cache has of a model, a line each.
+/// @return The cached versions of a model, one per line.
 std::string cachedText(const FuelAddress& address, const Settings& settings) {
   std::string text;
   for (const std::string& host : {address.host, otherFuelHost(address.host)}) {
@@ -133,7 +133,7 @@ std::string cachedText(const FuelAddress& address, const Settings& settings) {
   return text;
 }
 
-/// @return The addresses, with what is in collections instead of these.
+/// @return The addresses, with collections replaced by their content.
 std::vector<FuelAddress> resolved(const Options& options, const Settings& settings) {
   std::vector<FuelAddress> all;
   const bool models = !options.type || !isWorldType(*options.type), worlds = !options.type || !models;
@@ -153,7 +153,7 @@ std::vector<FuelAddress> resolved(const Options& options, const Settings& settin
         address.isWorld = isWorld;
         address.owner = each.owner;
         address.name = each.name;
-        // what a server says is not to lead out of the cache
+        // a server's response must not lead out of the cache
         if (parseFuelAddress(address.url())) all.push_back(address);
       }
     }
@@ -184,7 +184,7 @@ int removeCached(const FuelAddress& address, const Session& session) {
       const Workplace workplace(each.address, session.settings.cache);
       Lock lock(workplace.lock);
       lock.take();
-      // out of sight in one go, then away
+      // renamed atomically, then deleted
       std::error_code error;
       fs::remove_all(workplace.folder, error);
       fs::rename(each.folder, workplace.folder, error);
@@ -312,7 +312,7 @@ int check(const Options& options) {
 }
 
 int fetch(const Options& options) {
-  // who has asked is gone: nobody waits
+  // the loader has ended, so there is nobody to answer
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   std::vector<std::string> lines;
   std::vector<FuelAddress> addresses;

@@ -7,10 +7,10 @@
 
 namespace pongsim::fuel {
 
-/// How much is said: warnings and progress.
+/// Verbosity: warnings and progress.
 inline constexpr int kUsualVerbosity = 3;
 
-/// What the command line says.
+/// The parsed command line.
 struct Options {
   std::vector<std::string> addresses;
   std::optional<std::string> url, config, type, owner;
@@ -20,8 +20,8 @@ struct Options {
   bool raw = false, cached = false, offline = false, onlyModels = false, onlyWorlds = false;
 };
 
-// What the actions of `pongsim fuel` do. They return the program's exit code, and throw Failure, of which UsageError
-// says that the options can't be meant.
+// The actions of `pongsim fuel`. They return the program's exit code, and throw Failure; a UsageError reports invalid
+// options.
 namespace actions {
 
 int list(const Options& options);
@@ -31,8 +31,8 @@ int update(const Options& options);
 /// `pongsim fuel delete`.
 int remove(const Options& options);
 int check(const Options& options);
-/// What the loader of worlds asks for: addresses come by standard input, a line each, and what has come of them goes to
-/// standard output, a line each: "ok ADDRESS" or "failed ADDRESS", why and advice with tabs between them.
+/// The interface for the loader of worlds: reads addresses from standard input, one per line, and writes a result to
+/// standard output for each: "ok ADDRESS", or "failed ADDRESS" with reason and hint, separated by tabs.
 int fetch(const Options& options);
 
 }  // namespace actions

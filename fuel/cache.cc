@@ -29,12 +29,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// From one look at a lock to the next.
+/// Interval of attempts to get a lock.
 constexpr std::chrono::milliseconds kBetweenLooks{100};
-/// Of a name in a folder; some of it is needed for endings.
+/// Limit for a name in a folder, minus room for suffixes.
 constexpr std::size_t kLongestName = 200;
 
-/// @return The folders below one, by name.
+/// @return The subfolders of a folder, sorted by name.
 std::vector<fs::path> foldersIn(const fs::path& folder) {
   std::vector<fs::path> folders;
   std::error_code error;
@@ -46,7 +46,7 @@ std::vector<fs::path> foldersIn(const fs::path& folder) {
   return folders;
 }
 
-/// @return The number that a version's folder has as its name; nothing where it is another one.
+/// @return The version number that is the name of a folder; nothing for other names.
 std::optional<int> versionOf(const fs::path& folder) {
   const std::string name = folder.filename().string();
   const bool isNumber = !name.empty() && name.size() <= 7 && name.front() != '0' &&
@@ -54,7 +54,7 @@ std::optional<int> versionOf(const fs::path& folder) {
   return isNumber ? std::optional(std::stoi(name)) : std::nullopt;
 }
 
-/// @return The SDF files that a model.config names.
+/// @return The SDF files named in a model.config.
 std::vector<std::string> filesNamedBy(const fs::path& config) {
   std::vector<std::string> names;
   for (const XmlText& each : xmlTexts(textOf(config))) {
@@ -81,7 +81,7 @@ void Lock::open() {
 
 Lock::~Lock() {
   struct stat mine {};
-  // taken away while it is held: who opens it next has a new one
+  // removed while held: a process that opens it later creates a new one
   if (::flock(number_, LOCK_EX | LOCK_NB) == 0 && ::fstat(number_, &mine) == 0 && mine.st_nlink > 0) {
     ::unlink(file_.c_str());
   }

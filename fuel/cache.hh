@@ -10,18 +10,18 @@
 
 namespace pongsim::fuel {
 
-/// Keeps other processes of pongsim off a model while it is downloaded. Goes with its owner, however that ends.
+/// Locks a model against other pongsim processes while it is downloaded. Released when its owner ends, in whatever way.
 class Lock {
  public:
-  /// @throws Failure where the file can't be made.
+  /// @throws Failure if the file can't be created.
   explicit Lock(const std::filesystem::path& file);
   ~Lock();
   Lock(const Lock&) = delete;
   Lock& operator=(const Lock&) = delete;
 
-  /// @return False where another process has it.
+  /// @return False if another process holds it.
   bool tryTake();
-  /// Waits until it is free.
+  /// Waits until it is released.
   /// @throws Interrupted
   void take();
 
@@ -32,33 +32,33 @@ class Lock {
   int number_ = -1;
 };
 
-/// What of a model or world is on its way, in the cache's folder ".pongsim", which Fortress does not look into.
+/// The files of a download in progress, in the cache's folder ".pongsim", which Fortress ignores.
 struct Workplace {
-  /// @throws Failure where the folder can't be made.
+  /// @throws Failure if the folder can't be created.
   Workplace(const FuelAddress& address, const std::filesystem::path& cache);
 
   std::filesystem::path lock;
-  /// The zip file as far as it has come, and what was said of it: see `Part`.
+  /// The partial zip file, and its description: see `Part`.
   std::filesystem::path zip;
   std::filesystem::path note;
   std::filesystem::path folder;
 };
 
-/// What is known of a zip file of which a part has come.
+/// Description of a partially downloaded zip file.
 struct Part {
   /// 0: unknown.
   int version = 0;
-  /// By which the server knows the bytes again: an ETag. Empty: it can't be gone on with.
+  /// An ETag that identifies the bytes on the server. Empty: it can't be continued.
   std::string validator;
-  /// Whether the bytes come from where the server led by a link in a text.
+  /// Whether the bytes come from a link in the server's response.
   bool isLinked = false;
 
-  /// @return Nothing where there is none, or it can't be read.
+  /// @return Nothing if there is none, or it can't be read.
   static std::optional<Part> read(const std::filesystem::path& file);
   void write(const std::filesystem::path& file) const;
 };
 
-/// Moves a folder to where a version belongs, whatever is there: in one go, so that nobody ever sees a part of it.
+/// Moves a folder to the place of a version, replacing an existing one. Atomic, so that nobody sees a part of it.
 /// @throws Failure
 void place(const std::filesystem::path& folder, const std::filesystem::path& target);
 
@@ -68,19 +68,19 @@ struct CachedVersion {
   std::filesystem::path folder;
 };
 
-/// @return All versions of all models and worlds in the order of their names, those that are not whole too.
+/// @return All versions of all models and worlds, sorted by name, including incomplete ones.
 std::vector<CachedVersion> cachedVersions(const std::filesystem::path& cache);
 
-/// @return What is wrong with a version, each in a sentence that does not name it.
+/// @return What is wrong with a version, as sentences that do not name it.
 std::vector<std::string> faultsOf(const CachedVersion& version);
 
-/// @return The SDF files that lie in a folder of a model or world itself.
+/// @return The SDF files directly in the folder of a model or world.
 std::vector<std::filesystem::path> sdfFilesIn(const std::filesystem::path& folder);
 
-/// @return The bytes of a file, or of all files below a folder.
+/// @return The size of a file, or of all files below a folder [bytes].
 std::uint64_t sizeOf(const std::filesystem::path& path);
 
-/// @throws Failure where it can't be read.
+/// @throws Failure if it can't be read.
 std::string textOf(const std::filesystem::path& file);
 void writeText(const std::filesystem::path& file, const std::string& text);
 

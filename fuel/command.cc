@@ -17,7 +17,7 @@ namespace pongsim::fuel {
 namespace {
 
 using Action = int (*)(const Options&);
-/// What the words behind an action are read into.
+/// Receives the parsed options of an action.
 using Given = std::shared_ptr<Options>;
 
 void checkHeaders(const std::vector<std::string>& headers) {
@@ -29,7 +29,7 @@ void checkHeaders(const std::vector<std::string>& headers) {
   }
 }
 
-/// @return What does the action, once its options stand in `given`.
+/// @return The work of an action, to be run once its options are in `given`.
 programs::Work workOf(Action action, const Given& given) {
   return [action, given] {
     checkHeaders(given->headers);
@@ -50,7 +50,7 @@ CLI::App* addAction(CLI::App& program, programs::Work& work, const char* name, c
       ->add_option_function<std::string>(
           "-v,--verbose",
           [given](const std::string& text) {
-            // "-v" alone, as in Fortress
+            // "-v" without a number, as in Fortress
             if (text.empty()) return;
             if (text.size() != 1 || text[0] < '0' || text[0] > '4') {
               throw UsageError("option '-v' takes a level from 0 to 4, not '" + text + "'");

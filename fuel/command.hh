@@ -7,11 +7,11 @@
 
 namespace pongsim::fuel {
 
-/// Adds the actions of `pongsim fuel`. They stand in share/fuel.json, too, for help and completion.
+/// Adds the actions of `pongsim fuel`. They are also listed in share/fuel.json, for help and completion.
 void addActions(CLI::App& program, programs::Work& work);
 
 /// @return The words of a command line.
-/// @throws UsageError where they want what `ign fuel` does and this does not.
+/// @throws UsageError for features of `ign fuel` that are not supported.
 std::vector<std::string> checkedWords(std::vector<std::string> words);
 
 }  // namespace pongsim::fuel

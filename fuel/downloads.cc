@@ -30,11 +30,11 @@ namespace {
 constexpr int kMostTries = 3;
 constexpr std::chrono::milliseconds kBetweenTries{500};
 constexpr std::uint64_t kLargestZip = std::uint64_t{4} << 30U;
-/// With all that a world and its models name.
+/// Limit of models and worlds, including dependencies.
 constexpr std::size_t kMostResources = 1000;
 constexpr std::uint64_t kLargestText = std::uint64_t{64} << 20U;
 
-/// Where a zip file is written, from its end on.
+/// Writes a zip file, starting at its current end.
 class ZipFile {
  public:
   explicit ZipFile(const fs::path& path) : path_(path) {
@@ -66,7 +66,7 @@ class ZipFile {
   [[noreturn]] void fail() const {
     const int error = errno;
     std::error_code ignored;
-    // room for others: a part that does not fit is of no use
+    // leave room: a part that does not fit is useless
     if (error != EINTR) fs::remove(path_, ignored);
     throw Failure("'" + path_.string() + "' can't be written: " + std::strerror(error),
                   error == ENOSPC || error == EDQUOT || error == EFBIG
@@ -79,7 +79,7 @@ class ZipFile {
   std::uint64_t size_ = 0;
 };
 
-/// Takes a folder away with all that is in it when it goes.
+/// Deletes a folder with its contents on destruction.
 class ShortLivedFolder {
  public:
   explicit ShortLivedFolder(fs::path path) : path_(std::move(path)) {
@@ -99,8 +99,8 @@ class ShortLivedFolder {
   fs::path path_;
 };
 
-/// Makes of what a zip file held what Fortress keeps in its cache.
-/// @throws Failure where it is no model or world.
+/// Converts the contents of a zip file to what Fortress keeps in its cache.
+/// @throws Failure if it is no model or world.
 void finish(const fs::path& folder, const FuelAddress& address) {
   const CachedVersion unpacked{address, folder};
   for (const std::string& fault : faultsOf(unpacked)) throw Failure("the server's response can't be used: " + fault);
@@ -125,7 +125,7 @@ void removePart(const Workplace& workplace) {
 
 std::string validatorOf(const Answer& answer) {
   const std::string tag = answer.header("etag");
-  // a weak one says nothing of the bytes
+  // a weak ETag does not identify the bytes
   return !tag.empty() && !tag.starts_with("W/") ? tag : answer.header("last-modified");
 }
 
@@ -168,7 +168,7 @@ std::vector<FuelAddress> neededBy(const fs::path& folder) {
   return needed;
 }
 
-/// What is to be done, and what has been.
+/// Queued work and results.
 struct Downloads::Queue {
   std::mutex mutex;
   std::condition_variable changed;
@@ -240,7 +240,7 @@ void Downloads::work(Queue& queue) {
 
 fs::path Downloads::bring(const FuelAddress& address, bool isWanted) {
   checkInterruption();
-  // a version that is named does not change
+  // a version given by number does not change
   const bool isAsked = options_.isUpdate && isWanted && !address.version;
   const auto cached = [&]() -> std::optional<fs::path> {
     return isAsked ? std::nullopt : findInFuelCache(address, settings_.cache);
@@ -254,11 +254,11 @@ fs::path Downloads::bring(const FuelAddress& address, bool isWanted) {
     progress_.info(nameOf(address) + ": waiting for another download of it");
     lock.take();
   }
-  // it may have come by now
+  // another process may have downloaded it by now
   if (const auto folder = cached()) return *folder;
   FuelServer server(known, isWanted ? options_.headers : std::vector<std::string>());
   FuelAddress there = address;
-  // that of the configuration: it is what the server is known by
+  // the address in the configuration, which identifies the server
   there.scheme = known.url.substr(0, known.url.find("://"));
   return bringFrom(server, there);
 }
@@ -285,7 +285,7 @@ fs::path Downloads::bringFrom(FuelServer& server, FuelAddress address) {
     } catch (const Interrupted&) {
       throw;
     } catch (const Failure&) {
-      // the next try is not to begin with it
+      // the next attempt must not continue with it
       removePart(workplace);
       throw;
     }
@@ -354,7 +354,7 @@ void Downloads::loadOnce(FuelServer& server, FuelAddress& address, const Workpla
     throw;
   } catch (const Failure&) {
     removePart(workplace);
-    // what is there may be more than there is to be had
+    // the part may be longer than the server's file
     if (have > 0 && !goesOn && version == 0) throw PassingFailure("the download can't be resumed", "try again");
     throw;
   }

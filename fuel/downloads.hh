@@ -16,37 +16,35 @@
 namespace pongsim::fuel {
 
 struct DownloadOptions {
-  /// How many at once, 1 to 16.
+  /// Number of parallel downloads, 1 to 16.
   std::size_t jobs = 4;
   /// Ask the server for the newest version even if the cache has one.
   bool isUpdate = false;
-  /// "Name: value", sent to the servers of the addresses that the user names, and not to those of others that these
-  /// need.
+  /// "Name: value", sent only to the servers of the addresses given by the user, not to those of dependencies.
   std::vector<std::string> headers = {};
 };
 
-/// What has come of an address.
+/// The result for an address.
 struct DownloadResult {
   FuelAddress address;
-  /// Whether the user named it, or one that was named needs it.
+  /// Whether the user named it, or it is a dependency.
   bool isWanted = false;
-  /// Where it is now. Empty: it could not be had, and this is why.
+  /// Its folder. Empty on failure, with the reason in `why`.
   std::filesystem::path folder;
   std::string why, hint;
 };
 
-/// Brings models and worlds into the cache, with all that they name, several at once.
-///
-/// Each is downloaded beside the place where it will be, checked, and moved there when it is whole. What has come of
-/// one that was broken off is gone on with, if the server knows it again. Of two processes that want the same model one
+/// Downloads models and worlds into the cache, with their dependencies, several in parallel.
+/// Each is downloaded beside its destination, checked, and moved into place when it is complete. An interrupted
+/// download is continued if the server still has the same bytes. If two processes want the same model, one of them
 /// downloads it.
 class Downloads {
  public:
-  /// All must outlive it.
+  /// All references must outlive it.
   Downloads(const Settings& settings, const DownloadOptions& options, Progress& progress);
 
-  /// @param addresses Each with its version or none; of files only the model counts.
-  /// @return One for each, and for what they need, in the order in which they were met.
+  /// @param addresses With or without a version; the address of a file stands for its model.
+  /// @return A result for each, and for each dependency, in the order in which they were found.
   /// @throws Interrupted
   std::vector<DownloadResult> run(const std::vector<FuelAddress>& addresses);
 
@@ -63,10 +61,10 @@ class Downloads {
   Progress& progress_;
 };
 
-/// @return The models and worlds that one in the cache names and that are not part of it.
+/// @return The other models and worlds that one in the cache refers to.
 std::vector<FuelAddress> neededBy(const std::filesystem::path& folder);
 
-/// @return The same for all addresses of a model's version, whatever the server's name.
+/// @return The same key for all addresses of a model's version, whatever the server's name.
 std::string keyOf(const FuelAddress& address);
 
 /// @return "OWNER/NAME" or "OWNER/NAME version 3"

@@ -7,7 +7,7 @@
 namespace pongsim::fuel {
 namespace {
 
-// Downloads themselves: test/test_download.py and test/test_faults.py.
+// test/test_download.py and test/test_faults.py test downloads themselves.
 
 std::string keyOf(const std::string& address) { return fuel::keyOf(*parseFuelAddress(address)); }
 

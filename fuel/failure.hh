@@ -7,13 +7,13 @@ namespace pongsim::fuel {
 using programs::Failure;
 using programs::UsageError;
 
-/// One that another try may be rid of: the server or the way to it failed.
+/// A failure that may not occur again: of the server or the network.
 class PassingFailure : public Failure {
  public:
   using Failure::Failure;
 };
 
-/// The user ended it.
+/// The user interrupted the work.
 class Interrupted : public Failure {
  public:
   Interrupted() : Failure("it was interrupted", "what was downloaded is kept: try again to resume") {}

@@ -10,33 +10,32 @@
 
 namespace pongsim::fuel {
 
-/// What a server says before the body.
+/// The head of a server's response.
 struct Answer {
   int status = 0;
-  /// Where it came from in the end.
+  /// The final address, after redirections.
   std::string url;
-  /// By names in lower case.
+  /// Keyed by names in lower case.
   std::map<std::string, std::string> headers;
 
-  /// @return Empty where there is none.
+  /// @return Empty if it is missing.
   std::string header(const std::string& name) const;
-  /// @return Bytes of the body; 0 where the server does not say.
+  /// @return Size of the body in bytes; 0 if the server does not give it.
   std::uint64_t length() const;
 };
 
 struct Request {
   std::string url;
   std::string method = "GET";
-  /// Those that tell who asks: they go to the server of `url` only, and not where it leads on to.
+  /// Headers that identify the user: sent only to the server of `url`, not to targets of redirections.
   std::vector<std::string> secrets = {};
   std::vector<std::string> headers = {};
 };
 
-/// Asks by HTTP, with libcurl. One at a time; a process may have several.
-///
-/// Certificates are checked against the system's, or those of SSL_CERT_FILE. Proxies are those of the environment.
-/// Redirections are followed, up to ten, and never from https to http. A server that says next to nothing is given up
-/// after PONGSIM_FUEL_TIMEOUT seconds (30).
+/// Makes HTTP requests with libcurl, one at a time; a process may have several clients.
+/// Certificates are checked against the system's, or those of SSL_CERT_FILE. Proxies are taken from the environment. Up
+/// to ten redirections are followed, never from https to http. A server that sends almost nothing for
+/// PONGSIM_FUEL_TIMEOUT seconds (30) is given up.
 class Http {
  public:
   using Begin = std::function<void(const Answer&)>;
@@ -47,14 +46,14 @@ class Http {
   Http(const Http&) = delete;
   Http& operator=(const Http&) = delete;
 
-  /// @param begin Called once with the answer that is not a redirection, before its body, if its status is below 300.
-  /// @param take Called with the body, part by part. What either throws ends the request.
-  /// @return The answer, whatever its status.
-  /// @throws PassingFailure, Failure where there is none, or only a part of one; Interrupted.
+  /// @param begin Called once with the final response, before its body, if its status is below 300.
+  /// @param take Called with each part of the body. An exception from either ends the request.
+  /// @return The response, whatever its status.
+  /// @throws PassingFailure, Failure if there is none, or only a part of one; Interrupted.
   Answer send(const Request& request, const Begin& begin, const Take& take);
 
   /// @return The body, of at most `most` bytes.
-  /// @throws As `send`, and where the status is not one of success: see `refuse`.
+  /// @throws Like `send`, and if the status is not a success: see `refuse`.
   std::string text(const Request& request, std::size_t most = std::size_t{64} << 20U);
 
  private:
@@ -64,7 +63,7 @@ class Http {
   void* curl_;
 };
 
-/// @throws Failure, PassingFailure that say what an answer's status means.
+/// @throws Failure, PassingFailure with the meaning of a response's status.
 [[noreturn]] void refuse(const Answer& answer);
 
 /// @return The scheme, host and port of an address: "https://fuel.gazebosim.org".

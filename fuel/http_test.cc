@@ -7,13 +7,13 @@
 namespace pongsim::fuel {
 namespace {
 
-// Requests themselves: test/test_download.py and test/test_faults.py.
+// test/test_download.py and test/test_faults.py test requests themselves.
 
 TEST(Http, KnowsWhoseAnAddressIs) {
   EXPECT_EQ(originOf("https://Fuel.Gazebosim.org/1.0/x?y#z"), "https://fuel.gazebosim.org");
   EXPECT_EQ(originOf("http://h:8000"), "http://h:8000");
   EXPECT_EQ(originOf("https://h?x=/"), "https://h");
-  // a name in front of the server's makes it another one
+  // a prefix of the host name makes it another server
   EXPECT_NE(originOf("https://fuel.gazebosim.org@evil/x"), "https://fuel.gazebosim.org");
   EXPECT_EQ(originOf("nothing"), "nothing");
 }

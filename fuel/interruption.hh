@@ -5,7 +5,7 @@
 
 namespace pongsim::fuel {
 
-/// @throws Interrupted where a signal says that what is being done is to end, which cleans up.
+/// @throws Interrupted if a signal requested to stop; the caller cleans up.
 inline void checkInterruption() {
   if (programs::isStopped()) throw Interrupted();
 }

@@ -8,7 +8,7 @@
 
 namespace pongsim::fuel {
 
-/// The names of models or worlds by their owners.
+/// The names of models or worlds, keyed by owner.
 using Listing = std::map<std::string, std::vector<std::string>>;
 
 Listing listingOf(const std::vector<Details>& all);
@@ -17,10 +17,10 @@ Listing listingOf(const std::vector<Details>& all);
 /// @param kind "models"
 std::string treeOf(const std::string& server, const Listing& listing, const std::string& kind, bool hasColors);
 
-/// @return An address a line.
+/// @return One address per line.
 std::string addressesOf(const std::string& server, const Listing& listing, bool worlds);
 
-/// @return What is known of a model or world, a line each.
+/// @return Information about a model or world, one line each.
 std::string descriptionOf(const Details& details);
 
 }  // namespace pongsim::fuel

@@ -1,4 +1,4 @@
-// pongsim-fuel, which `pongsim fuel` becomes.
+// pongsim-fuel, which `pongsim fuel` runs.
 #include "fuel/command.hh"
 #include "programs/stop_signal.hh"
 

@@ -8,23 +8,23 @@
 
 namespace pongsim::fuel {
 
-/// Tells on standard error how several downloads come along: on a terminal by a bar that is drawn anew, elsewhere by a
-/// line at the beginning and the end of each. May be called from several threads.
+/// Reports the progress of several downloads on standard error: on a terminal with a bar, elsewhere with a line at the
+/// start and the end of each. For any thread.
 class Progress {
  public:
-  /// @param level 0 to 4, as `-v` has it: from 3 on there is progress, from 2 on warnings.
+  /// @param level 0 to 4, like `-v`: from 3 on progress, from 2 on warnings.
   Progress(int level, bool isTerminal);
-  /// Takes the bar away.
+  /// Removes the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// @param done Bytes that are there already. @param total 0: unknown.
+  /// @param done Bytes from an earlier attempt. @param total 0: unknown.
   void begin(const std::string& name, std::uint64_t done, std::uint64_t total);
   void add(const std::string& name, std::uint64_t bytes);
-  /// @param note "3.2 MB", or why there is nothing.
+  /// @param note "3.2 MB", or why nothing was downloaded.
   void end(const std::string& name, const std::string& note);
-  /// One that did not come: what becomes of it is told elsewhere.
+  /// A failed download; its reason is reported elsewhere.
   void drop(const std::string& name);
 
   void info(const std::string& line);

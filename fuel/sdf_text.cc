@@ -32,7 +32,7 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// Goes through a file tag by tag.
+/// Parses a file tag by tag.
 class XmlWalk {
  public:
   explicit XmlWalk(std::string_view file) : file_(file) {}
@@ -44,7 +44,7 @@ class XmlWalk {
   }
 
  private:
-  /// Passes what begins here and ends with `end`.
+  /// Skips what starts here, up to `end`.
   bool pass(std::string_view end) {
     const std::size_t found = file_.find(end, at_);
     at_ = found + end.size();
@@ -52,7 +52,7 @@ class XmlWalk {
     return found != file_.npos;
   }
 
-  /// @return The end of a tag that begins here: ">" in an attribute's value is none.
+  /// @return The end of the tag that starts here; a ">" in an attribute's value does not count.
   std::size_t endOfTag() const {
     char quote = 0;
     for (std::size_t i = at_; i < file_.size(); ++i) {
@@ -91,7 +91,7 @@ class XmlWalk {
     return true;
   }
 
-  /// The end of an element: if nothing has been in it but text, that is one.
+  /// The end of an element; if it contained only text, that is reported.
   void close() {
     if (lengths_.empty()) return;
     if (textStart_) {
@@ -115,7 +115,7 @@ class XmlWalk {
   std::vector<XmlText> texts_;
 };
 
-/// @return Whether an address stands where Fortress makes it one of Fuel.
+/// @return Whether Fortress replaces an address in this place by a Fuel address.
 bool isReplaced(const std::string& path) {
   constexpr std::array<std::string_view, 4> kPlaces{"/mesh/uri", "/material/script/uri", "/skin/filename",
                                                     "/animation/filename"};

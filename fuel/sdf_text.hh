@@ -8,37 +8,36 @@
 
 namespace pongsim::fuel {
 
-/// The text of an element without elements in it, in an XML file.
+/// The text of an XML element without child elements.
 struct XmlText {
-  /// The names of the elements that it is in, from the root on, with "/" before each: "/sdf/model/link/.../mesh/uri".
+  /// The path of element names from the root: "/sdf/model/link/.../mesh/uri".
   std::string path;
-  /// With "&amp;" made "&" and so on, without space around it.
+  /// Unescaped ("&amp;" is "&"), without surrounding space.
   std::string text;
-  /// Where it stands in the file, that space left out.
+  /// Its position in the file, without that space.
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Reads as leniently as may be: what is no XML any more ends it. Comments and CDATA are passed over.
+/// Parses leniently and ends where the text is no longer XML. Skips comments and CDATA.
 std::vector<XmlText> xmlTexts(std::string_view file);
 
-/// @return The addresses of Fuel servers that a file names: as the text of elements in XML, or in quotes in a
-/// metadata.pbtxt.
+/// @return The addresses of Fuel servers in a file: as text of XML elements, or in quotes in a metadata.pbtxt.
 std::vector<std::string> fuelAddressesInXml(std::string_view file);
 std::vector<std::string> fuelAddressesInQuotes(std::string_view file);
 
-/// Does with a model's SDF file what Fortress does when it puts it into the cache: meshes, textures, material scripts
-/// and animations of "model://NAME/FILE" become the addresses of these files on the server, by which they are found
-/// again wherever the model is. The rest stays as it is, byte by byte.
+/// Changes a model's SDF file as Fortress does when it puts it into the cache: meshes, textures, material scripts and
+/// animations with "model://NAME/FILE" get the files' addresses on the server, by which they are found wherever the
+/// model is. The other bytes stay unchanged.
 /// @param address With the version.
-/// @param has Whether the model has a file; "model://" of what it has not stays.
+/// @param has Whether the model has a file; "model://" of other files stays.
 template <class Has>
 std::string withFuelAddresses(std::string_view file, const FuelAddress& address, const Has& has);
 
-/// @return "FILE" of a "model://NAME/FILE" that stands where Fortress replaces it; else empty.
+/// @return "FILE" for a "model://NAME/FILE" where Fortress replaces it; else empty.
 std::string modelFile(const XmlText& text);
 
-/// @return As Fortress writes the address of a model's file, ready to stand in XML.
+/// @return The address of a model's file as Fortress writes it, escaped for XML.
 std::string xmlAddress(const FuelAddress& address, const std::string& file);
 
 template <class Has>

@@ -12,11 +12,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A server that always has another page is not listed to its end.
+/// Limit of pages, in case a server always reports another one.
 constexpr int kMostPages = 10'000;
 constexpr std::size_t kLongestLink = 16'384;
 
-/// Text that a terminal can be given: without control characters.
+/// Text that is safe to print on a terminal: without control characters.
 std::string plain(std::string text) {
   for (char& each : text) {
     if (static_cast<unsigned char>(each) < 0x20 || each == 0x7f) each = ' ';
@@ -71,7 +71,7 @@ int versionIn(const Answer& answer) {
   return 0;
 }
 
-/// @return "/1.0/OWNER/models/NAME" of an address, as it may stand in a request.
+/// @return "/1.0/OWNER/models/NAME" of an address, escaped for a request.
 std::string pathOf(const FuelAddress& address) {
   const std::string url = address.url();
   return url.substr(url.find('/', url.find("://") + 3));
@@ -184,7 +184,7 @@ void FuelServer::zip(const FuelAddress& address, std::uint64_t from, const std::
   const bool isSafe =
       link->starts_with("https://") || (server_.url.starts_with("http://") && link->starts_with("http://"));
   if (!isSafe) throw Failure("the server did not send a link to a zip file: '" + plain(link->substr(0, 200)) + "'");
-  // where it leads to is another server, which learns nothing of who asks
+  // the link leads to another server, which gets no token
   Request second{.url = *link};
   if (from > 0 && isLinked) goOn(second);
   const Answer last = http_.send(

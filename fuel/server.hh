@@ -12,11 +12,11 @@
 
 namespace pongsim::fuel {
 
-/// What a server says of a model or world.
+/// A server's information about a model or world.
 struct Details {
   std::string owner;
   std::string name;
-  /// The newest; 0: it does not say.
+  /// The newest version; 0: unknown.
   int version = 0;
   std::uint64_t bytes = 0;
   bool isPrivate = false;
@@ -24,7 +24,7 @@ struct Details {
   std::vector<std::string> tags;
 };
 
-/// A set of models and worlds: "https://fuel.gazebosim.org/1.0/OWNER/collections/NAME".
+/// A list of models and worlds: "https://fuel.gazebosim.org/1.0/OWNER/collections/NAME".
 struct Collection {
   FuelAddress server;
   std::string owner;
@@ -32,29 +32,29 @@ struct Collection {
 };
 std::optional<Collection> parseCollection(const std::string& address);
 
-/// Speaks version 1.0 of the interface of Fuel servers, https://app.gazebosim.org/docs.
+/// A client for version 1.0 of the REST API of Fuel servers, https://app.gazebosim.org/docs.
 class FuelServer {
  public:
   /// @param headers "Name: value", sent with all requests.
   FuelServer(Server server, std::vector<std::string> headers);
 
-  /// @throws Failure, PassingFailure, Interrupted; likewise below.
+  /// @throws Failure, PassingFailure, Interrupted; the same below.
   Details details(const FuelAddress& address);
 
   /// @param owner Empty: all.
-  /// @return All models or worlds, page by page.
+  /// @return All models or worlds, from all pages.
   std::vector<Details> list(bool worlds, const std::string& owner);
   std::vector<Details> list(bool worlds, const Collection& collection);
 
-  /// Takes a model or world off the server.
+  /// Deletes a model or world from the server.
   void remove(const FuelAddress& address);
 
-  /// Asks for a zip file, following a link where the server answers with one.
+  /// Requests a zip file; follows a link if the server responds with one.
   /// @param version Nothing: the newest.
-  /// @param from Where to go on, with the `validator` of the bytes that are there; 0: at the beginning.
-  /// @param isLinked Whether those came from where a link led to.
-  /// @param begin Called with the version, 0 if it is not said, whether a link led here, and the answer, whose status
-  /// is 206 where it goes on.
+  /// @param from Offset at which to continue, with the `validator` of the existing bytes; 0: from the start.
+  /// @param isLinked Whether the existing bytes came from a link.
+  /// @param begin Called with the version (0 if unknown), whether a link was followed, and the response, whose status
+  /// is 206 if it continues.
   using Begin = std::function<void(int version, bool isLinked, const Answer& answer)>;
   void zip(const FuelAddress& address, std::uint64_t from, const std::string& validator, bool isLinked,
            const Begin& begin, const Http::Take& take);

@@ -8,15 +8,15 @@ namespace pongsim::python {
 
 namespace {
 
-/// A thread that sleeps is often woken on the processor of who wakes it, and waits there for it; so short a pause, as
-/// between two steps of a learner, it spends awake.
+/// A sleeping thread is often woken on the processor of the thread that wakes it, and has to wait there. So a short
+/// pause, such as that between two steps of a learner, is spent spinning.
 constexpr std::chrono::microseconds kAwake{200};
-/// So often it looks before it asks what time it is.
+/// Number of checks between two readings of the clock.
 constexpr int kLooks = 64;
-/// In `inside_`, beside the number of threads.
+/// A flag in `inside_`, beside the number of threads.
 constexpr std::uint32_t kOpen = 1U << 31U;
 
-/// Lets the processor rest for some ten cycles; no call to the kernel, which would give it to others.
+/// Pauses the processor for some ten cycles, without a system call, which would yield it to others.
 void rest() {
 #if defined(__x86_64__)
   __builtin_ia32_pause();
@@ -28,7 +28,7 @@ void rest() {
 Crew::~Crew() {
   if (threads_.empty()) return;
   if (process_ != getpid()) {
-    // they are another process's, and nothing of them is here to wait for
+    // after a fork they belong to the parent process, so there is nothing to join
     for (std::thread& thread : threads_) thread.detach();
     return;
   }
@@ -89,7 +89,7 @@ void Crew::run(std::size_t count, const std::function<void(std::size_t)>& work) 
   ++round_;
   round_.notify_all();
   takeAll();
-  // all is taken; who has not come by now is not waited for, but who is at it is
+  // all work is taken; wait only for threads that are still at it
   std::uint32_t inside = inside_.fetch_and(~kOpen) & ~kOpen;
   for (int i = 0; inside != 0; ++i, inside = inside_) {
     if (i < 16 * kLooks) {

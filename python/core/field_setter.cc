@@ -17,7 +17,7 @@ using google::protobuf::FieldDescriptor;
 
 namespace {
 
-/// @return The whole number next to it that the type has.
+/// @return The nearest integer of the type.
 template <class Whole>
 Whole whole(double number) {
   using Limits = std::numeric_limits<Whole>;

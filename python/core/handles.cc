@@ -22,7 +22,7 @@ std::vector<Handle<Inner>> handles(const std::shared_ptr<Life>& life, std::vecto
   return result;
 }
 
-/// Raises KeyError for a name that is not there, with the one that is spelt most like it.
+/// Raises KeyError for an unknown name, with the most similar one.
 template <class Inner>
 Handle<Inner> found(const std::shared_ptr<Life>& life, const std::optional<Inner>& inner, const std::string& what,
                     const std::string& name, const std::vector<Inner>& others) {
@@ -38,7 +38,7 @@ double finite(double number, const char* what) {
   return number;
 }
 
-/// @return An axis that the joint has.
+/// @return An existing axis of the joint.
 int axisOf(const Joint& joint, int axis) {
   if (axis >= 0 && axis < joint.axisCount()) return axis;
   throw py::index_error("joint '" + std::string(joint.name()) + "' has " + std::to_string(joint.axisCount()) +
@@ -47,7 +47,7 @@ int axisOf(const Joint& joint, int axis) {
 
 AfterMove afterMove(bool stop) { return stop ? AfterMove::kStop : AfterMove::kKeepVelocity; }
 
-/// What all handles have.
+/// Base of all handles.
 template <class PyHandle>
 py::class_<PyHandle> bindCommon(py::module_& module, const char* name, const char* text) {
   return py::class_<PyHandle>(module, name, text)

@@ -9,7 +9,7 @@ namespace pongsim::python {
 
 namespace {
 
-/// How long Ctrl-C may wait.
+/// Maximum delay of Ctrl-C.
 constexpr std::chrono::milliseconds kLook{50};
 
 std::int64_t now() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
@@ -98,7 +98,7 @@ bool Life::mustStop() {
 }
 
 void Life::noteError(py::error_already_set& error) {
-  // of several the first counts
+  // the first exception counts
   if (hasError_) return;
   py::object value = error.value();
   if (error.trace()) PyException_SetTraceback(value.ptr(), error.trace().ptr());

@@ -23,7 +23,7 @@ using google::protobuf::Reflection;
 
 py::object textOf(const FieldDescriptor& field, const std::string& text) {
   if (field.type() == FieldDescriptor::TYPE_BYTES) return py::bytes(text);
-  // what is no UTF-8 came from elsewhere, and is shown as it can be
+  // text that is not UTF-8 comes from elsewhere; it is decoded as far as possible
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
 }
@@ -86,7 +86,7 @@ py::object element(const Message& message, const Reflection& reflection, const F
   return py::none();
 }
 
-/// Fills a message from Python objects, and knows where it is, "pose.position.x", for what it says of them.
+/// Fills a message from Python objects. Keeps the current path, such as "pose.position.x", for error messages.
 class Filler {
  public:
   void fill(Message& message, py::handle from) {

@@ -13,7 +13,7 @@
 
 namespace {
 
-/// As Fortress numbers it.
+/// Fortress's numbers.
 void setLogLevel(int level) {
   if (level < 0 || level > 4) throw pybind11::value_error("a log level must be 0 (nothing) to 4 (debug)");
   pongsim::setLogLevel(static_cast<pongsim::LogLevel>(level));

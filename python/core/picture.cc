@@ -20,10 +20,10 @@ namespace pongsim::python {
 namespace {
 
 constexpr std::uint32_t kLargestEdge = 8192;
-/// As far as nothing is drawn nearer [m].
+/// The near clipping distance [m].
 constexpr double kNearest = 0.01;
 
-/// Draws a world as it is, without changing it.
+/// Renders the current state of a world, without changing it.
 class Painter final : public Life::Pending {
  public:
   Painter(std::shared_ptr<Life> life, std::uint32_t width, std::uint32_t height, double fieldOfView)
@@ -59,8 +59,8 @@ class Painter final : public Life::Pending {
     return pixels;
   }
 
-  /// @return The corners of a box around all that is drawn: least x, y, z, greatest x, y, z; a metre around the origin
-  /// where there is nothing.
+  /// @return The bounding box of all visuals: minimum x, y, z, maximum x, y, z; a metre around the origin if there are
+  /// none.
   py::tuple bounds() {
     Diagnostics diagnostics;
     lookAround(life_->edit("drawing"), diagnostics);
@@ -71,7 +71,7 @@ class Painter final : public Life::Pending {
   }
 
  private:
-  /// Takes in the visuals where models have come or gone, and where they are.
+  /// Updates the visuals if models were inserted or removed, and their poses.
   void lookAround(Simulation& simulation, Diagnostics& diagnostics) {
     std::vector<ModelId> models;
     for (const Model& model : simulation.world().models()) models.push_back(model.id());
@@ -92,7 +92,7 @@ std::shared_ptr<Painter> make(const Owner& simulation, std::uint32_t width, std:
   return painter;
 }
 
-/// @return Width, height, horizontal field of view, and where the eye is in the sensor's frame.
+/// @return Width, height, horizontal field of view, and pose of the eye in the sensor's frame.
 py::tuple lensOf(PySensor& sensor) {
   const auto* settings = sensor.use().settings<CameraSettings>();
   if (settings == nullptr) {

@@ -11,7 +11,7 @@ namespace pongsim::python {
 
 namespace {
 
-/// So often what waits leads to more that waits; what goes on after that is cut off.
+/// Maximum number of rounds in which waiting messages cause further ones; the rest is dropped.
 constexpr int kMostRounds = 8;
 
 void handOver(Simulation& simulation) {
@@ -23,7 +23,7 @@ std::string nameOf(std::size_t world) { return "environment " + std::to_string(w
 }  // namespace
 
 void Pool::Place::letGo() {
-  // what leads into the simulation goes before it does
+  // references into the simulation are destroyed before it
   readings.clear();
   steerings.clear();
 }
@@ -186,7 +186,7 @@ void Pool::save(std::size_t world) {
 void Pool::putBack(std::size_t world, Simulation& simulation) {
   if (rowOf<std::uint8_t>(restored, world, 1)[0] == 0) return;
   const Place& place = *worlds_[world];
-  // what is on its way belongs to what was
+  // queued messages belong to the time before
   handOver(simulation);
   if (const auto refusal = simulation.restoreState(place.saved)) throw std::invalid_argument(*refusal);
   for (const Reading& reading : place.readings) {

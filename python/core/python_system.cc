@@ -39,14 +39,14 @@ void PythonSystem::reset() {
   call(reset_, nullptr);
 }
 
-/// Of what goes wrong the simulation is told as of a system in C++; Python keeps the exception itself.
+/// The simulation gets an exception like that of a C++ system; Python keeps the original.
 template <class Work>
 void PythonSystem::guarded(Work work) {
   const py::gil_scoped_acquire gil;
   try {
     work();
   } catch (py::error_already_set& error) {
-    // Ctrl-C and sys.exit are no faults of the system's
+    // Ctrl-C and sys.exit are not failures of the system
     if (!error.matches(PyExc_Exception)) return life_.noteError(error);
     py::object exception = error.value();
     if (error.trace()) PyException_SetTraceback(exception.ptr(), error.trace().ptr());

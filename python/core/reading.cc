@@ -27,7 +27,7 @@ Heard::Heard(Life& life, std::string name, const std::string& topic, const std::
 
 namespace {
 
-/// Lidars with more are none of the lidar's system.
+/// The lidar system's limit of beams.
 constexpr double kMostBeams = 1e6;
 
 Reading readingOf(std::shared_ptr<Heard> heard) {

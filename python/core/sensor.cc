@@ -40,11 +40,11 @@ std::int64_t stampOf(const Message& message) {
          stamp.GetReflection()->GetInt32(stamp, &fieldOf(stamp, "nsec"));
 }
 
-/// What a sensor of a type says where.
+/// A kind of reading of a sensor type, and its topic.
 struct Way {
   const char* kind;
   const char* message;
-  /// Of `Sensor::topic`, and what stands behind that.
+  /// Suffix of `Sensor::topic`.
   const char* suffix;
   const char* behind;
 };
@@ -53,7 +53,7 @@ constexpr const char* kScan = "ignition.msgs.LaserScan";
 constexpr const char* kCloud = "ignition.msgs.PointCloudPacked";
 constexpr const char* kImage = "ignition.msgs.Image";
 
-/// @return The ways of a type, the main one first; empty for one that has no system.
+/// @return The kinds of readings of a sensor type, the main one first; empty if no system supports it.
 std::vector<Way> waysOf(std::string_view type) {
   if (type == "gpu_lidar" || type == "lidar" || type == "gpu_ray" || type == "ray") {
     return {{"ranges", kScan, "/scan", ""}, {"points", kCloud, "/scan", "/points"}};
@@ -100,7 +100,7 @@ std::vector<Sensor> allSensors(Simulation& simulation) {
   return sensors;
 }
 
-/// @return Whether there is noise in the element or in one within it.
+/// @return Whether the element or one inside it contains noise.
 bool hasNoise(const Element& element) {
   if (element.name == "noise" && element.attributeOr("type", "none") != "none") return true;
   return std::ranges::any_of(element.children, hasNoise);
@@ -134,7 +134,7 @@ void Stream::hear(const Message& heard, const Bulk* bulk) {
   ++count;
 }
 
-/// @return Where so many bytes are to be written: where the ones before were, unless there are others now.
+/// @return Memory of this size: that of the previous reading, unless an array still refers to it.
 void* Stream::place(std::shared_ptr<Memory>& at, std::size_t size) {
   if (at == nullptr || at->bytes.size() != size) at = std::make_shared<Memory>(size);
   return at->bytes.data();

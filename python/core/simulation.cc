@@ -60,7 +60,7 @@ std::unique_ptr<Owner> open(const std::string& world, std::uint64_t seed, bool l
   return owner;
 }
 
-/// Raises what a step has raised: a strict one with the exception of the system that failed.
+/// Raises the exception of a step; in strict mode with that of the failed system as its cause.
 template <class Work>
 void takeSteps(Life& life, Work work) {
   try {
@@ -133,7 +133,7 @@ void put(Number number, std::byte*& to) {
   to += sizeof(number);
 }
 
-/// @return Seven numbers a model, in the order of `model_names`.
+/// @return Seven numbers per model, in the order of `model_names`.
 std::shared_ptr<Memory> poses(Owner& owner) {
   const std::vector<Model> models = allModels(owner.life->use());
   auto memory = std::make_shared<Memory>(models.size() * 7 * sizeof(double));
@@ -234,7 +234,7 @@ Owner* ownerIn(PyObject* self) {
   return static_cast<Owner*>(instance->get_value_and_holder().value_ptr());
 }
 
-/// Lets the collector see the callbacks and systems that the simulation holds.
+/// Reports the callbacks and systems that the simulation holds to the garbage collector.
 void setUpCollection(PyHeapTypeObject* heapType) {
   PyTypeObject& type = heapType->ht_type;
   type.tp_flags |= Py_TPFLAGS_HAVE_GC;

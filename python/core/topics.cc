@@ -18,7 +18,7 @@ namespace pongsim::python {
 
 namespace {
 
-/// @return The type of the messages on a topic, by who has it in this simulation.
+/// @return The message type of a topic, from its publishers and subscribers in this simulation.
 std::string typeOfTopic(Life& life, const std::string& topic) {
   const std::string whole = topic.starts_with('/') ? topic : "/" + topic;
   std::vector<std::string> types;
@@ -39,7 +39,7 @@ std::chrono::nanoseconds nanoseconds(double seconds) {
   return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
 }
 
-/// @return The answer of a service of this simulation, or nothing where it has none with these types.
+/// @return The response of a service of this simulation, or nothing if there is none with these types.
 std::optional<CallResult> askOwn(Life& life, const std::string& service, const Message& request, Message& reply) {
   Transport& transport = life.edit("a request").transport();
   std::optional<CallResult> result;

@@ -46,7 +46,7 @@ TEST_F(FileCacheTest, GivesBackWhatItKeeps) {
   EXPECT_EQ(cache_.find("b"), std::nullopt);
   EXPECT_EQ(cache_.keep("a", ""), "");
   EXPECT_EQ(cache_.find("a"), "");
-  // one file, no drafts
+  // one file, no temporary files
   EXPECT_EQ(files().size(), 1U);
 }
 
@@ -66,7 +66,7 @@ TEST_F(FileCacheTest, TakesNothingThatIsNotWhole) {
   }
   write(file, whole + "x");
   EXPECT_EQ(cache_.find("a"), std::nullopt);
-  // and makes it anew
+  // it is computed again
   EXPECT_EQ(cache_.keep("a", "other"), "");
   EXPECT_EQ(cache_.find("a"), "other");
 }
@@ -100,7 +100,7 @@ TEST_F(FileCacheTest, LetsTheOldestGo) {
     EXPECT_EQ(small.keep("a" + std::to_string(i), bytes), "");
     for (const fs::path& file : files()) fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
   }
-  // the oldest is used again
+  // using the oldest one makes it recent
   EXPECT_TRUE(small.find("a0"));
   write(folder_ / "notes", std::string(1'000'000, 'y'));
   EXPECT_EQ(small.keep("b", bytes), "");
@@ -112,7 +112,7 @@ TEST_F(FileCacheTest, LetsTheOldestGo) {
 }
 
 TEST_F(FileCacheTest, IsFilledByManyAtOnce) {
-  // in each process some threads write what all others write, and never see half of it
+  // several threads of each process write the same files, and never see a partial one
   const std::string bytes(100'000, 'z');
   const auto work = [&] {
     bool isGood = true;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With a script in place of the program that downloads.
+/// With a script instead of the download program.
 class FuelFetchTest : public testing::Test {
  protected:
   FuelFetchTest() { unsetenv("PONGSIM_OFFLINE"); }

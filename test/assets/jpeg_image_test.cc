@@ -16,7 +16,7 @@
 namespace pongsim::assets {
 namespace {
 
-/// How a file is written.
+/// Settings of the written file.
 struct JpegKind {
   J_COLOR_SPACE given = JCS_RGB;
   J_COLOR_SPACE written = JCS_YCbCr;
@@ -115,7 +115,7 @@ TEST(JpegImage, IsRefusedWhereItIsSpoiledOrTooLarge) {
   EXPECT_EQ(problemOf(good.substr(0, 100)), "can't be read as a JPEG image: Premature end of JPEG file");
   EXPECT_EQ(problemOf("").find("can't be read as a JPEG image: "), 0U);
   EXPECT_EQ(problemOf(jpegFile(21, {200, 50, 10}, {})), "has more than 400 pixels, which is the limit");
-  // which is seen before anything is decoded: 60,000 by 60,000 that are not there
+  // detected before decoding: 60,000 by 60,000 pixels that do not exist
   std::string large = good;
   const std::size_t frame = large.find("\xFF\xC0");
   ASSERT_NE(frame, std::string::npos);

@@ -38,7 +38,7 @@ TEST_F(MeshFileTest, ReadsStl) {
   const auto parts = read("a.STL", kStl);
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0].mesh.triangles.size(), 4U);
-  // corners that triangles share are one
+  // shared vertices are merged
   EXPECT_EQ(parts[0].mesh.vertices.size(), 4U);
   EXPECT_EQ(boxOf(parts[0].mesh).max(), Vector3(1, 1, 1));
 }

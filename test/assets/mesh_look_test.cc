@@ -34,7 +34,7 @@ TEST(MeshLook, HasTheMaterialsOfItsParts) {
   ASSERT_TRUE((*looks)[1].material && (*looks)[1].material->metal);
   EXPECT_EQ((*looks)[1].material->metal->maps.albedo.file, folder.path() / "wood.png");
   EXPECT_FALSE((*looks)[2].material->metal);
-  // made, for the file has none; textures count from the top
+  // computed, because the file has none; texture coordinates count from the top
   EXPECT_TRUE((*looks)[0].corners[0].normal.isApprox(Eigen::Vector3f::UnitZ()));
   EXPECT_TRUE((*looks)[0].corners[0].coordinates.isApprox(Eigen::Vector2f(0.25F, 0.25F)));
 }

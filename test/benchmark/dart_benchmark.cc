@@ -1,4 +1,4 @@
-// What a step costs and how true it is, beside DART by way of ign-physics, the engine of Fortress's server, on the same
+// Compares cost and accuracy of a step with DART through ign-physics, the engine of Fortress's server, on the same
 // worlds in the same run.
 
 #include <benchmark/benchmark.h>
@@ -28,7 +28,7 @@ constexpr double kRadius = 0.4, kHalfSeparation = 0.6;
 struct Case {
   std::string name;
   std::string text;
-  /// Whether there are robots that drive; what else there is rests.
+  /// Whether there are driving robots; everything else rests.
   bool drives = true;
 };
 
@@ -54,7 +54,7 @@ std::unique_ptr<Simulation> load(const Case& which) {
   return simulation;
 }
 
-/// @param angular How the robots turn, if there are any [rad/s].
+/// @param angular Turning rate of the robots, if any [rad/s].
 DartWorld loadInDart(const Case& which, double angular) {
   DartWorld world(which.text);
   if (which.drives) {
@@ -83,13 +83,13 @@ void stepSimulation(::benchmark::State& run, const Case& which) {
   for (auto _ : run) simulation->step();
 }
 
-/// How far off the truth both are after five seconds [m].
+/// Errors of both after five seconds [m].
 struct Errors {
   double pongsim = 0;
   double dart = 0;
 };
 
-/// Of the way that a robot goes straight ahead, by its wheels.
+/// Error of the distance that a robot drives straight ahead, compared with its wheels.
 Errors errorsOfDriving(const Case& which) {
   constexpr double kSeconds = 5;
   constexpr double kTruth = kLinear * kSeconds;
@@ -106,7 +106,7 @@ Errors errorsOfDriving(const Case& which) {
           std::abs((world.position("vehicle_blue", "chassis") - startInDart).norm() - kTruth)};
 }
 
-/// Of the heights at which bodies rest.
+/// Error of the heights at which bodies rest.
 Errors errorsOfResting(const Case& which) {
   constexpr double kHeight = 0.5;
   constexpr int kSteps = 5000;

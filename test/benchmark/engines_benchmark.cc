@@ -1,4 +1,4 @@
-// Worlds that make steps when they are asked to, and say what it took; test/benchmark/profile.py counts what they do.
+// Worlds that step on request and print the cost; test/benchmark/profile.py profiles them.
 
 #include <cstdint>
 #include <cstdio>
@@ -35,7 +35,7 @@ std::string tutorialWorld() {
 /// Processor time of this process so far [us].
 double processorTime() { return 1e6 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Reads numbers of steps, and prints for each the processor time that they took [us].
+/// Reads numbers of steps, and prints the processor time of each [us].
 void serve(Simulation& simulation) {
   std::puts("ready");
   std::fflush(stdout);

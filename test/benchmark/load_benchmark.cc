@@ -1,4 +1,4 @@
-// What it takes to read a world, beside libsdformat 12 where that is installed, in the same run.
+// Measures reading worlds, compared with libsdformat 12, if it is installed, in the same run.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -60,7 +60,7 @@ void loadTheirs(::benchmark::State& run, const Case& which) {
 }
 #endif
 
-/// @return The most memory that the process has had so far [MB].
+/// @return Peak memory of the process so far [MB].
 double peakMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

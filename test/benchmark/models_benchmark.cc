@@ -1,5 +1,5 @@
-// What models cost that are read, inserted, removed and told of, for few of them and for many: where a row grows from
-// left to right, something is worse than linear.
+// Measures the cost of reading, inserting, removing and publishing models, for few and for many: a row that grows from
+// left to right is worse than linear.
 
 #include <ignition/msgs/scene.pb.h>
 #include <ignition/msgs/serialized_map.pb.h>
@@ -26,10 +26,10 @@ namespace pongsim::benchmark {
 namespace {
 
 constexpr std::array kCounts{300, 1000, 3000, 10000};
-/// The best of so many runs counts.
+/// The best of this many runs counts.
 constexpr int kRuns = 3;
 
-/// @return Time of the processor that the process has taken [us].
+/// @return Processor time of the process [us].
 double processorTime() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -60,7 +60,7 @@ std::unique_ptr<Simulation> simulationOf(const std::string& world) {
   return simulation;
 }
 
-/// What a world with all of the models costs.
+/// Costs of a world with all of the models.
 void measureWhole(const std::string& world, Times& times) {
   times.emplace_back("parsing the XML, by tinyxml2", timeOf([&world] {
                        tinyxml2::XMLDocument document;
@@ -86,7 +86,7 @@ void measureWhole(const std::string& world, Times& times) {
   times.emplace_back("ending", timeOf([&] { simulation.reset(); }));
 }
 
-/// What it costs to fill a world and to empty it, one model at a time.
+/// Costs of filling a world and emptying it, one model at a time.
 void measureEdits(int count, Times& times) {
   const std::unique_ptr<Simulation> simulation = simulationOf(shapesWorld(0));
   std::vector<std::string> texts;

@@ -1,5 +1,5 @@
-// What lidars and cameras cost: the scan of Fortress's tutorial beside bare Embree, many beams among many moving
-// bodies, the pictures of a camera, and sensors that nobody reads.
+// Measures lidars and cameras: the scan of Fortress's tutorial compared with bare Embree, many beams among many moving
+// bodies, camera images, and sensors without subscribers.
 
 #include <benchmark/benchmark.h>
 
@@ -42,13 +42,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-/// The tutorial's world in which nothing moves, with a scan in each step.
+/// The tutorial's world with nothing moving, and a scan in each step.
 std::string tutorial() {
   const auto worlds = test::fortressWorlds();
   if (!worlds) return {};
   std::string text = textOf(*worlds / "tutorials/sensor_tutorial.sdf");
   text = replaced(text, "<update_rate>10</update_rate>", "", text.find("<topic>lidar</topic>"));
-  // where it stands once it has come down
+  // its pose once it has settled
   text = replaced(text, "<pose relative_to='world'>0 0 1 0 0 0</pose>", "");
   return replaced(text, "ignition-gazebo-physics-system", "ignition-gazebo-user-commands-system");
 }
@@ -60,7 +60,7 @@ std::unique_ptr<Simulation> load(const std::string& text) {
   return simulation;
 }
 
-/// A world that runs, and perhaps somebody who reads its lidar.
+/// A running world, with or without a subscriber to its lidar.
 struct Run {
   explicit Run(const std::string& text, const std::string& topic = "", const char* type = "ignition.msgs.LaserScan")
       : simulation(load(text)) {
@@ -83,7 +83,7 @@ void castBare(::benchmark::State& state, const std::string& text) {
   Diagnostics diagnostics;
   const sdf::Root root = sdf::loadText(text, "world.sdf", diagnostics);
   const BareEmbree embree(root.worlds.front());
-  // in its place on the chassis
+  // at its pose on the chassis
   const Vector3 origin(1.3, 0, 0.9);
   std::vector<Vector3> directions;
   for (int i = 0; i < kBeams; ++i) {
@@ -121,7 +121,7 @@ std::string movingBoxes() {
   return text + "</world></sdf>";
 }
 
-/// As much simulated time as there is from scan to scan.
+/// Measures the simulated time between two scans.
 void fly(::benchmark::State& state, const std::string& text, const std::string& topic) {
   Run run(text, topic);
   std::mt19937 random(2);
@@ -135,7 +135,7 @@ void fly(::benchmark::State& state, const std::string& text, const std::string& 
   if (run.reader && run.received == 0) throw std::runtime_error("nobody speaks on " + topic);
 }
 
-/// The court with its camera of 320 by 240 pixels, at 30 Hz: a hundred steps have three pictures.
+/// The court with its camera of 320 by 240 pixels, at 30 Hz: three images per hundred steps.
 std::string filmedCourt() {
   const std::string text = textOf(test::projectFolder() / "worlds/pong_lidar.sdf");
   return replaced(text, "<update_rate>10</update_rate>", "<update_rate>30</update_rate>",
@@ -149,8 +149,9 @@ void film(::benchmark::State& state, const std::string& text) {
   if (run.received == 0) throw std::runtime_error("nobody speaks on /camera");
 }
 
-/// The court, with lidars and cameras on the robot, in turn.
-/// @param moves If not, a step is the systems' alone: what they take can't be seen beside what the physics' varies by.
+/// The court, with lidars and cameras on the robot, in turns.
+/// @param moves If false, a step consists of the systems alone, whose cost would vanish in the variation of the
+/// physics.
 std::string court(int count, bool moves) {
   std::string text = textOf(test::projectFolder() / "worlds/pong_world.sdf");
   std::string sensors;
@@ -214,7 +215,7 @@ int run(int argc, char** argv) {
   const std::string boxes = movingBoxes();
   add("moving_boxes/unheard", fly, boxes, std::string());
   add("moving_boxes/heard", fly, boxes, std::string("/lidar"));
-  // other threads draw, too: all of the process's time counts
+  // rendering uses other threads, so the time of the whole process counts
   ::benchmark::RegisterBenchmark("court/filmed", film, filmedCourt())
       ->Unit(::benchmark::kMicrosecond)
       ->MeasureProcessCPUTime();

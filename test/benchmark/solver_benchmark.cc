@@ -1,5 +1,5 @@
-// How near solvers come to the truth, and at what cost: the tutorial's robot against the paths that Fortress's engine
-// recorded, and the energy of a double pendulum. Prints the table of docs/physics.md.
+// Measures accuracy and cost of solvers: the tutorial's robot compared with the recorded paths of Fortress's engine,
+// and the energy of a double pendulum. Prints the table of docs/physics.md.
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +27,7 @@ constexpr double kWheelRadius = 0.4;
 constexpr double kHalfSeparation = 0.6;
 constexpr double kGravity = 9.8;
 
-/// A solver's way through a world, whichever it is.
+/// A world simulated with any of the solvers.
 struct World {
   std::function<void()> step;
   std::function<Vector3()> chassis = nullptr;
@@ -95,11 +95,11 @@ struct Deviation {
   /// [m]
   double atEnd = 0;
   double largest = 0;
-  /// Of a step [us]: the least of ten.
+  /// Time per step [us]: the minimum of ten.
   double cost = 1e9;
 };
 
-/// @return Not a number where the robot flies apart.
+/// @return NaN if the robot flies apart.
 Deviation drive(const Method& method, const description::World& world, const std::string& file, double linear,
                 double angular) try {
   const double turning = angular * kHalfSeparation;
@@ -153,8 +153,7 @@ double energyOf(const World& run) {
   return rate * rate / 6 + secondRate * secondRate / 24 + (vx * vx + vz * vz) / 2 + kGravity * height;
 }
 
-/// @return What is lost in a minute, means over a second, in parts of what swings to and fro; not a number where the
-/// pendulum flies apart.
+/// @return Relative loss of energy in a minute, averaged over a second; NaN if the pendulum flies apart.
 double pendulumDrift(const Method& method) try {
   const World run = method.begin(doublePendulum(), 0, 0);
   double first = 0;

@@ -1,4 +1,4 @@
-// What a step costs, beside a bare Bullet loop of the same world in the same run.
+// Measures the cost of a step, compared with a bare Bullet loop of the same world in the same run.
 
 #include <benchmark/benchmark.h>
 

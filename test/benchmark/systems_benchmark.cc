@@ -1,5 +1,5 @@
-// What each system costs a step while nobody listens, what fifty driven robots add to the physics, and what robots cost
-// whose levels are not loaded.
+// Measures the cost of each system per step without subscribers, the cost of fifty driven robots in addition to the
+// physics, and that of robots in unloaded levels.
 
 #include <benchmark/benchmark.h>
 
@@ -58,7 +58,7 @@ constexpr const char* kPhysics = "ignition-gazebo-physics-system\" name=\"igniti
 constexpr const char* kNothing =
     "ignition-gazebo-user-commands-system\" name=\"ignition::gazebo::systems::UserCommands";
 
-/// A system's example world, in which nothing moves, so that a step is the systems' alone.
+/// A system's example world without moving models, so that a step consists of the systems alone.
 struct SystemCase {
   std::string name;
   std::string text;
@@ -93,7 +93,7 @@ void stepWorld(::benchmark::State& run, const std::string& text) {
 }
 
 /// The example of DiffDrive with further robots, 2 m apart.
-/// @param isInLevels Ten at a time are in a level, and a performer is in the first of them.
+/// @param isInLevels Each ten robots are in a level, with a performer in the first level.
 std::string manyRobots(int count = kRobots, bool isInLevels = false) {
   const std::string text = textOf(test::projectFolder() / "plugins/drives/diff-drive/diff_drive.sdf");
   const std::size_t begin = text.find("<model name=\"rover\">");
@@ -124,7 +124,7 @@ std::string manyRobots(int count = kRobots, bool isInLevels = false) {
 
 Pose poseOf(Simulation& simulation) { return simulation.world().model("rover0")->pose(); }
 
-/// What does not drive costs less.
+/// Fails if the robots do not drive, because then they cost less.
 void requireDriven(Simulation& simulation, const Pose& start) {
   const double way = (poseOf(simulation).position - start.position).norm();
   if (way < kLeastWay) throw std::runtime_error("the robots do not drive");
@@ -147,7 +147,7 @@ std::unique_ptr<Simulation> drivenBySystem() {
   return simulation;
 }
 
-/// The same robots, without systems: their wheels are told once, as slowly as DiffDrive does it.
+/// The same robots without systems: their wheels are commanded once, as slowly as by DiffDrive.
 std::unique_ptr<Simulation> drivenByHand() {
   auto simulation = load(manyRobots(), false);
   const Pose start = poseOf(*simulation);
@@ -203,8 +203,8 @@ struct Floater {
   const char* shape;
 };
 
-/// Boats, balls, drums and spar buoys that bob and roll in waves of their own, for ever: nothing brakes them.
-/// @param isInSea Or the same bodies, turning as fast, without gravity and Buoyancy.
+/// Boats, balls, drums and spar buoys that bob and roll forever without damping.
+/// @param isInSea If false, the same bodies rotate as fast without gravity and Buoyancy.
 std::unique_ptr<Simulation> bobbing(bool isInSea) {
   const Floater floaters[] = {
       {400, "<ixx>42</ixx><iyy>142</iyy><izz>167</izz>", "0 0 0", "<box><size>2 1 0.5</size></box>"},

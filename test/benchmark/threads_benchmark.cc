@@ -1,4 +1,4 @@
-// What threads gain: within a world, and for worlds side by side.
+// Measures the gain from threads: within a world, and for worlds in parallel.
 
 #include <algorithm>
 #include <chrono>
@@ -28,7 +28,7 @@ constexpr int kShapes = 3000;
 struct Case {
   std::string name;
   std::string text;
-  /// How many steps come before, and how many are measured at a time.
+  /// Number of steps before the measurement, and per measurement.
   std::uint64_t skipped;
   std::uint64_t steps;
   bool isDriven;
@@ -74,7 +74,7 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Prints what a step takes on each number of threads, measured by turns.
+/// Prints the time of a step for each number of threads, measured in turns.
 void compareThreads(const Case& what, const std::vector<int>& counts) {
   std::vector<std::unique_ptr<Simulation>> simulations;
   for (const int threads : counts) simulations.push_back(load(what, threads));
@@ -96,7 +96,7 @@ void compareThreads(const Case& what, const std::vector<int>& counts) {
   }
 }
 
-/// Prints how many steps two worlds make at once, each on a thread of its own, for those that one makes.
+/// Prints how many steps two worlds in parallel, each on its own thread, make compared with one.
 void compareWorlds(const Case& what) {
   const auto first = load(what, 1), second = load(what, 1);
   std::vector<double> gains;

@@ -18,7 +18,7 @@ struct Outcome {
   std::string error;
 };
 
-/// Runs the program on a command line that does not get as far as simulating or talking to others.
+/// Runs the program with command lines that neither simulate nor communicate.
 Outcome runWith(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "pongsim");
   std::vector<char*> pointers;
@@ -31,7 +31,7 @@ Outcome runWith(std::vector<std::string> arguments) {
 
 struct Case {
   std::vector<std::string> arguments;
-  /// Without "pongsim: error: ", the hint behind " | ".
+  /// The message without "pongsim: error: ", and the hint after " | ".
   const char* error;
 };
 

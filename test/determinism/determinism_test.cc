@@ -1,5 +1,5 @@
-// Every world of ours and of Fortress's that runs here, told what it listens to, ends with the same bits, in its state
-// and in what its systems publish, whatever the process has around it.
+// Every world of pongsim and of Fortress that runs here ends with the same bits, in its state and in its systems'
+// messages, whatever the environment of the process, when its subscribed topics get messages.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ constexpr bool kHasSanitizer = true;
 constexpr bool kHasSanitizer = false;
 #endif
 
-/// What may differ between two machines, or two runs on one.
+/// Differences between two machines, or between two runs on one.
 struct Surroundings {
   const char* what;
   std::map<std::string, std::string> environment;
@@ -52,7 +52,7 @@ std::vector<std::string> worldsIn(const fs::path& folder) {
 
 class Determinism : public testing::Test {
  protected:
-  /// @return What is printed of each world, by line.
+  /// @return The output for each world, one per line.
   std::vector<std::string> hashes(const std::vector<std::string>& worlds, const Surroundings& around) {
     std::vector<std::string> command = {WORLD_HASHES, around.threads, "1000"};
     command.insert(command.end(), worlds.begin(), worlds.end());
@@ -73,7 +73,7 @@ class Determinism : public testing::Test {
     EXPECT_GE(expected.size(), worlds.size() / 2);
     EXPECT_GE(expected.size(), 40U);
     for (const Surroundings& around : kSurroundings) {
-      // what is loaded before has to be the sanitizer itself
+      // the sanitizer itself must be preloaded first
       if (kHasSanitizer && around.environment.contains("LD_PRELOAD")) continue;
       const std::vector<std::string> found = hashes(worlds, around);
       ASSERT_EQ(found.size(), expected.size()) << around.what;

@@ -1,6 +1,6 @@
-// Another C library's elementary functions, to be loaded before libm (LD_PRELOAD): each result that is not exact is the
-// number beside libm's, as a library may have it that rounds otherwise. What comes out the same with it depends on no
-// libm. With WHO_CALLS_LIBM set it tells, at the end, who called what, on standard error.
+// Elementary functions of "another C library", to be loaded before libm (LD_PRELOAD): each inexact result is off by one
+// unit in the last place, as a library with other rounding might return. Results that stay the same with it do not
+// depend on libm. With WHO_CALLS_LIBM it prints at the end, on standard error, which library called which function.
 
 #include <dlfcn.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostCalls = 512;
 
-/// Which library has called which function how often.
+/// Number of calls of each function by each library.
 struct Calls {
   const char* library;
   const char* function;
@@ -49,7 +49,7 @@ struct Report {
   }
 } report;
 
-/// @return The number beside it, on a side that its bits say.
+/// @return The adjacent number, above or below depending on its bits.
 template <class Number>
 Number beside(Number number) {
   constexpr Number kInfinity = std::numeric_limits<Number>::infinity();
@@ -61,7 +61,7 @@ Number beside(Number number) {
     bits = std::bit_cast<std::uint32_t>(number);
   }
   const bool isUp = (bits * 0x9e3779b97f4a7c15U >> 63U) != 0;
-  // none leaves the range of sine and cosine
+  // results of sine and cosine stay within -1 to 1
   if (std::abs(number) < 1 && std::abs(number) > Number(0.999999)) return number;
   return std::nextafter(number, isUp ? kInfinity : -kInfinity);
 }

@@ -28,7 +28,7 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Reflection;
 
-// rotors and joints that are told by number
+// rotors and joints that are commanded by number
 constexpr int kListLength = 8;
 
 void fill(google::protobuf::Message& message, double number);
@@ -49,7 +49,7 @@ void fillField(google::protobuf::Message& message, const FieldDescriptor& field,
     case FieldDescriptor::CPPTYPE_BOOL:
       return set(&Reflection::SetBool, &Reflection::AddBool, true);
     case FieldDescriptor::CPPTYPE_MESSAGE:
-      // what is about the message, and when and whose it is
+      // headers differ between processes
       if (!field.is_repeated() && field.name() != "header") fill(*reflection.MutableMessage(&message, &field), number);
       return;
     default:
@@ -74,8 +74,8 @@ class Digest {
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-/// @return Whether all that is published there repeats. Pictures are Mesa's, whose bits are the processor's; how the
-/// scene is told (`/world/W/pose/info`, ...) and how long sensors take goes by the wall clock.
+/// @return Whether everything published there is reproducible. Images depend on Mesa and the processor; scene messages
+/// (`/world/W/pose/info`, ...) and sensors' performance metrics follow wall time.
 bool repeats(const OwnTopic& topic) {
   const bool isTiming = topic.type == "ignition.msgs.PerformanceSensorMetrics";
   const bool isPicture = topic.type == "ignition.msgs.Image" || topic.type == "ignition.msgs.PointCloudPacked";

@@ -9,7 +9,7 @@ namespace {
 void compareMaps(const ours::PbrMaps& a, const theirs::PbrWorkflow& b, const std::string& what) {
   EXPECT_EQ(a.albedo.uri, b.AlbedoMap()) << what;
   EXPECT_EQ(a.normal.uri, b.NormalMap()) << what;
-  // libsdformat 12.3 takes the normals of all for the surface's
+  // libsdformat 12.3 takes all normals as tangent-space, so the type is not compared
   EXPECT_EQ(a.environment.uri, b.EnvironmentMap()) << what;
   EXPECT_EQ(a.ambientOcclusion.uri, b.AmbientOcclusionMap()) << what;
   EXPECT_EQ(a.emissive.uri, b.EmissiveMap()) << what;

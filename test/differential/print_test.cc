@@ -1,5 +1,5 @@
-// `pongsim sdf --print` beside `ign sdf --print` of libsdformat 12: the same elements in the same order, the same
-// attributes, the same values.
+// Compares `pongsim sdf --print` with `ign sdf --print` of libsdformat 12: elements and their order, attributes,
+// values.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ namespace pongsim::test {
 namespace {
 
 namespace fs = std::filesystem;
-/// Files of which something else is printed, and why.
+/// Files with intended differences, and the reasons.
 const std::map<std::string, std::string> kOtherwise = {
     {"triggered_camera_sensor.sdf", "12.3 does not know <triggered>, later versions do"},
     {"seeds/sdf/sensors.sdf", "12.3 does not know <triggered>, later versions do"},
@@ -42,8 +42,8 @@ std::optional<double> numberOf(const std::string& word) {
   return numbers && numbers->size() == 1 ? std::optional(numbers->front()) : std::nullopt;
 }
 
-/// @return Whether the texts are the same with numbers taken as numbers.
-/// @param tolerance As a part of the number.
+/// @return Whether the texts are equal, with numbers compared by value.
+/// @param tolerance Relative.
 bool isSameText(const std::string& a, const std::string& b, double tolerance) {
   std::istringstream left(a), right(b);
   std::string x, y;
@@ -56,7 +56,7 @@ bool isSameText(const std::string& a, const std::string& b, double tolerance) {
   return !(right >> y);
 }
 
-/// What is printed of an element of theirs.
+/// An element printed by libsdformat.
 struct Theirs {
   explicit Theirs(const theirs::ElementPtr& element) {
     for (unsigned i = 0; i < element->GetAttributeCount(); ++i) {
@@ -118,7 +118,7 @@ class Comparison {
     return !isUrdf_ || (name != "frame" && name != "surface" && !(name == "pose" && holder == "sensor"));
   }
 
-  /// Poses that are made in reading are quaternions here, so that no digit is lost, and have six digits there.
+  /// Poses computed while reading are quaternions here, to keep all digits; there they have six digits.
   static void comparePoses(const std::string& ours, const theirs::Element& element, const std::string& path) {
     const auto other = pose(element.Get<ignition::math::Pose3d>());
     const std::vector<double> numbers = base::parseDoubles(ours).value();
@@ -138,7 +138,7 @@ class Comparison {
   double tolerance_;
 };
 
-/// @return The file's text without includes from Fuel servers, which the command of libsdformat does not follow.
+/// @return The file's text without includes from Fuel servers, which libsdformat's command does not follow.
 std::string withoutFuel(const fs::path& file) {
   std::ifstream stream(file);
   std::string text(std::istreambuf_iterator<char>(stream), {});

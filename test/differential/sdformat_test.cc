@@ -1,4 +1,4 @@
-// The worlds of Fortress as pongsim and as libsdformat 12 read them: poses, axes, masses and shapes are the same.
+// Compares the worlds of Fortress as read by pongsim and by libsdformat 12: poses, axes, masses and shapes.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace pongsim::test {
 namespace {
 
 namespace fs = std::filesystem;
-/// Files that are read otherwise here, and why.
+/// Files with intended differences, and the reasons.
 const std::map<std::string, std::string> kOnPurpose = {
     {"test/models/include_nested/model.sdf", "it includes nested_models, below"},
     {"test/models/nested_models/model.sdf",
@@ -128,7 +128,7 @@ void compare(const ours::Joint& a, const theirs::Joint& b, const std::string& wh
     ignition::math::Vector3d xyz;
     EXPECT_TRUE(axis->ResolveXyz(xyz).empty()) << what;
     expectNear(a.axes[i].xyz, vector(xyz), what + ", axis " + std::to_string(i));
-    // theirs stands for no limit from 1e16
+    // libsdformat's limits from 1e16 on mean no limit
     const auto limit = [](double value) { return std::clamp(value, -1e16, 1e16); };
     EXPECT_NEAR(limit(a.axes[i].lower), limit(axis->Lower()), kTolerance) << what;
     EXPECT_NEAR(limit(a.axes[i].upper), limit(axis->Upper()), kTolerance) << what;
@@ -211,7 +211,7 @@ std::vector<fs::path> worlds() {
   return files;
 }
 
-/// Reads a file in both ways.
+/// Reads a file with both.
 /// @param models Folder of models.
 void compareFile(const fs::path& file, const fs::path& models) {
   Diagnostics diagnostics;

@@ -42,13 +42,13 @@ std::atomic<std::uint64_t> clockLooks, written;
 Kind failing = kKinds;
 std::uint64_t failingCall = 0, disk = UINT64_MAX, clockCall = 0;
 std::int64_t clockJump = 0;
-/// Only while `main` runs: where a constructor of static objects fails, C++ ends the process.
+/// Only while `main` runs: C++ ends the process if a constructor of a static object fails.
 bool isReady = false;
-/// The same in libraries that are opened.
+/// The same holds in libraries that are being opened.
 thread_local int opening = 0;
 int (*realMain)(int, char**, char**) = nullptr;
 
-/// What is said goes out without anything that could fail in turn.
+/// Writes a message without functions that could fail in turn.
 void say(const char* what, const char* who) {
   std::array<char, 400> text{};
   const int length = std::snprintf(text.data(), text.size(), "faults: %s%s\n", what, who);
@@ -60,7 +60,8 @@ bool isBetween(std::string_view library) {
   return library.find("libstdc++") != std::string_view::npos || library.find("libfaults") != std::string_view::npos;
 }
 
-/// @return Whether pongsim asked: the first in the stack who is neither this library nor that of C++. Says who it is.
+/// @return Whether pongsim allocates: the first caller in the stack outside this library and that of C++. Optionally
+/// prints it.
 bool isAskedByUs() {
   std::array<void*, 64> stack{};
   const int depth = backtrace(stack.data(), static_cast<int>(stack.size()));
@@ -75,7 +76,7 @@ bool isAskedByUs() {
   return false;
 }
 
-/// @return Whether code at that address is ours, or the C++ library's, which may ask for us. Known pages are looked up.
+/// @return Whether code at that address is pongsim's, or the C++ library's, which may act for it. Caches known pages.
 bool mayBeOurs(const void* code) {
   static std::array<std::atomic<std::uintptr_t>, 65536> known;
   const std::uintptr_t page = reinterpret_cast<std::uintptr_t>(code) >> 12;
@@ -89,7 +90,7 @@ bool mayBeOurs(const void* code) {
   return is;
 }
 
-/// @return Whether this call is the one that fails.
+/// @return Whether this call is to fail.
 bool fails(Kind kind) {
   if (!isReady || opening > 0) return false;
   const std::uint64_t number = ++counts[kind];
@@ -114,7 +115,7 @@ bool isOrdinary(int file) {
   return fstat(file, &about) == 0 && (S_ISREG(about.st_mode) || S_ISDIR(about.st_mode));
 }
 
-/// Files of the system, which are no business of ours, are opened by others.
+/// System files are opened by other code and are not affected.
 bool isPathOfInterest(const char* path) {
   return std::strncmp(path, "/proc/", 6) != 0 && std::strncmp(path, "/sys/", 5) != 0 &&
          std::strncmp(path, "/dev/", 5) != 0;
@@ -131,7 +132,7 @@ int refuse(int error) {
 
 void* allocate(std::size_t size, const void* asker) {
   if (!isReady || !mayBeOurs(asker) || !fails(kMemory)) return std::malloc(size == 0 ? 1 : size);
-  // as operator new does, which throws then
+  // operator new throws in this case
   if (const std::new_handler handler = std::get_new_handler()) handler();
   return nullptr;
 }
@@ -177,7 +178,7 @@ __attribute__((destructor)) void end() {
 
 }  // namespace
 
-// Memory. The C library's own allocations and those of libraries in C are not touched.
+// Memory. Allocations of the C library and of libraries in C are not affected.
 void* operator new(std::size_t size) {
   void* const memory = allocate(size, __builtin_return_address(0));
   if (memory == nullptr) throw std::bad_alloc();

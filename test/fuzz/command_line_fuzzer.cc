@@ -1,5 +1,5 @@
-// Any lines as the words of a command line: whatever they are, they are read to the end, and are something to do or are
-// refused with a message. Nothing is done.
+// Arbitrary lines as words of a command line: they must be parsed completely, and give work to do or an error message.
+// The work is not run.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Help goes to stdout, where nobody reads it.
+/// Help goes to stdout, which is discarded.
 [[maybe_unused]] const bool kQuiet = std::freopen("/dev/null", "w", stdout) != nullptr;
 
 }  // namespace
@@ -23,9 +23,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
   std::vector<std::string> words = {"pongsim"};
   for (std::string word; std::getline(text, word);) {
-    // as no shell hands on
+    // a shell cannot pass such words
     if (word.find('\0') != std::string::npos) return 0;
-    // what a command line names is read at once, and stdin and devices may not end
+    // files named on a command line are read at once, and stdin and devices may never end
     if (word.find("/dev/") != std::string::npos || word == "-" || word == "--file=-") return 0;
     words.push_back(std::move(word));
   }

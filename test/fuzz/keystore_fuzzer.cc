@@ -1,5 +1,5 @@
-// Any bytes as the permissions and the governance of a keystore, as they stand after their signature was checked.
-// Whatever they are, the readers end, and say why where they refuse them.
+// Arbitrary bytes as permissions and governance of a keystore, after their signature was checked. The readers must end,
+// and give a reason if they refuse them.
 
 #include <cstddef>
 #include <cstdint>

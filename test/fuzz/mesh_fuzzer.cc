@@ -1,5 +1,5 @@
-// Any bytes as a mesh file; the first one chooses its kind. Whatever they are, the readers end, and say why where they
-// return no mesh; a mesh has vertices for all its triangles.
+// Arbitrary bytes as a mesh file; the first one selects the format. The readers must end and return a mesh with
+// vertices for all its triangles, or a reason.
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Any bytes as a message's text: whatever they are, the parser ends, and what it takes prints as text that it takes.
+// Arbitrary bytes as a message's text: the parser must end, and what it accepts must print as text that it accepts.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Any bytes as the model.config of a model's package. Whatever they are, the reader ends, and returns a file or adds an
-// error.
+// Arbitrary bytes as a model.config. The reader must end, and return a file or add an error.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,5 @@
-// Any bytes as what comes from other processes: a sample, the header of a request and of a reply, a report of traffic,
-// a message of several types. Whatever they are, the readers end, keep within the bytes, and what they take is written
-// as the same again.
+// Arbitrary bytes as data from other processes: a sample, headers of requests and replies, a traffic report, messages
+// of several types. Readers must end and stay within the bytes, and what they accept must be encoded to the same bytes.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Any bytes as a PNG or JPEG file, a texture or a heightmap. Whatever they are, the readers end, and say why where they
-// return no picture; a picture has all its pixels.
+// Arbitrary bytes as a PNG or JPEG file, for a texture or a heightmap. The readers must end and return an image with
+// all its pixels, or a reason.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// @param channels Bytes of a pixel.
+/// @param channels Bytes per pixel.
 template <class Image>
 void requireWhole(const std::variant<Image, pongsim::assets::Problem>& found, std::size_t channels) {
   if (const auto* image = std::get_if<Image>(&found)) {

@@ -1,4 +1,4 @@
-// Any bytes as a world file.
+// Arbitrary bytes as a world file.
 
 #include <cstddef>
 #include <cstdint>

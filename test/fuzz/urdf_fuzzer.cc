@@ -1,4 +1,4 @@
-// Any bytes as a robot file.
+// Arbitrary bytes as a robot file.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  // what is no robot is the other fuzzer's
+  // other content is the sdf fuzzer's
   constexpr int kOfNoInterest = -1;
   if (text.find("<robot") == text.npos) return kOfNoInterest;
   pongsim::fuzz::loadWhole(text, "robot.urdf");

@@ -1,5 +1,5 @@
-// The recordings of what flies, and of what is pushed from point to point. How far off each is, and why, stands in
-// docs/physics.md.
+// Compares recordings of flying models, and of boxes pushed along waypoints. docs/physics.md lists the deviations and
+// their reasons.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ TEST(AirRecording, QuadcopterClimbsWithFourMotors) {
   EXPECT_TRUE(replay.missing().empty());
   EXPECT_LT(replay.of("model X3").largest, 5e-3);
   EXPECT_LT(replay.of("model X3").largestAngle, 1e-5);
-  // Fortress's motors rest in their first step: it is a step of 700 rad/s behind
+  // Fortress's motors are at rest in their first step, so it is a step of 700 rad/s behind
   for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(replay.of("joint X3::rotor_" + std::to_string(i) + "_joint").last, 0.7, 1e-3);
   }
@@ -60,8 +60,7 @@ double farthest(const Points& points, const Points& path) {
   return most;
 }
 
-// How long a box takes to turn while it slides is a matter of friction, and where it then is in its time: the paths are
-// compared, not the times, but on the first way.
+// The time a sliding box takes to turn depends on friction, so after the first leg paths are compared without times.
 TEST(AirRecording, BoxesFollowTheirTrajectories) {
   if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
   Replay replay("examples/trajectory_follower.sdf");

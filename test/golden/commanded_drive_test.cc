@@ -1,4 +1,4 @@
-// The whole simulator, its DiffDrive commanded by topic, on the path of Fortress's engine.
+// Compares the whole simulator, with DiffDrive commanded by topic, with the path of Fortress's engine.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// What is said of the likeliest mistakes, to be read through in test/golden/diagnostics: a heading, the file, what is
-// said of it. With PONGSIM_WRITE_GOLDEN set, the files are written anew instead of compared.
+// Checks the messages for the most likely mistakes against test/golden/diagnostics, which can be read through: a
+// heading, the file, its messages. With PONGSIM_WRITE_GOLDEN the files are rewritten instead.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ std::string lineOf(const std::string& text, int number) {
 
 std::string saidOf(const std::string& text) {
   Diagnostics diagnostics;
-  // the same places on every machine
+  // the same paths on every machine
   sdf::loadText(text, "world.sdf", diagnostics, assets::finderIn({.folders = {"/models"}, .fuelCache = "/fuel"}));
   std::string said;
   for (const Diagnostic& diagnostic : diagnostics.all()) {

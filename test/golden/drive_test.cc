@@ -1,4 +1,4 @@
-// The tutorial's robot against trajectories that Fortress's engine DART gave for the same wheel speeds.
+// Compares the tutorial's robot with trajectories of Fortress's engine DART for the same wheel speeds.
 
 #include <gtest/gtest.h>
 

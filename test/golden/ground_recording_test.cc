@@ -1,4 +1,4 @@
-// Vehicles on wheels and belts beside what Fortress's server recorded of them.
+// Compares vehicles on wheels and belts with the recordings of Fortress's server.
 
 #include <gtest/gtest.h>
 
@@ -19,10 +19,9 @@ TEST(GroundRecording, MecanumWheelsDriveDiagonally) {
   EXPECT_LT(vehicle.largestAngle, 0.01);
 }
 
-/// How a crate fares on a belt. The belts of the server that recorded stand still: its DART is without the moving
-/// surfaces that the Fortress project builds into its own. So the fall is compared, and that it stays where it lies
-/// while ours is not told to run; how far the belt carries it is measured against mechanics (`test/physics/`, and
-/// below).
+/// A crate on a belt. In the recordings the belts stand still, because the recorded server's DART lacks the moving
+/// surfaces that the Fortress project builds into its own. So only the fall is compared, with our belt at rest; the
+/// motion on a moving belt is compared with mechanics (`test/physics/`, and below).
 void expectFallLike(const std::string& world) {
   Replay replay(world);
   replay.run();
@@ -37,7 +36,7 @@ TEST(GroundRecording, CratesFallOnBeltsThatStand) {
   expectFallLike("test/conveyor.sdf");
 }
 
-// What Fortress's own test of this world asks of a DART that can do it, to 0.1 m there.
+// The positions that Fortress's own test of this world requires, there within 0.1 m.
 TEST(GroundRecording, ABeltCarriesACrateAsFortressTestsIt) {
   if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
   Replay replay("test/conveyor.sdf");
@@ -52,7 +51,7 @@ TEST(GroundRecording, ABeltCarriesACrateAsFortressTestsIt) {
     return publisher;
   }();
   const Model box = simulation.world().model("box").value();
-  // 0.25 m/s^2 up to 0.5 m/s; after two seconds the command is too old, and the belt slows down as fast
+  // 0.25 m/s^2 up to 0.5 m/s; after two seconds the command expires, and the belt decelerates at the same rate
   for (const double way : {0.125, 0.5, 0.875}) {
     simulation.step(1000);
     EXPECT_NEAR(box.pose().position.x(), way, 0.01 * way);

@@ -22,7 +22,7 @@
 namespace pongsim::test {
 namespace {
 
-/// Each shape, in colours, as metal and half transparent, under the sun and a spot.
+/// Each shape in colours, metallic and half transparent, under the sun and a spot light.
 constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w">
   <scene><ambient>0.6 0.6 0.6 1</ambient><background>0.4 0.6 0.9 1</background></scene>
   <light name="sun" type="directional"><cast_shadows>true</cast_shadows><diffuse>0.7 0.7 0.7 1</diffuse>
@@ -45,8 +45,7 @@ constexpr const char* kWorld = R"(<sdf version="1.9"><world name="w">
       <transparency>0.5</transparency><material><diffuse>0.1 0.2 0.9 1</diffuse></material></visual>
   </link></model></world></sdf>)";
 
-/// How much two pictures differ, as somebody sees it who looks at them from some way off: four by four pixels at a
-/// time, so that other roundings along edges do not count.
+/// Compares two images in blocks of four by four pixels, so that rounding along edges does not matter.
 /// @return The largest difference of a block's colour, of 255.
 int largestDifference(const std::vector<std::uint8_t>& drawn, const assets::Picture& golden) {
   constexpr std::size_t kBlock = 4;
@@ -66,7 +65,7 @@ int largestDifference(const std::vector<std::uint8_t>& drawn, const assets::Pict
   return largest;
 }
 
-/// Draws a world and compares with the picture of that name in test/golden/pictures. Skips where nothing can be drawn.
+/// Renders a world and compares it with the image of that name in test/golden/pictures. Skips without a renderer.
 void expectToLookAsItDid(const std::string& world, const std::string& name) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromText(world, "world.sdf", {.loadSystems = false}, diagnostics);
@@ -104,7 +103,7 @@ void expectToLookAsItDid(const std::string& world, const std::string& name) {
 
 TEST(Picture, LooksAsItDid) { expectToLookAsItDid(kWorld, "shapes.png"); }
 
-/// Writes a square picture whose pixels are made of where they are, 0 to 1 from the left and from the top.
+/// Writes a square image with colours computed from the pixel's position, 0 to 1 from the left and from the top.
 void writeSquare(const std::filesystem::path& file, const std::function<Vector3(double, double)>& shares) {
   constexpr std::uint32_t kEdge = 64;
   std::vector<std::uint8_t> pixels;
@@ -117,14 +116,13 @@ void writeSquare(const std::filesystem::path& file, const std::function<Vector3(
   CameraScene::writePicture(file, kEdge, kEdge, pixels);
 }
 
-/// Studs, on a ball, a box and a column: rows of them have normals, stripes are smooth, squares are of metal, some
-/// glow.
+/// A textured ball, box and column: rows of bumps from a normal map, smooth stripes, metallic squares, glowing spots.
 TEST(Picture, OfMapsLooksAsItDid) {
   const TempFolder folder;
   const auto at = [&folder](const std::string& name) { return folder.path() / name; };
   const double turn = 2 * std::numbers::pi;
   writeSquare(at("normals.png"), [turn](double x, double y) {
-    // of waves that are a sixth of the picture long
+    // waves with a length of a sixth of the image
     const Vector3 normal(-std::cos(6 * turn * x), std::cos(6 * turn * y), 1.2);
     return Vector3((normal.normalized() + Vector3::Ones()) / 2);
   });

@@ -26,7 +26,7 @@ std::vector<std::string> columnsOf(const std::string& line) {
   return columns;
 }
 
-/// "examples/lift_drag.sdf" as its recording is called: "examples_lift_drag.csv".
+/// "examples_lift_drag.csv" for "examples/lift_drag.sdf".
 std::string recordingOf(std::string world) {
   std::replace(world.begin(), world.end(), '/', '_');
   return world.substr(0, world.rfind('.')) + ".csv";
@@ -106,7 +106,7 @@ Replay::Replay(const std::string& world, std::vector<RecordedCommand> commands, 
 void Replay::run(const std::function<void(const RecordedRow&)>& atEach) {
   std::size_t next = 0;
   for (const RecordedRow& row : rows_) {
-    // the middle of a step, for times are written with three digits
+    // the middle of a step, because recorded times have three decimals
     while (simulation_->time() + simulation_->stepSize() / 2 < row.time) {
       for (; next < commands_.size() && commands_[next].time <= simulation_->time(); ++next) {
         const MessagePointer message = newMessage(commands_[next].type);
@@ -172,7 +172,7 @@ void Replay::compareBattery(const RecordedRow& row) {
   if (batteries_.empty()) return;
   if (std::exchange(batteryTime_, row.time) != row.time) batteryCount_ = 0;
   const std::string name = batteries_.at(batteryCount_++).name;
-  // of the step that was made last
+  // the message of the last step
   simulation_->transport().dispatch();
   const std::string key = "battery " + name;
   if (!charges_.contains(name)) {

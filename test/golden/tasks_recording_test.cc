@@ -1,4 +1,4 @@
-// What Fortress's server recorded of batteries, breadcrumbs and performers beside what ours do.
+// Compares batteries, breadcrumbs and performers with the recordings of Fortress's server.
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// The server was of version 6.5.0, to which <start_draining> was unknown, and which told 1 of a battery before it
-// drained: the first battery, which is to drain from the start and begins with less than it holds, stood still there.
+// The recorded server, 6.5.0, does not know <start_draining>, and reports 1 for a battery until it drains. So the first
+// battery, which should drain from the start with less than its capacity, is constant there.
 TEST(TasksRecording, BatteryKeepsItsChargeUntilItDrains) {
   if (!Replay::isHere()) GTEST_SKIP() << "Fortress's worlds or recordings are not here";
   Replay replay("test/battery.sdf", {},
@@ -46,7 +46,8 @@ TEST(TasksRecording, BreadcrumbsAreLeftWhereFortressLeavesThem) {
                  {milliseconds(1000), "/rename_deploy", "ignition.msgs.Empty", ""}});
   replay.run();
   EXPECT_TRUE(replay.missing().empty());
-  // it comes 10.7 cm into the vehicle and is pushed out at once; Fortress's engine takes a second a millimetre
+  // it is inserted 10.7 cm inside the vehicle and pushed out at once; Fortress's engine moves it by a millimetre per
+  // second
   EXPECT_LT(replay.of("model B1_0").largest, 0.05);
   EXPECT_LT(replay.of("model B1_0").largestAngle, 0.01);
   EXPECT_LT(replay.of("model B1_0_1").largest, 1e-3);

@@ -1,4 +1,4 @@
-// Fluids and what moves in them, beside Fortress's recordings. How far off each is stands in docs/physics.md.
+// Compares fluids and bodies in them with Fortress's recordings. docs/physics.md lists the deviations.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ class WaterRecording : public testing::Test {
   }
 };
 
-/// Everything that the recording has of a world stays within these distances [m, rad].
+/// Checks that all recorded entities of a world stay within these distances [m, rad].
 void expectNear(const Replay& replay, double distance, double angle) {
   EXPECT_TRUE(replay.missing().empty());
   EXPECT_FALSE(replay.all().empty());

@@ -12,7 +12,7 @@
 namespace pongsim::test {
 namespace {
 
-/// @return What bash would offer for the last of the words.
+/// @return bash's completions for the last word.
 std::vector<std::string> offered(const std::vector<std::string>& words) {
   testDomain();
   std::string line;

@@ -19,10 +19,10 @@
 namespace pongsim {
 namespace {
 
-/// What a page with dozens of commands may take, on a machine that is busy with other tests.
+/// Timeout for a page with dozens of commands, on a machine that is busy with other tests.
 constexpr std::chrono::seconds kPage{280};
 
-/// A page with commands, which tools/cli-tour types, with this build's pongsim.
+/// A page whose commands tools/cli-tour runs with this build's pongsim.
 class Tour : public testing::TestWithParam<const char*> {};
 
 TEST_P(Tour, GoesAsThePageSays) {
@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Documentation, Tour,
                            return name;
                          });
 
-/// @return How tools/cli-tour ends on a page with that text, and what it says.
+/// @return Result and output of tools/cli-tour for a page with that text.
 test::Outcome tourOf(const std::string& text) {
   test::testDomain();
   const test::TempFolder folder;
@@ -70,7 +70,7 @@ TEST(TourItself, FailsWhereAPageIsWrong) {
   EXPECT_EQ(tourOf("    <world/>\n    false\n\nA file:\n\n    - false\n\nMore:\n\n    key: value\n").exitCode, 0);
 }
 
-/// A script, run with this build's pongsim found first.
+/// A script that uses this build's pongsim.
 class DocumentationTest : public testing::Test {
  protected:
   void run(const std::string& script) {

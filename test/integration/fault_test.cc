@@ -1,4 +1,4 @@
-// What becomes of systems of others that fail.
+// Failing third-party systems.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST_F(FaultTest, EndsTheRunIfThatIsToBeStrict) {
 
 TEST_F(FaultTest, OfTheProcessIsPutDownToTheSystem) {
   const Outcome outcome = runWith("crash");
-  // 139, or what a sanitizer makes of it
+  // 139, or a sanitizer's exit code
   EXPECT_GT(outcome.exitCode, 0) << outcome.error;
   EXPECT_NE(outcome.error.find("pongsim: error: crashed with SIGSEGV in the system misbehaving of m, in preUpdate\n"),
             std::string::npos)

@@ -1,5 +1,5 @@
-// Worlds of Fortress that use only what is there run strictly, and do what they are for. What each is told and must do
-// stands in fortress_systems.txt, as well as why others are left out.
+// Worlds of Fortress that only use supported features run strictly, and behave as intended. fortress_systems.txt has
+// their commands and expectations, and the reasons why others are left out.
 
 #include <gtest/gtest.h>
 
@@ -31,12 +31,12 @@ namespace fs = std::filesystem;
 
 constexpr double kSeconds = 5;
 
-/// What the list says of a world.
+/// The list's entry for a world.
 struct ListedWorld {
   std::string file;
-  /// It is run with `--levels`, maybe once more.
+  /// Whether it is run with `--levels`, perhaps in addition.
   bool usesLevels = false;
-  /// Why it is left out; empty where it runs.
+  /// Why it is left out; empty if it runs.
   std::string reason;
   std::vector<std::string> lines;
 };
@@ -72,19 +72,19 @@ std::vector<ListedWorld> runningWorlds() {
   return worlds;
 }
 
-/// Runs one world and does with it what its lines say.
+/// Runs one world with the commands and expectations of its entry.
 class Performance {
  public:
   explicit Performance(Simulation& simulation) : simulation_(simulation), node_(simulation.transport().node()) {}
 
-  /// @return Whether the list says that this is said of the world.
+  /// @return Whether the list expects this message for the world.
   static bool isExpected(const ListedWorld& world, const std::string& message) {
     return std::ranges::any_of(world.lines, [&](const std::string& line) {
       return line.starts_with("says ") && message.find(line.substr(5)) != std::string::npos;
     });
   }
 
-  /// Before the run: listens, notes where models are, publishes.
+  /// Before the run: subscribes, records the positions of models, publishes.
   void prepare(const std::string& line) {
     std::istringstream words(line);
     std::string verb, name, type;
@@ -163,7 +163,7 @@ class Performance {
   std::map<std::string, Vector3> starts_;
 };
 
-/// Fortress's own tests name the folder of their models in this way.
+/// Fortress's own tests refer to the folder of their models in this way.
 class FortressSystems : public testing::TestWithParam<ListedWorld> {
  protected:
   FortressSystems() {

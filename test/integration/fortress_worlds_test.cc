@@ -39,7 +39,7 @@ TEST(Worlds, OfTheProjectRunWithoutAWarning) {
   }
 }
 
-// What is not there yet is said, with a position, and nothing worse happens.
+// Unsupported features are reported with their positions, without other effects.
 TEST(Worlds, OfFortressRunOrSayWhyNot) {
   const auto folder = fortressWorlds();
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";

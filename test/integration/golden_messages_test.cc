@@ -1,4 +1,4 @@
-// What the program prints beside what Fortress printed for the same world: the same fields, in the same places.
+// Compares printed messages with those that Fortress printed for the same world: the same fields, in the same places.
 
 #include <gtest/gtest.h>
 
@@ -24,12 +24,12 @@ std::string textOf(const std::filesystem::path& file) {
 /// @return The message with its numbers replaced by #: names, nesting and words stay.
 std::string shapeOf(const std::string& text) {
   static const std::regex kNumber(": -?[0-9][-+.0-9e]*");
-  // a time that is a whole second has no nanoseconds
+  // a whole second has no nanoseconds
   static const std::regex kNanoseconds(" *nsec: #\n");
   return std::regex_replace(std::regex_replace(text, kNumber, ": #"), kNanoseconds, "");
 }
 
-/// @return Likewise without the coordinates, some of which are zero, and left out, by chance.
+/// @return Likewise without coordinates, which are left out if they happen to be zero.
 std::string withoutCoordinates(const std::string& shape) {
   static const std::regex kCoordinate(" *[xyzw]: #\n");
   return std::regex_replace(shape, kCoordinate, "");
@@ -53,7 +53,7 @@ TEST_P(GoldenMessages, HaveTheFieldsOfFortress) {
   const Outcome drive = runToEnd({"topic", "-t", "/cmd_vel", "-m", "ignition.msgs.Twist", "-p",
                                   "linear: {x: 0.5}, angular: {z: 0.05}", "--timeout", "60"});
   ASSERT_EQ(drive.exitCode, 0) << drive.error << world->error();
-  // comes after a second, before which fields of whole seconds would be left out
+  // printed after a second, because fields that are zero are left out
   ASSERT_EQ(runToEnd({"topic", "-e", "-t", "/model/vehicle_blue/odometry", "-n", "1"}).exitCode, 0);
   const Outcome echo = runToEnd({"topic", "-e", "-t", GetParam().topic, "-n", "1"});
   ASSERT_EQ(echo.exitCode, 0) << echo.error;
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Golden{"/world/Moving_robot/stats", "world.Moving_robot.stats.txt"}),
     [](const auto& instance) { return std::regex_replace(instance.param.topic, std::regex("[^A-Za-z]"), "_"); });
 
-/// What services answer about the same world.
+/// Compares the responses of services about the same world.
 class GoldenReplies : public testing::Test {
  protected:
   void SetUp() override {
@@ -104,7 +104,7 @@ TEST_F(GoldenReplies, TellTheSceneWithTheFieldsOfFortress) {
 
 TEST_F(GoldenReplies, DrawTheGraphOfFortress) {
   const auto named = [](const std::string& text) {
-    // ids are each one's own; what hangs on what is told by their order
+    // ids differ; their order determines the rest
     std::map<std::string, std::string> names;
     std::string result;
     static const std::regex kId("[0-9]+");
@@ -124,9 +124,9 @@ TEST_F(GoldenReplies, AreThoseOfServicesThatFortressHas) {
   for (const char* name :
        {"/gazebo/resource_paths/add", "/gazebo/resource_paths/get", "/gazebo/worlds", "/server_control",
         "/world/Moving_robot/control", "/world/Moving_robot/create", "/world/Moving_robot/create_multiple",
-        "/world/Moving_robot/level/set_performer", "/world/Moving_robot/light_config", "/world/Moving_robot/remove", "/world/Moving_robot/scene/graph",
-        "/world/Moving_robot/scene/info", "/world/Moving_robot/set_physics", "/world/Moving_robot/set_pose",
-        "/world/Moving_robot/state", "/world/Moving_robot/state_async"}) {
+        "/world/Moving_robot/level/set_performer", "/world/Moving_robot/light_config", "/world/Moving_robot/remove",
+        "/world/Moving_robot/scene/graph", "/world/Moving_robot/scene/info", "/world/Moving_robot/set_physics",
+        "/world/Moving_robot/set_pose", "/world/Moving_robot/state", "/world/Moving_robot/state_async"}) {
     EXPECT_NE(textOf(folder_ / "services.txt").find(std::string(name) + "\n"), std::string::npos) << name;
     EXPECT_NE(list.output.find(std::string(name) + "\n"), std::string::npos) << name << "\n" << list.output;
   }

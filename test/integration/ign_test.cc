@@ -1,4 +1,4 @@
-// The program called by a link named `ign`, as scripts for Fortress call it.
+// Tests the program under the name `ign`, as scripts for Fortress use it.
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@ class Keyboard : public testing::Test {
     if (!terminal_) GTEST_SKIP() << "no pseudo-terminals here";
   }
 
-  /// Starts `pongsim key` with that for a standard input.
+  /// Starts `pongsim key` with this standard input.
   static std::unique_ptr<Process> start(const std::string& before, const std::string& input) {
     testDomain();
     auto process = std::make_unique<Process>(

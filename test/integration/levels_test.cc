@@ -1,4 +1,4 @@
-// Levels and performers of a world that runs, by the command line.
+// Levels and performers of a running world, controlled from the command line.
 
 #include <gtest/gtest.h>
 

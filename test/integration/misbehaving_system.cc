@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Does something wrong in its tenth step, or when it is told to by a message.
+/// Fails in its tenth step, or when a message tells it to.
 class Misbehaving : public pongsim::System {
  public:
   void declare(pongsim::Declaration& declaration) override {

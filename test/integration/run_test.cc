@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kWorld = "pong_world.sdf";
 
-/// @return What `--hash` prints after that many steps.
+/// @return The output of `--hash` after that many steps.
 std::string hashAfter(const char* iterations) {
   const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-z", "0", "--iterations", iterations, "--hash"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
@@ -58,10 +58,10 @@ TEST(Run, NeedsANumberOfStepsBetweenStateHashes) {
   }
 }
 
-/// Where memory lies and what it held, how many threads there are, and what time it is.
+/// The environment of a process: address layout, memory content, number of threads, time of day.
 struct Surroundings {
   const char* what;
-  /// Before the program's name.
+  /// Commands before the program's name.
   std::vector<std::string> launcher;
   std::map<std::string, std::string> environment;
   std::string threads = "1";
@@ -88,7 +88,7 @@ TEST(Run, GivesTheSameStateHashWhateverSurroundsIt) {
   }
 }
 
-// nobody listens: the camera draws for the disk
+// without subscribers: the camera renders to save images
 TEST(Run, SavesTheSamePicturesWithAnyNumberOfThreads) {
   const TempFolder folder;
   const auto picturesOf = [&folder](const std::string& name, const std::string& threads, const std::string& drawers) {
@@ -147,7 +147,7 @@ TEST(Run, SaysInOneLineWhatItRuns) {
       << outcome.error;
 }
 
-// As a service manager sees it: ready comes when the world is there, stopping at its end.
+// As seen by a service manager: ready when the world has been loaded, stopping at its end.
 TEST(Run, TellsWhoWaitsForItWhenItIsReadyAndWhenItStops) {
   const TempFolder folder;
   const std::string path = (folder.path() / "notify").string();
@@ -211,7 +211,7 @@ TEST(Run, FindsAWorldByItsNameInTheResourcePath) {
   EXPECT_EQ(process.wait(), 0) << process.error();
 }
 
-// as the tutorials of Fortress have it, through a link
+// as Fortress's tutorials call it, through a link
 TEST(Run, IsCalledAsIgnToo) {
   testDomain();
   const TempFolder folder;

@@ -14,7 +14,7 @@ constexpr const char* kControl = "/world/pong_world/control";
 
 Outcome call(const std::string& service, const std::string& request, std::vector<std::string> more = {}) {
   std::vector<std::string> arguments = {"service", "-s", service, "--req", request};
-  // a long wait for those who answer soon, so that a busy machine breaks nothing
+  // a long timeout, although responses are quick, so that a busy machine does not fail the test
   if (std::ranges::count(more, "--timeout") == 0) more.insert(more.end(), {"--timeout", "60000"});
   arguments.insert(arguments.end(), more.begin(), more.end());
   return runToEnd(arguments);

@@ -1,5 +1,5 @@
 // All systems are bit-for-bit reproducible: after a reset, from a saved state, and with any subscribers. Each runs in
-// the world of its folder, and is told what the comment of that world says.
+// the example world of its folder, with the commands in that world's comment.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A step in which the systems have received the commands and are in the middle of things, and the last one.
+/// A step at which the systems are executing the commands, and the last one.
 constexpr std::uint64_t kHalf = 300, kEnd = 600;
 
 struct Command {
@@ -46,8 +46,8 @@ std::vector<Command> commandsIn(const fs::path& file) {
   return commands;
 }
 
-/// @return The topics that a world's systems publish, with their types; without the scene, which is told when somebody
-/// comes and when something changes, and never because of a step.
+/// @return The topics that a world's systems publish, with their types, except scene messages, which depend on
+/// subscribers and changes instead of steps.
 std::vector<std::pair<std::string, std::string>> topicsOf(const fs::path& file) {
   Diagnostics diagnostics;
   const auto simulation = Simulation::fromFile(file, {}, diagnostics);
@@ -58,7 +58,7 @@ std::vector<std::pair<std::string, std::string>> topicsOf(const fs::path& file) 
   return topics;
 }
 
-/// A world that is told its commands, and whose messages are kept.
+/// A world that receives its commands, and whose messages are recorded.
 class Recorder {
  public:
   explicit Recorder(const fs::path& file) : commands_(commandsIn(file)), topics_(topicsOf(file)) {
@@ -86,7 +86,7 @@ class Recorder {
   std::vector<std::string> stepTo(std::uint64_t step) {
     messages_.clear();
     while (simulation_->iterations() < step) {
-      // one command after another, for some belong together
+      // one after another, because some belong together
       const std::uint64_t now = simulation_->iterations();
       if (now % 50 == 0 && now > 0 && now / 50 <= commands_.size()) tell(commands_[now / 50 - 1]);
       simulation_->step(1);
@@ -100,7 +100,7 @@ class Recorder {
     Diagnostics diagnostics;
     simulation_->reset(diagnostics);
     for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << format(diagnostic);
-    // what is told of the reset itself
+    // messages about the reset itself
     simulation_->transport().dispatch();
   }
 
@@ -160,7 +160,7 @@ TEST_P(SystemState, RepeatsToTheBit) {
     expectSame(recorder.stepTo(kHalf), first, "after a reset");
     expectSame(recorder.stepTo(kEnd), second, "later after a reset");
   } else {
-    // models that come meanwhile are not in a saved state, and have other ids in messages when they come again
+    // models inserted meanwhile are not part of a saved state, and get other ids when they are inserted again
     EXPECT_TRUE(recorder.simulation().restoreState(state).has_value());
     recorder.reset();
     EXPECT_EQ(recorder.stepTo(kHalf).back(), first.back()) << "after a reset";

@@ -16,7 +16,7 @@
 namespace pongsim::test {
 namespace {
 
-// Long waits for those who answer soon, so that a busy machine breaks nothing.
+// Long timeouts, although responses are quick, so that a busy machine does not fail the tests.
 const std::vector<std::string> kPatient = {"--timeout", "60"};
 
 Outcome publish(const std::string& topic, const std::string& type, const std::string& text) {
@@ -28,7 +28,7 @@ Outcome publish(const std::string& topic, const std::string& type, const std::st
 /// The pong world, running.
 class Topic : public testing::Test {
  protected:
-  /// Runs it again and again until it prints what matches: on a busy machine a world may be silent for a second.
+  /// Repeats the command until its output matches: on a busy machine a world may be silent for a second.
   static std::string runUntil(const std::vector<std::string>& arguments, const std::regex& wanted) {
     std::string output;
     EXPECT_TRUE(waitUntil([&] { return std::regex_search(output = runToEnd(arguments).output, wanted); })) << output;
@@ -67,7 +67,7 @@ TEST_F(Topic, ListsWhatIsPublishedSorted) {
   for (const char* topic : {"/clock", "/stats", "/model/pong_bot/odometry", "/world/pong_world/clock"}) {
     EXPECT_TRUE(std::binary_search(topics.begin(), topics.end(), topic)) << topic << "\n" << list.output;
   }
-  // only subscribed to
+  // it only has subscribers
   EXPECT_FALSE(std::binary_search(topics.begin(), topics.end(), "/keyboard/keypress"));
   const std::string all = runToEnd({"topic", "-lv"}).output;
   EXPECT_NE(all.find("\n/keyboard/keypress [ignition.msgs.Int32] 0 publishers, 1 subscriber\n"), std::string::npos)
@@ -76,7 +76,7 @@ TEST_F(Topic, ListsWhatIsPublishedSorted) {
 
 TEST_F(Topic, TellsWhoPublishesAndWhoSubscribes) {
   const std::string pid = std::to_string(world_->pid());
-  // whatever the machine's speed
+  // independent of the machine's speed
   const std::regex publisher("^Publishers \\[Process, Message Type, Rate, Messages\\]:\n  " + pid +
                              ", ignition\\.msgs\\.Clock, [1-9][0-9.]* Hz, [1-9]\\d* sent, 0 dropped\n$");
   runUntil({"topic", "-it", "/clock"}, publisher);
@@ -184,7 +184,7 @@ TEST_F(Topic, PublishesAgainAndAgain) {
   EXPECT_EQ(echo->output(), "data: 7\n\ndata: 7\n\ndata: 7\n\ndata: 7\n\n");
 }
 
-// as where others are slow to tell that they are there
+// as if other processes were slow to report their topics
 TEST_F(Topic, PublishesToWhoIsThereHoweverShortItWaits) {
   ASSERT_EQ(runToEnd({"topic", "-et", "/clock", "-n", "1"}).exitCode, 0);
   const Outcome publish =

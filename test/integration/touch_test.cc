@@ -1,4 +1,4 @@
-// A message that a system publishes once and never again comes to other processes.
+// A message that is published only once reaches other processes.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 TEST(Touch, IsToldToOtherProcesses) {
   const auto world = start({"run", (projectFolder() / "plugins/sensors/touchplugin/touch_plugin.sdf").string()});
   const auto echo = start({"topic", "-e", "-t", "/plate/touched", "-n", "1"});
-  // until the echo is there in time to hear it
+  // until the echo has been discovered
   std::optional<int> ended;
   for (int i = 0; i < 60 && !ended; ++i) {
     runToEnd({"service", "-s", "/plate/enable", "--reqtype", "Boolean", "--reptype", "Empty", "-r", "data: true",

@@ -1,4 +1,4 @@
-// What others do, or what becomes of them, holds up no world, fills no memory and leaves nothing behind.
+// Failing or killed peers do not slow a world down, fill its memory or leave anything behind.
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/clock.pb.h>
@@ -28,22 +28,22 @@
 namespace pongsim::test {
 namespace {
 
-// Far more than is kept for anybody who does not listen, far less than what is not kept would come to.
+// Far more than is kept for a stopped subscriber, far less than a leak would add.
 #ifdef __SANITIZE_ADDRESS__
-// which holds back as much of what has been freed
+// the sanitizer holds back as much of the freed memory
 constexpr std::uint64_t kSomeMemory = (200 + 256) << 20;
 #else
 constexpr std::uint64_t kSomeMemory = 200 << 20;
 #endif
 
-/// The pong world, which publishes its clock with each step, and somebody who hears it without fail.
+/// The pong world, which publishes its clock in each step, and a reliable subscriber.
 class TransportFault : public testing::Test {
  protected:
-  /// @return Whether so many steps more are made, and heard of one by one but for those that are counted as dropped.
+  /// @return Whether this many more steps are made, and each arrives or is counted as dropped.
   bool goesOn(std::uint64_t steps) {
     const std::uint64_t until = heard_ + steps;
     const auto deadline = std::chrono::steady_clock::now() + kDeadline;
-    // what is dropped is counted before it is missed
+    // dropped messages are counted before they are missed
     while ((heard_ < until || missed_ != clock_.dropped()) && std::chrono::steady_clock::now() < deadline) {
       transport_.dispatchFor(std::chrono::milliseconds(20));
     }
@@ -107,7 +107,7 @@ TEST_F(TransportFault, OfSubscribersThatAreKilledHoldsUpNothing) {
 TEST_F(TransportFault, OfASlowSubscriberIsCountedAndHoldsUpNothing) {
   const auto terminal = PseudoTerminal::open();
   if (!terminal) GTEST_SKIP() << "no terminal can be had here";
-  // nobody reads there: the program waits for ever once it is full
+  // nobody reads it: the program would block once it is full
   const Process slow({"sh", "-c", "exec " PONGSIM_PROGRAM " topic -e -t /clock >" + terminal->name()});
   const std::uint64_t memory = memoryOf(world_->pid());
   const std::regex subscriber("  " + std::to_string(slow.pid()) +
@@ -135,7 +135,7 @@ TEST_F(TransportFault, OfAFloodHoldsUpNothing) {
   EXPECT_LT(memoryOf(world_->pid()), memory + kSomeMemory);
 }
 
-/// @return Whether the topics that `transport` sees become what `isDone` wants.
+/// @return Whether the topics discovered by `transport` meet the condition in time.
 bool seesSoon(Transport& transport, const std::function<bool(const std::set<std::string>&)>& isDone) {
   const auto deadline = std::chrono::steady_clock::now() + kDeadline;
   std::set<std::string> names;
@@ -147,7 +147,7 @@ bool seesSoon(Transport& transport, const std::function<bool(const std::set<std:
   return isDone(names);
 }
 
-/// Whoever is killed is forgotten when its lease ends, and whoever lives is not.
+/// A killed participant is removed when its lease ends; a living one is not.
 void forgetsTheKilled() {
   Transport transport;
   std::vector<std::unique_ptr<Process>> others;
@@ -187,7 +187,7 @@ TEST(Transport, ForgetsWhoWasKilledOfASecuredDomain) {
   unsetenv("PONGSIM_SECURITY");
 }
 
-// How long a write takes is up to the machine as well; whether its thread waits for another one is up to us.
+// The duration of a write also depends on the machine; whether its thread waits for another one depends on us.
 TEST(Transport, HoldsUpNobodyWhoPublishes) {
   testDomain();
   Transport transport;
@@ -217,7 +217,7 @@ TEST(Transport, HoldsUpNobodyWhoPublishes) {
     transport.dispatchFor(std::chrono::microseconds(200));
   }
   EXPECT_TRUE(listeners[0]->waitForOutput("got"));
-  // the outbox's lock is taken now and then, and never for long
+  // the outbox's lock is taken now and then, and never held for long
   EXPECT_LT(waits, kWrites / 200);
 }
 
@@ -263,7 +263,7 @@ TEST(Transport, OfARunIsOpenToTheNetworkThatItIsToldAndSaysSo) {
   bool isOpen = false;
   for (const std::string& socket : socketsOf(world.pid(), "udp")) {
     isOpen = isOpen || socket.starts_with("0107070A:");
-    // that, and where participants are looked for
+    // that one, and the discovery ports
     EXPECT_TRUE(socket.starts_with("0100007F:") || socket.starts_with("0107070A:") || socket.starts_with("0100FFEF:"))
         << socket;
   }

@@ -15,7 +15,7 @@
 namespace pongsim::test {
 namespace {
 
-/// @return What stands in a model: a visual whose colour light does not change.
+/// @return Content of a model: a visual whose colour does not depend on light.
 std::string flatVisual(const std::string& geometry, const std::string& color) {
   return "<link name='l'><visual name='v'><geometry>" + geometry + "</geometry><material><lighting>false</lighting>" +
          "<ambient>" + color + "</ambient><diffuse>" + color + "</diffuse></material></visual></link>";
@@ -26,7 +26,7 @@ constexpr const char* kRed = "1 0 0 1";
 constexpr const char* kGreen = "0 1 0 1";
 constexpr const char* kBlue = "0 0 1 1";
 
-/// A black world with a red box in its middle, and three metres to the right (y = -3) a blue square out of a file.
+/// A black world with a red box in its centre, and a blue square from a file three metres to the right (y = -3).
 std::string coloredWorld(const std::string& name) {
   return "<sdf version='1.9'><world name='" + name +
          "'><scene><background>0 0 0 1</background></scene>"
@@ -35,10 +35,10 @@ std::string coloredWorld(const std::string& name) {
          flatVisual("<mesh><uri>model://shapes/square.obj</uri></mesh>", kBlue) + "</model></world></sdf>";
 }
 
-/// What a world looks like from ten metres above: x is up, y to the left.
+/// Images of a world from ten metres above: x is up, y to the left.
 class SeenFromAbove {
  public:
-  /// @param arguments Of `view`, that say which world.
+  /// @param arguments Of `view`, selecting the world.
   explicit SeenFromAbove(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "view");
     arguments.insert(arguments.end(), {"--camera", "0 0 10 0 1.570796 0", "--size", "40x40", "--terminal"});
@@ -58,9 +58,9 @@ class SeenFromAbove {
 
   const Outcome& outcome() const { return outcome_; }
 
-  /// @return The colour at a place on the ground, "255 0 0", or "nothing".
+  /// @return The colour at a position on the ground, "255 0 0", or "nothing".
   std::string at(double x, double y) const {
-    // 60 degrees are as wide as the picture
+    // 60 degrees correspond to the image's width
     const double perMetre = 20 / (10 * 0.57735);
     const auto row = static_cast<std::size_t>(20 - x * perMetre), column = static_cast<std::size_t>(20 - y * perMetre);
     return row < rows_.size() && column < rows_[row].size() ? rows_[row][column] : "nothing";
@@ -173,7 +173,7 @@ TEST_F(ViewOfARunningWorld, KnowsActorsByName) {
     pictures[isNamed ? 1 : 0] = picture({file.string()});
     EXPECT_EQ(picture({"--timeout", "60000"}), pictures[isNamed ? 1 : 0]);
   }
-  // it fills the picture, and its name stands over it
+  // it fills the image, with its name above it
   EXPECT_NE(pictures[0].find("\033[38;2;0;255;0m"), std::string::npos);
   EXPECT_EQ(pictures[0].find("\033[38;2;255;255;255m"), std::string::npos);
   EXPECT_NE(pictures[1].find("\033[38;2;255;255;255m"), std::string::npos);

@@ -1,4 +1,4 @@
-// What examples/wall_avoider does with what it sees, in a world that waits for it in each step.
+// Tests the decisions of examples/wall_avoider, in a world that waits for it in each step.
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/laserscan.pb.h>
@@ -31,7 +31,7 @@ TEST(WallAvoider, KeepsItsDistanceInFortressTutorial) {
   const Subscription touches =
       node.subscribe("/wall/touched", "ignition.msgs.Boolean", [&](const Message&) { isTouched = true; });
   world.step(60'000);
-  // it came near, and what it drives on until it stands is little
+  // it came close, and its braking distance is short
   EXPECT_LT(nearest, wall_avoider::kNear);
   EXPECT_GT(nearest, wall_avoider::kNear - 0.2);
   EXPECT_FALSE(isTouched);

@@ -9,7 +9,7 @@
 namespace pongsim::test {
 namespace {
 
-/// @return Where the run stands: "simulated 0.100 s, ..., 100 iterations, paused".
+/// @return The status of the run: "simulated 0.100 s, ..., 100 iterations, paused".
 std::string state() {
   const Outcome stats = runToEnd({"world", "stats", "-n", "1", "--timeout", "60000"});
   EXPECT_EQ(stats.exitCode, 0) << stats.error;

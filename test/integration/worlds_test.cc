@@ -1,4 +1,4 @@
-// Several worlds in one file, by the real program.
+// Several worlds in one file, run by the actual program.
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -47,7 +47,7 @@ class SeveralWorlds : public testing::Test {
   const TempFolder folder_;
 };
 
-/// @return What `pongsim world stats` says of a world.
+/// @return The output of `pongsim world stats` for a world.
 std::string stateOf(const std::string& world) {
   const Outcome stats = runToEnd({"world", "stats", "-w", world, "-n", "1", "--timeout", kTimeout});
   EXPECT_EQ(stats.exitCode, 0) << stats.error;
@@ -63,7 +63,7 @@ TEST_F(SeveralWorlds, AreSaidInALineEach) {
             "pongsim: world 'fast': 2 models, step 1 ms, as fast as possible\n");
 }
 
-// three DiffDrives, each driven by itself
+// three DiffDrives, each driven separately
 TEST_F(SeveralWorlds, HaveTopicsAndServicesOfTheirOwn) {
   const auto process = start({"run", writeRovers()});
   ASSERT_TRUE(process->waitForError("world 'lab'")) << process->error();
@@ -106,7 +106,7 @@ TEST_F(SeveralWorlds, AreNamedWhereACommandMeansOne) {
   const Outcome either = runToEnd({"world", "pause", "--timeout", kTimeout});
   EXPECT_EQ(either.exitCode, 1);
   EXPECT_EQ(either.error, "pongsim: error: several worlds run: coarse, fast, fine\n  hint: choose with -w WORLD\n");
-  // as `ign model` does
+  // like `ign model`
   const Outcome models = runToEnd({"model", "--list", "--timeout", kTimeout});
   EXPECT_EQ(models.exitCode, 0);
   EXPECT_NE(models.output.find("- cart_fine\n"), std::string::npos) << models.output;
@@ -181,7 +181,7 @@ TEST_F(SeveralWorlds, MustHaveNamesOfTheirOwn) {
   EXPECT_NE(none.error.find("hint: it has 'fine', 'coarse', 'fast'"), std::string::npos) << none.error;
 }
 
-/// @return A world with a system that does something wrong.
+/// @return A world with a failing system.
 std::string faultyWorld(const std::string& name, const std::string& fault) {
   return "<world name='" + name +
          "'><plugin filename='ignition-gazebo-physics-system' name='ignition::gazebo::systems::Physics'/>"
@@ -197,7 +197,7 @@ TEST_F(SeveralWorlds, AreNamedWhereTheirSystemsFail) {
   EXPECT_NE(outcome.error.find("error: misbehaving of m (world bad): failed in preUpdate: no more; it is switched off"),
             std::string::npos)
       << outcome.error;
-  // the other one would go on for ever
+  // the other one would run forever
   const Outcome strict = runToEnd({"run", file, "--strict"});
   EXPECT_EQ(strict.exitCode, 1);
   EXPECT_EQ(lines(strict.error).back(), "pongsim: error: misbehaving of m (world bad) failed in preUpdate: no more");

@@ -1,4 +1,4 @@
-// Installs pongsim into a folder of its own, and builds and runs what others make of it.
+// Installs pongsim into a folder, and builds and runs third-party code with it.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@
 namespace pongsim::test {
 namespace {
 
-/// Namespaces of what is hidden.
+/// Namespaces of hidden symbols.
 constexpr std::string_view kLayers[] = {"base",  "description", "assets",    "urdf",    "sdf",
                                         "world", "sensing",     "rendering", "physics", "msgs",
                                         "trust", "transport",   "plugin",    "sim",     "cli"};
@@ -32,12 +32,12 @@ class PackageTest : public testing::Test {
   void SetUp() override {
     testDomain();
     run("'" PONGSIM_CMAKE "' --install '" PONGSIM_BUILD_FOLDER "' --prefix installed >/dev/null");
-    // to another place: nothing may know where it was
+    // moved to another place: nothing may depend on the original path
     std::filesystem::rename(folder_.path() / "installed", folder_.path() / "moved");
   }
 
   /// Runs a script in the test's folder, with the installed program found first.
-  /// @return What it prints.
+  /// @return Its output.
   std::string run(const std::string& script) {
     const std::string path = (folder_.path() / "moved" / "bin").string();
     Process shell({"bash", "-euc", "export PATH=" + path + ":$PATH\n" + script},
@@ -83,7 +83,7 @@ TEST_F(PackageTest, BuildsASystemOfOnesOwn) {
   const std::string told = run("pongsim plugin -i custom/libdistance-meter.so");
   EXPECT_NE(told.find("class example::DistanceMeter\n"), std::string::npos) << told;
   EXPECT_NE(told.find("<rate>   number [Hz]  10"), std::string::npos) << told;
-  // installed, it is found without being told of
+  // once installed, it is found without further settings
   run("'" PONGSIM_CMAKE "' --install custom --prefix moved >/dev/null");
   run("pongsim run '" + example("custom_system") + "/distance_meter.sdf' -z 0 --iterations 10 --strict -v 1");
 }
@@ -115,7 +115,7 @@ TEST_F(PackageTest, BuildsTheSystemThatItBeginsForOne) {
   EXPECT_NE(info.find("subscribes to  <topic>  ignition.msgs.Double  force [N]"), std::string::npos) << info;
 }
 
-/// @return The names that a library offers, as the linker has them.
+/// @return The exported symbols of a library.
 std::vector<std::string> exportsOf(const std::filesystem::path& library) {
   Process nm({"nm", "-D", "--defined-only", "--format=posix", library.string()});
   EXPECT_EQ(nm.wait(), 0) << nm.error();
@@ -137,7 +137,7 @@ TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
   const std::regex ownName("N[KRO]*7pongsim(\\d+)(\\w+)");
   const std::vector<std::string> names = exportsOf(libraries / "libpongsim.so");
   for (const std::string& name : names) {
-    // the program's own ways in
+    // the program's own entry points
     if (name == "pongsim_main" || name.starts_with("pongsim_write_")) continue;
     std::smatch found;
     ASSERT_TRUE(std::regex_search(name, found, ownName)) << name;

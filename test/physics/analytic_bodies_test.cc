@@ -1,5 +1,5 @@
-// Free bodies, contacts and friction against what mechanics say. The tolerances are what is promised; the deviations
-// found stand in the test's XML output.
+// Free bodies, contacts and friction, compared with mechanics. The tolerances are those that are documented; the XML
+// output has the deviations.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Bodies on joints against what mechanics say. The tolerances are what is promised; the deviations found stand in the
-// test's XML output.
+// Bodies on joints, compared with mechanics. The tolerances are those that are documented; the XML output has the
+// deviations.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ double energyOf(const test::Rig& rig, const std::vector<world::Slot>& links) {
   return energy;
 }
 
-// rods of 1 m and 1 kg, the first hanging on the world, all stretched out level at the start
+// rods of 1 m and 1 kg, the first attached to the world, all level at the start
 description::World pendulum(int count) {
   std::vector<description::Link> rods;
   for (int i = 0; i < count; ++i) {
@@ -52,8 +52,8 @@ description::World pendulum(int count) {
   return world;
 }
 
-/// Compares the energy, a mean over a second each, at the begin and the end of a minute, in parts of that which moves
-/// to and fro (from level to hanging).
+/// Compares the energy at the start and the end of a minute, averaged over a second, relative to the energy of the
+/// swing (from level to hanging).
 void expectEnergyKept(int count, double tolerance) {
   test::Rig rig(pendulum(count));
   std::vector<world::Slot> links;

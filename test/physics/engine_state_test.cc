@@ -1,4 +1,4 @@
-// The engine's state taken and given back: the next steps have the bits that they would have had.
+// Saved and restored states of the engine: the next steps have the same bits.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ description::Link linkOf(description::Geometry geometry, double mass = 1) {
   return link;
 }
 
-// shapes of all kinds that fall on a ground, on a table made of parts and on each other
+// shapes of all kinds falling on a ground, on a table made of parts, and on each other
 description::World heap() {
   description::World world;
   description::Link table = linkOf(description::Box{{1, 1, 0.2}});
@@ -69,7 +69,7 @@ description::World gearTrain() {
   return world;
 }
 
-// a heap on a belt that runs round a centre; one of the crates slips
+// a heap on a belt with a centre of rotation; one of the crates slips
 description::World loadedBelt() {
   description::World world = heap();
   world.models.erase(world.models.begin());
@@ -80,7 +80,7 @@ description::World loadedBelt() {
   return world;
 }
 
-// takes the state after some steps into another engine, which has a past of its own
+// restores the state after some steps in another engine, which has run before
 void expectSameFuture(const description::World& world, int before, void (*command)(Engine&)) {
   test::Rig original(world);
   command(original.engine);

@@ -1,4 +1,4 @@
-// Meshes that move and are not convex, beside what mechanics say.
+// Moving meshes that are not convex, compared with mechanics.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Bodies that leave the world and come back, among others that touch all the while.
+// Bodies that are set aside and restored, among bodies in contact.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ description::Model shelfBox(const std::string& name, const Pose& pose) {
   return model;
 }
 
-/// Two towers of three boxes each, which begin to tumble.
+/// Two towers of three boxes each, which start to tumble.
 description::World towers() {
   description::World world;
   world.models = {test::makeGround()};
@@ -78,7 +78,7 @@ TEST(SetAside, ChangesNoBitOfWhatStaysOrOfWhatComesBack) {
     for (const int box : {1, 3, 5}) {
       EXPECT_EQ(boxState(rig, box).X_WorldLink, boxState(always, box).X_WorldLink) << "what stays";
     }
-    // the one tower is 200 steps behind the other
+    // one tower is 200 steps behind the other
     bringBack(rig, std::move(shelf));
     test::Rig before(towers());
     before.step(moment);
@@ -127,7 +127,7 @@ TEST(SetAside, FallsWithTheGravityOfNow) {
 }
 
 TEST(SetAside, OutlivesTheEnginesReset) {
-  // a box that swings on the world and scrapes over the ground, and one far away
+  // a box that swings and scrapes over the ground, and one far away
   description::World world;
   world.models = {test::makeGround(), shelfBox("box0", test::at(0, 0, 0.5)), shelfBox("box1", test::at(9, 0, 1))};
   world.models[1].joints.push_back(test::makeJoint("hinge", description::JointType::kRevolute, "world", "link",

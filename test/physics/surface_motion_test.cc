@@ -1,4 +1,4 @@
-// Surfaces that run along, as belts and tracks do, against what mechanics say.
+// Moving surfaces, such as belts and tracks, compared with mechanics.
 
 #include "pongsim/geometry/surface_motion.hh"
 
@@ -24,7 +24,7 @@ using test::Rig;
 constexpr double kBeltGravity = 9.8;
 constexpr world::Slot kBelt = 0, kBox = 1;
 
-// a belt that goes up towards +x by `slope`, and a crate on it
+// a belt that rises towards +x by `slope`, with a crate on it
 Rig crateOnBelt(double mu, double slope = 0, const Settings& settings = Settings(),
                 const Vector3& size = {0.2, 0.2, 0.1}) {
   description::Link belt = makeLink("link", {0, 0, -0.05}, 1, {1, 1, 1});

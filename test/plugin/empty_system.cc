@@ -1,5 +1,5 @@
 #include "pongsim/export.hh"
 
-// A library that is no system at all.
+// A library without a system.
 extern "C" PONGSIM_API int answer();
 int answer() { return 42; }

@@ -7,7 +7,7 @@ class Idle : public pongsim::System {
   void configure(const pongsim::SystemContext&) override {}
 };
 
-/// Turns the bytes of messages around.
+/// Reverses the bytes of messages.
 class Backwards final : public pongsim::TopicEncoder {
  public:
   explicit Backwards(const std::string& topic) : topics_{{topic, "Text", "backwards", "", "", {}}} {}

@@ -31,7 +31,7 @@ TEST(InterfaceVersion, IsUnknownWhereTheFileHasNone) {
   EXPECT_EQ(interfaceVersion(folder.path()), std::nullopt);
 }
 
-// Cut anywhere, or with any byte of its headers broken, a library is read without harm.
+// A library that is truncated, or whose header has a wrong byte, is read without harm.
 TEST(InterfaceVersion, SurvivesBrokenLibraries) {
   std::ifstream stream(libraryOfVersion("ancient"), std::ios::binary);
   const std::string whole(std::istreambuf_iterator<char>(stream), {});

@@ -28,7 +28,7 @@ TEST(Library, OffersItsSystems) {
   EXPECT_NE(system, nullptr);
 }
 
-// Both want functions that are not there: the version is said all the same.
+// Both need missing functions; the version is reported nevertheless.
 TEST(Library, RefusesAnotherVersionOfTheInterfaceAndSaysWhichIsTooOld) {
   const std::string here = " of pongsim's plugin interface, this is version " + std::to_string(kAbiVersion);
   EXPECT_EQ(reason(testLibrary("ancient")), "it is built for version 0" + here + ": rebuild it");

@@ -1,11 +1,11 @@
 #include "pongsim/system.hh"
 
 namespace pongsim {
-// What another version had, or will have.
+// Symbols of another version of the library.
 PONGSIM_API int functionOfAnotherVersion();
 }  // namespace pongsim
 
-// A library of another version of the interface, which wants what this one does not have.
+// A library built for another version of the interface, which needs symbols that this one lacks.
 extern "C" PONGSIM_API const pongsim::SystemTable pongsim_systems;
 const pongsim::SystemTable pongsim_systems{INTERFACE_VERSION, {}};
 

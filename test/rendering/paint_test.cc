@@ -22,7 +22,7 @@ namespace {
 
 using description::PbrMetal;
 
-/// Draws a white wall, upright and 1 m ahead, that one lamp shines on from beside and before it.
+/// Renders a white vertical wall 1 m ahead, lit by one lamp from the side and the front.
 class PaintedWall : public test::Pictures {
  protected:
   /// @return A picture of one colour.
@@ -36,8 +36,8 @@ class PaintedWall : public test::Pictures {
     return {file.string(), file};
   }
 
-  /// @param lampDirection Where the lamp shines.
-  /// @param emitted Of the wall.
+  /// @param lampDirection Direction of the lamp's light.
+  /// @param emitted Emissive colour of the wall.
   std::vector<std::uint8_t> draw(const PbrMetal& metal, const Vector3& lampDirection = {1, 0, 0},
                                  const description::Color& emitted = {0, 0, 0, 1}) {
     test::DrawnWorld world;
@@ -61,10 +61,10 @@ class PaintedWall : public test::Pictures {
     return world.colors(test::view(9, 9, 9));
   }
 
-  /// @return Red in the picture's middle.
+  /// @return Red in the centre of the image.
   static int middle(const std::vector<std::uint8_t>& pixels) { return pixels[std::size_t{3} * 40]; }
 
-  /// @return The largest difference of two pictures.
+  /// @return The largest difference between two images.
   static int difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     int largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
@@ -78,7 +78,7 @@ class PaintedWall : public test::Pictures {
   int count_ = 0;
 };
 
-/// Rough and no metal, so that light alone counts.
+/// Rough and not metallic, so that only diffuse light counts.
 PbrMetal chalk() {
   PbrMetal metal;
   metal.metalness = 0;
@@ -92,10 +92,10 @@ TEST_F(PaintedWall, LeansAsItsNormalsTell) {
     metal.maps.normal = normals;
     return middle(draw(metal, lampDirection));
   };
-  // normals that lean by 45 degrees: red to the right in the picture, green up
+  // normals tilted by 45 degrees: red to the right of the image, green up
   const auto right = plain(218, 128, 218), left = plain(38, 128, 218), up = plain(128, 218, 218);
   const auto down = plain(128, 38, 218), flat = plain(128, 128, 255);
-  // along x, as the eye looks, y is to the left
+  // seen along x, y is to the left
   const Vector3 fromTheLeft(1, -1, 0), fromAbove(1, 0, -1);
   for (const Vector3& direction : {fromTheLeft, fromAbove}) {
     const int even = brightness({}, direction);
@@ -105,7 +105,7 @@ TEST_F(PaintedWall, LeansAsItsNormalsTell) {
     EXPECT_GT(brightness(towards, direction), even + 15);
     EXPECT_LT(brightness(away, direction), even - 60);
   }
-  // to the side of the lamp it looks as a wall does that leans the least
+  // the side facing the lamp looks like the least tilted wall
   EXPECT_NEAR(brightness(up, fromTheLeft), brightness(down, fromTheLeft), 3);
 }
 
@@ -123,7 +123,7 @@ TEST_F(PaintedWall, IsAsRoughAndMetallicAsItsMapsTellByItsNumbers) {
     maps.metalnessMap = plain(static_cast<std::uint8_t>(std::lround(metalness / 0.8 * 255)), 80, 3);
     EXPECT_LE(difference(draw(maps), expected), 2) << roughness;
     EXPECT_GT(difference(draw(chalk()), expected), 10) << roughness;
-    // one at a time: the other is the number alone
+    // one at a time: without the other map, its number counts alone
     maps.metalnessMap = {};
     maps.metalness = metalness;
     EXPECT_LE(difference(draw(maps), expected), 2) << roughness;
@@ -138,7 +138,7 @@ TEST_F(PaintedWall, ShinesAsItsMapTells) {
   };
   const Vector3 dark = Vector3::Zero();
   EXPECT_EQ(colorOf(draw(metal, dark)), (std::vector<int>{200, 0, 50}));
-  // a colour of its own takes its share
+  // multiplied by the material's own colour
   EXPECT_EQ(colorOf(draw(metal, dark, {1, 1, 0, 1})), (std::vector<int>{200, 0, 0}));
   EXPECT_TRUE(warnings_.empty());
 }
@@ -152,7 +152,7 @@ TEST_F(PaintedWall, IsDrawnWithoutAMapThatIsBroken) {
     ASSERT_EQ(warnings_.size(), 1U);
   }
   PbrMetal metal = chalk();
-  // the same file twice is told once
+  // a file used twice is reported once
   metal.maps.normal = metal.maps.emissive = broken();
   EXPECT_EQ(draw(metal), without);
   ASSERT_EQ(warnings_.size(), 1U);

@@ -18,7 +18,7 @@ using test::DrawnWorld;
 using test::Pictures;
 using test::view;
 
-/// @return The middle of all that is bright, in pixels.
+/// @return The centre of all bright pixels.
 Eigen::Vector2d brightPlace(const std::vector<std::uint8_t>& pixels, const PictureView& view) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double weight = 0;
@@ -32,7 +32,7 @@ Eigen::Vector2d brightPlace(const std::vector<std::uint8_t>& pixels, const Pictu
 }
 
 TEST_F(Pictures, ShowPointsWhereThePinholeProjectsThem) {
-  // a shifted pinhole whose pixels are neither square nor upright
+  // a shifted pinhole with sheared pixels that are not square
   PictureView eye = view(160, 120, 100);
   eye.fy = 120;
   eye.cx = 70;
@@ -66,7 +66,7 @@ TEST_F(Pictures, ShowActorsWhereTheyGo) {
 }
 
 TEST_F(Pictures, MeasureDepthAlongTheLineOfSight) {
-  // far from the world's origin, too
+  // also far from the world's origin
   for (const Vector3& away : {Vector3(0, 0, 0), Vector3(20'000, -10'000, 50)}) {
     DrawnWorld world;
     world.addShining(description::Box{{2, 40, 40}}, away + Vector3(6, 0, 0), {});
@@ -123,7 +123,7 @@ TEST_F(Pictures, SeeWhatTheirMaskSharesABitWith) {
   EXPECT_EQ(world.depths(eye)[40], INFINITY);
 }
 
-/// A white ground that is lit from above, with a plate 1 m above it.
+/// A white ground lit from above, with a plate 1 m above it.
 std::unique_ptr<DrawnWorld> litWorld(description::LightType type, bool castsShadows) {
   auto world = std::make_unique<DrawnWorld>();
   auto& ground = *world->addShining(description::Plane{Vector3::UnitZ(), {20, 20}}, {0, 0, 0}, {}).material;
@@ -149,13 +149,13 @@ TEST_F(Pictures, ShowShadowsOfParallelLightAndSpots) {
     for (const bool castsShadows : {true, false}) {
       const std::unique_ptr<DrawnWorld> world = litWorld(type, castsShadows);
       world->start();
-      // from beside, on the ground below the plate and beside its shadow
+      // seen from the side, on the ground below the plate and beside its shadow
       PictureView eye = view(41, 41, 41);
       eye.X_WorldEye = {{-2, 0, 0.4}, fromRollPitchYaw(0, std::atan2(0.4, 2), 0)};
       const int below = world->colors(eye)[3 * (20 * 41 + 20)];
       eye.X_WorldEye.position.y() = 1.3;
       const int beside = world->colors(eye)[3 * (20 * 41 + 20)];
-      // on top of the plate, which does not shade itself
+      // on top of the plate, which casts no shadow on itself
       eye.X_WorldEye = {{-2, 0, 2.5}, fromRollPitchYaw(0, std::atan2(1.45, 2), 0)};
       EXPECT_GT(world->colors(eye)[3 * (20 * 41 + 20)], 150);
       EXPECT_GT(beside, 150);

@@ -20,10 +20,10 @@
 namespace pongsim::sensing {
 namespace {
 
-/// Visuals and what casts beams at them.
+/// Visuals and a scene for beams.
 class BeamWorld : public pongsim::test::VisualWorld {
  public:
-  /// To be called once all is in it.
+  /// Call when all visuals have been added.
   void start() {
     populate();
     scene_.build(entities(), state(), diagnostics());
@@ -44,7 +44,7 @@ class BeamWorld : public pongsim::test::VisualWorld {
     scene_.update(state());
   }
 
-  /// So many more, far away and tiny, that what is in the world is found by a tree of boxes.
+  /// Adds this many tiny visuals far away, so that the scene needs a tree of boxes.
   void crowd(bool isStatic) {
     for (int i = 0; i < 9; ++i) add(description::Sphere{1e-3}, {{1e7, 1e7, 1e7 + i}, Quaternion::Identity()}, isStatic);
   }
@@ -60,10 +60,10 @@ class BeamWorld : public pongsim::test::VisualWorld {
 
 Pose at(double x, double y = 0, double z = 0) { return {{x, y, z}, Quaternion::Identity()}; }
 
-/// Beams from a place that see everything.
+/// Beams from one point, which see everything.
 Beams from(const Pose& X_WorldSensor) { return {X_WorldSensor, {}, 0, kNowhere}; }
 
-/// A point of a convex body's surface, and which way is outside there.
+/// A point on a convex body's surface, and the outward direction there.
 struct SurfacePoint {
   Vector3 point;
   Vector3 normal;
@@ -347,7 +347,7 @@ TEST(BeamScene, SaysOnceWhichFilesItCantRead) {
   EXPECT_EQ(world.cast(from({})).range, kNowhere);
 }
 
-// a lidar's level row has directions with next to nothing up or down
+// the level row of a lidar has directions with a vertical component of almost zero
 TEST(Scene, IsSeenByBeamsTogetherAsByEachAlone) {
   BeamWorld world;
   world.add(description::Cylinder{0.3, 2}, at(-2, -2, 1));

@@ -7,9 +7,9 @@
 
 namespace pongsim::test {
 
-/// Edits the world as messages on /edit say, "template NAME", "text SDF", "file FILE", "read SDF", "find ADDRESS",
-/// "copy MODEL", "remove MODEL", at once or, with "step " in front, in the next step's update; says on /edited what has
-/// come of it, but of what has "silent " in front.
+/// Edits the world on messages on /edit: "template NAME", "text SDF", "file FILE", "read SDF", "find ADDRESS", "copy
+/// MODEL", "remove MODEL", at once or, after "step ", in the next step's update. Publishes the result on /edited,
+/// except after "silent ".
 class Editing : public System {
  public:
   void declare(Declaration& declaration) override {

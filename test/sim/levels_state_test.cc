@@ -1,4 +1,4 @@
-// What is set aside with a level keeps its bits, those of its systems and sensors too.
+// Everything set aside with a level keeps its bits, including systems and sensors.
 
 #include <gtest/gtest.h>
 #include <ignition/msgs/imu.pb.h>
@@ -31,7 +31,7 @@ std::string boxModel(const std::string& name, const std::string& pose, const std
          "0.2</size></box></geometry></collision>" + more + "</link></model>";
 }
 
-/// In no level.
+/// Not in any level.
 const std::string kOther = boxModel("other", "0 40 0.8 0.5 0.2 0");
 
 /// A robot that drives, boxes that fall on the ground and on each other, and a pendulum, all in one level but for the
@@ -95,7 +95,7 @@ std::unique_ptr<Simulation> play(SimulationOptions options = {.levels = true}) {
   return simulation;
 }
 
-/// The bits of all that is in the level.
+/// The bits of everything in the level.
 std::vector<double> bits(Simulation& simulation) {
   std::vector<double> values;
   for (const char* name : kMembers) {
@@ -112,7 +112,7 @@ std::vector<double> bits(Simulation& simulation) {
   return values;
 }
 
-/// Lets the scout go and come back.
+/// Moves the scout away and back.
 void visit(Simulation& simulation, std::uint64_t steps) {
   place(simulation, "scout", kFar);
   simulation.step(steps);
@@ -122,7 +122,7 @@ void visit(Simulation& simulation, std::uint64_t steps) {
 
 class LevelBits : public testing::TestWithParam<int> {};
 
-// in the air, when things hit the ground, and when all but the rover and the pendulum is at rest
+// in the air, when things hit the ground, and when everything except the rover and the pendulum is at rest
 TEST_P(LevelBits, AreThoseThatTheyWouldHaveBeen) {
   const auto moment = static_cast<std::uint64_t>(GetParam());
   const auto always = play({});
@@ -159,7 +159,7 @@ TEST(LevelSystems, RestWhileTheirModelIsSetAside) {
   EXPECT_NEAR(speed, 0.5, 0.05);
   place(*simulation, "scout", kFar);
   simulation->step(1000);
-  // what is said to a system that rests is lost
+  // messages to systems that are set aside are lost
   const MessagePointer halt = newMessage("ignition.msgs.Twist");
   Publisher publisher = simulation->transport().node().advertise("/model/rover/cmd_vel", "ignition.msgs.Twist");
   publisher.publish(*halt);
@@ -242,7 +242,7 @@ TEST(LevelState, IsTheSameForAnyNumberOfThreadsAndAfterAReset) {
 
 class LevelSave : public testing::Test {
  protected:
-  /// Two boxes of the level hold each other, and the level is set aside.
+  /// Two boxes of the level are attached to each other, and the level is set aside.
   std::unique_ptr<Simulation> away() {
     auto simulation = play();
     simulation->step(400);
@@ -275,23 +275,23 @@ TEST_F(LevelSave, HasWhatIsSetAside) {
   const std::vector<std::byte> state = simulation->saveState();
   const std::vector<std::uint64_t> hashes = goOn(*simulation);
   EXPECT_EQ(hashes.back(), 2U);
-  // where the level is loaded now
+  // into a run in which the level is loaded
   ASSERT_EQ(simulation->restoreState(state), std::nullopt);
   EXPECT_FALSE(simulation->world().model("crate"));
   EXPECT_EQ(simulation->countSetAside(), 5U);
   EXPECT_EQ(goOn(*simulation), hashes);
-  // where it is not
+  // into one in which it is not
   place(*simulation, "scout", kFar);
   simulation->step(10);
   ASSERT_EQ(simulation->restoreState(state), std::nullopt);
   EXPECT_EQ(goOn(*simulation), hashes);
-  // in another run
+  // into another run
   const auto other = play();
   ASSERT_EQ(other->restoreState(state), std::nullopt);
   EXPECT_EQ(goOn(*other), hashes);
 }
 
-// a gripper and what it holds are set aside together
+// a gripper and the object that it holds are set aside together
 TEST_F(LevelSave, HasWhatSystemsHoldThatRest) {
   std::string text = playground();
   text.replace(text.find("<ref>crate</ref>"), 16, "<ref>crate</ref><ref>gripper</ref>");
@@ -343,7 +343,7 @@ TEST_F(LevelSave, IsRefusedWhereItDoesNotFitAndLeavesAllAsItWas) {
   const std::uint64_t before = without->stateHash();
   EXPECT_EQ(without->restoreState(state), "the saved state is of another world, or of other models, joints or systems");
   EXPECT_EQ(without->stateHash(), before);
-  // a joint that can't be made again: a model is not the file's any more
+  // a joint that can't be made again, because a model is no longer the file's
   const auto other = play();
   other->step(400);
   World world = other->world();

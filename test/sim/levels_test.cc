@@ -1,4 +1,4 @@
-// Levels that load and unload, as Fortress's tests level_manager.cc and level_manager_runtime_performers.cc have it.
+// Loading and unloading of levels, as in Fortress's tests level_manager.cc and level_manager_runtime_performers.cc.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ class LevelsTest : public testing::Test {
     simulation_->step();
   }
   bool isThere(const std::string& model) { return simulation_->world().model(model).has_value(); }
-  /// @return The tiles that are there.
+  /// @return The tiles that exist.
   Names tiles() {
     Names names;
     for (const Model& model : simulation_->world().models()) {
@@ -67,7 +67,7 @@ TEST_F(LevelsTest, LoadWhereAPerformerIsAndUnloadWhereNoneIs) {
   EXPECT_EQ(tiles(), (Names{"tile_0", "tile_1"}));
   put("sphere", kNowhere);
   EXPECT_EQ(tiles(), Names{"tile_0"});
-  // while paused, too
+  // also while paused
   place(*simulation_, "sphere", {40, 0, 0});
   simulation_->stepPaused();
   EXPECT_EQ(tiles(), (Names{"tile_0", "tile_1"}));
@@ -145,7 +145,7 @@ TEST_F(LevelsTest, LetWhatIsSetAsideBeGoneForAllAndComeBackWithItsIds) {
 }
 
 TEST_F(LevelsTest, KeepWhereThingsWerePut) {
-  // Fortress makes them anew, where the file says
+  // Fortress creates them again, at the file's pose
   put("sphere", {40, 0, 0});
   place(*simulation_, "tile_1", {41, 1, 2.5});
   put("sphere", kNowhere);
@@ -162,7 +162,7 @@ TEST_F(LevelsTest, KeepTheirNames) {
   const auto inserted = simulation_->insertText(kTile, "t.sdf", {.allowRenaming = true}, none);
   ASSERT_TRUE(inserted);
   EXPECT_EQ(inserted->name(), "tile_1_0");
-  // what is inserted is always there, and stays behind the others
+  // an inserted model always exists, and stays behind the others
   put("sphere", {40, 0, 0});
   EXPECT_EQ(tiles(), (Names{"tile_0", "tile_1", "tile_1_0"}));
   put("sphere", kNowhere);

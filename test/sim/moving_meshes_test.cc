@@ -1,4 +1,4 @@
-// Meshes from files that move, in whole worlds.
+// Moving meshes from files, in whole worlds.
 
 #include <gtest/gtest.h>
 
@@ -90,7 +90,7 @@ TEST_F(MovingMeshesTest, ABowlHoldsABallForTenSeconds) {
   const Vector3 way = place(*simulation, "ball") - place(*simulation, "bowl");
   EXPECT_NEAR(way.norm(), 0.18 - 0.05, 0.008);
   EXPECT_LT(way.head<2>().norm(), 0.04);
-  // what touches is told by the names in the file
+  // contacts have the names in the file
   std::vector<Contact> contacts;
   simulation->world().contacts(contacts);
   std::set<std::string> names;
@@ -100,7 +100,7 @@ TEST_F(MovingMeshesTest, ABowlHoldsABallForTenSeconds) {
   }
   EXPECT_TRUE(names.contains("bowl::link::skin"));
   EXPECT_LE(names.size(), 3U);
-  // mass and inertia are the file's
+  // mass and inertia are those of the file
   EXPECT_EQ(simulation->world().model("bowl")->link("link")->mass().mass, 2);
 }
 

@@ -1,4 +1,4 @@
-// Several transports that share one way, each with a queue of its own.
+// Several transports that share one network, each with a queue of its own.
 #include "transport/dispatch_queue.hh"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ class DispatchQueue : public testing::Test {
                                               heard.push_back(static_cast<const StringMsg&>(message).data());
                                             });
   }
-  /// A service that answers with its name.
+  /// A service that responds with its name.
   static Service answer(Transport& transport, const std::string& name) {
     return transport.node().serve<StringMsg, StringMsg>("/who", [name](const StringMsg&, StringMsg& reply) {
       reply.set_data(name);
@@ -86,7 +86,7 @@ TEST_F(DispatchQueue, KnowsTheTopicsOfItsOwnTransportAlone) {
   EXPECT_EQ(second_.node().ownTopics(), (std::vector<OwnTopic>{{"/chatter", "ignition.msgs.StringMsg", 0, 1, false}}));
 }
 
-// else a world would be called on another one's thread
+// otherwise a world would be called on another one's thread
 TEST_F(DispatchQueue, HearsAtOnceWhatItsOwnTransportPublishes) {
   Texts heard, other;
   const Subscription atOnce = hearAtOnce(second_, heard);

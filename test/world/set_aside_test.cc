@@ -1,4 +1,4 @@
-// Entities that are set aside and come back.
+// Entities that are set aside and restored.
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ description::World shelfWorld() {
   return world;
 }
 
-/// Everything that is to be known of who is there: ids, names and who belongs to whom.
+/// Everything about the existing entities: ids, names and hierarchy.
 std::vector<std::string> roster(const Entities& entities) {
   std::vector<std::string> lines;
   const auto link = [&](Slot slot) { return slot == kNoSlot ? "-" : std::to_string(entities.links()[slot].id.value); };
@@ -128,7 +128,7 @@ TEST(SetAside, TakesAGroupOutWithAllThatHangsOnIt) {
   EXPECT_EQ(entities.findModel("c::inner"), kNoSlot);
   EXPECT_EQ(entities.slot(departure.groups[0].links[0].id), kNoSlot);
   EXPECT_EQ(entities.actors().size(), 1U);
-  // what stays is what it was, and names each other rightly
+  // the remaining entities are unchanged, and their references are right
   const std::vector<std::string> now = roster(entities);
   std::size_t next = 0;
   for (const std::string& line : before) next += next < now.size() && now[next] == line ? 1 : 0;
@@ -183,7 +183,7 @@ TEST(SetAside, TakesTheStateAlong) {
   EXPECT_EQ(state.links[0].X_WorldLink.position.x(), 9);
   EXPECT_EQ(parts[0].links[5].X_WorldLink.position.x(), 8);
   EXPECT_EQ(parts[0].joints[4].position, 8);
-  // what is set aside is a part of the hash
+  // entities set aside are part of the hash
   const std::uint64_t without = stateHash(state, {&parts[0], &parts[1]});
   parts[1].links[0].v_WorldLink.x() = 1;
   EXPECT_NE(stateHash(state, {&parts[0], &parts[1]}), without);

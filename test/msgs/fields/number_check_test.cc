@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLargest = 1000;
 
-/// @return What is said of a message with that text.
+/// @return The error for a message with that text.
 std::optional<std::string> faultOf(const std::string& type, const std::string& text) {
   const MessagePointer message = newMessage(type);
   EXPECT_FALSE(parseMessage(text, *message)) << text;

@@ -25,7 +25,7 @@ TEST(LevelRow, IsTheOneNearestToTheHorizon) {
        {3, 4},
        -0.1},
       {"count: 1, vertical_count: 1, vertical_angle_step: nan, ranges: 7", {7}, 0},
-      // less ranges than it says
+      // fewer ranges than `count`
       {"count: 9, vertical_count: 9, vertical_angle_min: -1, vertical_angle_step: 0.1, ranges: [1, 2]", {1, 2}, -1},
       {"count: 2, vertical_count: 9, vertical_angle_min: 1, vertical_angle_step: -0.1, ranges: [1, 2, 3, 4, 5]",
        {3, 4},

@@ -29,7 +29,7 @@ TEST(LightMessage, MakesTheSameLightAgain) {
   description::Light before;
   before.name = "lamp";
   before.X_ParentLight.rotation = spot().X_ParentLight.rotation;
-  // what has no place in the message is as it was
+  // fields that the message lacks are unchanged
   const description::Light again = changedLight(before, message);
   EXPECT_EQ(again.diffuse, spot().diffuse);
   EXPECT_EQ(again.X_ParentLight.position, spot().X_ParentLight.position);

@@ -91,7 +91,7 @@ TEST(VisibleWorld, FindsTheFilesOfMeshesAndTextures) {
     EXPECT_EQ(texture->file, bumps.file);
   }
 
-  // once each, however often it is shown
+  // each file once, however often it is used
   world.models[0].links[0].visuals = {look};
   std::filesystem::remove(folder.path() / "cup.dae");
   std::filesystem::remove(folder.path() / "wood.png");
@@ -148,7 +148,7 @@ TEST(VisibleWorld, HasItsActors) {
   look.geometry = description::Sphere{0.5};
   Diagnostics diagnostics;
   EXPECT_EQ(throughAState(world, diagnostics).actors, world.actors);
-  // one whose skin is not here
+  // an actor whose skin is missing
   actor.skin.uri = "/no/such/walk.dae";
   EXPECT_TRUE(throughAState(world, diagnostics).actors.at(0).skin.file.empty());
   ASSERT_EQ(diagnostics.all().size(), 1U);

@@ -64,7 +64,7 @@ TEST_F(DescribedTypesTest, KnowWhatTheFileHolds) {
 TEST_F(DescribedTypesTest, AreNotReadFromWhatIsNoSuchFile) {
   EXPECT_THROW(DescribedTypes(folder_.path() / "missing"), std::runtime_error);
   EXPECT_THROW(DescribedTypes(folder_.write("text", "message Twist {}")), std::runtime_error);
-  // ends amid a file
+  // the data ends within a file
   std::string half(protobuf::FileDescriptorSet::kFileFieldNumber, '\x0a');
   EXPECT_THROW(DescribedTypes(folder_.write("half", half + "\x7f" + "abc")), std::runtime_error);
 }

@@ -13,7 +13,7 @@ namespace {
 TEST(MessageSchema, DescribesATypeWithAllThatItIsMadeOf) {
   google::protobuf::FileDescriptorSet set;
   ASSERT_TRUE(set.ParseFromString(messageSchema("Twist")));
-  // in an order in which each finds what it imports
+  // ordered so that each file follows its imports
   google::protobuf::DescriptorPool pool;
   for (const auto& file : set.file()) ASSERT_NE(pool.BuildFile(file), nullptr) << file.name();
   EXPECT_NE(pool.FindMessageTypeByName("ignition.msgs.Twist"), nullptr);

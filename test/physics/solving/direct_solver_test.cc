@@ -15,7 +15,7 @@ namespace {
 using description::JointType;
 using test::Rig;
 
-/// A body on four legs of three links each, as high as it stands, its joints damped, some at their limits.
+/// A body on four legs of three links each, in its standing height, with damped joints, some at their limits.
 description::World walker() {
   const Vector3 size(0.5, 0.3, 0.1), legSize(0.05, 0.05, 0.2);
   description::Link body = test::makeLink("body", {0, 0, 0.6501}, 5, test::boxMoments(5, size));
@@ -47,7 +47,7 @@ description::World walker() {
   return world;
 }
 
-/// What iterations come to if there are very many of them.
+/// The result of very many iterations.
 Settings manyIterations() {
   Settings settings;
   settings.solver = Solver::kSequentialImpulse;
@@ -92,10 +92,10 @@ TEST(DirectSolver, FindsInTreesWithGearboxesWhatIterationsComeTo) {
 constexpr JointType kTypes[] = {JointType::kRevolute, JointType::kContinuous, JointType::kPrismatic, JointType::kBall,
                                 JointType::kFixed,    JointType::kUniversal,  JointType::kRevolute2, JointType::kScrew};
 
-/// A turn that is another one for each number.
+/// A different rotation for each number.
 Quaternion turn(int number) { return fromRollPitchYaw(0.4 + number, 0.3 - 0.7 * number, 1.1 * number - 2); }
 
-/// Four links in a row, where a hinge, a joint of that type and a hinge connect them, all in frames of their own.
+/// Four links in a row, connected by a hinge, a joint of that type and a hinge, each in its own frame.
 description::Model rowWith(JointType type) {
   std::vector<description::Link> links;
   std::vector<description::Joint> joints;
@@ -121,7 +121,7 @@ description::Model rowWith(JointType type) {
   return model;
 }
 
-/// A train of gears with an arm on one of them, turned as a whole.
+/// A gear train with an arm on one of the gears, rotated as a whole.
 description::Model gearsWithArm() {
   description::Model model = test::makeGearTrain(3);
   model.X_ParentModel = {{0.5, 0.2, 1}, turn(4)};
@@ -131,7 +131,7 @@ description::Model gearsWithArm() {
   return model;
 }
 
-/// What floats freely, with links that have all sorts of velocities.
+/// A free-floating model whose links have arbitrary velocities.
 struct Floating : Rig {
   explicit Floating(const description::Model& model, const Settings& settings = Settings())
       : Rig(worldOf(model), settings) {

@@ -51,8 +51,8 @@ Case randomCase(std::mt19937& random) {
   return made;
 }
 
-/// Fails the test where a row does not meet its condition. Friction has its bounds from what normal x was when it came
-/// in, which is not known here: its rows are looked at without their size.
+/// Fails the test if a row does not meet its condition. Friction is bounded by the normal x of an earlier stage, which
+/// is unknown here, so only its direction is checked.
 void expectConditions(const Case& which, const std::vector<double>& x) {
   for (std::size_t i = 0; i < which.rows(); ++i) {
     double w = -which.b[i], scale = 1;
@@ -104,7 +104,7 @@ TEST(Lcp, LetsGoOfContactsAndHoldsWithWhatFrictionThereIs) {
 }
 
 TEST(Lcp, StandsOnMorePointsThanItNeeds) {
-  // four equal points and nothing to tell them apart but a little softness, some of them without a load
+  // four equal points, distinguished only by a little softness; two of them have no load
   Case table{
       std::vector<double>(16, 1), {1, 1, 0, 0}, {0, 0, 0, 0}, std::vector<double>(4, kEndless), {-1, -1, -1, -1}};
   for (std::size_t i = 0; i < 4; ++i) table.A[5 * i] += 1e-5;
@@ -116,8 +116,8 @@ TEST(Lcp, StandsOnMorePointsThanItNeeds) {
 }
 
 TEST(Lcp, HoldsAnAxleAcrossByTheFrictionOfBothItsWheels) {
-  // both wheels hold the same but for a little softness, and ask for 3.1 and 3, which would take thousands of each
-  // against the other one: one gives all it can, the other one what is missing
+  // both wheels are equal except for softness, and are commanded 3.1 and 3: one is at its bound, and the other one
+  // provides the rest
   const double s = 1 + 1e-5;
   const std::vector<double> A{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, s, 1, 0, 0, 1, s};
   Case axle{A, {8, 4, 3.1, 3}, {0, 0, -0.5, -0.5}, {kEndless, kEndless, 0.5, 0.5}, {-1, -1, 0, 1}};

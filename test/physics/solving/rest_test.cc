@@ -1,4 +1,4 @@
-// Groups of bodies that rest: what a step would leave as it is, is not solved, and nobody can tell.
+// Groups of bodies at rest: if a step would change nothing, it is skipped, with the same results.
 
 #include "physics/solving/rest.hh"
 
@@ -56,7 +56,7 @@ TEST(Rest, IsReachedToTheBitByWhatStandsOnTheGround) {
   expectSame(rig.state, before);
 }
 
-// what is restored knows nothing of rest, and solves all of it
+// a restored engine does not know what is at rest, and solves everything
 TEST(Rest, HasTheBitsOfWhatIsSolved) {
   Rig rig(shapes());
   rig.step(3000);
@@ -108,7 +108,7 @@ TEST(Rest, EndsWhereWhatBodiesStandOnIsTakenAway) {
   }
 }
 
-// before the others in the file, which all get other numbers then, and behind them
+// before the others in the file, which renumbers them, and after them
 TEST(Rest, EndsWhereWhatBodiesStandOnIsRemoved) {
   for (const bool isLast : {false, true}) {
     description::World world = shapes();

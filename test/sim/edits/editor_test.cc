@@ -1,4 +1,4 @@
-// The world changed between steps: by the handles and by the simulation.
+// Changes of the world between steps, by handles and by the simulation.
 
 #include <gtest/gtest.h>
 

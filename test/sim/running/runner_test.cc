@@ -84,7 +84,7 @@ TEST_F(RunnerTest, StaysWhereItIsWhilePaused) {
   Runner runner(*simulation_, {.paused = true, .iterations = 5});
   int heard = 0;
   Node node = simulation_->transport().node();
-  // Two messages prove that the loop goes round.
+  // Two messages prove that the loop continues.
   const Subscription clock = node.subscribe("/clock", "ignition.msgs.Clock", [&](const Message&) {
     if (++heard == 2) runner.stop();
   });
@@ -93,7 +93,7 @@ TEST_F(RunnerTest, StaysWhereItIsWhilePaused) {
   EXPECT_EQ(simulation_->iterations(), 0U);
 }
 
-/// A run on a thread of its own, asked things by this one.
+/// A run on its own thread, which this thread sends requests.
 class ControlledRun : public RunnerTest {
  protected:
   ~ControlledRun() override { end(); }
@@ -109,7 +109,7 @@ class ControlledRun : public RunnerTest {
   }
   void waitForTheEnd() { thread_.join(); }
 
-  /// @return Whether the answer is `data: true`.
+  /// @return Whether the response is `data: true`.
   bool ask(const std::string& service, const std::string& type, const std::string& text) {
     const MessagePointer request = newMessage(type);
     EXPECT_FALSE(parseMessage(text, *request));
@@ -118,7 +118,7 @@ class ControlledRun : public RunnerTest {
     EXPECT_TRUE(result) << result.error;
     return reply.data();
   }
-  /// @return Why the service did not do it; empty where it did.
+  /// @return Why the service refused; empty if it did not.
   std::string refusal(const std::string& service, const std::string& type, const std::string& text) {
     const MessagePointer request = newMessage(type);
     EXPECT_FALSE(parseMessage(text, *request));
@@ -179,7 +179,7 @@ TEST_F(ControlledRun, GoesBackToTheStartWhenReset) {
 }
 
 TEST_F(RunnerTest, PausesBehindTheStepsThatAreLeftWhenResetAmongThem) {
-  // all on this thread: each request is met before the step after the one that asks for it
+  // all on this thread: a request is handled before the step after it
   Runner runner(*simulation_, {.paused = true, .updateRate = 0.0});
   Node node = simulation_->transport().node();
   const auto control = [&node](const std::string& text) {

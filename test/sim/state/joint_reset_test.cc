@@ -1,4 +1,4 @@
-// Axes of joints put somewhere else between steps.
+// Positions of joints set between steps.
 
 #include <gtest/gtest.h>
 
