@@ -1,4 +1,4 @@
-/// What can be done with the entity that is chosen.
+/// Actions on the selected entity.
 import { rollPitchYawOf } from '../connection/poses.ts';
 import { modelSdf } from '../connection/sdf_writer.ts';
 import type { Message } from '../connection/types.ts';
@@ -6,7 +6,7 @@ import type { Entity } from '../connection/entities.ts';
 import type { Context } from './context.ts';
 import { download } from './dom.ts';
 
-/// The model at the top level, or the light, that the chosen entity belongs to.
+/// The top-level model, or the light, that the selected entity belongs to.
 export function chosenTop(context: Context): Entity | null {
   const { world, selection } = context;
   const entity = world.entities.get(selection.id);
@@ -25,7 +25,7 @@ function messageOf(context: Context, entity: Entity): Message | undefined {
   return ((context.world.scene?.model ?? []) as Message[]).find(({ id }) => id === entity.id);
 }
 
-/// Where the entity is now, as an ignition.msgs.Pose.
+/// Current pose of the entity, as an ignition.msgs.Pose.
 function poseNow(context: Context, entity: Entity, message: Message): Message | undefined {
   const live = context.world.poses.get(entity.id);
   if (!live) return message.pose as Message | undefined;
@@ -33,7 +33,7 @@ function poseNow(context: Context, entity: Entity, message: Message): Message | 
   return { position: { x, y, z }, orientation: { x: qx, y: qy, z: qz, w: qw } };
 }
 
-/// Puts the chosen model into the clipboard as SDF; where the browser refuses, into a file.
+/// Copies the selected model as SDF to the clipboard; to a file if the browser refuses.
 export async function copyAsSdf(context: Context): Promise<void> {
   const top = chosenTop(context);
   const message = top && messageOf(context, top);
@@ -57,7 +57,7 @@ export function copyChosen(context: Context): void {
   context.log.add('info', `${top.name} can be pasted`);
 }
 
-/// A copy of what was copied, at the place that the user chooses.
+/// Inserts a copy of the copied model at a place chosen by the user.
 export async function paste(context: Context): Promise<void> {
   if (!copied) return;
   const { name, message } = copied;

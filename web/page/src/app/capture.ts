@@ -1,4 +1,4 @@
-/// Pictures and video of the view, as files.
+/// Screenshots and videos of the view, as files.
 import type { Context } from './context.ts';
 import { download } from './dom.ts';
 
@@ -10,8 +10,8 @@ export async function saveScreenshot(context: Context): Promise<void> {
   await context.attempt('Screenshot', view.screenshot().then((picture) => download(`${world.name}-${stamp()}.png`, picture)));
 }
 
-/// Begins or ends a video.
-/// @return Whether one is being taken now.
+/// Starts or stops a video.
+/// @return Whether one is being recorded now.
 export async function toggleVideo(context: Context, isTaking: boolean): Promise<boolean> {
   const { view, world, log } = context;
   if (!view) {

@@ -1,11 +1,11 @@
-/// What a panel may use.
+/// The interface of the page for panels.
 import type { Connection } from '../connection/connection.ts';
 import { Emitter } from '../connection/emitter.ts';
 import type { World } from '../connection/world.ts';
 import type { View } from '../view/index.ts';
 import type { MessageLog } from './message_log.ts';
 
-/// Which entity of the world is chosen.
+/// The selected entity of the world.
 export class Selection {
   id: number | null = null;
   readonly changed = new Emitter<number | null>();
@@ -20,22 +20,22 @@ export class Selection {
 export interface Context {
   connection: Connection;
   world: World;
-  /// Null where the browser draws no 3D.
+  /// Null if the browser has no 3D graphics.
   view: View | null;
   selection: Selection;
   log: MessageLog;
-  /// Tells the user, where it fails, why.
+  /// Runs something and reports a failure to the user.
   attempt(what: string, work: Promise<unknown>): Promise<boolean>;
-  /// Lets the user choose a place for a model or light; null: given up, or there is no view to choose in.
+  /// Lets the user choose a place for a model or light; null if cancelled, or if there is no view.
   choosePlace(message: Record<string, unknown>): Promise<import('../view/index.ts').Pose | null>;
 }
 
-/// What `<gui>` of a world says of a panel: the elements in its `<plugin>`.
+/// The settings of a panel in a world's `<gui>`: the elements in its `<plugin>`.
 export type Settings = Element | null;
 
 export interface Panel {
   element: HTMLElement;
-  /// Ends what it listens to.
+  /// Ends its subscriptions.
   close?(): void;
 }
 
@@ -43,16 +43,16 @@ export interface Panel {
 export type Place = 'left' | 'right' | 'bottom' | 'corner-left' | 'corner-right';
 
 export interface PanelKind {
-  /// As Fortress's plugin is called: "WorldControl".
+  /// Name of Fortress's plugin: "WorldControl".
   id: string;
-  /// More names of plugins that stand for the same.
+  /// Further plugin names for the same panel.
   also?: string[];
   title: string;
   place: Place;
   open(context: Context, settings: Settings): Panel;
 }
 
-/// Collects what has to be ended when a panel is closed.
+/// Collects what must end when a panel is closed.
 export class Ends {
   private readonly all: (() => void)[] = [];
   add(...ends: (() => void)[]): void {

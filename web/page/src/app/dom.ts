@@ -1,10 +1,10 @@
-/// Elements of the page in one expression each.
+/// Creates elements of the page in one expression each.
 
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | ((event: never) => void) | undefined>;
 
-/// h('button', { class: 'x', onclick: f, disabled: true }, 'text'). What begins with "on" is a listener, what is true has no
-/// value, what is false or undefined is left out.
+/// h('button', { class: 'x', onclick: f, disabled: true }, 'text'). Names that begin with "on" are listeners; true is
+/// an attribute without a value; false and undefined are left out.
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K, attributes: Attributes = {}, ...children: Child[]
 ): HTMLElementTagNameMap[K] {
@@ -20,7 +20,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
 
 let nextId = 1;
 
-/// A field with its label in front of it.
+/// A field preceded by its label.
 export function labelled(text: string, field: HTMLElement, more: Attributes = {}): HTMLElement {
   if (!field.id) field.id = `field-${nextId++}`;
   return h('div', { class: 'field', ...more }, h('label', { for: field.id }, text), field);
@@ -32,7 +32,7 @@ export function numberField(value: number, more: Attributes = {}): HTMLInputElem
   return field;
 }
 
-/// What is chosen stays where it is still among the choices.
+/// The selection stays if it is still among the choices.
 export function setChoices(select: HTMLSelectElement, choices: readonly string[], none?: string): void {
   const before = select.value;
   const values = none === undefined ? choices : ['', ...choices];
@@ -41,22 +41,22 @@ export function setChoices(select: HTMLSelectElement, choices: readonly string[]
   select.value = values.includes(before) ? before : (values[0] ?? '');
 }
 
-/// A button with a picture, or a sign, that says in words what it does.
+/// A button with an icon or a character, and its purpose in words.
 export function iconButton(icon: Node | string, name: string, act: () => void, more: Attributes = {}): HTMLButtonElement {
   return h('button', { type: 'button', class: 'icon', title: name, 'aria-label': name, onclick: act, ...more }, icon);
 }
 
-/// Up to four digits behind the point that count.
+/// Up to four significant decimals.
 export function shortNumber(value: number): string {
   if (!Number.isFinite(value)) return String(value);
   const text = Math.abs(value) >= 1e6 || (value !== 0 && Math.abs(value) < 1e-4) ? value.toExponential(3) : value.toFixed(4);
   return text.includes('e') ? text : text.replace(/\.?0+$/, '') === '-0' ? '0' : text.replace(/\.?0+$/, '');
 }
 
-/// Offers bytes to be kept as a file.
+/// Offers bytes for download.
 export function download(name: string, content: Blob): void {
   const address = URL.createObjectURL(content);
   h('a', { href: address, download: name }).click();
-  // after the click has been followed
+  // after the click has been handled
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

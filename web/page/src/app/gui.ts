@@ -1,4 +1,4 @@
-/// What `<gui>` of a world asks for: an ignition.msgs.GUI turned into panels and where they open.
+/// The `<gui>` of a world: an ignition.msgs.GUI converted to panels and their places.
 import type { Message } from '../connection/types.ts';
 import { parseSixfold, type Sixfold } from '../connection/poses.ts';
 import { setting, type PanelKind, type Place, type Settings } from './context.ts';
@@ -13,16 +13,16 @@ export interface Wanted {
 
 export interface GuiWishes {
   panels: Wanted[];
-  /// Where the eye begins.
+  /// The initial viewpoint.
   camera: Sixfold | null;
 }
 
-/// What opens where a world says nothing, as Fortress's own settings have it.
+/// The default panels, as in Fortress's own settings.
 const kDefaults = ['WorldControl', 'WorldStats', 'EntityTree', 'ComponentInspector'];
-/// Plugins that are the view, or part of it.
+/// Plugins that are part of the view.
 const kScenes = ['MinimalScene', 'GzScene3D', 'Scene3D'];
 
-/// Where a panel goes that Fortress's window docks, or floats at a corner of the view.
+/// Place of a panel that Fortress's window docks, or floats at a corner of the view.
 export function placeFor(usual: Place, state: string | undefined, anchors: readonly string[]): Place {
   if (state !== 'floating') return usual.startsWith('corner') && state?.startsWith('docked') ? 'right' : usual;
   if (!usual.startsWith('corner')) return usual;

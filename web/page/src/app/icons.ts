@@ -1,4 +1,4 @@
-/// Pictures on buttons: drawn, for not all machines have letters of that kind.
+/// Icons of buttons: drawn, because not all machines have fonts with such symbols.
 
 const kPaths = {
   play: 'M7 4v16l13-8z',

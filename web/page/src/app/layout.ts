@@ -1,4 +1,4 @@
-/// The panels around the view: docks at its sides and below, corners above it.
+/// The arrangement of panels around the view: docks at its sides and below, corners above it.
 import type { Context, Panel, PanelKind, Place, Settings } from './context.ts';
 import { h, iconButton } from './dom.ts';
 
@@ -15,7 +15,7 @@ interface Open {
 
 export class Layout {
   readonly element: HTMLElement;
-  /// Where the view is.
+  /// The element of the view.
   readonly stage = h('div', { class: 'stage', id: 'view' });
   private readonly docks = new Map<Place, HTMLElement>();
   private open: Open[] = [];
@@ -30,7 +30,7 @@ export class Layout {
     this.element = h('main', { class: 'layout' }, dock('left'), middle, dock('right'), dock('bottom'));
   }
 
-  /// @param title What stands above it, where not its own.
+  /// @param title Heading, if not the panel's own.
   add(kind: PanelKind, context: Context, settings: Settings = null, title = kind.title, place = kind.place): void {
     const panel = kind.open(context, settings);
     const id = `panel-${this.nextId++}`;
@@ -52,7 +52,7 @@ export class Layout {
     return this.open.some((each) => each.kind === kind);
   }
 
-  /// Brings a panel to the eye that is open already.
+  /// Brings an open panel to the front.
   reveal(kind: PanelKind): void {
     const frame = this.open.find((each) => each.kind === kind)?.frame;
     frame?.scrollIntoView({ block: 'nearest' });

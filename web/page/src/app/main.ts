@@ -1,4 +1,4 @@
-/// The page: connects to the server that it comes from, and shows one of its worlds.
+/// The page: connects to the server that it was loaded from, and shows one of its worlds.
 import { Connection, type Socket } from '../connection/connection.ts';
 import { MessageTypes } from '../connection/types.ts';
 import { worldNames } from '../connection/world.ts';
@@ -20,7 +20,7 @@ const tools = h('div', { class: 'tools-place' });
 const place = h('div', { class: 'world-place' });
 const toast = h('div', { class: 'toast', role: 'alert', hidden: true });
 
-/// What a server that is open to others asks for stands in the address of the page.
+/// The token of a server that is open to others is part of the page's address.
 function socketAddress(): string {
   const token = new URLSearchParams(location.search).get('token');
   const query = token ? `?token=${encodeURIComponent(token)}` : '';
@@ -89,7 +89,7 @@ connection.stateChanged.on((now) => {
 connection.servicesChanged.on(showWorlds);
 connection.infoHeard.on(showState);
 connection.statusHeard.on(({ level, message }) => log.add((['info', 'warning', 'error'] as const)[level] ?? 'error', message));
-// after the connection was lost those come again that are kept
+// after a reconnection, messages kept by the server arrive again
 let warnedNs = 0n;
 connection.subscribe('/foxglove/log', ({ level, name, message }, timeNs) => {
   if (timeNs <= warnedNs) return;
@@ -99,12 +99,12 @@ connection.subscribe('/foxglove/log', ({ level, name, message }, timeNs) => {
 worlds.addEventListener('change', () => show(worlds.value));
 listenToShortcuts(() => shell?.context ?? null);
 
-// keys are for the world, not for what was clicked last; who goes by keys keeps the focus
+// keys go to the world, not to what was clicked last; keyboard users keep the focus
 document.addEventListener('click', ({ detail, target }) => {
   if (detail > 0) (target as Element).closest<HTMLElement>('button, [role="treeitem"]')?.blur();
 });
 
-// models are dropped anywhere
+// models can be dropped anywhere
 window.addEventListener('dragover', (event) => event.preventDefault());
 window.addEventListener('drop', (event) => {
   event.preventDefault();

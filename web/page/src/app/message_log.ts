@@ -1,14 +1,14 @@
-/// What has happened, for the log and, where it is a fault, for everybody to see at once.
+/// Messages for the log; errors are also shown at once.
 import { Emitter } from '../connection/emitter.ts';
 
 export interface Entry {
   level: 'info' | 'warning' | 'error';
   text: string;
-  /// When the page heard of it [ms since 1970].
+  /// When the page received it [ms since 1970].
   at: number;
-  /// How many times in a row.
+  /// Number of consecutive repetitions.
   times: number;
-  /// Whether it is not for everybody to see at once.
+  /// Whether it is only shown in the log.
   isQuiet: boolean;
 }
 

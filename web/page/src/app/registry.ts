@@ -1,4 +1,4 @@
-/// All panels, by the names that Fortress's plugins have.
+/// All panels, by the names of Fortress's plugins.
 import { openEntityTree } from '../panels/entity_tree.ts';
 import { openForce } from '../panels/force.ts';
 import { openImageDisplay } from '../panels/image_display.ts';

@@ -1,4 +1,4 @@
-/// One world on the page: its context, its panels, its view; made anew when another world is chosen.
+/// One world on the page: its context, panels and view; created again when another world is selected.
 import type { Connection } from '../connection/connection.ts';
 import type { Sixfold } from '../connection/poses.ts';
 import { quaternionOf } from '../connection/poses.ts';
@@ -88,7 +88,7 @@ export class Shell {
       world.changed.on(() => {
         if (!world.scene) return;
         view.setScene(world.scene);
-        // those that stand still since do not come again
+        // entities at rest since then are not in later frames
         view.applyFrame(world.allPoses());
       }),
       world.framed.on((frame) => view.applyFrame(frame)),
@@ -96,7 +96,7 @@ export class Shell {
     );
   }
 
-  /// The panels that the world asks for, and where the eye begins.
+  /// The panels of the world's `<gui>`, and the initial viewpoint.
   private async openPanels(): Promise<void> {
     const { world, view } = this.context;
     const gui = await world.ask('gui/info').catch(() => null);

@@ -1,4 +1,4 @@
-/// Keys of the page, and the page that lists them.
+/// Keyboard shortcuts, and the dialog that lists them.
 import { copyChosen, paste, removeChosen } from './actions.ts';
 import { saveScreenshot } from './capture.ts';
 import type { Context } from './context.ts';
@@ -28,19 +28,19 @@ export const kShortcuts: readonly Shortcut[] = [
   { keys: '/', what: 'Search the entity tree', act: () => document.querySelector<HTMLElement>('.entity-tree input')?.focus() },
 ];
 
-/// How a key press is written in the list.
+/// The notation of a key press in the list.
 export function keysOf(event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'altKey'>): string {
   const key = event.key === ' ' ? 'space' : event.key.toLowerCase();
   return `${event.ctrlKey || event.metaKey ? 'ctrl+' : ''}${event.altKey ? 'alt+' : ''}${key}`;
 }
 
-/// @param context Of the world that is shown now; null: none is.
+/// @param context Of the current world; null: none.
 export function listenToShortcuts(context: () => Context | null): void {
   window.addEventListener('keydown', (event) => {
     const now = context();
     if (!now || event.defaultPrevented || isTyping(event.target, event.key)) return;
     const keys = keysOf(event);
-    // who has marked text wants to copy that
+    // selected text is copied instead
     if (keys === 'ctrl+c' && String(getSelection()) !== '') return;
     const shortcut = kShortcuts.find((each) => each.keys === keys);
     if (!shortcut) return;

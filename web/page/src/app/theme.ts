@@ -1,4 +1,4 @@
-/// Dark or light: as the system has it, until the user chooses.
+/// Dark or light: the system's setting, until the user chooses.
 
 export type Theme = 'dark' | 'light';
 
@@ -15,7 +15,7 @@ export function setTheme(theme: Theme): void {
   try {
     localStorage.setItem(kKey, theme);
   } catch {
-    // a browser that keeps nothing
+    // a browser without storage
   }
 }
 

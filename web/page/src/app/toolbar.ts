@@ -1,4 +1,4 @@
-/// What stands above all: the world, the connection, tools, shapes, pictures, panels.
+/// The toolbar: world, connection, tools, shapes, screenshots, panels.
 import { kShapeNames } from '../panels/shapes.ts';
 import { spawnShape } from '../panels/spawn.ts';
 import type { Tool } from '../view/index.ts';
@@ -12,7 +12,7 @@ import { kPanels } from './registry.ts';
 import { showHelp } from './shortcuts.ts';
 import { currentTheme, setTheme } from './theme.ts';
 
-/// A button under which choices appear.
+/// A button that opens a menu.
 function menu(title: string, items: [string, () => void][]): HTMLElement {
   const details = h('details', { class: 'menu' }, h('summary', {}, `${title} ▾`));
   const choose = (act: () => void): void => {
@@ -32,7 +32,7 @@ function menu(title: string, items: [string, () => void][]): HTMLElement {
   return details;
 }
 
-/// @param themed Told of the theme that is chosen.
+/// @param themed Called with the selected theme.
 export function toolbar(context: Context, layout: Layout, themed: () => void): HTMLElement {
   const { view } = context;
   const tools: [Tool & Icon, string][] = [['select', 'Select'], ['move', 'Move'], ['turn', 'Turn']];
@@ -46,7 +46,7 @@ export function toolbar(context: Context, layout: Layout, themed: () => void): H
   }, { disabled: !view });
   const openPanel = (id: string): void => {
     const kind = kPanels.find((each) => each.id === id)!;
-    // of these there may be several
+    // there may be several of these
     const isMany = ['Plotting', 'TopicEcho', 'ImageDisplay', 'VisualizeLidar', 'PointCloud', 'Publisher'].includes(id);
     if (isMany || !layout.has(kind)) layout.add(kind, context);
     layout.reveal(kind);

@@ -1,9 +1,9 @@
-/// Components of Fortress's states, by their names.
+/// Components of Fortress's states, by name.
 import type { Message, MessageTypes } from './types.ts';
 
 const numbers = new Map<string, string>();
 
-/// The number by which a state names a component, as "Pose": FNV-1a of its full name, 64 bits, in decimal.
+/// The number of a component in a state, for a name such as "Pose": FNV-1a of its full name, 64 bits, in decimal.
 export function componentNumber(name: string): string {
   let number = numbers.get(name);
   if (number === undefined) {
@@ -30,13 +30,13 @@ export class Components {
     return component?.component as Uint8Array | undefined;
   }
 
-  /// Text, as numbers and names are told.
+  /// Components such as numbers and names are text.
   text(name: string): string | undefined {
     const bytes = this.bytes(name);
     return bytes && new TextDecoder().decode(bytes);
   }
 
-  /// Numbers with blanks between them; a pose is x y z roll pitch yaw.
+  /// Numbers separated by blanks; a pose is x y z roll pitch yaw.
   numbers(name: string): number[] | undefined {
     return this.text(name)?.trim().split(/\s+/).map(Number);
   }

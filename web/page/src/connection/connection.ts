@@ -1,4 +1,4 @@
-/// One connection to a pongsim, over and over again where it breaks off: topics, services and files by their names.
+/// A connection to pongsim, re-established when it breaks: topics, services and files by name.
 import { Emitter } from './emitter.ts';
 import { Latest } from './latest.ts';
 import { Outgoing } from './outgoing.ts';
@@ -13,7 +13,7 @@ export interface Status {
   message: string;
 }
 
-/// What a WebSocket is to the connection.
+/// The part of a WebSocket that the connection uses.
 export interface Socket {
   binaryType: string;
   onopen: (() => void) | null;
@@ -25,13 +25,13 @@ export interface Socket {
 
 export interface ConnectionOptions {
   connect(): Socket;
-  /// Calls back when the next picture is drawn.
+  /// Calls back for the next animation frame.
   nextPicture(callback: () => void): void;
   later(callback: () => void, ms: number): void;
 }
 
 interface Listener {
-  /// Every message, or only the latest before each picture.
+  /// Every message, or only the latest before each frame.
   isEvery: boolean;
   hear(payload: Uint8Array, timeNs: bigint, channel: Channel): void;
 }
@@ -39,7 +39,7 @@ interface Listener {
 interface Subscription {
   id: number;
   topic: string;
-  /// The channel that it holds now.
+  /// Its current channel.
   channel: Channel | null;
   listeners: Set<Listener>;
 }
@@ -48,20 +48,20 @@ const kLongestWaitMs = 5000;
 
 export class Connection {
   state: ConnectionState = 'connecting';
-  /// By topic, and by name.
+  /// Keyed by topic, and by name.
   readonly channels = new Map<string, Channel>();
   readonly services = new Map<string, Service>();
   serverName = '';
   capabilities: string[] = [];
-  /// Why it broke off.
+  /// Why the connection ended.
   reason = '';
 
   readonly stateChanged = new Emitter<ConnectionState>();
-  /// The server has said who it is.
+  /// The server has sent its information.
   readonly infoHeard = new Emitter<void>();
   readonly channelsChanged = new Emitter<void>();
   readonly servicesChanged = new Emitter<void>();
-  /// What the server has to say.
+  /// A status message of the server.
   readonly statusHeard = new Emitter<Status>();
   readonly timeHeard = new Emitter<bigint>();
 
@@ -80,14 +80,14 @@ export class Connection {
     this.open();
   }
 
-  /// Whether the server lets nobody change anything.
+  /// Whether the server is read-only.
   get isReadOnly(): boolean {
     return this.capabilities.length > 0 && !this.capabilities.includes('clientPublish');
   }
 
-  /// Messages of a topic, now or when it comes, and again after the connection has been lost. Only the latest before each
-  /// picture is decoded, unless `isEvery`.
-  /// @return Ends it.
+  /// Subscribes to a topic, now or when it appears, and again after a reconnection. Only the latest message before each
+  /// frame is decoded, unless `isEvery`.
+  /// @return A function that ends it.
   subscribe(topic: string, hear: (message: Message, timeNs: bigint, type: string) => void, isEvery = false): () => void {
     return this.subscribeBytes(
       topic,
@@ -96,7 +96,7 @@ export class Connection {
     );
   }
 
-  /// The same of bytes, as they come.
+  /// Like `subscribe`, with undecoded bytes.
   subscribeBytes(topic: string, hear: Listener['hear'], isEvery = false): () => void {
     let subscription = this.subscriptions.get(topic);
     if (!subscription) {
@@ -110,8 +110,8 @@ export class Connection {
     return () => this.leave(subscription, listener);
   }
 
-  /// @param fields What the message has; the rest is left at its defaults.
-  /// @throws Error where the type is unknown.
+  /// @param fields Of the message; others have their defaults.
+  /// @throws Error if the type is unknown.
   publish(topic: string, type: string, fields: Message): void {
     this.outgoing.publish(topic, type, this.types.encode(type, fields));
   }
@@ -120,11 +120,11 @@ export class Connection {
     this.outgoing.publish(topic, type, payload);
   }
 
-  /// @throws Error with the reason where the service is not there, refuses, or the connection breaks off.
+  /// @throws Error with the reason if the service does not exist or refuses, or the connection breaks.
   async call(name: string, fields: Message = {}): Promise<Message> {
     const service = this.services.get(name);
     if (!service?.request || !service.response) {
-      // of what changes something it is not told
+      // services that change something are hidden from read-only clients
       throw new Error(`the world has no service ${name}${this.isReadOnly ? ': this page is read-only' : ''}`);
     }
     const request = this.types.encode(service.request.schemaName, fields);
@@ -137,7 +137,7 @@ export class Connection {
     return this.requests.asset(address, (data) => this.sendNow(data));
   }
 
-  /// Calls back when the next picture is drawn.
+  /// Calls back for the next animation frame.
   nextPicture(callback: () => void): void {
     this.options.nextPicture(callback);
   }

@@ -1,8 +1,8 @@
-/// Tells everybody who has asked of each change. A listener that throws keeps no other from hearing.
+/// Calls all listeners for each change. A listener that throws does not affect the others.
 export class Emitter<T> {
   private readonly listeners = new Set<(value: T) => void>();
 
-  /// @return Ends it.
+  /// @return A function that ends it.
   on(listener: (value: T) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

@@ -1,4 +1,4 @@
-/// What there is in a world: the entities of its state as a tree, and its scene with what only the state tells.
+/// The entities of a world: those of its state as a tree, and its scene completed from the state.
 import { Components } from './components.ts';
 import { poseMessage, type Sixfold } from './poses.ts';
 import type { Message, MessageTypes } from './types.ts';
@@ -18,7 +18,7 @@ const kKinds: [string, Kind][] = [
   ['World', 'world'], ['Model', 'model'], ['Link', 'link'], ['Joint', 'joint'], ['Visual', 'visual'],
   ['Collision', 'collision'], ['Sensor', 'sensor'], ['Light', 'light'], ['Actor', 'actor'],
 ];
-/// Which component tells of a sensor, and the type that SDF calls it.
+/// The component of each sensor type, and its name in SDF.
 export const kSensorTypes: [string, string][] = [
   ['Imu', 'imu'], ['Magnetometer', 'magnetometer'], ['Altimeter', 'altimeter'], ['AirPressureSensor', 'air_pressure'],
   ['GpuLidar', 'gpu_lidar'], ['Lidar', 'lidar'], ['Camera', 'camera'], ['DepthCamera', 'depth_camera'],
@@ -26,7 +26,7 @@ export const kSensorTypes: [string, string][] = [
 ];
 /// ignition.msgs.Geometry.Type
 const kMesh = 6;
-/// ignition.msgs.Joint.Type of sdf::JointType, from 1; there is no continuous and a fixed one is 7.
+/// ignition.msgs.Joint.Type for sdf::JointType, from 1; there is no continuous, and fixed is 7.
 const kJointTypes = [0, 4, 0, 7, 6, 2, 0, 1, 5, 3];
 export const kJointNames = [
   '', 'ball', 'continuous', 'fixed', 'gearbox', 'prismatic', 'revolute', 'revolute2', 'screw', 'universal',
@@ -36,7 +36,7 @@ export class Entities {
   readonly byId = new Map<number, Entity>();
   readonly world: Entity | null;
 
-  /// @param step An ignition.msgs.SerializedStepMap with all entities; nothing: there are none.
+  /// @param step An ignition.msgs.SerializedStepMap with all entities; undefined: none.
   constructor(step: Message | null) {
     const all = (step?.state?.entities ?? {}) as Record<string, Message>;
     for (const [key, entity] of Object.entries(all)) {
@@ -65,20 +65,20 @@ export class Entities {
     return [...this.byId.values()].filter((entity) => entity.kind === kind).sort((a, b) => a.id - b.id);
   }
 
-  /// The model at the top level that the entity belongs to; a light of the world and an actor are their own.
+  /// The top-level model of an entity; a light of the world and an actor are their own.
   topOf(entity: Entity): Entity {
     let top = entity;
     while (top.parent && top.parent.kind !== 'world') top = top.parent;
     return top;
   }
 
-  /// The names from the top level down, as "robot::arm::hand".
+  /// The scoped name, such as "robot::arm::hand".
   scopedName(entity: Entity): string {
     const parent = entity.parent;
     return parent && parent.kind !== 'world' ? `${this.scopedName(parent)}::${entity.name}` : entity.name;
   }
 
-  /// The link of a model that has the name, as SDF scopes it.
+  /// The link of a model with that name, as scoped in SDF.
   linkOf(model: Entity, scoped: string): Entity | undefined {
     const [first, ...rest] = scoped.split('::');
     const found = model.children.find(({ name, kind }) => name === first && (rest.length > 0 ? kind === 'model' : kind === 'link'));
@@ -86,8 +86,8 @@ export class Entities {
   }
 }
 
-/// Puts into the scene (an ignition.msgs.Scene) what the state alone tells: surroundings, joints, collisions, inertia,
-/// transparency, types of sensors, and actors, as models without links.
+/// Completes the scene (an ignition.msgs.Scene) from the state: surroundings, joints, collisions, inertia,
+/// transparency, types of sensors, and actors as models without links.
 export function completeScene(scene: Message, entities: Entities, types: MessageTypes): Message {
   const world = entities.world;
   const surroundings = world?.components.message('Scene', 'ignition.msgs.Scene', types);
@@ -99,7 +99,7 @@ export function completeScene(scene: Message, entities: Entities, types: Message
   return scene;
 }
 
-/// What is seen of an actor: its skin, as it stands in its file, and what its links have.
+/// The visible parts of an actor: its skin, in the pose of its file, and the visuals of its links.
 function actorMessage(actor: Entity, types: MessageTypes): Message {
   const { id, name, components } = actor;
   const told = components.message('Actor', 'ignition.msgs.Actor', types);
@@ -156,7 +156,7 @@ export function sensorType(sensor: Entity): string | undefined {
   return kSensorTypes.find(([component]) => sensor.components.has(component))?.[1];
 }
 
-/// What a sensor is set to, as an ignition.msgs.Sensor, where the state tells of it.
+/// A sensor's settings as an ignition.msgs.Sensor, if the state contains them.
 export function sensorSettings(sensor: Entity, types: MessageTypes): Message | undefined {
   const component = kSensorTypes.find(([name]) => sensor.components.has(name))?.[0];
   return component ? sensor.components.message(component, 'ignition.msgs.Sensor', types) : undefined;

@@ -1,9 +1,9 @@
-/// The fields of message types: numbers in messages by their paths, as "pose.position.x" and "position[2]".
+/// Fields of message types: numbers in messages by path, such as "pose.position.x" and "position[2]".
 import type { DescField, DescMessage } from '@bufbuild/protobuf';
 import { ScalarType } from '@bufbuild/protobuf';
 import type { Message } from './types.ts';
 
-/// The path of every number, truth value and enum in the message, with its value; of lists up to `most` elements.
+/// The path of every number, boolean and enum in the message, with its value; of lists up to `most` elements.
 export function numbersIn(type: DescMessage, message: Message, most = 20): { path: string; value: number }[] {
   const found: { path: string; value: number }[] = [];
   collect(type, message, '', most, found);
@@ -38,9 +38,9 @@ function fieldOf(field: DescField, message: Message): unknown {
   return choice?.case === field.localName ? choice.value : undefined;
 }
 
-/// Reads one number again and again: a path that has been taken apart.
-/// @return The number at the path, NaN where there is none.
-/// @throws Error where the path is none of the type.
+/// Reads the same number of many messages, with a parsed path.
+/// @return The number at the path, NaN if there is none.
+/// @throws Error if the type has no such path.
 export function numberReader(type: DescMessage, path: string): (message: Message) => number {
   const parts = path.split('.');
   const steps: { field: DescField; index: number | null }[] = [];
@@ -64,7 +64,7 @@ export function numberReader(type: DescMessage, path: string): (message: Message
   };
 }
 
-/// Whether a field is text, a number, a truth value or bytes.
+/// Whether a field is text, a number, a boolean or bytes.
 export function scalarKind(type: ScalarType): 'text' | 'bool' | 'bytes' | 'number' {
   if (type === ScalarType.STRING) return 'text';
   if (type === ScalarType.BOOL) return 'bool';

@@ -1,4 +1,4 @@
-/// The frames of the channel /world/NAME/frame: poses in the world of what has moved since this client's frame before.
+/// Frames of the channel /world/NAME/frame: world poses of what has moved since this client's previous frame.
 
 export interface Frame {
   /// Simulated time.
@@ -6,21 +6,21 @@ export interface Frame {
   iterations: bigint;
   realTimeFactor: number;
   isPaused: boolean;
-  /// Whether all that there is is in it.
+  /// Whether it contains all entities.
   hasAll: boolean;
-  /// Another one where models or links have come or gone.
+  /// Changes when models or links are added or removed.
   revision: number;
   ids: Uint32Array;
   /// 7 numbers each: position [m], quaternion x, y, z, w.
   poses: Float32Array;
 }
 
-/// "PWF1"; the layout stands in web/frames/frame.hh.
+/// "PWF1"; web/frames/frame.hh defines the format.
 const kMagic = 0x31465750;
 const kHeadBytes = 48;
 const kEntryBytes = 32;
 
-/// @throws Error where the bytes are not a frame, or are cut off.
+/// @throws Error if the bytes are not a complete frame.
 export function readFrame(bytes: Uint8Array): Frame {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < kHeadBytes || view.getUint32(0, true) !== kMagic) throw new Error('this is not a frame of poses');
@@ -45,7 +45,7 @@ export function readFrame(bytes: Uint8Array): Frame {
   };
 }
 
-/// Gathers frames until the next picture: each tells of what has moved since the one before, so none may be left out.
+/// Collects frames until the next animation frame: each contains only changes, so none may be dropped.
 export class FrameGatherer {
   /// The latest pose of each.
   readonly poses = new Map<number, Float32Array>();
@@ -67,7 +67,7 @@ export class FrameGatherer {
     this.last = frame;
   }
 
-  /// @return All that has moved since this was called last, as one frame; null where there was none.
+  /// @return Everything that has moved since the last call, as one frame; null if nothing has.
   take(): Frame | null {
     if (!this.last) return null;
     const frame = this.frameOf([...this.moved], this.last);

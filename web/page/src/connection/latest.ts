@@ -1,13 +1,13 @@
-/// Lets only the latest value of each key wait until the browser draws its next picture: a page that can't keep up, or
-/// that nobody sees, gets fewer values and never old ones.
+/// Keeps only the latest value of each key until the next animation frame: a page that can't keep up, or that is
+/// hidden, gets fewer values and never outdated ones.
 export class Latest {
   private readonly waiting = new Map<unknown, () => void>();
   private isAsked = false;
 
-  /// @param nextPicture Calls back when it is time: requestAnimationFrame, but for tests.
+  /// @param nextPicture Schedules a call: requestAnimationFrame, except in tests.
   constructor(private readonly nextPicture: (callback: () => void) => void) {}
 
-  /// @param deliver Called once, unless another one comes under the same key before.
+  /// @param deliver Called once, unless a newer value with the same key arrives before.
   put(key: unknown, deliver: () => void): void {
     this.waiting.set(key, deliver);
     if (this.isAsked) return;

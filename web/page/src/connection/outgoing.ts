@@ -11,7 +11,7 @@ export class Outgoing {
     private readonly send: (data: string | Uint8Array<ArrayBuffer>) => void,
   ) {}
 
-  /// A connection is there, which knows nothing of the ones before.
+  /// A new connection, on which nothing is advertised yet.
   begin(): void {
     this.ids.clear();
   }

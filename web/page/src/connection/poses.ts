@@ -1,7 +1,7 @@
 /// Poses as numbers, messages and texts.
 import type { Message } from './types.ts';
 
-/// x, y, z [m], roll, pitch, yaw [rad], as SDF has them.
+/// x, y, z [m], roll, pitch, yaw [rad], as in SDF.
 export type Sixfold = [number, number, number, number, number, number];
 
 /// x, y, z, w
@@ -34,20 +34,20 @@ export function poseMessage([x, y, z, roll, pitch, yaw]: Sixfold): Message {
   return { position: { x, y, z }, orientation: { x: qx, y: qy, z: qz, w: qw } };
 }
 
-/// What is not set is 0, and the rotation none.
+/// Unset values are 0, an unset rotation is the identity.
 export function sixfoldOf(pose: Message | undefined): Sixfold {
   const { x = 0, y = 0, z = 0 } = (pose?.position ?? {}) as Message;
   const { x: qx = 0, y: qy = 0, z: qz = 0, w: qw = 1 } = (pose?.orientation ?? {}) as Message;
   return [x, y, z, ...rollPitchYawOf([qx, qy, qz, qw])];
 }
 
-/// A text of six numbers with blanks between them; nothing where it is none.
+/// Parses six numbers separated by blanks; nothing for other text.
 export function parseSixfold(text: string): Sixfold | null {
   const numbers = text.trim().split(/\s+/).map(Number);
   return numbers.length === 6 && numbers.every(Number.isFinite) ? (numbers as Sixfold) : null;
 }
 
-/// As few digits as say the number, to a billionth.
+/// As few digits as the number needs, to a billionth.
 export function shortest(value: number): string {
   const rounded = Math.round(value * 1e9) / 1e9;
   return String(Number.isFinite(rounded) ? rounded + 0 : value);

@@ -1,9 +1,9 @@
-/// The frames of the Foxglove WebSocket protocol (foxglove.websocket.v1), which is what pongsim.web.v1 speaks, too.
+/// Frames of the Foxglove WebSocket protocol (foxglove.websocket.v1), also used by pongsim.web.v1.
 
 export interface Channel {
   id: number;
   topic: string;
-  /// "protobuf", or "pongsim" for what only this page is offered.
+  /// "protobuf", or "pongsim" for channels that only this page is offered.
   encoding: string;
   schemaName: string;
   /// With "protobuf": a FileDescriptorSet in base64.
@@ -24,7 +24,7 @@ export interface Service {
   response?: ServiceSide;
 }
 
-/// What the server says in text.
+/// Text messages of the server.
 export type ServerMessage =
   | { op: 'serverInfo'; name: string; capabilities: string[]; sessionId?: string; metadata?: Record<string, string> }
   | { op: 'status'; level: 0 | 1 | 2; message: string; id?: string }
@@ -37,14 +37,14 @@ export type ServerMessage =
   | { op: 'parameterValues' }
   | { op: 'connectionGraphUpdate' };
 
-/// What it says in bytes.
+/// Binary messages of the server.
 export type ServerFrame =
   | { op: 'data'; subscription: number; timeNs: bigint; payload: Uint8Array }
   | { op: 'time'; timeNs: bigint }
   | { op: 'answer'; service: number; call: number; encoding: string; payload: Uint8Array }
   | { op: 'asset'; request: number; error: string | null; payload: Uint8Array };
 
-/// @throws Error where the text is no object with an "op".
+/// @throws Error if the text is not an object with an "op".
 export function readText(text: string): ServerMessage {
   const message: unknown = JSON.parse(text);
   if (typeof message !== 'object' || message === null || typeof (message as { op?: unknown }).op !== 'string') {
@@ -53,8 +53,8 @@ export function readText(text: string): ServerMessage {
   return message as ServerMessage;
 }
 
-/// The payload lies in the bytes that were given.
-/// @throws Error where they are too short, or begin with an operation that nobody knows.
+/// The payload is a view of the given bytes.
+/// @throws Error if they are too short, or start with an unknown operation.
 export function readFrame(bytes: Uint8Array): ServerFrame {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const rest = (from: number): Uint8Array => {
@@ -86,7 +86,7 @@ export function readFrame(bytes: Uint8Array): ServerFrame {
   throw new Error(`a frame of the server begins with ${bytes[0]}, which is unknown`);
 }
 
-/// A message on a channel that this client has advertised.
+/// A message on a channel advertised by this client.
 export function publishFrame(channel: number, payload: Uint8Array): Uint8Array<ArrayBuffer> {
   const frame = new Uint8Array(5 + payload.length);
   const view = new DataView(frame.buffer);

@@ -1,4 +1,4 @@
-/// Calls of services and requests for files that wait for their answers.
+/// Pending service calls and requests for files.
 import { callFrame } from './protocol.ts';
 
 type Send = (data: string | Uint8Array<ArrayBuffer>) => void;
@@ -46,7 +46,7 @@ export class Requests {
     else waiting?.resolve(payload.slice().buffer);
   }
 
-  /// All that wait, as nothing answers any more.
+  /// Fails all pending requests, because the connection has ended.
   fail(reason: string): void {
     for (const waiting of [...this.calls.values(), ...this.assets.values()]) waiting.reject(new Error(reason));
     this.calls.clear();

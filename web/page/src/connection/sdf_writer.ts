@@ -1,4 +1,4 @@
-/// SDF of a model as the scene and the state tell of it. What they do not tell is not in it: plugins, sensors, friction.
+/// Writes a model as SDF, from scene and state. These lack plugins, sensors and friction.
 import { shortest, sixfoldOf } from './poses.ts';
 import type { Message } from './types.ts';
 
@@ -10,7 +10,7 @@ const xyz = (v: Message | undefined): string => [v?.x, v?.y, v?.z].map((value) =
 const poseText = (pose: Message | undefined): string => sixfoldOf(pose).map(shortest).join(' ');
 const rgba = (color: Message | undefined): string => [color?.r, color?.g, color?.b, color?.a].map((value) => shortest((value as number) ?? 0)).join(' ');
 
-/// Lines of XML, two blanks a level.
+/// Lines of XML, indented by two blanks per level.
 class Lines {
   private readonly lines: string[] = [];
   private level = 0;

@@ -1,4 +1,4 @@
-/// One world of the server: what there is in it, where it is, and what can be done with it.
+/// One world of the server: its entities, their poses, and actions on it.
 import type { Connection } from './connection.ts';
 import { Emitter } from './emitter.ts';
 import { completeScene, Entities } from './entities.ts';
@@ -6,22 +6,22 @@ import { FrameGatherer, readFrame, type Frame } from './frames.ts';
 import { poseMessage, type Sixfold } from './poses.ts';
 import type { Message } from './types.ts';
 
-/// What an ignition.msgs.Entity may be.
+/// Types of an ignition.msgs.Entity.
 export const kModel = 2;
 export const kLight = 1;
 
-/// The names of all worlds that can be controlled or seen: who may only look is not told of what controls them.
+/// The names of all worlds that can be controlled or viewed; read-only clients do not see control services.
 export function worldNames(services: Iterable<string>): string[] {
   const names = [...services].map((name) => /^\/world\/([^/]+)\/(?:control|scene\/info)$/.exec(name)?.[1]);
   return [...new Set(names.filter((name) => name !== undefined))].sort();
 }
 
 export class World {
-  /// An ignition.msgs.Scene with what the state tells; null until it is there, or where no system tells of it.
+  /// An ignition.msgs.Scene completed from the state; null until it has arrived, or if no system provides it.
   scene: Message | null = null;
   entities = new Entities(null);
   readonly changed = new Emitter<World>();
-  /// What has moved since the picture before.
+  /// What has moved since the previous frame.
   readonly framed = new Emitter<Frame>();
   revision = -1;
   private readonly frames = new FrameGatherer();
@@ -45,12 +45,12 @@ export class World {
     void this.read();
   }
 
-  /// The latest pose in the world of each link and model: position and quaternion x, y, z, w.
+  /// The latest world pose of each link and model: position and quaternion x, y, z, w.
   get poses(): ReadonlyMap<number, Float32Array> {
     return this.frames.poses;
   }
 
-  /// All of them as a frame, for who has not heard the ones before.
+  /// All of them as a frame, for new listeners.
   allPoses(): Frame {
     return this.frames.all(this.revision);
   }
@@ -59,7 +59,7 @@ export class World {
     for (const end of this.ends.splice(0)) end();
   }
 
-  /// "/world/NAME/" and what is said.
+  /// @return "/world/NAME/" with a suffix.
   path(rest: string): string {
     return `/world/${this.name}/${rest}`;
   }
@@ -90,14 +90,14 @@ export class World {
     });
   }
 
-  /// @param model The name of one that is there, of which another one is made.
+  /// @param model Name of an existing model, which is copied.
   async clone(model: string, pose: Sixfold): Promise<void> {
     await this.ask('create', {
       from: { case: 'cloneName', value: model }, name: model, allowRenaming: true, pose: poseMessage(pose),
     });
   }
 
-  /// Reads what there is again; a change meanwhile has it read once more.
+  /// Requests scene and state again; if something changes meanwhile, once more.
   async read(): Promise<void> {
     if (this.isReading) {
       this.isStale = true;
@@ -110,7 +110,7 @@ export class World {
         await this.readOnce();
       } while (this.isStale);
     } catch {
-      // broken off, or no system tells of the scene: it is read when the service is there
+      // interrupted, or no system provides the scene: it is requested when the service appears
     } finally {
       this.isReading = false;
     }

@@ -1,4 +1,4 @@
-/// All that there is in the world as a tree, with a search.
+/// All entities of the world as a tree, with a search.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import type { Entity, Kind } from '../connection/entities.ts';
@@ -7,7 +7,7 @@ const kSigns: Record<Kind, string> = {
   world: 'W', model: 'M', link: 'L', joint: 'J', visual: 'V', collision: 'C', sensor: 'S', light: '☀', actor: 'A',
 };
 
-/// Whether the entity, or one below it, has the words in its name or kind.
+/// Whether the entity, or one below it, matches the search with its name or kind.
 export function matches(entity: Entity, words: string): boolean {
   const own = `${entity.name} ${entity.kind}`.toLowerCase();
   return own.includes(words) || entity.children.some((child) => matches(child, words));
@@ -83,7 +83,7 @@ export function openEntityTree(context: Context): Panel {
   return { element, close: ends.end };
 }
 
-/// The keys of a tree: up and down, right opens, left closes or leads to the parent.
+/// The keys of a tree: up and down; right opens; left closes or moves to the parent.
 /// @return Whether the key was one of them.
 function moveInTree(tree: HTMLElement, event: KeyboardEvent, turn: (id: number, isOpen: boolean) => void): boolean {
   const item = (event.target as HTMLElement).closest<HTMLElement>('li');

@@ -1,4 +1,4 @@
-/// The picture of a camera.
+/// The images of a camera.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import { imagePixels } from './image_pixels.ts';

@@ -1,4 +1,4 @@
-/// From an ignition.msgs.Image to pixels that a browser draws.
+/// Converts an ignition.msgs.Image to pixels for a canvas.
 import type { Message } from '../connection/types.ts';
 
 // ignition.msgs.PixelFormatType
@@ -12,9 +12,9 @@ const kFormats: Record<number, { bytes: number; read: (data: DataView, at: numbe
   13: { bytes: 4, read: (data, at) => data.getFloat32(at, true) },
 };
 
-/// A picture of width x height pixels, 4 bytes each; values of depth or heat are from black (least) to white (most), what is
-/// infinite or no number is black.
-/// @throws Error where the format is none that can be shown, or bytes are missing.
+/// An image of width x height pixels, 4 bytes each. Depths and temperatures are from black (smallest) to white
+/// (largest); infinite values and NaN are black.
+/// @throws Error if the format is not supported, or bytes are missing.
 export function imagePixels(image: Message): { width: number; height: number; pixels: Uint8ClampedArray<ArrayBuffer> } {
   const [width, height] = [image.width as number, image.height as number];
   const format = kFormats[image.pixelFormatType as number];

@@ -1,4 +1,4 @@
-/// What is known of the entity that is chosen: its pose as it moves, and its components.
+/// Information about the selected entity: its current pose and its components.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, shortNumber } from '../app/dom.ts';
 import { Components } from '../connection/components.ts';
@@ -11,7 +11,7 @@ type Rows = [name: string, value: string][];
 const list = (numbers: readonly number[]): string => numbers.map(shortNumber).join('  ');
 const vector = (v: Message | undefined): string => list([v?.x ?? 0, v?.y ?? 0, v?.z ?? 0]);
 
-/// Name and value of each that is worth a line.
+/// Names and values to show.
 export function rowsOf(entity: Entity, types: MessageTypes): Rows {
   const { components, kind } = entity;
   const rows: Rows = [['Name', entity.name], ['Kind', kind], ['Entity', String(entity.id)]];
@@ -111,7 +111,7 @@ export function openInspector(context: Context): Panel {
       pose.textContent = list(entity.components.numbers('Pose') ?? []) || '–';
     }
   };
-  // joints do not come with the poses of the page; the state that moves has them
+  // joint positions are not in the page's pose frames, but in the state
   let endState: (() => void) | null = null;
   const followJoint = (): void => {
     endState?.();

@@ -1,10 +1,10 @@
-/// Where the joints of a model are to be, for JointPositionController: Doubles on its topics.
+/// Target positions of a model's joints, for JointPositionController: Doubles on its topics.
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { h, numberField, setChoices } from '../app/dom.ts';
 import { kJointNames, type Entity } from '../connection/entities.ts';
 import type { Message } from '../connection/types.ts';
 
-/// From where to where the slider of a joint goes; one without limits turns once around, or moves a metre.
+/// Range of a joint's slider; without limits it is one turn, or one metre in each direction.
 export function rangeOf(kind: string, axis: Message | undefined): [number, number] {
   const [lower, upper] = [axis?.limitLower as number, axis?.limitUpper as number];
   const isLimited = Number.isFinite(lower) && Number.isFinite(upper) && upper > lower && upper - lower < 1e3;

@@ -4,7 +4,7 @@ import { h, shortNumber } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
 import { topicChooser } from './topics.ts';
 
-/// Where the hits of one ring are, x forward and y left [m]; what has hit nothing is left out.
+/// Positions of the hits of one ring, x forward and y left [m]; beams without a hit are left out.
 export function hitsOf(scan: Message, ring: number): [number, number][] {
   const hits: [number, number][] = [];
   const ranges = scan.ranges as number[];
@@ -34,7 +34,7 @@ function draw(canvas: HTMLCanvasElement, scan: Message, reach: number): void {
     context.stroke();
   }
   context.fillStyle = style.getPropertyValue('--accent');
-  // of several rings, the one in the middle
+  // of several rings, the middle one
   const ring = Math.floor(((scan.verticalCount as number) || 1) / 2);
   for (const [x, y] of hitsOf(scan, ring)) context.fillRect(centre - y * scale - 1.5, centre - x * scale - 1.5, 3, 3);
   context.fillStyle = style.getPropertyValue('--text');

@@ -1,4 +1,4 @@
-/// The lights of the world: on and off, as bright as wanted, and new ones.
+/// The lights of the world: switched, dimmed and added.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h, numberField } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
@@ -6,13 +6,13 @@ import { lightSdf, type LightType } from './shapes.ts';
 
 const kKey = 'isLightOn';
 
-/// Whether a message of a light says that it is on: Fortress tells it in the header.
+/// Whether a light is on: Fortress stores that in the message's header.
 export function isOn(light: Message): boolean {
   const entry = (light.header?.data as Message[] | undefined)?.find(({ key }) => key === kKey);
   return entry?.value?.[0] !== '0';
 }
 
-/// The same light, on or off.
+/// The same light, switched on or off.
 export function switched(light: Message, on: boolean): Message {
   const data = ((light.header?.data ?? []) as Message[]).filter(({ key }) => key !== kKey);
   return { ...light, header: { ...light.header, data: [...data, { key: kKey, value: [on ? '1' : '0'] }] } };

@@ -1,4 +1,4 @@
-/// What has happened: warnings of the server, refusals, faults of the page.
+/// Messages: warnings of the server, refusals, errors of the page.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 

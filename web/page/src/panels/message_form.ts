@@ -1,4 +1,4 @@
-/// A form made from a message type: a field for each of its, filled in to a message.
+/// A form for a message type, with one input per field.
 import type { DescEnum, DescField, DescMessage } from '@bufbuild/protobuf';
 import { h, iconButton, numberField } from '../app/dom.ts';
 import { scalarKind } from '../connection/fields.ts';
@@ -6,12 +6,12 @@ import type { Message } from '../connection/types.ts';
 
 interface Part {
   element: HTMLElement;
-  /// @return What has been filled in; undefined: nothing.
-  /// @throws Error with the field's name where it is no value of its type.
+  /// @return The value entered; undefined if empty.
+  /// @throws Error with the field's name if the value does not fit its type.
   value(): unknown;
 }
 
-/// @return The form; `value` is the message's fields, those left empty left out.
+/// @return The form; `value` is the message's fields without empty ones.
 export function messageForm(type: DescMessage): { element: HTMLElement; value(): Message } {
   const parts = type.fields.map((field) => ({ field, part: fieldPart(field) }));
   const element = h('div', { class: 'form' }, ...parts.map(({ part }) => part.element));
@@ -67,7 +67,7 @@ function scalarPart(field: DescField): Part {
   return { element: input, value };
 }
 
-/// @throws Error naming the field where the text is not a number of its type.
+/// @throws Error with the field's name if the text is not a number of its type.
 export function numberOf(field: Pick<DescField, 'name' | 'scalar'>, text: string): number | bigint | undefined {
   if (text.trim() === '') return undefined;
   const value = Number(text);
@@ -79,7 +79,7 @@ export function numberOf(field: Pick<DescField, 'name' | 'scalar'>, text: string
   return [3, 4, 6, 16, 18].includes(field.scalar!) ? BigInt(text) : value;
 }
 
-/// Types may hold themselves: what is in a message is made when it is opened.
+/// Types may be recursive: a nested message's form is created when it is opened.
 function messagePart(name: string, type: DescMessage): Part {
   let form: ReturnType<typeof messageForm> | null = null;
   const details = h('details', {}, h('summary', {}, name));

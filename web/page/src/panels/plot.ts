@@ -1,4 +1,4 @@
-/// Numbers of any topics over simulated time: zoom by dragging, all again by a double click; pause; CSV.
+/// Plots numbers of any topics over simulated time: drag to zoom, double click to show all; pause; CSV.
 import uPlot from 'uplot';
 import { Ends, setting, type Context, type Panel, type Settings } from '../app/context.ts';
 import { download, h, labelled, numberField, setChoices } from '../app/dom.ts';
@@ -7,10 +7,10 @@ import type { Message } from '../connection/types.ts';
 import { addValue, csvOf, joined, type Curve } from './plot_data.ts';
 import { topicChooser } from './topics.ts';
 
-/// Far apart for most eyes, with enough contrast on dark and on light.
+/// Colours that most people can distinguish, with enough contrast on dark and on light.
 const kColors = ['#2f8fd8', '#d9680a', '#1f9d6b', '#c2459c', '#8a7a00', '#7a63e0', '#d0392f', '#5f7380'];
 
-/// Simulated time of a message [s]: its header's stamp, or when it was sent.
+/// Simulated time of a message [s]: its header's stamp, else the time of sending.
 export function timeOf(message: Message, sentNs: bigint): number {
   const stamp = (message.header?.stamp ?? message.simTime) as Message | undefined;
   if (stamp) return Number(stamp.sec) + Number(stamp.nsec) / 1e9;
@@ -90,7 +90,7 @@ function fieldChooser(context: Context, settings: Settings, ends: Ends, plot: (t
     stop();
     setChoices(path, []);
     if (!topic) return;
-    // what there is to choose is what the first message has
+    // the choices are the fields of the first message
     stop = connection.subscribe(topic, (message, _time, type) => {
       setChoices(path, numbersIn(connection.types.get(type), message).map((each) => each.path));
       stop();
@@ -101,7 +101,7 @@ function fieldChooser(context: Context, settings: Settings, ends: Ends, plot: (t
   return h('div', { class: 'row wrap' }, chooser, path, add);
 }
 
-/// The drawing of the curves.
+/// The chart with the curves.
 class Chart {
   readonly element = h('div', { class: 'chart', role: 'img', 'aria-label': 'Values over time' });
   private plot: uPlot | null = null;
@@ -131,7 +131,7 @@ class Chart {
     this.plot.over.addEventListener('dblclick', () => (this.isZoomed = false));
   }
 
-  /// While the user has zoomed in, what is seen stays.
+  /// While the user has zoomed in, the visible range stays.
   show(curves: readonly Curve[], since: number): void {
     this.plot?.setData(joined(curves, this.isZoomed ? -Infinity : since) as uPlot.AlignedData, !this.isZoomed);
     if (this.isZoomed) this.plot?.redraw();

@@ -1,4 +1,4 @@
-/// Values over simulated time, for plots: bounded, in the order of their times.
+/// Values over simulated time, for plots: limited in number and ordered by time.
 
 export interface Curve {
   /// "/topic field.path"
@@ -7,10 +7,10 @@ export interface Curve {
   values: number[];
 }
 
-/// Values of a curve that are kept; of more the oldest half goes.
+/// Maximum number of values per curve; beyond it the oldest half is dropped.
 export const kMostValues = 20_000;
 
-/// A time before the last one begins the curve anew: the world has been reset.
+/// An earlier time than the last one restarts the curve: the world was reset.
 export function addValue(curve: Curve, time: number, value: number): void {
   const last = curve.times.at(-1);
   if (last !== undefined && time < last) {
@@ -25,7 +25,7 @@ export function addValue(curve: Curve, time: number, value: number): void {
   }
 }
 
-/// All curves over all their times, from `since` on; null where a curve has nothing at a time.
+/// All curves on a common list of times, from `since` on; null if a curve has no value at a time.
 export function joined(curves: readonly Curve[], since = -Infinity): [number[], ...(number | null)[][]] {
   const times = [...new Set(curves.flatMap((curve) => curve.times.filter((time) => time >= since)))].sort((a, b) => a - b);
   const columns = curves.map((curve) => {
@@ -35,7 +35,7 @@ export function joined(curves: readonly Curve[], since = -Infinity): [number[], 
   return [times, ...columns];
 }
 
-/// The same as a table with commas, as spreadsheets read it.
+/// The same as CSV.
 export function csvOf(curves: readonly Curve[]): string {
   const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const [times, ...columns] = joined(curves);

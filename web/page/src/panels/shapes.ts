@@ -1,4 +1,4 @@
-/// Models of one shape and lights, as SDF and as messages to be shown before they are there.
+/// Models with a single shape, and lights, as SDF and as messages for the preview.
 import type { Message } from '../connection/types.ts';
 
 export type Shape = 'box' | 'sphere' | 'cylinder' | 'capsule' | 'ellipsoid';
@@ -7,11 +7,11 @@ export type LightType = 'point' | 'spot' | 'directional';
 interface ShapeValues {
   geometry: string;
   message: Message;
-  /// Of 1 kg, xx yy zz [kg m^2].
+  /// Moments of inertia for 1 kg, xx yy zz [kg m^2].
   moments: [number, number, number];
 }
 
-/// As Fortress's Shapes: a metre large, 1 kg.
+/// Like Fortress's Shapes: one metre in size, 1 kg.
 const kShapes: Record<Shape, ShapeValues> = {
   box: {
     geometry: '<box><size>1 1 1</size></box>', message: { type: 0, box: { size: { x: 1, y: 1, z: 1 } } },
@@ -54,7 +54,7 @@ export function shapeSdf(shape: Shape): string {
 </sdf>`;
 }
 
-/// An ignition.msgs.Model that looks like it.
+/// An ignition.msgs.Model with the same appearance.
 export function shapeMessage(shape: Shape): Message {
   const color = { r: 0.7, g: 0.7, b: 0.7, a: 1 };
   const visual = { id: 1, name: 'visual', geometry: kShapes[shape].message, material: { ambient: color, diffuse: color } };

@@ -1,15 +1,15 @@
-/// New models: shapes, what a file has, what the simulator finds by a name or an address.
+/// Inserts models: shapes, files, and models found by name or address.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import { kShapeNames, shapeMessage, shapeSdf, type Shape } from './shapes.ts';
 
-/// What a file of SDF is, by its first model, light or robot; null: it is none.
+/// The kind of an SDF or URDF file: its first model, light or robot; null for other files.
 export function sdfName(text: string): string | null {
   const found = /<(?:model|light|robot)\b[^>]*?\bname\s*=\s*["']([^"']+)["']/.exec(text);
   return found?.[1] ?? null;
 }
 
-/// Lets the world have the models of files, such as have been dropped on the page.
+/// Inserts the models of files, such as those dropped on the page.
 export async function spawnFiles(context: Context, files: Iterable<File>): Promise<void> {
   for (const file of files) {
     const text = await file.text();
@@ -22,7 +22,7 @@ export async function spawnFiles(context: Context, files: Iterable<File>): Promi
       context.log.add('error', `Spawn: ${file.name} has no model, light or robot`);
       continue;
     }
-    // where the file says
+    // at the pose in the file
     if (await context.attempt(`Spawn ${name}`, context.world.spawn(text, null))) context.log.add('info', `${name} of ${file.name} is there`);
   }
 }

@@ -1,8 +1,8 @@
-/// Choosing a topic among those of a type.
+/// Selecting a topic of certain types.
 import type { Context, Ends } from '../app/context.ts';
 import { h, setChoices } from '../app/dom.ts';
 
-/// The topics that the server offers, of one of the types; of all types where none is named.
+/// The server's topics with one of the types; all topics if no type is given.
 export function topicsOf(context: Context, types: readonly string[]): string[] {
   return [...context.connection.channels.values()]
     .filter(({ encoding, schemaName }) => encoding === 'protobuf' && (types.length === 0 || types.includes(schemaName)))
@@ -10,8 +10,8 @@ export function topicsOf(context: Context, types: readonly string[]): string[] {
     .sort();
 }
 
-/// A list of them that follows what comes and goes.
-/// @param chosen Called with the one that is chosen, first of all with the wanted one; '' is none.
+/// A list of them that follows changes.
+/// @param chosen Called with the selected topic, initially the wanted one; '' is none.
 export function topicChooser(
   context: Context, types: readonly string[], wanted: string | undefined, ends: Ends, chosen: (topic: string) => void,
 ): HTMLSelectElement {
@@ -35,7 +35,7 @@ export function topicChooser(
     update();
   });
   ends.add(context.connection.channelsChanged.on(update));
-  // when the panel that it is for is whole
+  // when the panel has been built
   queueMicrotask(update);
   return select;
 }

@@ -1,4 +1,4 @@
-/// How the 3D view shows the world: from where, with what drawn over it, whom it follows.
+/// Settings of the 3D view: viewpoint, overlays, the entity to follow.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import type { Direction, Overlay } from '../view/index.ts';

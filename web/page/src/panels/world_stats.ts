@@ -1,4 +1,4 @@
-/// Simulated time, real time, iterations, and how the real-time factor went.
+/// Simulated time, real time, iterations, and a curve of the real-time factor.
 import { Ends, type Context, type Panel } from '../app/context.ts';
 import { h } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
@@ -13,7 +13,7 @@ export function timeText(time: Message | undefined): string {
   return `${Math.floor(total / 86400)} ${two((total / 3600) % 24)}:${two((total / 60) % 60)}:${two(total % 60)}.${ms}`;
 }
 
-/// A line of the latest values, up to 1.25 times the largest, from the left.
+/// A curve of the latest values, up to 1.25 times the largest.
 function drawFactors(canvas: HTMLCanvasElement, factors: number[]): void {
   const context = canvas.getContext('2d');
   if (!context) return;

@@ -1,8 +1,7 @@
-/// What the view reads of the messages that it is given. Every field may be missing: what a message does not set, the
-/// decoder leaves out or gives as 0.
+/// The fields of messages that the view reads. Each may be missing: the decoder leaves out unset fields, or returns 0.
 
-/// A message as the connection decodes it (@bufbuild/protobuf, by reflection): fields in camelCase, numbers of 64 bits as
-/// bigint, enums as numbers, bytes as Uint8Array, repeated fields as arrays, a message that is not set undefined.
+/// A message as decoded by the connection (@bufbuild/protobuf, by reflection): fields in camelCase, 64-bit numbers as
+/// bigint, enums as numbers, bytes as Uint8Array, repeated fields as arrays; unset messages are undefined.
 // eslint-disable-next-line @typescript-eslint/no-explicit-any
 export type Message = Record<string, any>;
 
@@ -149,7 +148,7 @@ export interface JointMessage {
   id?: number;
   name?: string;
   type?: number;
-  /// Names of links, as the model that holds the joint knows them.
+  /// Names of links in the model that contains the joint.
   parent?: string;
   child?: string;
   childId?: number;
@@ -165,7 +164,7 @@ export interface ModelMessage {
   isStatic?: boolean;
   pose?: PoseMessage;
   link?: LinkMessage[];
-  /// Of what has no links, as actors.
+  /// Of a model without links, such as an actor.
   visual?: VisualMessage[];
   joint?: JointMessage[];
   model?: ModelMessage[];

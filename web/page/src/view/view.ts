@@ -24,20 +24,21 @@ import { Handles, type Tool } from './tools/handles.ts';
 import { Recorder } from './tools/recorder.ts';
 
 export interface ViewOptions {
-  /// The bytes of a file that the scene names (mesh, texture, material) by its address.
+  /// Returns the bytes of a file that the scene names (mesh, texture, material) by its address.
   asset(address: string): Promise<ArrayBuffer>;
-  /// Somebody picked the entity, or nothing (null).
+  /// The user has selected the entity, or nothing (null).
   onPick?(entity: number | null): void;
-  /// Handles have moved the model to a place; during: they are still held. What is returned at the end may be a promise:
-  /// until it settles, and its pose comes, the model is shown where it was left; at once where it was if it rejects.
+  /// The user has dragged the model to a pose; during: it is still being dragged. At the end, the result may be a
+  /// promise: the model is shown there until the promise settles and its new pose arrives, or moves back at once if it
+  /// rejects.
   onMove?(entity: number, pose: Pose, during: boolean): void | Promise<unknown>;
-  /// A place for what showGhost shows has been chosen (null: given up).
+  /// The user has chosen a place for showGhost's model (null: cancelled).
   onPlace?(pose: Pose | null): void;
-  /// What can't be shown, in words for the user.
+  /// Something can't be shown; the text is for the user.
   onProblem?(text: string): void;
 }
 
-// after the last change [ms]
+// time after the last change [ms]
 const restTime = 300;
 
 /// The 3D view. It draws only when something has changed.
@@ -71,7 +72,7 @@ export class View {
   private rest: ReturnType<typeof setTimeout> | undefined;
   private needsShadows = true;
 
-  /// Whether this browser draws 3D (WebGL 2).
+  /// Whether this browser supports 3D graphics (WebGL 2).
   static supported(): boolean {
     try {
       View.tried ??= document.createElement('canvas');
@@ -81,10 +82,10 @@ export class View {
     }
   }
 
-  /// What that was seen on, for the next view: to begin with graphics takes a while.
+  /// The canvas of that test, reused for the next view, because creating a context takes a while.
   private static tried: HTMLCanvasElement | undefined;
 
-  /// @throws Where this browser draws no 3D.
+  /// @throws If this browser does not support 3D graphics.
   constructor(
     parent: HTMLElement,
     private readonly options: ViewOptions,
@@ -154,7 +155,7 @@ export class View {
     this.invalidate();
   }
 
-  /// Draws that share of the width and height; the browser stretches it.
+  /// Renders with that fraction of the width and height; the browser scales the image.
   private setScale(scale: number): void {
     const ratio = Math.min(window.devicePixelRatio, 2) * scale;
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
@@ -169,11 +170,11 @@ export class View {
     this.invalidate();
   }
 
-  /// Has a picture drawn as soon as the browser shows one.
+  /// Schedules a frame.
   private invalidate(): void {
     this.picture ??= requestAnimationFrame((now) => {
       this.picture = null;
-      // a video has one size
+      // the size of a video is fixed
       const scale = this.recorder ? 1 : this.pace.next(now);
       this.setScale(scale);
       this.draw();
@@ -183,7 +184,7 @@ export class View {
     });
   }
 
-  /// What stands still is worth its whole picture.
+  /// Renders a view at rest in full resolution.
   private drawWhole(): void {
     this.setScale(1);
     this.draw();
@@ -214,14 +215,14 @@ export class View {
     this.renderer.shadowMap.needsUpdate = true;
   }
 
-  /// An ignition.msgs.Scene, all of it; what stays the same keeps its place and is not loaded again.
+  /// A complete ignition.msgs.Scene; unchanged parts keep their poses and are not loaded again.
   setScene(scene: Message): void {
     const message = scene as SceneMessage;
     this.stage.setScene(message);
     this.sceneShadows = message.shadows ?? true;
     this.setShadows(this.wantsShadows);
     this.grid.visible = this.wantsGrid ?? message.grid ?? true;
-    // nobody could take away those of what has gone
+    // otherwise nobody could remove those of removed topics
     for (const id of [...this.trails.keys()]) if (!this.stage.content.places.has(id)) this.setTrail(id, false);
     this.marked.rebuild();
     this.sceneChanged();
@@ -243,7 +244,7 @@ export class View {
     this.invalidate();
   }
 
-  /// What the handles move: a model of the world or a light of it.
+  /// The entity moved by the handles: a model or a light of the world.
   private get movable(): number | null {
     const place = this.stage.content.places.get(this.selected ?? 0);
     return place !== undefined && place.parent === 0 ? place.id : null;
@@ -271,11 +272,11 @@ export class View {
 
   private moveEye(move: () => void): void {
     move();
-    // those of a wide scene are around what is looked at
+    // in a wide scene, shadows are drawn around the target of the viewpoint
     this.sceneChanged();
   }
 
-  /// Looks at the entity so that all of it is seen.
+  /// Moves the viewpoint so that the whole entity is visible.
   lookAt(entity: number): void {
     const { center, radius } = this.stage.boundsOf(entity).getBoundingSphere(new Sphere());
     if (radius > 0) this.moveEye(() => this.eye.lookAt(center, radius));
@@ -285,7 +286,7 @@ export class View {
     this.moveEye(() => this.eye.lookFrom(direction));
   }
 
-  /// Where the eye is: looks along x, z is up.
+  /// The viewpoint: looks along x, z is up.
   setCamera(pose: Pose): void {
     this.moveEye(() => (this.eye.placement = placementOfPose(pose)));
   }
@@ -294,7 +295,7 @@ export class View {
     return poseOf(this.eye.placement);
   }
 
-  /// Of one entity and all in it, or of all.
+  /// Of one entity with its parts, or of all.
   setOverlay(overlay: Overlay, on: boolean, entity?: number): void {
     this.shown.set(overlay, on, entity);
     if (overlay === 'wireframe' || overlay === 'transparent') this.stage.restyle();
@@ -325,20 +326,21 @@ export class View {
     this.invalidate();
   }
 
-  /// An ignition.msgs.LaserScan (null: no longer shown) under a key, as its topic. Without an entity (a link or sensor) it
-  /// is in the frame that it names.
+  /// Shows an ignition.msgs.LaserScan (null: removes it) under a key, such as its topic. Without an entity (a link or
+  /// sensor) it is in the frame that it names.
   setLidar(key: string, scan: Message | null, entity?: number): void {
     this.scans.set(key, scan, entity);
     this.invalidate();
   }
 
-  /// An ignition.msgs.PointCloudPacked, in the frame of the entity (a link or sensor), or in the one that it names.
+  /// Shows an ignition.msgs.PointCloudPacked, in the frame of the entity (a link or sensor), or in the one that it
+  /// names.
   setPointCloud(key: string, cloud: Message | null, entity?: number): void {
     this.clouds.set(key, cloud, entity);
     this.invalidate();
   }
 
-  /// An ignition.msgs.Contacts.
+  /// Shows an ignition.msgs.Contacts.
   setContacts(key: string, contacts: Message | null): void {
     let shape = this.contacts.get(key);
     if (contacts === null) {
@@ -373,7 +375,7 @@ export class View {
     this.invalidate();
   }
 
-  /// What follows the pointer until a click chooses its place: a message of a model or a light; null ends it.
+  /// Shows a model or a light at the pointer until a click chooses its place; null ends it.
   showGhost(model: Message | null): void {
     if (this.ghost) this.stage.root.remove(this.ghost.object);
     this.ghost?.dispose();
@@ -432,12 +434,12 @@ export class View {
     this.options.onPlace?.(null);
   }
 
-  /// How many things the last picture was drawn of, shadows included.
+  /// Number of draw calls of the last frame, including shadows.
   get drawCalls(): number {
     return this.renderer.info.render.calls;
   }
 
-  /// A PNG file of what is seen.
+  /// A PNG file of the view.
   screenshot(): Promise<Blob> {
     this.drawWhole();
     return new Promise((resolve, reject) => {
@@ -445,7 +447,7 @@ export class View {
     });
   }
 
-  /// @throws Where this browser makes no video.
+  /// @throws If this browser cannot record video.
   startVideo(): void {
     this.recorder ??= new Recorder(this.canvas);
     this.invalidate();

@@ -12,12 +12,12 @@ export function addressBeside(address: string, name: string): string {
   return scheme + parts.join('/');
 }
 
-/// The ending of a file's name, in lower case, as "dae".
+/// The extension of a file, in lower case, such as "dae".
 export function endingOf(address: string): string {
   return (/\.([^./]+)$/.exec(address.split(/[?#]/)[0]!)?.[1] ?? '').toLowerCase();
 }
 
-/// Where a picture may be that a mesh names: beside it, or where models have theirs, as Fortress looks.
+/// Possible addresses of a texture named by a mesh: beside it, or in the folder for models' textures, as in Fortress.
 export function pictureAddresses(mesh: string, name: string): string {
   const places = [name, `../materials/textures/${name}`].map((place) => addressBeside(mesh, place));
   return [...new Set(places)].join('\n');

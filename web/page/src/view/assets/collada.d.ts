@@ -1,4 +1,4 @@
-// What the page uses of the parts of three's ColladaLoader, for which there are no types.
+// Types of those parts of three's ColladaLoader that the page uses.
 declare module 'three/examples/jsm/loaders/collada/ColladaParser.js' {
   export class ColladaParser {
     parse(text: string): { library: unknown; collada: unknown; asset: { unit: number; upAxis: string } } | null;

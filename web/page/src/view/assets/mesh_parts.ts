@@ -13,25 +13,25 @@ import {
 
 import { type Paint, type Rgb, greyPaint } from '../draw/paint.ts';
 
-/// A part of a mesh file: of one material.
+/// A part of a mesh file with one material.
 export interface Part {
   geometry: BufferGeometry;
-  /// Of its file; null where that gives none.
+  /// From the file; null if it has none.
   paint: Paint | null;
 }
 
 export interface PartOptions {
-  /// Name of the only part that is wanted; empty: all.
+  /// Name of a single submesh; empty: all.
   submesh: string;
-  /// Moves the middle of a submesh to the origin.
+  /// Moves the centre of a submesh to the origin.
   isCentered: boolean;
-  /// Colours of the file were taken for those of a screen; the simulator takes them as shares of light.
+  /// The loader took the file's colours for sRGB; the simulator takes them as linear.
   hasScreenColors: boolean;
-  /// Texture coordinates begin at the top of the picture.
+  /// Texture coordinates start at the top of the image.
   hasTexelsFromTop: boolean;
 }
 
-/// Takes what a loader of three.js has made apart, with everything where its nodes place it.
+/// Splits the result of a three.js loader into parts, with the nodes' transformations applied.
 export function partsOf(root: Object3D, options: PartOptions): Part[] {
   root.updateMatrixWorld(true);
   const parts: Part[] = [];
@@ -52,7 +52,7 @@ export function partsOf(root: Object3D, options: PartOptions): Part[] {
 
 function isWanted(mesh: Mesh, submesh: string): boolean {
   if (submesh === '') return true;
-  // names as the files have them, and as the loaders write them
+  // names as in the files, and as written by the loaders
   const names = [mesh.name, mesh.geometry.name, mesh.parent?.name, mesh.userData['name'] as string | undefined];
   return names.includes(submesh) || names.includes(PropertyBinding.sanitizeNodeName(submesh));
 }
@@ -71,7 +71,7 @@ function placed(mesh: Mesh): BufferGeometry {
   return mesh.matrixWorld.determinant() < 0 ? mirrored(geometry) : geometry;
 }
 
-/// The same triangles, seen from the other side.
+/// The same triangles, facing the other way.
 export function mirrored(geometry: BufferGeometry): BufferGeometry {
   const made = geometry.clone();
   const count = (made.index ?? made.getAttribute('position')).count;
@@ -81,7 +81,7 @@ export function mirrored(geometry: BufferGeometry): BufferGeometry {
   return made;
 }
 
-/// What of a geometry has the material of that number; null for none of it.
+/// The part of a geometry with that material index; null if there is none.
 function ofGroup(geometry: BufferGeometry, material: number): BufferGeometry | null {
   const corners: number[] = [];
   for (const group of geometry.groups) {
@@ -111,7 +111,7 @@ function center(parts: Part[]): void {
   for (const { geometry } of parts) geometry.translate(-middle.x, -middle.y, -middle.z);
 }
 
-/// A picture that a file names, to be fetched when it is shown.
+/// A texture that a file names, fetched when it is shown.
 export function namedPicture(addresses: string): Texture {
   const texture = new Texture();
   texture.userData['addresses'] = addresses;
@@ -120,7 +120,7 @@ export function namedPicture(addresses: string): Texture {
 
 function paintOfFile(material: Material, hasScreenColors: boolean): Paint | null {
   const { color, specular, emissive, map } = material as Partial<MeshPhongMaterial>;
-  // what the loaders give to files without materials
+  // the loaders' default for files without materials
   if (color === undefined || material.userData['isDefault'] === true) return null;
   const share = (value: Color | undefined): Rgb => {
     if (value === undefined) return [0, 0, 0];

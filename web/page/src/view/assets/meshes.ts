@@ -17,14 +17,14 @@ export interface MeshWish {
   isCentered: boolean;
 }
 
-/// The mesh files in use; each is fetched and read once.
+/// The mesh files in use; each is fetched and parsed once.
 export class Meshes {
   private readonly files = new Map<string, Promise<Object3D>>();
   private readonly parts = new Map<string, Promise<Part[]>>();
   private readonly done = new Map<string, Part[]>();
   private readonly failed = new Set<MeshWish>();
 
-  /// @param embed Keeps a picture that is within a file, under an address.
+  /// @param embed Stores an image embedded in a file, under an address.
   constructor(
     private readonly asset: FetchAsset,
     private readonly embed: (address: string, bytes: ArrayBuffer) => void,
@@ -34,12 +34,12 @@ export class Meshes {
     return `${wish.filename}|${wish.submesh}|${wish.isCentered}`;
   }
 
-  /// @returns The parts that have been read already.
+  /// @returns The parts, if they have been loaded already.
   known(wish: MeshWish): Part[] | undefined {
     return this.done.get(Meshes.key(wish));
   }
 
-  /// What failed is tried again when it is wanted again: the connection may have been lost.
+  /// A failed file is fetched again on the next request, because the connection may have been lost.
   retry(): void {
     for (const wish of this.failed) {
       this.parts.delete(Meshes.key(wish));
@@ -48,7 +48,7 @@ export class Meshes {
     this.failed.clear();
   }
 
-  /// @throws (rejects) What is wrong with the file, in words.
+  /// @throws (rejects) The error in the file, in words.
   get(wish: MeshWish): Promise<Part[]> {
     const key = Meshes.key(wish);
     let known = this.parts.get(key);
@@ -103,7 +103,7 @@ export class Meshes {
       materials.preload();
       return loader.setMaterials(materials).parse(text);
     } catch {
-      // without its library it has the shape
+      // without its material library it still has the shape
       return withDefaults(loader.parse(text));
     }
   }
@@ -133,7 +133,7 @@ export class Meshes {
     return namedPicture(within);
   }
 
-  /// @returns Null for what is within the file itself, which the loader reads.
+  /// @returns Null for data within the file itself, which the loader reads.
   private gltfView(address: string, parser: GLTFParser, index: number): Promise<ArrayBuffer> | null {
     const view = parser.json.bufferViews[index] as { buffer: number; byteOffset?: number; byteLength: number };
     const { uri } = parser.json.buffers[view.buffer] as { uri?: string };
@@ -146,7 +146,7 @@ export class Meshes {
   }
 }
 
-/// A loader of pictures that only notes where they are.
+/// A texture loader that only records addresses.
 class NamedPictures {
   constructor(private readonly mesh: string) {}
 
@@ -174,7 +174,7 @@ function parseCollada(address: string, text: string): Object3D {
   if (parsed === null) throw new Error('it is not a Collada file');
   const pictures = new NamedPictures(address);
   const { scene } = new ColladaComposer(parsed.library, parsed.collada, pictures, pictures).compose();
-  // its axes are those of the scene, whichever it says is up, as in Fortress
+  // its axes are used as they are, whatever its up axis, as in Fortress
   scene.scale.setScalar(parsed.asset.unit || 1);
   return scene;
 }

@@ -3,10 +3,10 @@ import { PerspectiveCamera, Raycaster, Vector2, type Vector3 } from 'three';
 import type { Placement } from '../maths/placement.ts';
 import * as orbits from './orbit.ts';
 
-// from the lower to the upper edge of the picture [rad]
+// vertical field of view [rad]
 const fieldOfView = 1.05;
 
-/// The camera of the view and how it goes about.
+/// The camera of the view, and its controls.
 export class Eye {
   readonly camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, 1, 0.02, 5000);
   private orbit = orbits.homeOrbit();
@@ -24,7 +24,7 @@ export class Eye {
     this.orbit = orbit;
     this.camera.position.copy(orbits.eyeOf(orbit));
     this.camera.quaternion.copy(orbits.rotationOfCamera(orbit));
-    // depths are of use only near what is looked at
+    // depth has enough precision only near the target
     this.camera.near = Math.min(Math.max(orbit.distance / 200, 0.005), 0.5);
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
@@ -35,14 +35,14 @@ export class Eye {
     this.camera.updateProjectionMatrix();
   }
 
-  /// @param x, y Shares of the picture's width and height, from its upper left corner.
+  /// @param x, y Fractions of the view's width and height, from its upper left corner.
   rayThrough(x: number, y: number): Raycaster {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), this.camera);
     return ray;
   }
 
-  /// Turns from now on around what is that far away.
+  /// Sets the distance of the point to rotate around.
   turnAround(distance: number): void {
     const target = orbits.eyeOf(this.orbit).addScaledVector(orbits.ahead(this.orbit), distance);
     this.put({ ...this.orbit, target, distance });
@@ -60,7 +60,7 @@ export class Eye {
     this.put(orbits.zoomed(this.orbit, factor, direction));
   }
 
-  /// Goes along.
+  /// Moves with an entity.
   shift(way: Vector3): void {
     this.put({ ...this.orbit, target: this.orbit.target.clone().add(way) });
   }

@@ -1,23 +1,23 @@
-// shares of the picture's width and height that are drawn
+// resolutions, as fractions of the full width and height
 const scales = [1, 0.75, 0.5];
-// a browser that takes longer than that for a picture draws coarser ones [ms]
+// above this time per frame the resolution is reduced [ms]
 const slowest = 60;
-// and finer ones again where it takes less [ms]
+// below this time it is increased again [ms]
 const quickest = 20;
-// so many pictures in a row tell
+// number of consecutive frames that decide
 const enough = 8;
-// pictures that far apart are not in a row [ms]
+// frames this far apart are not consecutive [ms]
 const pause = 1000;
 
-/// How fine pictures are drawn while things move: coarser where the browser can't keep up.
+/// Resolution while things move: reduced if the browser can't keep up.
 export class Pace {
   private level = 0;
   private last = -Infinity;
   private took: number[] = [];
 
-  /// A picture is to be drawn.
+  /// Call for each frame.
   /// @param now [ms]
-  /// @returns The share of the full width and height that it is to have.
+  /// @returns The fraction of the full width and height to render.
   next(now: number): number {
     const interval = now - this.last;
     this.last = now;

@@ -1,16 +1,16 @@
-/// What a pointer does to the camera.
+/// Gestures of a pointer that control the camera.
 export type Gesture = 'turn' | 'pan' | 'zoom';
 
 export interface PointerTarget {
-  /// A drag begins; places as shares of the picture's width and height, from its upper left corner.
+  /// A drag starts; positions are fractions of the view's width and height, from its upper left corner.
   begin(gesture: Gesture, x: number, y: number): void;
-  /// As shares of the picture's height.
+  /// As fractions of the view's height.
   drag(gesture: Gesture, right: number, down: number): void;
   /// @param factor Of the distance: below 1 nearer.
   zoom(factor: number, x: number, y: number): void;
-  /// A press and release in place.
+  /// A press and release without motion.
   click(x: number, y: number): void;
-  /// The pointer is there without a button.
+  /// The pointer moves without a button.
   hover(x: number, y: number): void;
 }
 
@@ -19,25 +19,25 @@ interface Finger {
   y: number;
 }
 
-// a pointer that has gone no further has clicked [px]
+// a click moves by at most this [px]
 const clickSlack = 4;
 
-/// As Fortress's window has it: left pans, middle or shift and left turns, right and the wheel zoom.
+/// As in Fortress: left pans, middle or shift and left rotates, right and the wheel zoom.
 export function gestureOf(event: { button: number; shiftKey: boolean; pointerType: string }): Gesture {
   if (event.pointerType === 'touch') return 'turn';
   if (event.button === 1 || (event.button === 0 && event.shiftKey)) return 'turn';
   return event.button === 2 ? 'zoom' : 'pan';
 }
 
-/// How much nearer or farther a turn of the wheel goes.
+/// Zoom factor of a turn of the wheel.
 export function wheelFactor(event: { deltaY: number; deltaMode: number }): number {
   const pixels = event.deltaY * [1, 16, 400][event.deltaMode]!;
   return Math.exp(Math.min(Math.max(pixels, -300), 300) / 500);
 }
 
-/// Turns the events of mouse, pen and fingers on an element into gestures.
+/// Converts events of mouse, pen and fingers on an element to gestures.
 export class Pointer {
-  /// No gestures while somebody else uses the pointer, as the handles do.
+  /// No gestures while something else uses the pointer, such as the handles.
   isEnabled = true;
   private readonly fingers = new Map<number, Finger>();
   private gesture: Gesture = 'pan';
@@ -91,12 +91,12 @@ export class Pointer {
     finger.x = event.clientX;
     finger.y = event.clientY;
     if (this.way < clickSlack) return;
-    // of two fingers each moves the picture by half
+    // each of two fingers contributes half of the motion
     this.target.drag(this.gesture, right / count, down / count);
     if (count === 2 && spread > 0) this.target.zoom(spread / Math.max(this.spread(), 1), ...this.share(event));
   }
 
-  /// Between two fingers [px].
+  /// Distance between two fingers [px].
   private spread(): number {
     const [a, b] = [...this.fingers.values()];
     return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
@@ -105,7 +105,7 @@ export class Pointer {
   private up(event: PointerEvent): void {
     if (!this.fingers.delete(event.pointerId) || !this.isEnabled) return;
     if (this.way < clickSlack && event.button === 0) this.target.click(...this.share(event));
-    // a finger that stays goes on by itself
+    // a remaining finger continues alone
     if (this.fingers.size === 1) this.gesture = 'turn';
   }
 

@@ -14,19 +14,19 @@ import type { Visual } from '../scene/content.ts';
 import { Materials, type Style } from './materials.ts';
 import type { Paint } from './paint.ts';
 
-/// A surface in its place. A visual is one, or several where its mesh has parts.
+/// A surface with its pose. A visual has one, or several if its mesh has parts.
 export interface Item {
   visual: Visual;
   geometry: BufferGeometry;
   geometryKey: string;
   paint: Paint;
-  /// From the geometry, scaling included, to the place that it stands in.
+  /// From the geometry, including its scale, to the frame that contains it.
   M_PlaceForm: Matrix4;
   isGround: boolean;
   castsShadows: boolean;
 }
 
-/// Items that are drawn in one go: of one geometry and one material.
+/// Items drawn in one call, with the same geometry and material.
 class Batch {
   readonly items: Item[] = [];
   mesh: InstancedMesh;
@@ -46,7 +46,7 @@ class Batch {
     this.mesh.userData['batch'] = this;
   }
 
-  /// @returns The number of the item in this batch.
+  /// @returns The item's index in this batch.
   add(item: Item, group: Group): number {
     const index = this.items.push(item) - 1;
     if (index >= this.mesh.instanceMatrix.count) this.grow(group);
@@ -76,7 +76,7 @@ interface Seat {
   index: number;
 }
 
-/// Everything that is seen of a scene's visuals. Only what moves costs anything: a matrix each.
+/// All visible surfaces of a scene. Only moving ones cost anything: a matrix each.
 export class Batches {
   readonly group = new Group();
   private readonly batches = new Map<string, Batch>();
@@ -123,7 +123,7 @@ export class Batches {
     return this.seats.has(place);
   }
 
-  /// Moves what stands in a place.
+  /// Moves the items of a place.
   move(place: number, M_WorldPlace: Matrix4): void {
     for (const { item, seat } of this.seats.get(place) ?? []) this.put(seat, item, M_WorldPlace);
   }
@@ -133,7 +133,7 @@ export class Batches {
     return this.seats.keys();
   }
 
-  /// What a ray meets, the nearest first.
+  /// The intersections of a ray, nearest first.
   meet(ray: Raycaster): { item: Item; hit: Intersection }[] {
     return ray.intersectObjects(this.group.children, false).flatMap((hit) => {
       const batch = hit.object.userData['batch'] as Batch | undefined;
@@ -142,12 +142,12 @@ export class Batches {
     });
   }
 
-  /// Around what stands in a place, in the frame of the place.
+  /// Bounding box of the items of a place, in its frame.
   boundsInPlace(place: number): Box3 {
     return boundsOf(this.seats.get(place) ?? [], () => true);
   }
 
-  /// Around what throws shadows in a place, in the frame of the place; not to be changed.
+  /// Bounding box of the items of a place that cast shadows, in its frame; not to be changed.
   castersInPlace(place: number): Readonly<Box3> {
     let box = this.casters.get(place);
     if (box === undefined) {

@@ -19,7 +19,7 @@ import { rgbOf } from './paint.ts';
 
 const mostShadows = 4;
 const shadowEdge = 2048;
-// shadows are drawn around where the eye looks where the scene is larger [m]
+// size of the region with shadows, around the target of the viewpoint, in larger scenes [m]
 const mostShadowRadius = 25;
 
 type Shining = DirectionalLight | PointLight | SpotLight;
@@ -28,17 +28,17 @@ interface Lamp {
   light: Shining;
   message: LightMessage;
   throwsShadow: boolean;
-  /// Where a directional light shines, in the world.
+  /// Direction of a directional light in the world.
   direction: Vector3;
 }
 
-/// A lamp's colour is what a white surface shows that faces it; three.js counts light per solid angle.
+/// SDF's colour of a light is that of a white surface facing it; three.js counts light per solid angle.
 export function colorOfLight(message: LightMessage): Color {
   const intensity = message.intensity ?? 1;
   return new Color(...rgbOf(message.diffuse)).multiplyScalar(intensity * Math.PI);
 }
 
-/// A ball around everything that throws shadows, or around what is looked at where that is too much.
+/// The bounding sphere of everything that casts shadows, or a sphere around the target if that is too large.
 export function shadowRegion(casters: Box3, target: Vector3): Sphere | null {
   if (casters.isEmpty()) return null;
   const region = casters.getBoundingSphere(new Sphere());
@@ -56,12 +56,12 @@ export class Lamps {
     this.group.add(this.ambient);
   }
 
-  /// Light from everywhere; as in Fortress, whose renderer spreads it over the half of the sky.
+  /// Ambient light; as in Fortress, whose renderer spreads it over the half of the sky.
   setAmbient(color: ColorMessage | undefined): void {
     this.ambient.color = color === undefined ? new Color(0.4, 0.4, 0.4) : new Color(...rgbOf(color));
   }
 
-  /// Whether lamps throw shadows at all.
+  /// Whether lights cast shadows at all.
   setShadows(on: boolean): void {
     this.hasShadows = on;
     for (const { light, throwsShadow } of this.lamps.values()) light.castShadow = throwsShadow && on;
@@ -105,7 +105,7 @@ export class Lamps {
     if ('target' in lamp.light) lamp.light.target.position.copy(X_WorldLight.position).add(lamp.direction);
   }
 
-  /// Lets parallel light throw the shadows of a region. Where such a light stands makes no difference to it.
+  /// Adapts a directional light to a region with shadows. Its position has no other effect.
   aimShadows(region: Sphere | null): void {
     for (const { light, direction } of this.lamps.values()) {
       if (!(light instanceof DirectionalLight) || region === null) continue;

@@ -13,20 +13,20 @@ import {
 import type { Textures } from './textures.ts';
 import type { Paint } from './paint.ts';
 
-/// How an entity is to be shown against what its material says.
+/// Overrides of a material's appearance for an entity.
 export interface Style {
   wireframe: boolean;
   transparent: boolean;
 }
 
-/// The most lamps that shine at once, as with the cameras.
+/// Maximum number of lights, as for the cameras.
 export const mostLamps = 16;
 
-/// What weakens the light of each lamp: constant, linear and quadratic share, and the falloff of a spot. A lamp's `decay`
-/// is its number here.
+/// Attenuation of each light: constant, linear and quadratic factor, and the falloff of a spot. A light's `decay` is
+/// its index here.
 export const attenuations = { value: Array.from({ length: mostLamps }, () => new Vector4(1, 0, 0, 1)) };
 
-// in place of three's own, which knows no constant and linear shares, and no falloff
+// instead of three's own, which has no constant and linear factors, and no falloff
 const attenuationFunction = `
 uniform vec4 attenuations[${mostLamps}];
 float getDistanceAttenuation(const in float far, const in float range, const in float lamp) {
@@ -41,10 +41,10 @@ float getSpotAttenuation(const in float outer, const in float inner, const in fl
 }
 `;
 
-/// What smooth surfaces mirror at a level with the eye and above.
+/// Colour reflected by smooth surfaces, horizontally and from above.
 export const mirroredSky = { value: new Color(0, 0, 0) };
 
-// what smooth surfaces mirror of their surroundings is taken for the ambient light and the background
+// smooth surfaces reflect the ambient light and the background instead of their surroundings
 const mirroring = `
 {
   vec3 skyward = normalize((viewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz);
@@ -57,7 +57,7 @@ const mirroring = `
 }
 `;
 
-/// Puts SDF's attenuation into the text of three's shader.
+/// Inserts SDF's attenuation into three's shader source.
 export function withAttenuation(lightsChunk: string): string {
   const begin = lightsChunk.indexOf('float getDistanceAttenuation(');
   const end = lightsChunk.indexOf('#if NUM_', begin);
@@ -69,7 +69,7 @@ export function withAttenuation(lightsChunk: string): string {
   return text.replace(call, call.replace('angleCos )', 'angleCos, spotLight.decay )'));
 }
 
-/// The materials in use, shared by what has the same paint but for its colour, which each instance has of its own.
+/// The materials in use, shared by surfaces that differ only in colour, which is set per instance.
 export class Materials {
   private readonly materials = new Map<string, Material>();
 
@@ -93,7 +93,7 @@ export class Materials {
     made.depthWrite = opacity >= 1;
     made.side = paint.isDoubleSided || style.wireframe || style.transparent ? DoubleSide : FrontSide;
     made.wireframe = style.wireframe;
-    // lines on a surface, as those of the grid, are seen
+    // so that lines on a surface, such as the grid, stay visible
     made.polygonOffset = true;
     made.polygonOffsetFactor = made.polygonOffsetUnits = 1;
     this.materials.set(key, made);
@@ -112,7 +112,7 @@ export class Materials {
     this.textures.put(material, 'normalMap', paint.normalMap, NoColorSpace);
     this.textures.put(material, 'roughnessMap', paint.roughnessMap, NoColorSpace);
     this.textures.put(material, 'metalnessMap', paint.metalnessMap, NoColorSpace);
-    // pictures with holes: leaves, fences
+    // textures with holes: leaves, fences
     if (paint.colorMap !== '') material.alphaTest = 0.05;
     material.onBeforeCompile = (shader) => {
       shader.uniforms['attenuations'] = attenuations;

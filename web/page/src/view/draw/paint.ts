@@ -1,20 +1,20 @@
 import type { ColorMessage, MaterialMessage } from '../messages.ts';
 
-/// Shares of light, linear: red, green, blue.
+/// Linear colour components: red, green, blue.
 export type Rgb = [number, number, number];
 
-/// How a surface meets light, of all that a material may say.
+/// The appearance of a surface, from all settings of a material.
 export interface Paint {
   diffuse: Rgb;
   specular: Rgb;
   emissive: Rgb;
   metalness: number;
   roughness: number;
-  /// 1: not to be seen through.
+  /// 1: opaque.
   opacity: number;
   isLit: boolean;
   isDoubleSided: boolean;
-  /// Addresses of the pictures that go over it; empty: none.
+  /// Addresses of its textures; empty: none.
   colorMap: string;
   normalMap: string;
   roughnessMap: string;
@@ -22,7 +22,7 @@ export interface Paint {
   glowMap: string;
 }
 
-/// That of what has no material.
+/// The default without a material.
 export const greyPaint: Readonly<Paint> = {
   diffuse: [0.7, 0.7, 0.7],
   specular: [1, 1, 1],
@@ -51,7 +51,7 @@ function share(value: number): number {
   return Math.min(Math.max(Number.isFinite(value) ? value : 0, 0), 1);
 }
 
-/// As the cameras of the simulator take it.
+/// Like the simulator's cameras.
 export function paintOf(material: MaterialMessage, transparency = 0): Paint {
   const { pbr } = material;
   const isMetal = pbr?.type === metalWorkflow;
@@ -61,7 +61,7 @@ export function paintOf(material: MaterialMessage, transparency = 0): Paint {
   return {
     diffuse: rgbOf(material.diffuse),
     specular: rgbOf(material.specular),
-    // a map alone says all, as in Fortress
+    // a map without a number counts alone, as in Fortress
     emissive: glowMap !== '' && emissive.every((value) => value === 0) ? [1, 1, 1] : emissive,
     metalness: isMetal ? share(pbr.metalness ?? 0) : 0,
     roughness: isMetal ? share(pbr.roughness ?? 0) : isGlossy ? share(1 - (pbr.glossiness ?? 0)) : greyPaint.roughness,

@@ -14,19 +14,19 @@ import { type Placement, noPlacement, vectorOf } from '../maths/placement.ts';
 import { type GeometryMessage, GeometryType } from '../messages.ts';
 import { polylineGeometry } from './polyline.ts';
 
-// round enough for a picture: a circle is wrong by 0.2 % of its radius
+// circles are accurate to 0.2 % of their radius
 const sectors = 48;
 const rings = 24;
 
-/// A shape as it is drawn: a geometry that many may share, and how it is put in place.
+/// A shape to draw: a shared geometry and its transformation.
 export interface Form {
-  /// What geometries are shared by.
+  /// Key by which geometries are shared.
   key: string;
   make(): BufferGeometry;
-  /// Along the axes of the geometry, before it is turned.
+  /// Along the axes of the geometry, before rotation.
   scale: Vector3;
   X_ShapeForm: Placement;
-  /// Ground, on which other things stand.
+  /// Ground, on which other objects stand.
   isGround: boolean;
 }
 
@@ -38,7 +38,7 @@ function round(key: string, radius: number, length: number, make: () => BufferGe
   return form(key, () => make().rotateX(Math.PI / 2), new Vector3(radius, radius, length));
 }
 
-/// @returns Null for what is no shape by itself: files (mesh, heightmap), nothing, and images, which cameras do not see.
+/// @returns Null for shapes from files (mesh, heightmap), for no shape, and for images, which cameras do not see.
 export function formOf(geometry: GeometryMessage): Form | null {
   switch (geometry.type ?? GeometryType.box) {
     case GeometryType.box:

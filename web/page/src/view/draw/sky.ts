@@ -7,7 +7,7 @@ export interface SkyColors {
   horizon: Color;
 }
 
-/// The colours of the cameras' sky at a time of day: bright all day, dark from an hour or so after sunset on.
+/// The colours of the cameras' sky at a time of day: bright all day, dark from about an hour after sunset on.
 export function skyColors(sky: SkyMessage): SkyColors {
   const { time = 0, sunrise = 0, sunset = 0 } = sky;
   const length = sunset - sunrise;
@@ -23,7 +23,7 @@ const vertexShader = `
 varying vec3 direction;
 void main() {
   direction = position;
-  // always around the eye, behind everything
+  // always centred on the eye, behind everything
   gl_Position = (projectionMatrix * vec4(mat3(viewMatrix) * position, 1.0)).xyww;
 }`;
 

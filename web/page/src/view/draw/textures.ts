@@ -1,22 +1,22 @@
 import { type ColorSpace, type Material, RepeatWrapping, SRGBColorSpace, Texture } from 'three';
 
-/// The bytes of a file that the scene names.
+/// Returns the bytes of a file that the scene names.
 export type FetchAsset = (address: string) => Promise<ArrayBuffer>;
 
-/// The pictures in use, by their addresses; each is fetched once.
+/// The textures in use, by address; each is fetched once.
 export class Textures {
   private readonly textures = new Map<string, Promise<Texture>>();
   private readonly embedded = new Map<string, ArrayBuffer>();
 
-  /// @param changed Called when a picture has come.
-  /// @param problem Told once of a picture that can't be had.
+  /// @param changed Called when a texture has arrived.
+  /// @param problem Called once for a texture that is not available.
   constructor(
     private readonly asset: FetchAsset,
     private readonly changed: () => void,
     private readonly problem: (text: string) => void,
   ) {}
 
-  /// Lays a picture over a material, as soon as it is there.
+  /// Applies a texture to a material as soon as it is available.
   put(material: Material, slot: string, address: string, colorSpace: ColorSpace): void {
     if (address === '') return;
     void this.get(address, colorSpace).then(
@@ -29,12 +29,12 @@ export class Textures {
     );
   }
 
-  /// Keeps the bytes of a picture that comes with another file.
+  /// Stores the bytes of an image embedded in another file.
   embed(address: string, bytes: ArrayBuffer): void {
     this.embedded.set(address, bytes);
   }
 
-  /// @param address Or several, a line each, of which the first that is there counts.
+  /// @param address One, or several lines, of which the first available one is used.
   private get(address: string, colorSpace: ColorSpace): Promise<Texture> {
     const key = `${colorSpace} ${address}`;
     let known = this.textures.get(key);
@@ -76,7 +76,7 @@ export async function textureOf(bytes: ArrayBuffer, colorSpace: ColorSpace): Pro
     colorSpaceConversion: colorSpace === SRGBColorSpace ? 'default' : 'none',
   });
   const texture = new Texture(picture);
-  // it has been turned already
+  // it has been flipped already
   texture.flipY = false;
   texture.colorSpace = colorSpace;
   texture.wrapS = texture.wrapT = RepeatWrapping;

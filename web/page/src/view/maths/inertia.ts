@@ -2,14 +2,14 @@ import { Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
 
 import type { InertialMessage } from '../messages.ts';
 
-/// A symmetric matrix turned so that only its diagonal is left.
+/// The diagonal form of a symmetric matrix.
 export interface Principal {
   values: Vector3;
   /// Its columns are the axes.
   rotation: Quaternion;
 }
 
-/// Jacobi's method: turns away the largest element off the diagonal until none counts.
+/// Jacobi's method: eliminates the largest off-diagonal element until all are negligible.
 export function principal(xx: number, yy: number, zz: number, xy: number, xz: number, yz: number): Principal {
   const a = [
     [xx, xy, xz],
@@ -45,7 +45,7 @@ function largest(a: number[][]): [number, number] {
   return pairs.reduce((best, pair) => (Math.abs(a[pair[0]]![pair[1]]!) > Math.abs(a[best[0]]![best[1]]!) ? pair : best));
 }
 
-/// a becomes the transpose of R times a times R, v becomes v times R.
+/// Replaces a by transpose(R) a R, and v by v R.
 function turn(a: number[][], v: number[][], p: number, q: number, c: number, s: number): void {
   const columns = (m: number[][]) => {
     for (const row of m) [row[p], row[q]] = [c * row[p]! - s * row[q]!, s * row[p]! + c * row[q]!];
@@ -55,14 +55,14 @@ function turn(a: number[][], v: number[][], p: number, q: number, c: number, s: 
   columns(v);
 }
 
-/// The box of even density that has the same mass and moments.
+/// The box of uniform density with the same mass and moments.
 export interface InertiaBox {
   size: Vector3;
   /// In the frame of the centre of mass.
   rotation: Quaternion;
 }
 
-/// @returns Null for what no body can have.
+/// @returns Null for moments that no body can have.
 export function inertiaBox(inertial: InertialMessage): InertiaBox | null {
   const { mass = 0, ixx = 0, iyy = 0, izz = 0, ixy = 0, ixz = 0, iyz = 0 } = inertial;
   if (!(mass > 0)) return null;
@@ -78,7 +78,7 @@ export function inertiaBox(inertial: InertialMessage): InertiaBox | null {
   return { size: new Vector3(...squares.map((value) => Math.sqrt(Math.max(value, 0)))), rotation };
 }
 
-/// How large a ball of lead of that mass is, which shows a centre of mass [m].
+/// Radius of a ball of lead with that mass, which marks a centre of mass [m].
 export function leadRadius(mass: number): number {
   return Math.cbrt((0.75 * Math.max(mass, 0)) / (Math.PI * 11340));
 }

@@ -2,7 +2,7 @@ import { Matrix4, Quaternion, Vector3 } from 'three';
 
 import type { PoseMessage, VectorMessage } from '../messages.ts';
 
-/// Where a frame is in another: X_AB is the placement of B in A.
+/// Pose of a frame in another one: X_AB is the pose of B in A.
 export interface Placement {
   /// [m]
   position: Vector3;
@@ -20,13 +20,13 @@ export function noPlacement(): Placement {
   return { position: new Vector3(), rotation: new Quaternion() };
 }
 
-/// What is not set, or is not a number, is 0.
+/// Missing values and NaN are 0.
 export function vectorOf(message: VectorMessage | undefined): Vector3 {
   const finite = (value = 0) => (Number.isFinite(value) ? value : 0);
   return new Vector3(finite(message?.x), finite(message?.y), finite(message?.z));
 }
 
-/// A rotation that is not set, or is no rotation, is none.
+/// A missing or invalid rotation is the identity.
 function rotationOf(x: number, y: number, z: number, w: number): Quaternion {
   const rotation = new Quaternion(x, y, z, w);
   const length = rotation.length();
@@ -47,7 +47,7 @@ export function poseOf(placement: Placement): Pose {
   return { position: [p.x, p.y, p.z], orientation: [q.x, q.y, q.z, q.w] };
 }
 
-/// X_AC of X_AB and X_BC.
+/// X_AC from X_AB and X_BC.
 export function times(X_AB: Placement, X_BC: Placement): Placement {
   return {
     position: X_BC.position.clone().applyQuaternion(X_AB.rotation).add(X_AB.position),
@@ -55,7 +55,7 @@ export function times(X_AB: Placement, X_BC: Placement): Placement {
   };
 }
 
-/// X_BA of X_AB.
+/// X_BA from X_AB.
 export function inverse(X_AB: Placement): Placement {
   const rotation = X_AB.rotation.clone().invert();
   return { position: X_AB.position.clone().negate().applyQuaternion(rotation), rotation };
@@ -66,7 +66,7 @@ export function matrixOf(placement: Placement, scale = new Vector3(1, 1, 1)): Ma
   return new Matrix4().compose(placement.position, placement.rotation, scale);
 }
 
-/// Rotation about x, then y, then z of the outer frame, as SDF's poses have it [rad].
+/// Rotation about x, then y, then z of the outer frame, as in SDF's poses [rad].
 export function fromRollPitchYaw(roll: number, pitch: number, yaw: number): Quaternion {
   const about = (x: number, y: number, z: number, angle: number) =>
     new Quaternion().setFromAxisAngle(new Vector3(x, y, z), angle);

@@ -3,13 +3,13 @@ import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Points, PointsM
 import type { Message, VectorMessage } from '../messages.ts';
 import { put } from './scan.ts';
 
-// of the line that shows a normal [m]
+// length of the line for a normal [m]
 const normalLength = 0.2;
 
 export interface ContactMarks {
   /// Three numbers each, in the world [m].
   points: number[];
-  /// Ends of the lines along the normals.
+  /// End points of the lines along the normals.
   normals: number[];
 }
 
@@ -29,7 +29,7 @@ export function contactMarks(contacts: Message): ContactMarks {
   return marks;
 }
 
-/// Points where things touch, with the normals there, seen through everything.
+/// Contact points with their normals, visible through everything.
 export class Contacts {
   readonly object = new Group();
   private readonly points = new Points(

@@ -5,7 +5,7 @@ export type Theme = 'dark' | 'light';
 // the grid of Fortress: 20 cells of a metre
 const half = 10;
 
-/// Places of the lines of the grid, in pieces of a cell: long lines that pass the eye are not drawn everywhere.
+/// Positions of the grid's lines, in pieces of one cell: long lines that pass the eye are not always drawn.
 export function gridLines(): number[] {
   const lines: number[] = [];
   for (let a = -half; a <= half; ++a) {

@@ -5,7 +5,7 @@ import type { Stage } from '../scene/stage.ts';
 import { Attached } from './attached.ts';
 import { centreMark, collisionMark, frameMark, inertiaMark, jointMark } from './marks.ts';
 
-/// Frames, joints, centres of mass, boxes of inertia and collisions of those who are to show them.
+/// Marks of entities: frames, joints, centres of mass, inertia boxes and collisions.
 export class Marked {
   private readonly attached = new Attached();
   private generation = 0;
@@ -20,13 +20,13 @@ export class Marked {
     return this.attached.group;
   }
 
-  /// Puts the marks of a place where it is now.
+  /// Moves the marks of a place to its current pose.
   move(place: number): void {
     const matrix = this.attached.has(place) ? this.stage.places.matrix(place) : null;
     if (matrix) this.attached.move(place, matrix);
   }
 
-  /// Makes all marks anew.
+  /// Creates all marks again.
   rebuild(): void {
     const generation = ++this.generation;
     this.attached.clear();
@@ -44,7 +44,7 @@ export class Marked {
     for (const collision of content.collisions) {
       if (!this.has('collisions', collision.place)) continue;
       this.stage.withShape(collision, `collision '${collision.name}'`, (geometry, M_PlaceForm) => {
-        // its file may come when something else is shown
+        // its file may arrive when something else is shown
         if (generation !== this.generation) return;
         const mark = collisionMark(geometry);
         mark.matrixAutoUpdate = false;
@@ -64,7 +64,7 @@ export class Marked {
     this.changed();
   }
 
-  /// As large as suits what stands there [m].
+  /// Size of a mark that suits the entity [m].
   private lengthAt(place: number): number {
     const box = this.stage.batches.boundsInPlace(place);
     if (box.isEmpty()) return 0.3;

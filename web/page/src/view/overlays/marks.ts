@@ -25,7 +25,7 @@ const ball = new SphereGeometry(1, 24, 12);
 const arrowTip = new ConeGeometry(0.08, 0.25, 16);
 const ring = new TorusGeometry(0.35, 0.02, 8, 32).rotateX(Math.PI / 2);
 
-// what is shown over the scene is seen through everything
+// overlays are visible through everything
 const over = { depthTest: false, transparent: true } as const;
 const axisColors = [0xff2020, 0x20c020, 0x3050ff].map((color) => new MeshBasicMaterial({ color, ...over }));
 const axisColor = new MeshBasicMaterial({ color: 0xffe000, ...over });
@@ -48,7 +48,7 @@ export function frameMark(length: number): Object3D {
   return mark;
 }
 
-/// The frame of a joint, and an arrow along each of its axes: with a ring for one that turns.
+/// The frame of a joint, and an arrow along each axis, with a ring if it is rotational.
 export function jointMark(joint: Joint, length: number): Object3D {
   const mark = new Group();
   mark.add(frameMark(length * 0.5));
@@ -74,7 +74,7 @@ export function jointMark(joint: Joint, length: number): Object3D {
   return mark;
 }
 
-/// A ball as heavy as the link if it were of lead, where the centre of mass is.
+/// A ball at the centre of mass, with the link's mass if it were of lead.
 export function centreMark(inertial: InertialMessage): Object3D {
   const mark = new Mesh(ball, centreColor);
   mark.scale.setScalar(Math.max(leadRadius(inertial.mass ?? 0), 0.005));
@@ -83,7 +83,7 @@ export function centreMark(inertial: InertialMessage): Object3D {
   return mark;
 }
 
-/// The box of even density that has the same mass and moments.
+/// The box of uniform density with the same mass and moments.
 export function inertiaMark(inertial: InertialMessage): Object3D | null {
   const box = inertiaBox(inertial);
   if (box === null) return null;

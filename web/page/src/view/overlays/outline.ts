@@ -2,7 +2,7 @@ import { BoxGeometry, EdgesGeometry, LineBasicMaterial, LineSegments, Vector3 } 
 
 import type { Stage } from '../scene/stage.ts';
 
-/// The edges of a box around what is selected.
+/// The edges of a box around the selected entity.
 export class Outline {
   readonly object = new LineSegments(
     new EdgesGeometry(new BoxGeometry()),
@@ -15,13 +15,13 @@ export class Outline {
     this.object.frustumCulled = false;
   }
 
-  /// Puts it around the entity, where it is now; null: around nothing.
+  /// Moves it to the entity's current pose; null: hides it.
   update(stage: Stage, entity: number | null): void {
     const shown = entity === null ? null : stage.places.shown(entity);
     this.object.visible = shown !== null;
     if (entity === null || shown === null) return;
     const box = stage.boundsOf(entity, shown);
-    // outside of what it is around
+    // slightly larger than the entity
     const size = box.getSize(new Vector3()).multiplyScalar(1.02).addScalar(0.004);
     const middle = box.getCenter(new Vector3());
     const { position, rotation } = shown;

@@ -4,11 +4,11 @@ import type { Message } from '../messages.ts';
 
 /// The beams of a scan, in the frame of the sensor [m].
 export interface Beams {
-  /// Where something was met: three numbers each.
+  /// Positions of the hits: three numbers each.
   hits: Float32Array;
-  /// Starts and ends in turn of the beams that met something.
+  /// Start and end points of the beams with a hit.
   hitLines: Float32Array;
-  /// Those of the beams that met nothing.
+  /// Those of the beams without a hit.
   missLines: Float32Array;
 }
 
@@ -31,7 +31,7 @@ export function beamsOf(scan: Message): Beams {
     const [x, y, z] = [Math.cos(pitch) * Math.cos(yaw), Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch)];
     const range = values[i]!;
     const isHit = Number.isFinite(range) && range >= rangeMin && range < rangeMax;
-    // of a sensor that sees without end a piece is shown
+    // a part of the beam, if the sensor has no maximum range
     const end = isHit ? range : Math.min(Number.isFinite(rangeMax) ? rangeMax : 10, 1000);
     const lines = isHit ? beams.hitLines : beams.missLines;
     lines.set([x * rangeMin, y * rangeMin, z * rangeMin, x * end, y * end, z * end], 6 * (isHit ? hits : i - hits));
@@ -70,7 +70,7 @@ export class Scan {
     put(this.rays.geometry, beams.hitLines);
     put(this.misses.geometry, beams.missLines);
     put(this.hits.geometry, beams.hits);
-    // many rays are no wall
+    // transparent, so that many rays do not look like a wall
     this.rays.material.opacity = Math.min(Math.max(100 / (beams.hits.length / 3), 0.08), 0.5);
   }
 
@@ -82,7 +82,7 @@ export class Scan {
   }
 }
 
-/// Writes over what a geometry had, where there is room for it.
+/// Overwrites the content of a geometry, if it is large enough.
 export function put(geometry: BufferGeometry, places: ArrayLike<number>, name = 'position'): void {
   const before = geometry.getAttribute(name);
   const count = places.length / 3;
@@ -91,7 +91,7 @@ export function put(geometry: BufferGeometry, places: ArrayLike<number>, name = 
     before.needsUpdate = true;
   } else {
     if (before !== undefined) geometry.dispose();
-    // what grows once grows again
+    // leaves room for further growth
     const room = before === undefined ? places.length : 3 * Math.ceil(places.length / 2);
     const made = new Float32Array(room);
     made.set(places);

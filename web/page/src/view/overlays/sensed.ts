@@ -14,18 +14,18 @@ interface Shape {
 interface Entry {
   shape: Shape;
   message: Message;
-  /// Whose frame the message is in, where somebody said.
+  /// The entity whose frame it is in, if given.
   entity: number | undefined;
 }
 
-/// The frame that a message is in, by its header or as scans say it; empty: none.
+/// The frame of a message, from its header or from a scan's own field; empty: none.
 export function frameNameOf(message: Message): string {
   const data = (message['header']?.data ?? []) as { key?: string; value?: string[] }[];
   const said = data.find(({ key }) => key === 'frame_id')?.value?.[0];
   return said ?? (message['frame'] as string | undefined) ?? '';
 }
 
-/// The latest of what sensors measure, each where its sensor is.
+/// The latest messages of sensors, at the sensors' poses.
 export class Sensed {
   readonly group = new Group();
   private readonly entries = new Map<string, Entry>();
@@ -35,8 +35,8 @@ export class Sensed {
     private readonly make: () => Shape,
   ) {}
 
-  /// @param message Null: no longer shown.
-  /// @param entity Whose frame it is in; else the message says that.
+  /// @param message Null: removes it.
+  /// @param entity The entity whose frame it is in; if missing, the message names it.
   set(key: string, message: Message | null, entity?: number): void {
     let entry = this.entries.get(key);
     if (message === null) {
@@ -58,7 +58,7 @@ export class Sensed {
     this.place(entry);
   }
 
-  /// Puts all where their sensors are now.
+  /// Moves all to the current poses of their sensors.
   update(): void {
     for (const entry of this.entries.values()) this.place(entry);
   }

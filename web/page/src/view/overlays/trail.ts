@@ -2,16 +2,17 @@ import { BufferGeometry, Line, LineBasicMaterial, type Vector3 } from 'three';
 
 import { put } from './scan.ts';
 
-// a trail is no longer than that; then its oldest half becomes coarser
+// maximum number of points; beyond it the older half becomes coarser
 const mostPoints = 4000;
 // [m]
 const smallestStep = 0.01;
 
-/// Where something has been. It keeps the whole way: of a long one every other point of its older half goes.
+/// The past positions of an entity. It keeps the whole path: if it is long, every other point of its older half is
+/// dropped.
 export class Way {
   readonly places: number[] = [];
 
-  /// @returns Whether it is far enough from the last one to count.
+  /// @returns Whether it is far enough from the last point to be added.
   add({ x, y, z }: Vector3): boolean {
     const end = this.places.length;
     const [lastX, lastY, lastZ] = this.places.slice(-3);
@@ -31,13 +32,13 @@ export class Way {
   }
 }
 
-/// The way of an entity, as a line.
+/// The path of an entity, as a line.
 export class Trail {
   readonly object: Line;
   private readonly way = new Way();
 
   constructor(readonly entity: number) {
-    // each has a colour of its own
+    // each has its own colour
     const material = new LineBasicMaterial();
     material.color.setHSL((entity * 0.381966) % 1, 0.9, 0.5);
     this.object = new Line(new BufferGeometry(), material);

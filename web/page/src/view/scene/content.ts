@@ -13,20 +13,20 @@ import type {
   VisualMessage,
 } from '../messages.ts';
 
-/// Something that has a place in the world: a model, a link, a light, a sensor.
+/// Something with a pose in the world: a model, a link, a light, a sensor.
 export interface Place {
   id: number;
   name: string;
   kind: 'model' | 'link' | 'light' | 'sensor';
-  /// Id of what holds it; 0 for the world.
+  /// Id of the parent; 0 for the world.
   parent: number;
-  /// The model of the world that it is, or is in; 0 for none.
+  /// The top-level model that it is or belongs to; 0 for none.
   model: number;
   X_ParentPlace: Placement;
   X_WorldPlace: Placement;
 }
 
-/// Something in the frame of a place: what it looks like, or what it collides as.
+/// Something in the frame of a place: a visual or a collision.
 export interface Shape {
   id: number;
   name: string;
@@ -38,7 +38,7 @@ export interface Shape {
 export interface Visual extends Shape {
   material: MaterialMessage | undefined;
   castsShadows: boolean;
-  /// 1: not to be seen.
+  /// 1: invisible.
   transparency: number;
 }
 
@@ -51,24 +51,24 @@ export interface Joint {
   id: number;
   name: string;
   type: number;
-  /// The child link, whose frame the joint's is in.
+  /// The child link; the joint's pose is in its frame.
   place: number;
   X_PlaceJoint: Placement;
   axes: AxisMessage[];
 }
 
-/// A scene message taken apart: everything in one list of its kind, with its place.
+/// A parsed scene message: one list per kind, with poses.
 export interface Content {
   places: Map<number, Place>;
   visuals: Visual[];
   collisions: Shape[];
   inertials: Inertial[];
   joints: Joint[];
-  /// By the ids of their places.
+  /// Keyed by the ids of their places.
   lights: Map<number, LightMessage>;
 }
 
-/// Takes a scene message apart. Things without an id have no place and are left out.
+/// Parses a scene message. Parts without an id are left out.
 export function contentOf(scene: SceneMessage): Content {
   const content: Content = {
     places: new Map(),
@@ -90,7 +90,7 @@ function addPlace(
   content: Content,
 ): Place | null {
   const id = Number(from.id ?? 0);
-  // an id that is there twice would make circles
+  // a duplicate id would cause cycles
   if (id === 0 || content.places.has(id)) return null;
   const X_ParentPlace = placementOf(from.pose);
   const place: Place = {
@@ -167,7 +167,7 @@ function addVisuals(visuals: VisualMessage[] | undefined, place: Place, content:
   }
 }
 
-/// Whether a message of a light says that it is off, as Fortress notes it.
+/// Whether a light is off: Fortress stores that in the message's header.
 function isOff(light: LightMessage): boolean {
   return light.header?.data?.some(({ key, value }) => key === 'isLightOn' && value?.[0] === '0') ?? false;
 }
@@ -177,20 +177,20 @@ function addLight(message: LightMessage, parent: Place | null, content: Content)
   if (place !== null && !isOff(message)) content.lights.set(place.id, message);
 }
 
-/// Whether a place is another one, or stands in it.
+/// Whether a place is another one, or inside it.
 export function isWithin(places: ReadonlyMap<number, Place>, place: number, outer: number): boolean {
   for (let id = place; id !== 0; id = places.get(id)?.parent ?? 0) if (id === outer) return true;
   return false;
 }
 
-/// The names from the model of the world down, as "pong_bot::chassis::lidar", which messages name frames by.
+/// The scoped name, such as "pong_bot::chassis::lidar", by which messages name frames.
 export function fullName(places: ReadonlyMap<number, Place>, id: number): string {
   const names: string[] = [];
   for (let place = places.get(id); place !== undefined; place = places.get(place.parent)) names.unshift(place.name);
   return names.join('::');
 }
 
-/// Where light shines, in the frame of the light.
+/// Direction of a light, in its own frame.
 export function lightDirection(light: LightMessage): Vector3 {
   const direction = vectorOf(light.direction);
   return direction.lengthSq() > 0 ? direction.normalize() : new Vector3(0, 0, -1);

@@ -3,10 +3,10 @@ import { Matrix4, Vector3 } from 'three';
 import { type Placement, inverse, times } from '../maths/placement.ts';
 import { type Place, isWithin } from './content.ts';
 
-/// Poses in the world of what moved: 7 numbers each, position [m] and quaternion x, y, z, w.
+/// World poses of what has moved: 7 numbers each, position [m] and quaternion x, y, z, w.
 export interface Frame {
   timeNs: bigint;
-  /// Changes with what there is: setScene has been called with that scene, or will be.
+  /// Changes when entities are added or removed: setScene has been called with that scene, or will be.
   revision: number;
   ids: Uint32Array;
   poses: Float32Array;
@@ -14,7 +14,7 @@ export interface Frame {
 
 const unscaled = new Vector3(1, 1, 1);
 
-// what rests trembles by less [m], and nobody sees that
+// smaller motions, such as the trembling of a body at rest, are invisible [m]
 const tremble = 2e-6;
 
 function isThere({ position: p, rotation: q }: Placement, poses: Float32Array, at: number): boolean {
@@ -22,11 +22,11 @@ function isThere({ position: p, rotation: q }: Placement, poses: Float32Array, a
   return near(p.x, 0) && near(p.y, 1) && near(p.z, 2) && near(q.x, 3) && near(q.y, 4) && near(q.z, 5) && near(q.w, 6);
 }
 
-/// Where everything is, and what has moved since somebody asked. A model that is held (by its handles) is shown where it
-/// is held, with all that stands in it; what frames say of it is kept for afterwards.
+/// The poses of everything, and what has moved since the last call. A model held by its handles is shown where it is
+/// held, with everything in it; its poses from frames are kept for later.
 export class Places {
   private places: ReadonlyMap<number, Place> = new Map();
-  /// Lights and sensors of links, of which frames say nothing: they go with their link.
+  /// Lights and sensors of links are not in frames: they move with their link.
   private readonly riders = new Map<number, number[]>();
   private readonly moved = new Set<number>();
   private held: { model: number; X_WorldModel: Placement } | null = null;
@@ -42,7 +42,7 @@ export class Places {
     if (this.held && !places.has(this.held.model)) this.held = null;
   }
 
-  /// @returns Whether anything moved so that it is seen.
+  /// @returns Whether anything has moved visibly.
   apply(frame: Frame): boolean {
     const { ids, poses } = frame;
     const count = Math.min(ids.length, Math.floor(poses.length / 7));
@@ -51,7 +51,7 @@ export class Places {
       const place = this.places.get(ids[i]!);
       if (place === undefined) continue;
       const at = i * 7;
-      // what has flown apart stays where it was last
+      // a pose that is not finite is ignored
       let sum = 0;
       for (let k = 0; k < 7; ++k) sum += poses[at + k]!;
       if (!Number.isFinite(sum)) continue;
@@ -64,7 +64,7 @@ export class Places {
     return hasMoved;
   }
 
-  /// Shows a model elsewhere than it is; null: where it is.
+  /// Shows a model at another pose; null: at its own.
   hold(model: number, X_WorldModel: Placement | null): void {
     const before = this.held?.model ?? 0;
     this.held = X_WorldModel === null ? null : { model, X_WorldModel };
@@ -73,7 +73,7 @@ export class Places {
     }
   }
 
-  /// Takes it that what is held is where it is shown, until frames say otherwise.
+  /// Assumes that the held model is where it is shown, until a frame arrives.
   settle(): void {
     const { held } = this;
     if (held === null) return;
@@ -86,7 +86,7 @@ export class Places {
     this.hold(held.model, null);
   }
 
-  /// Where something is shown.
+  /// The pose at which something is shown.
   shown(id: number): Placement | null {
     const place = this.places.get(id);
     if (place === undefined) return null;
@@ -100,7 +100,7 @@ export class Places {
     return times(held.X_WorldModel, times(inverse(model.X_WorldPlace), place.X_WorldPlace));
   }
 
-  /// @param into Is written over and returned.
+  /// @param into Overwritten and returned.
   matrix(id: number, into = new Matrix4()): Matrix4 | null {
     const shown = this.shown(id);
     return shown && into.compose(shown.position, shown.rotation, unscaled);
@@ -112,7 +112,7 @@ export class Places {
 
   /// @returns The ids of what has moved since the last call.
   takeMoved(): number[] {
-    // what is in a held model moves with it
+    // the parts of a held model move with it
     if (this.held && this.moved.size > 0) {
       const { model } = this.held;
       if (this.moved.has(model)) this.hold(model, this.held.X_WorldModel);

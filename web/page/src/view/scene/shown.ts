@@ -1,6 +1,6 @@
 import { type Place, isWithin } from './content.ts';
 
-/// What can be shown over the scene, of one entity and all in it, or of all.
+/// The overlays, of one entity with its parts, or of all.
 export type Overlay =
   | 'frames'
   | 'joints'
@@ -11,7 +11,7 @@ export type Overlay =
   | 'wireframe'
   | 'transparent';
 
-/// Which overlays are shown of what.
+/// Which overlays are shown for which entities.
 export class Shown {
   private readonly ofAll = new Set<Overlay>();
   private readonly ofEntities = new Map<Overlay, Set<number>>();
@@ -20,7 +20,7 @@ export class Shown {
     if (entity === undefined) {
       if (on) this.ofAll.add(overlay);
       else this.ofAll.delete(overlay);
-      // off for all is off for each
+      // switching off for all switches off each
       if (!on) this.ofEntities.delete(overlay);
       return;
     }

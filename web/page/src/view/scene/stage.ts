@@ -17,14 +17,14 @@ import { Places } from './places.ts';
 
 export interface StageOptions {
   asset: FetchAsset;
-  /// Something has come that is to be drawn.
+  /// Called when something new is to be drawn.
   changed(): void;
   problem(text: string): void;
-  /// How what stands in a place is to be shown.
+  /// Returns the style of the visuals of a place.
   styleOf(place: number): Style;
 }
 
-/// Everything that the cameras see, as three.js draws it.
+/// Everything visible to cameras, as three.js objects.
 export class Stage {
   readonly root = new Scene();
   readonly places = new Places();
@@ -56,7 +56,7 @@ export class Stage {
     for (const geometry of this.geometries.values()) geometry.dispose();
   }
 
-  /// Each problem is told once.
+  /// Each problem is reported once.
   private tell(text: string): void {
     if (this.told.has(text)) return;
     this.told.add(text);
@@ -74,7 +74,7 @@ export class Stage {
   }
 
   private setSurroundings(scene: SceneMessage): void {
-    // without a word on it, Fortress's grey
+    // the default is Fortress's grey
     const [red, green, blue] = scene.background === undefined ? [0.7, 0.7, 0.7] : rgbOf(scene.background);
     const background = new Color().setRGB(red, green, blue, SRGBColorSpace);
     this.root.background = background;
@@ -85,7 +85,7 @@ export class Stage {
     if (this.sky) this.root.add(this.sky);
   }
 
-  /// Draws all visuals anew, as their styles are now.
+  /// Creates all visuals again, with their current styles.
   restyle(): void {
     ++this.generation;
     this.batches.clear();
@@ -150,7 +150,7 @@ export class Stage {
     return geometry;
   }
 
-  /// Hands on what a shape looks like: at once where it is known, else when its file has come.
+  /// Passes on the appearance of a shape: at once if it is known, otherwise when its file has arrived.
   private withParts(shape: Shape, owner: string, add: (parts: Part[]) => void, addForm: (form: Form) => void): void {
     const { geometry } = shape;
     const form = formOf(geometry);
@@ -185,7 +185,7 @@ export class Stage {
     return known;
   }
 
-  /// The geometry of a shape by itself, placed in its link: for what is shown over the scene.
+  /// The geometry of a shape in its link's frame, for overlays.
   withShape(shape: Shape, owner: string, add: (geometry: Mesh['geometry'], M_PlaceForm: Matrix4) => void): void {
     const scale = shape.geometry.mesh?.scale;
     const M_PlaceShape = matrixOf(shape.X_PlaceShape, scale === undefined ? undefined : vectorOf(scale));
@@ -195,8 +195,8 @@ export class Stage {
     });
   }
 
-  /// Puts what has moved where it is now.
-  /// @returns The ids of what has.
+  /// Moves everything to its current pose.
+  /// @returns The ids of what has moved.
   moveMoved(): number[] {
     const ids = this.places.takeMoved();
     for (const id of ids) {
@@ -219,7 +219,7 @@ export class Stage {
     this.lamps.aimShadows(shadowRegion(casters, target));
   }
 
-  /// Around all that is seen of an entity, in a frame; a small box where nothing is.
+  /// Bounding box of the visible parts of an entity, in a frame; a small box if there are none.
   boundsOf(entity: number, X_WorldFrame = noPlacement()): Box3 {
     const M_FrameWorld = matrixOf(X_WorldFrame).invert();
     const box = new Box3();
@@ -237,7 +237,7 @@ export class Stage {
   }
 }
 
-/// What a file says a surface looks like.
+/// The appearance of a surface in a file.
 function fromFile(paint: Paint | null, transparency: number): Paint {
   const base = paint ?? greyPaint;
   return { ...base, opacity: base.opacity * Math.min(Math.max(1 - transparency, 0), 1) };
@@ -249,7 +249,7 @@ function meshWish(geometry: GeometryMessage): { filename: string; submesh: strin
   return { filename, submesh, isCentered: centerSubmesh };
 }
 
-/// What shapes of files share their geometry by.
+/// Key by which shapes from files share their geometry.
 function fileKey(geometry: GeometryMessage): string {
   const wish = meshWish(geometry);
   return wish ? Meshes.key(wish) : JSON.stringify(geometry.heightmap);

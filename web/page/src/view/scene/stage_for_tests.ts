@@ -6,7 +6,7 @@ import { Stage } from './stage.ts';
 
 export const plainStyle: Readonly<Style> = { wireframe: false, transparent: false };
 
-/// A stage without files, on which nothing goes wrong.
+/// A stage without files, whose problems are ignored.
 export function stageOf(scene: SceneMessage): Stage {
   const stage = new Stage({
     asset: () => Promise.reject(new Error('no files')),

@@ -1,10 +1,10 @@
 import type { Placement } from '../maths/placement.ts';
 import type { Places } from '../scene/places.ts';
 
-// of a model that was let go a pose comes within that time, or never, as of a light [ms]
+// after release, a new pose arrives within this time, or never, as for a light [ms]
 const patience = 700;
 
-/// Shows a model where its handles have it, until the simulation has it there too.
+/// Shows a model at the pose of its handles, until the simulation has moved it there.
 export class Drag {
   private entity: number | null = null;
   private isLeft = false;
@@ -34,7 +34,7 @@ export class Drag {
     }, refused);
   }
 
-  /// Poses have come of these.
+  /// Poses of these have arrived.
   heard(ids: Uint32Array): void {
     if (this.isLeft && this.entity !== null && ids.includes(this.entity)) this.end(this.entity);
   }

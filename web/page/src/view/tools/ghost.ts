@@ -5,18 +5,19 @@ import type { ModelMessage } from '../messages.ts';
 import { contentOf } from '../scene/content.ts';
 import type { Stage } from '../scene/stage.ts';
 
-/// Where a ray meets what is there, or else the ground at z = 0; null: neither, or too far away to be meant.
+/// First intersection of a ray with the scene, or with the ground at z = 0; null if there is none, or it is too far
+/// away.
 export function groundUnder(ray: Raycaster, met: Vector3 | null): Vector3 | null {
   const point = met ?? ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
   return point === null || point.distanceTo(ray.ray.origin) > 500 ? null : point;
 }
 
-/// How far above its lowest point the frame of something is [m].
+/// Height of an object's frame above its lowest point [m].
 export function heightAbove(bounds: Box3): number {
   return bounds.isEmpty() ? 0 : Math.max(-bounds.min.z, 0);
 }
 
-/// A model that is to be placed: it follows the pointer and is seen through.
+/// A model to be placed: it follows the pointer and is transparent.
 export class Ghost {
   readonly object = new Group();
   private readonly material = new MeshLambertMaterial({
@@ -26,7 +27,7 @@ export class Ghost {
   private height = 0;
 
   constructor(stage: Stage, model: ModelMessage, changed: () => void) {
-    // ids of something that is not there yet
+    // ids of something that does not exist yet
     const content = contentOf({ model: [withIds(model)] });
     const [root] = content.places.values();
     const X_WorldModel = root?.X_WorldPlace ?? noPlacement();
@@ -35,7 +36,7 @@ export class Ghost {
     const inner = new Group();
     this.object.add(inner);
     this.object.visible = false;
-    // of what is not seen, as a light, a ball shows the place
+    // for invisible objects such as lights, a ball marks the place
     if (content.visuals.length === 0) inner.add(new Mesh(new SphereGeometry(0.1), this.material));
     for (const visual of content.visuals) {
       const place = content.places.get(visual.place);
@@ -54,7 +55,7 @@ export class Ghost {
     }
   }
 
-  /// Stands it on a point.
+  /// Places it on a point.
   put(point: Vector3 | null): void {
     this.object.visible = point !== null;
     if (point === null) return;
@@ -62,7 +63,7 @@ export class Ghost {
     this.object.quaternion.copy(this.rotation);
   }
 
-  /// Where it would be placed; null: nowhere.
+  /// Its current pose; null: none.
   get placement(): Placement | null {
     if (!this.object.visible) return null;
     return { position: this.object.position.clone(), rotation: this.object.quaternion.clone() };
@@ -73,7 +74,7 @@ export class Ghost {
   }
 }
 
-/// A model whose parts have ids, which places are known by.
+/// A copy of a model whose parts have ids, because places are identified by id.
 function withIds(model: ModelMessage, next = { id: 1 }): ModelMessage {
   return {
     ...model,

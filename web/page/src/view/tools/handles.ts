@@ -10,21 +10,21 @@ const snapLength = 1;
 const snapAngle = Math.PI / 4;
 
 export interface HandlesOptions {
-  /// They have been dragged there; during: they are still held.
+  /// Called when they have been dragged; during: they are still held.
   moved(X_WorldHandles: Placement, during: boolean): void;
-  /// The pointer is theirs, or no longer.
+  /// Called when they start or stop using the pointer.
   busy(isBusy: boolean): void;
   changed(): void;
 }
 
-/// Arrows to move and rings to turn what is selected.
+/// Arrows to move and rings to rotate the selected entity.
 export class Handles {
   private readonly controls: TransformControls;
   private readonly carrier = new Object3D();
   private tool: Tool = 'select';
   private isWanted = false;
 
-  /// To be made before what else listens to the element, for they say in time that the pointer is theirs.
+  /// Create it before other listeners of the element, so that it can claim the pointer first.
   constructor(camera: Camera, element: HTMLElement, root: Scene, options: HandlesOptions) {
     this.controls = new TransformControls(camera, element);
     this.controls.setSize(0.8);
@@ -43,7 +43,7 @@ export class Handles {
     return { position: this.carrier.position.clone(), rotation: this.carrier.quaternion.clone() };
   }
 
-  /// Whether they stop at whole metres and eighths of a turn only, as Fortress's do.
+  /// Whether they snap to whole metres and eighths of a turn, like Fortress's.
   setSnapping(isOn: boolean): void {
     this.controls.setTranslationSnap(isOn ? snapLength : null);
     this.controls.setRotationSnap(isOn ? snapAngle : null);
@@ -54,7 +54,7 @@ export class Handles {
     this.show();
   }
 
-  /// Where they are; null: nowhere. While they are dragged nobody else moves them.
+  /// Their pose; null: hidden. While they are dragged, nobody else moves them.
   put(X_WorldHandles: Placement | null): void {
     if (this.isDragged && X_WorldHandles !== null) return;
     this.isWanted = X_WorldHandles !== null;

@@ -1,21 +1,21 @@
-/// What browsers write, the best first.
+/// Supported video formats, best first.
 const kinds = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
-// pictures a second
+// frames per second
 const rate = 30;
 
-/// Makes a video of a canvas.
+/// Records a video of a canvas.
 export class Recorder {
   private readonly pieces: Blob[] = [];
   private readonly recorder: MediaRecorder;
 
-  /// @throws Where this browser makes no video.
+  /// @throws If this browser cannot record video.
   constructor(canvas: HTMLCanvasElement) {
     const mimeType = kinds.find((kind) => typeof MediaRecorder !== 'undefined' && MediaRecorder.isTypeSupported(kind));
     if (mimeType === undefined) throw new Error('this browser cannot record WebM videos');
     this.recorder = new MediaRecorder(canvas.captureStream(rate), { mimeType });
     this.recorder.addEventListener('dataavailable', ({ data }) => this.pieces.push(data));
-    // a piece a second, so that little is lost
+    // one piece per second, so that little is lost
     this.recorder.start(1000);
   }
 
