@@ -31,7 +31,7 @@ from test_domain import take_domain  # noqa: E402
 
 DOMAIN = str(take_domain())
 NAMES = ["fuel.gazebosim.org", "fuel.ignitionrobotics.org", "models.example.org", "storage.example.org"]
-# For what must come true, on a busy machine too.
+# For conditions that must come true, even on a busy machine.
 PATIENCE = 120.0
 PAGE = 2
 
@@ -57,7 +57,7 @@ def model_files(name, include="", body="", version="1.9"):
 
 
 def zip_of(files):
-    """A zip file of names and texts, or of entries that are given whole."""
+    """A zip file of names and texts, or of given entries."""
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted({name.rpartition("/")[0] for name in files if isinstance(name, str) and "/" in name}):
@@ -341,7 +341,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
 
 
 class Place:
-    """A home, a cache and an environment of a test's own, with programs that run there."""
+    """A test's own home, cache and environment, with programs that run there."""
 
     def __init__(self, server=None, cache=None):
         self._folder = tempfile.TemporaryDirectory(prefix="fuel_test_")
@@ -376,7 +376,7 @@ class Place:
         return self.run(PONGSIM, "fuel", *words, **more)
 
     def files(self):
-        """All that is in the cache but locks, by path."""
+        """Everything in the cache except locks, by path."""
         return sorted(str(path.relative_to(self.cache)) for path in self.cache.rglob("*")
                       if path.is_file() or path.is_symlink())
 

@@ -1,4 +1,4 @@
-"""pongsim fuel list, info, delete, check, and what is wrong on the command line."""
+"""pongsim fuel list, info, delete, check, and errors on the command line."""
 
 import shutil
 import unittest

@@ -1,4 +1,4 @@
-"""Models come into the cache: versions, names, tokens, links, what they need, several at once, going on after a break."""
+"""Downloads into the cache: versions, names, tokens, dependencies, parallel downloads, continued downloads."""
 
 import os
 import signal
@@ -38,7 +38,7 @@ class Download(unittest.TestCase):
         self.assertIn("pongsim: downloading OpenRobotics/Coke Can version 3", said)
         self.assertNotIn("\r", said)
         self.assertEqual((folder / "model.config").stat().st_mode & 0o777, 0o644)
-        # what is there, and the newest, is not downloaded again
+        # the newest version is cached, and not downloaded again
         count = len(self.server.zips())
         self.assertIn("the newest version is in the cache", self.download(url.replace(" ", "%20")))
         self.assertEqual(len(self.server.zips()), count)
@@ -68,7 +68,7 @@ class Download(unittest.TestCase):
         self.server.add("o", "n", model_files("n"))
         self.download("https://fuel.ignitionrobotics.org/1.0/o/models/m", "http://fuel.gazebosim.org/o/models/n")
         self.assertEqual(set(self.server.connects), {"fuel.ignitionrobotics.org:443", "fuel.gazebosim.org:443"})
-        # the same model by its other name is there
+        # the same model is cached under its other name
         count = len(self.server.zips())
         self.download("https://fuel.gazebosim.org/1.0/o/models/m/1")
         self.assertEqual(len(self.server.zips()), count)
@@ -89,7 +89,7 @@ class Download(unittest.TestCase):
         for i in range(4):
             self.server.fault(f"m{i}.zip", "stall", 1)
         process = self.place.start(FUEL, "download", "-j", "4", *urls)
-        # all are half here, which one after the other would never be
+        # all are half done, which would not happen one after the other
         self.place.wait_for(lambda: len(self.server.zips()) == 4, "four requests")
         self.server.stall.set()
         _, error = process.communicate(timeout=120)

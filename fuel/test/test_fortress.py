@@ -1,4 +1,4 @@
-"""Fortress's own library finds what pongsim has cached, and the other way round."""
+"""Fortress's own library finds what pongsim has cached, and vice versa."""
 
 import os
 import pathlib
@@ -21,7 +21,7 @@ class Fortress(unittest.TestCase):
         return manager.__enter__()
 
     def peer(self, action, address, code=0):
-        # the leaks of that library are not ours
+        # leaks of that library are not ours
         result = self.place.run(PEER, action, address, ASAN_OPTIONS="detect_leaks=0")
         self.assertEqual(result.returncode, code, result.stderr + result.stdout)
         return result.stdout.strip().splitlines()[-1] if code == 0 else ""
@@ -67,7 +67,7 @@ class Fortress(unittest.TestCase):
         self.assertEqual(theirs.keys(), ours.keys())
         for name in ("model.config", "meshes/box.obj"):
             self.assertEqual(theirs[name], ours[name])
-        # the same addresses, though theirs is printed anew
+        # the same addresses, although libsdformat prints the file anew
         self.assertEqual([part.split("<")[0].strip() for part in theirs["model.sdf"].split("<uri>")[1:2]],
                          [part.split("<")[0].strip() for part in ours["model.sdf"].split("<uri>")[1:2]])
 

@@ -48,7 +48,7 @@ class World(unittest.TestCase):
             self.server.fault(f"{name}.zip", "stall", 1)
         world = self.write(f"<include><uri>{axle}</uri></include>\n<include><uri>{car}/4</uri><pose>0 0 5 0 0 0</pose></include>")
         process = self.place.start(PONGSIM, "run", world, "-z", "0", "--iterations", "10")
-        # both are on their way before either has come
+        # both requests are under way before either is answered
         self.place.wait_for(lambda: len(self.server.zips()) == 2, "two requests")
         self.server.stall.set()
         _, error = process.communicate(timeout=PATIENCE)
@@ -56,7 +56,7 @@ class World(unittest.TestCase):
         self.assertIn("pongsim: downloading o/axle", error)
         self.assertIn("world 'w': 2 models", error)
         self.assertEqual(len(self.server.zips()), 3)
-        # and from then on nothing is asked any more
+        # from then on there are no requests
         count = len(self.server.requests)
         self.assertEqual(self.run_steps(world).returncode, 0)
         self.assertEqual(len(self.server.requests), count)
@@ -127,7 +127,7 @@ class World(unittest.TestCase):
         self.assertEqual(self.run_steps(url + "x").returncode, 1)
 
     def test_the_program_of_the_package_is_asked_for_where_it_is_not_installed(self):
-        # the program and what it needs, in another place, without what the package adds
+        # the program and its dependencies in another folder, without what the package adds
         place = self.place.home / "install"
         for name in ("bin", "lib", "share"):
             (place / name).mkdir(parents=True)

@@ -1,4 +1,4 @@
-"""What the tests of ign-transport share: a world that runs, clients of Fortress, and where they meet."""
+"""What the tests of ign-transport share: a running world, clients of Fortress, and their partition."""
 
 import contextlib
 import os
@@ -25,7 +25,7 @@ DOMAIN = take_domain()
 ENVIRONMENT = {
     **{name: value for name, value in os.environ.items() if not name.startswith("IGN_")},
     "PONGSIM_DOMAIN": str(DOMAIN),
-    # the domain is this process's alone
+    # a domain of this process's own
     "IGN_PARTITION": f"pongsim_test_{DOMAIN}_{os.getpid()}",
     "IGN_IP": "127.0.0.1",
     # the address sanitizer keeps up to 256 MB of what was freed, which is no growth of the simulation's
@@ -34,7 +34,7 @@ ENVIRONMENT = {
 
 
 def until(condition, what):
-    """What the condition gives as soon as it is something."""
+    """Waits until the condition returns something true, and returns that."""
     end = time.monotonic() + DEADLINE
     while time.monotonic() < end:
         if value := condition():
@@ -44,13 +44,13 @@ def until(condition, what):
 
 
 def ended(*words, environment=None):
-    """A command that has come to its end."""
+    """A finished command."""
     return subprocess.run([str(word) for word in words], env={**ENVIRONMENT, **(environment or {})},
                           capture_output=True, text=True, timeout=DEADLINE, stdin=subprocess.DEVNULL)
 
 
 def run(*words, environment=None):
-    """What a command says."""
+    """The output of a command."""
     result = ended(*words, environment=environment)
     assert result.returncode == 0, f"{words}: {result.returncode}\n{result.stdout}{result.stderr}"
     return result.stdout
@@ -59,17 +59,17 @@ def run(*words, environment=None):
 # How long a client of services waits [ms]: longer than a busy machine takes, shorter than the deadline.
 PATIENCE = ("--timeout", "60000")
 
-# What `ign topic` and `ign service` run. Debian 12's `ign` itself looks for them in another folder.
+# The programs behind `ign topic` and `ign service`. Debian 12's `ign` itself looks for them in another folder.
 CLIENTS = pathlib.Path("/usr/libexec/ignition/transport11")
 
 
 def client(name):
-    """The program that `ign NAME` is."""
+    """The program behind `ign NAME`."""
     return CLIENTS / f"ign-transport-{name}"
 
 
 def ign(name, *words):
-    """What Fortress's own client says. Now and then it falls over at its end (../README.md), and is asked again."""
+    """The output of Fortress's own client, which is run again if it crashes at exit (../README.md)."""
     def result():
         client_ended = ended(client(name), *words)
         return client_ended if client_ended.returncode != -signal.SIGSEGV else None
@@ -80,7 +80,7 @@ def ign(name, *words):
 
 
 def listed(what, names):
-    """What Fortress's client lists, once all of these are among it. It lists what it has been told of in a second."""
+    """The list of Fortress's client, once it has all of these. It lists what it discovers within a second."""
     def there():
         lines = ign(what, "-l").split()
         return lines if names <= set(lines) else None
@@ -89,12 +89,12 @@ def listed(what, names):
 
 
 def described(what, option, name, pattern):
-    """Waits until Fortress's client says this of a topic or a service."""
+    """Waits until Fortress's client prints this about a topic or a service."""
     until(lambda: re.search(pattern, ign(what, "-i", option, name)), f"'{pattern}' of {name}")
 
 
 class Running:
-    """A program whose lines are looked at while it runs."""
+    """A program whose output is read while it runs."""
 
     def __init__(self, *words, environment=None):
         self.process = subprocess.Popen([str(word) for word in words], env={**ENVIRONMENT, **(environment or {})},
@@ -119,7 +119,7 @@ class Running:
         return until(found, f"'{pattern}' of {self.process.args}; it said: {self.text[-2000:]}")
 
     def finish(self):
-        """Interrupts it and gives back all that it says."""
+        """Interrupts it and returns all its output."""
         self.process.send_signal(signal.SIGINT)
         os.set_blocking(self.process.stdout.fileno(), True)
         rest, _ = self.process.communicate(timeout=DEADLINE)
@@ -156,13 +156,13 @@ def world(path, *options, environment=None):
 
 
 def resident(pid):
-    """Megabytes that a process holds."""
+    """Memory of a process in megabytes."""
     status = pathlib.Path(f"/proc/{pid}/status").read_text()
     return int(re.search(r"VmRSS:\s+(\d+)", status).group(1)) / 1024
 
 
 def steps(world_name):
-    """Steps that a world has done."""
+    """Number of steps that a world has made."""
     text = run(PONGSIM, "topic", "-e", "-t", f"/world/{world_name}/stats", "-n", "1")
     match = re.search(r"^iterations: (\d+)", text, re.MULTILINE)
     return int(match.group(1)) if match else 0

@@ -1,4 +1,4 @@
-"""Clients that die, stop, flood and speak in tongues: the world steps on, and holds on to its memory."""
+"""Clients that die, stop, flood or send garbage: the world continues, and its memory stays constant."""
 
 import os
 import pathlib
@@ -41,7 +41,7 @@ class Clients(unittest.TestCase):
                     peer.end()
                 steps_on(self)
                 handles.append(len(list(pathlib.Path(f"/proc/{simulation.pid}/fd").iterdir())))
-            # sockets of the last ones may be there still
+            # sockets of the last ones may still exist
             self.assertLessEqual(handles[-1], handles[0] + 8)
 
     def test_a_stopped_reader_holds_up_nobody(self):
@@ -73,7 +73,7 @@ class Clients(unittest.TestCase):
                 body = bytes((seed >> (i % 23)) & 255 for i in range(length))
                 for port in DISCOVERY[1:]:
                     noise.sendto(body, (DISCOVERY[0], port))
-                    # with a length in front that fits, as the protocol wants it
+                    # with a matching length prefix, as the protocol requires
                     noise.sendto(length.to_bytes(2, "little") + body, (DISCOVERY[0], port))
             steps_on(self)
             self.listening("/clock", "ignition.msgs.Clock")

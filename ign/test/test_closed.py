@@ -1,4 +1,4 @@
-"""Nothing of another machine gets in that was not let in. A network namespace stands for the machine."""
+"""Nothing from another machine, simulated by a network namespace, gets in without permission."""
 
 import os
 import pathlib
@@ -11,7 +11,7 @@ from ign_world import PEER, ROOT, client, needs_ign, run, running, world
 
 HERE, THERE = "198.51.100.1", "198.51.100.2"
 NAMESPACES = ["unshare", "--user", "--map-root-user", "--net", "--mount"]
-# In namespaces of its own, where it may make interfaces whoever it is.
+# In namespaces of its own, where any user may create interfaces.
 SET_UP = f"""
 set -e
 mount -t tmpfs none /run
@@ -44,7 +44,7 @@ def drops(port):
 
 
 class Inside(unittest.TestCase):
-    """What goes on within the namespaces."""
+    """Runs within the namespaces."""
 
     def test_noise_of_another_machine_is_dropped_and_clients_here_are_met(self):
         with world(ROOT / "worlds/pong_world.sdf", environment={"IGN_IP": ""}):

@@ -1,4 +1,4 @@
-"""What a world's file and the environment say of ign-transport."""
+"""Settings of ign-transport from a world's file and the environment."""
 
 import pathlib
 import tempfile
@@ -26,7 +26,7 @@ class Settings(unittest.TestCase):
             with running(PONGSIM, "run", file) as simulation:
                 self.peer("listen", *CLOCK).wait_for("heard")
                 self.assertNotIn("warning", simulation.output())
-            # a misspelt one does not run without
+            # a misspelt address is an error, not a run without it
             file.write_text(WORLD.read_text().replace("</world>", PLUGIN.replace("ign-system", "ing-system") + "</world>"))
             wrong = ended(PONGSIM, "run", file, "--iterations", "1")
             self.assertEqual(wrong.returncode, 1, wrong.stderr)

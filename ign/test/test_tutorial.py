@@ -11,14 +11,14 @@ ODOMETRY = "/model/vehicle_blue/odometry"
 
 
 def position():
-    """Where the robot is, as Fortress's client is told."""
+    """The robot's position, as printed by Fortress's client."""
     text = ign("topic", "-e", "-t", ODOMETRY, "-n", "1")
     match = re.search(r"position \{\s*(?:x: (\S+))?", text)
     return float(match.group(1) or 0) if match else 0.0
 
 
 def publish(topic, kind, content):
-    """Has Fortress's client say it. It ends at once, and not all that it says leaves it: ask until it has an effect."""
+    """Publishes with Fortress's client. It exits so early that messages may be lost: repeats until there is an effect."""
     ign("topic", "-t", topic, "-m", f"ignition.msgs.{kind}", "-p", content)
 
 
@@ -38,7 +38,7 @@ class MovingRobot(unittest.TestCase):
         names = {ODOMETRY, "/clock", "/stats", "/cmd_vel", *(f"/world/Moving_robot/{name}" for name in (
             "clock", "stats", "pose/info", "dynamic_pose/info", "scene/info", "state"))}
         topics = listed("topic", names)
-        # only listened to, which Fortress does not list either
+        # it only has subscribers, and Fortress does not list it either
         self.assertNotIn("/keyboard/keypress", topics)
         described("topic", "-t", ODOMETRY, r"Publishers \[Address, Message Type\]:\n"
                                            r"  tcp://127\.0\.0\.1:\d+, ignition\.msgs\.Odometry\n")
@@ -81,7 +81,7 @@ class MovingRobot(unittest.TestCase):
             until(said, words)
 
     def create(self, request):
-        # once only: a client that has fallen over after it was answered would hear that there is one already
+        # only once: if the client crashes after the response, a second call finds the name taken
         answer = ended(client("service"), "-s", "/world/Moving_robot/create", "--reqtype", "ignition.msgs.EntityFactory",
                        "--reptype", "ignition.msgs.Boolean", *PATIENCE, "--req", request)
         if answer.returncode != -signal.SIGSEGV:

@@ -1,4 +1,4 @@
-"""Several worlds of one process on ign-transport: each with its topics and services, what they share once."""
+"""Several worlds of one process on ign-transport: each has topics and services, some are shared."""
 
 import re
 import signal
@@ -12,7 +12,7 @@ WORLDS = ("fine", "coarse", "fast")
 
 
 def x_of(name):
-    """How far a world's cart is [m]."""
+    """The distance that a world's cart has driven [m]."""
     return float(run(PONGSIM, "topic", "-e", "-t", f"/model/cart_{name}/odometry", "-n", "1", "--field", "pose.position.x"))
 
 
@@ -33,7 +33,7 @@ class Worlds(unittest.TestCase):
     @needs_ign
     def test_each_takes_its_commands_alone(self):
         def moved():
-            # it ends at once, and not all that it says leaves it
+            # the client exits so early that messages may be lost
             ign("topic", "-t", "/model/cart_coarse/cmd_vel", "-m", "ignition.msgs.Twist", "-p", "linear: {x: 0.5}")
             return x_of("coarse") > 0.1
 
@@ -65,7 +65,7 @@ class Worlds(unittest.TestCase):
             self.assertEqual([services.count(name) for name in names], [1, 1])
             answer = ask("/gazebo/worlds", ("ignition.msgs.Empty", "ignition.msgs.StringMsg_V"), "")
             self.assertEqual(re.findall(r'data: "(\w+)"', answer), list(WORLDS))
-            # once only: a client that has fallen over after it was answered finds nobody to ask again
+            # only once: if the client crashes after the response, nobody answers a second call
             stop = ended(client("service"), "-s", "/server_control", "--reqtype", "ignition.msgs.ServerControl",
                          "--reptype", "ignition.msgs.Boolean", *PATIENCE, "--req", "stop: true")
             if stop.returncode != -signal.SIGSEGV:

@@ -1,4 +1,4 @@
-"""What tests of pongsim log share: a folder and a domain of their own, a world that runs, a recorder beside it."""
+"""What tests of pongsim log share: a folder and a domain, a running world, a recorder."""
 
 import json
 import os
@@ -12,7 +12,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
 FORTRESS = pathlib.Path(os.environ.get("PONGSIM_FORTRESS_WORLDS", ROOT / "../shared/fortress"))
-# For conditions that must come true, on a busy machine too.
+# For conditions that must come true, even on a busy machine.
 PATIENCE = 90.0
 
 sys.path.append(str(ROOT / "test/support"))
@@ -29,7 +29,7 @@ def wait_until(condition, what):
 
 
 class Place:
-    """A folder, and the programs that run in it; they end with it."""
+    """A folder, and the programs that run in it and end with it."""
 
     def __enter__(self):
         self._folder = tempfile.TemporaryDirectory(prefix="pongsim-log-")
@@ -45,7 +45,7 @@ class Place:
         self._folder.cleanup()
 
     def log(self, *words, code=0):
-        """What `pongsim log` prints, and says."""
+        """The output and messages of `pongsim log`."""
         done = subprocess.run([PONGSIM, "log", *map(str, words)], cwd=self.path, capture_output=True, text=True,
                               timeout=PATIENCE)
         assert done.returncode == code, (words, done.returncode, done.stdout[-2000:], done.stderr[-2000:])
@@ -66,11 +66,11 @@ class Place:
         return recorder
 
     def counts(self, name):
-        """How many messages of each topic the whole chunks of a recording have."""
+        """The number of messages of each topic in the complete chunks of a recording."""
         return {topic["name"]: topic["count"] for topic in json.loads(self.log("info", name, "--json"))["topics"]}
 
     def wait_for_messages(self, name, least):
-        """Waits until a recording that goes on has so many of each topic, and another chunk behind them."""
+        """Waits until a running recording has this many of each topic, and one more chunk."""
         def has_enough():
             counts = self.counts(name)
             return all(counts.get(topic, 0) >= count for topic, count in least.items())
@@ -80,7 +80,7 @@ class Place:
         wait_until(lambda: sum(self.counts(name).values()) > before, f"more in {name}")
 
     def cut(self, name, to):
-        """What is left of a recording of several chunks whose last one was written by half."""
+        """The rest of a recording of several chunks whose last one is incomplete."""
         from mcap.reader import make_reader
 
         with open(self.path / name, "rb") as stream:

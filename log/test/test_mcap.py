@@ -1,4 +1,4 @@
-"""What pongsim writes as MCAP, read by the readers of PyPI; and what they write, read by pongsim."""
+"""pongsim's MCAP files, read by the readers of PyPI, and theirs, read by pongsim."""
 
 import csv
 import io
@@ -16,7 +16,7 @@ from place import FORTRESS, Place
 
 
 def messages(file, topics=None):
-    """All messages of a file, by the reader that uses the index and checks the sums."""
+    """All messages of a file, read with the index and the checksums."""
     with open(file, "rb") as stream:
         reader = make_reader(stream, validate_crcs=True, decoder_factories=[DecoderFactory()])
         return [(channel.topic, schema.name, message.log_time, message.data, decoded)
@@ -39,7 +39,7 @@ class Recorded(unittest.TestCase):
         cls.place = Place().__enter__()
         cls.addClassCleanup(cls.place.__exit__, None, None, None)
         recorder = cls.place.record("-o", "run.mcap")
-        # topics that come later
+        # topics that appear later
         cls.place.start("run", worlds[0])
         cls.place.wait_for_messages("run.mcap", {"/clock": 100, "/model/vehicle_green/odometry": 5})
         assert cls.place.end(recorder) == 0, cls.place.said(recorder)
@@ -146,7 +146,7 @@ class Recorded(unittest.TestCase):
         self.assertIn("unknown action 'inof'", self.place.log("inof", code=2))
         self.assertIn("neither a topic nor a regular expression", self.place.log("record", "-o", "x.mcap", "/a(", code=2))
         self.assertEqual([each.name for each in self.place.path.glob("x*")], [])
-        # a chunk in the middle: the place is said, and no half of a file is left
+        # a chunk in the middle: its position is reported, and no partial file is left
         damaged = bytearray(self.file.read_bytes())
         with open(self.file, "rb") as stream:
             chunk = make_reader(stream).get_summary().chunk_indexes[0]

@@ -1,4 +1,4 @@
-"""Fortress's words for recording a run and for playing a log, from the command line."""
+"""Fortress's options for recording a run and playing a log."""
 
 import json
 import os
@@ -20,7 +20,7 @@ class Options(unittest.TestCase):
         (self.place.path / "world.sdf").write_text(WORLD)
 
     def run_world(self, *words, world="world.sdf"):
-        """Makes 100 steps, and says what is there then, with the folder as home."""
+        """Makes 100 steps, with the folder as home, and returns what is in it then."""
         done = subprocess.run([PONGSIM, "run", world, "-z", "0", "--iterations", "100", *words], cwd=self.place.path,
                               env={**os.environ, "HOME": str(self.place.path)}, capture_output=True, text=True,
                               timeout=PATIENCE)
@@ -71,7 +71,7 @@ class Options(unittest.TestCase):
         self.assertEqual(said.returncode, 0, said.stderr)
 
     def test_a_topic_is_played_on_another_and_without_pauses(self):
-        # of more time than the test may take
+        # longer than the test may take
         (self.place.path / "slow.sdf").write_text(WORLD.replace("<update_frequency>100<", "<update_frequency>1<").replace(
             "<model ", f"<physics name='p' type='ode'><max_step_size>{PATIENCE / 50}</max_step_size></physics><model "))
         self.run_world("--record-path", "rec", "--record-topic", "/model/box/pose", world="slow.sdf")

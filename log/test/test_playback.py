@@ -1,4 +1,4 @@
-"""Playing what a run recorded: to its end, to who listens, as requests steer it."""
+"""Playing a recorded run: to its end, to subscribers, controlled by requests."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import unittest
 from place import PATIENCE, PONGSIM, WORLD, Place, wait_until
 
 CONTROL = ("service", "-s", "/world/drive/playback/control", "--timeout", "60000", "--req")
-# What Debian's own library of logs reads (transport_log_main.cc), where it is there.
+# Reads with Debian's own log library (transport_log_main.cc), if it is installed.
 READER = os.environ.get("PONGSIM_TRANSPORT_LOG")
 
 
@@ -52,13 +52,13 @@ class Playback(unittest.TestCase):
         self.assertEqual(played.wait(PATIENCE), 0, self.place.said(played))
 
     def test_steps_go_on_after_a_rewind_among_them(self):
-        # so slow that the second request comes among the steps on a busy machine, too
+        # so slow that the second request arrives between steps on a busy machine, too
         self.place.start("run", "--playback", "rec", "--paused", "-z", "20")
         wait_until(lambda: self.state() == (0, True), "the recording")
         self.run_pongsim(*CONTROL, "pause: true, multi_step: 150")
         self.run_pongsim(*CONTROL, "rewind: true")
         wait_until(lambda: self.state()[1], "the end of the steps")
-        # those made before the request came, and the start, were some of them
+        # those made before the request arrived, and the start, were some of them
         self.assertLess(self.state()[0], 0.15)
 
     def test_who_listens_hears_what_was_recorded(self):
@@ -103,7 +103,7 @@ class Playback(unittest.TestCase):
         return listener
 
     def times_of(self, listener):
-        """When the poses were, in milliseconds."""
+        """The times of the poses in milliseconds."""
         lines = listener.communicate(timeout=PATIENCE)[0].splitlines()
         return [json.loads(line)["header"]["stamp"].get("nsec", 0) // 1_000_000 for line in lines]
 

@@ -1,4 +1,4 @@
-"""pongsim log record: ends cleanly, survives its death, records what it is told to."""
+"""pongsim log record: ends cleanly, survives being killed, records what is selected."""
 
 import json
 import signal

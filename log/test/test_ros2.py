@@ -1,4 +1,4 @@
-"""Recordings as messages of ROS 2: what rosbags reads of them is what a plain recording has."""
+"""Recordings of ROS 2 messages: rosbags reads the same content as in a plain recording."""
 
 import json
 import math
@@ -32,7 +32,7 @@ def plain(file):
 
 
 def of_ros(file):
-    """(topic, type, time, message, payload) of a recording of ROS, each message read by the definition in the file."""
+    """(topic, type, time, message, payload) of a ROS recording, each message read with the definition in the file."""
     with AnyReader([pathlib.Path(file)]) as reader:
         return [(connection.topic, connection.msgtype, time, reader.deserialize(data, connection.msgtype), bytes(data))
                 for connection, time, data in reader.messages()]
@@ -55,7 +55,7 @@ def frame_of(header, key="frame_id"):
 
 
 class Robot(unittest.TestCase):
-    """A robot with lidar, camera, imu and odometry, recorded as it is and as ROS has it."""
+    """A robot with lidar, camera, IMU and odometry, recorded plainly and as ROS messages."""
 
     @classmethod
     def setUpClass(cls):
@@ -63,7 +63,7 @@ class Robot(unittest.TestCase):
         cls.addClassCleanup(cls.place.__exit__, None, None, None)
         bag = cls.place.record("-o", "bag.mcap", "--ros2")
         also = cls.place.record("-o", "plain.mcap", ".*(scan|camera|imu|odom|clock|stats|tf).*")
-        # topics that come later
+        # topics that appear later
         cls.place.start("run", ROOT / "worlds/ros2_nav2.sdf")
 
         of_all = dict.fromkeys(TYPES, 4)
@@ -80,7 +80,7 @@ class Robot(unittest.TestCase):
         cls.same = of_ros(cls.place.path / "same.mcap")
 
     def pairs(self, topic):
-        """Each message of the plain recording, and what has become of it."""
+        """Each message of the plain recording, with its ROS counterpart."""
         before = [(time, message) for name, time, message in self.plain if name == topic]
         after = [(time, message) for name, _, time, message, _ in self.same if name == topic]
         self.assertEqual([time for time, _ in before], [time for time, _ in after])
@@ -97,7 +97,7 @@ class Robot(unittest.TestCase):
         payloads = {topic: {data for name, _, _, _, data in self.same if name == topic} for topic in TYPES}
         for topic in TYPES:
             live = [data for name, _, _, _, data in self.live if name == topic]
-            # what one recorder has heard before or after the other is in it alone
+            # messages before or after the other recorder's are in one file only
             self.assertGreaterEqual(sum(data in payloads[topic] for data in live), 3, topic)
         # one stamp, one payload
         stamps = {(topic, stamp(message.header)): data for topic, _, _, message, data in self.same
@@ -267,7 +267,7 @@ class Alone(unittest.TestCase):
         wait_until(lambda: "'/stats' is left out" in self.place.said(recorder), "a warning")
         self.assertEqual(self.place.end(recorder), 1)
         self.assertIn("nothing of what was heard can be written as ROS messages", self.place.said(recorder))
-        # and the same command is not refused
+        # the same command is not refused
         self.assertFalse((self.place.path / "none.mcap").exists())
 
     def test_a_tlog_of_fortress_becomes_a_bag(self):

@@ -1,4 +1,4 @@
-"""A small world to sweep over, and what the tests of sweeps share."""
+"""A small world to sweep over, and helpers of the tests of sweeps."""
 
 import copy
 import pathlib
@@ -11,7 +11,7 @@ from pongsim import sweep
 
 PACKAGES = str(pathlib.Path(pongsim.__file__).parents[1])
 
-#: A ball that falls, and a system that tells where it is.
+#: A ball that falls, and a system that publishes its position.
 WORLD = """<?xml version="1.0"?>
 <sdf version="1.9"><world name="w">
   <plugin filename="ignition-gazebo-physics-system"
@@ -47,7 +47,7 @@ def write(folder, name, text):
 
 
 def make(folder, **changes):
-    """Makes the sweep of the ball in the folder, which has its world."""
+    """Writes the sweep of the ball into the folder, which has its world."""
     options = changes.pop("options", {})
     place = pathlib.Path(folder)
     if not (place / "w.sdf").exists():
@@ -58,27 +58,27 @@ def make(folder, **changes):
 
 
 def start(folder, *arguments):
-    """The command in a process of its own, in the folder."""
+    """Runs the command in a separate process, in the folder."""
     code = "import sys; sys.path[0] = sys.argv.pop(1); from pongsim.sweep.command import main; sys.exit(main())"
     return subprocess.Popen([sys.executable, "-c", code, PACKAGES, *map(str, arguments)], cwd=folder, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
 def command(folder, *arguments):
-    """Its exit code, what it prints, and what it says of errors."""
+    """Its exit code, its output, and its error messages."""
     process = start(folder, *arguments)
     out, err = process.communicate(timeout=300)
     return process.returncode, out, err
 
 
 def children(pid):
-    """The processes that a process has started."""
+    """The child processes of a process."""
     with open(f"/proc/{pid}/task/{pid}/children") as file:
         return [int(each) for each in file.read().split()]
 
 
 def wait_for(condition, process=None, patience=120):
-    """Waits until it holds; fails where the process ends before."""
+    """Waits until the condition holds; fails if the process ends before."""
     end = time.monotonic() + patience
     while not condition():
         assert time.monotonic() < end, "it does not come"

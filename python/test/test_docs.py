@@ -8,7 +8,7 @@ import sys
 import pytest
 from conftest import PROJECT
 
-# a block that is indented, behind the mark
+# an indented block after the mark
 BLOCK = re.compile(r"<!-- python(?:: prints (.*?))? -->\n((?:(?:    .*)?\n)+)")
 PAGES = {page: BLOCK.findall((PROJECT / "docs" / page).read_text()) for page in ("python.md", "gym.md")}
 BLOCKS = [block for blocks in PAGES.values() for block in blocks]

@@ -84,7 +84,7 @@ def test_a_force_moves_the_cart_as_newton_says():
     assert observation == pytest.approx([0.25, 1.0, 2.0], abs=2e-3)
     assert reward == pytest.approx(-0.25, abs=2e-3) and not terminated and not truncated and info == {}
     assert env.moment.before["rail"][0] == pytest.approx([0, 0])
-    # what is beyond the limits counts as the limits
+    # values beyond the limits are clamped
     env.reset()
     assert np.array_equal(env.step([400.0])[0], observation)
     env.close()
@@ -221,7 +221,7 @@ def test_pictures_from_a_camera_of_the_world_and_from_a_place_of_its_own(avoider
     seen = env.render()
     sensor = env.simulation.sensor("camera")
     env.simulation.step(200)
-    # what the camera itself sees then; the robot rests
+    # what the camera itself sees then; the robot is at rest
     assert np.abs(seen.astype(int) - sensor.image).mean() < 1
     env.close()
 

@@ -1,4 +1,4 @@
-"""Memory stays where it is."""
+"""Memory does not grow."""
 
 import gc
 import weakref

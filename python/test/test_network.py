@@ -25,7 +25,7 @@ def shared(domain):
 
 @pytest.fixture
 def start(program, domain):
-    """Starts pongsim in the domain; it is ended with the test."""
+    """Starts pongsim in the domain; it ends with the test."""
     started = []
 
     def begin(*arguments):
@@ -42,7 +42,7 @@ def start(program, domain):
 
 
 def output(process, sim):
-    """What the process prints until its end, while the simulation goes on."""
+    """The output of the process until its end, while the simulation continues."""
     while process.poll() is None:
         sim.step(10)
     said = process.communicate(timeout=PATIENCE)[0]

@@ -18,7 +18,7 @@ def test_notebook(file, tmp_path, monkeypatch):
     monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
     notebook = nbformat.read(file, as_version=4)
     nbformat.validate(notebook)
-    # kept without what it prints, which would only grow old
+    # stored without output, which would only become outdated
     assert all(not cell.outputs for cell in notebook.cells if cell.cell_type == "code")
     NotebookClient(notebook, timeout=300, startup_timeout=300, kernel_name="python3",
                    resources={"metadata": {"path": str(file.parent)}}).execute()

@@ -1,4 +1,4 @@
-"""What `pip` is told of the package fits the package. That a wheel works is for tools/fresh-check --wheel."""
+"""The metadata for `pip` fits the package. tools/fresh-check --wheel tests that a wheel works."""
 
 import ast
 import importlib
@@ -16,7 +16,7 @@ import pongsim
 tomllib = pytest.importorskip("tomllib", reason="Python 3.11 reads it")
 PYPROJECT = tomllib.loads((PROJECT / "pyproject.toml").read_text())
 SOURCES = PROJECT / "python/pongsim"
-#: A module's name, where PyPI has another.
+#: Names of modules that differ from PyPI's.
 NAMES = {"yaml": "PyYAML", "google": "protobuf"}
 
 
@@ -32,7 +32,7 @@ def test_what_is_started_is_there():
 
 
 def needed():
-    """The packages of others that the modules name, wherever they import them."""
+    """The third-party packages that the modules import."""
     names = set()
     for file in SOURCES.rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text())):
@@ -53,7 +53,7 @@ def test_what_the_package_imports_it_asks_for():
 
 
 def test_the_folder_is_that_of_an_installation(tmp_path, program):
-    """Where a wheel's program and library look for what belongs to them, the build has installed it."""
+    """The build has installed everything where a wheel's program and library look for it."""
     settings = PYPROJECT["tool"]["scikit-build"]
     assert settings["wheel"]["install-dir"] == "pongsim"
     assert settings["cmake"]["define"]["PONGSIM_PYTHON_PACKAGE_FOLDER"] == "."

@@ -24,12 +24,12 @@ def where(sim, parameters):
 
 @pytest.fixture
 def cluster(monkeypatch):
-    # nothing is reported to anybody
+    # no usage reports
     monkeypatch.setenv("RAY_USAGE_STATS_ENABLED", "0")
     # beside /tmp/ray, where a cluster of the user's would be; a short name, for sockets lie in it
     folder = tempfile.TemporaryDirectory(dir="/tmp", ignore_cleanup_errors=True)
     monkeypatch.setenv("RAY_TMPDIR", folder.name)
-    # a node that has gone is noticed soon
+    # a lost node is noticed soon
     made = cluster_utils.Cluster(initialize_head=True, head_node_args={
         "num_cpus": 1, "include_dashboard": False, "object_store_memory": 80 * 2**20,
         "_system_config": {"health_check_initial_delay_ms": 1000, "health_check_period_ms": 500,
@@ -70,7 +70,7 @@ def test_a_node_that_is_killed_costs_no_run_and_changes_no_bit(cluster, tmp_path
 
 
 def test_a_run_that_ends_its_process_costs_itself_only(cluster, tmp_path, monkeypatch):
-    # each time Ray makes a process anew, which takes seconds
+    # each time Ray starts a process again, which takes seconds
     monkeypatch.setattr("pongsim.sweep.ray_pool._RETRIES", 1)
     write(tmp_path, "judge.py", "import os\ndef score(sim, parameters):\n    if parameters['n'] == 20: os._exit(3)\n    return 1\n")
     rows = make(tmp_path, duration=0.01, parameters={"n": {"range": {"from": 0, "to": 39, "step": 1}}},

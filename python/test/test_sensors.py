@@ -1,4 +1,4 @@
-"""Readings as arrays, where the sensor wrote them."""
+"""Readings as arrays, in the memory written by the sensor."""
 
 import ctypes.util
 
@@ -56,7 +56,7 @@ def test_ranges_are_where_they_were_written():
         assert laser.intensities.shape == (5,)
         assert laser.count() >= 2
         assert 0 < laser.time() <= sim.time
-    # the memory is the array's, too
+    # the memory is kept by the array, too
     assert ranges[2] == pytest.approx(3.0 / np.cos(0.1), rel=1e-5)
 
 
@@ -85,7 +85,7 @@ def test_images(pixels, shape, kind):
         image = camera.image
         assert image.shape == shape and image.dtype == kind
         assert address(image) == camera.written_at()
-        # the box in the middle is not what is beside it
+        # the box in the middle differs from what is beside it
         assert np.any(image[3, 4] != image[3, 0])
 
 

@@ -1,4 +1,4 @@
-"""A simulation, its time, its state, and what is said of bad files."""
+"""A simulation, its time and state, and messages for bad files."""
 
 import gc
 import os

@@ -1,4 +1,4 @@
-"""What docs/sweeps.md shows is what lies in examples/, and its Python runs."""
+"""The examples in docs/sweeps.md are those in examples/, and its Python runs."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""What stands in a sweep's file: which runs it makes, and what is said of mistakes."""
+"""Sweep files: the runs that they define, and messages for mistakes."""
 
 import collections
 
@@ -58,7 +58,7 @@ def test_a_latin_hypercube_has_one_point_in_each_slice():
     for column in zip(*points):
         assert collections.Counter(int(each * 50) for each in column) == dict.fromkeys(range(50), 1)
     assert points == latin_hypercube(50, 3, 7) != latin_hypercube(50, 3, 8)
-    # for ever: sweeps are gone on with, and told of in papers
+    # must never change: sweeps are resumed, and cited in papers
     assert [round(each, 6) for each in latin_hypercube(3, 2, 1)[0]] == FIRST_POINT
 
 

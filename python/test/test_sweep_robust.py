@@ -1,4 +1,4 @@
-"""Sweeps that are stopped, killed, or have no room: what is done stands, and all else is told."""
+"""Sweeps that are stopped, killed, or have no room: finished rows stay, and everything else is reported."""
 
 import json
 import os
@@ -14,7 +14,7 @@ from pongsim import sweep
 from pongsim.sweep import runner
 from pongsim.sweep.local_pool import LocalPool
 
-#: A measure that tells that it is at work, and stays there until it is let go on, or killed.
+#: A measure that reports that it is running, and waits until it is released or killed.
 WAITS = """
 import os, pathlib, time
 HERE = pathlib.Path(__file__).parent
@@ -31,7 +31,7 @@ def waits(sim, parameters):
 
 
 def waiting(folder, names, wait):
-    """A sweep over so many names, of which some wait."""
+    """A sweep over this many names, some of which wait."""
     write(folder, "w.sdf", WORLD)
     write(folder, "judge.py", WAITS)
     write(folder, "wait", " ".join(wait))
@@ -56,7 +56,7 @@ def test_twenty_killed_processes_cost_their_runs_only(tmp_path):
     assert process.returncode == 1, err
     assert "60 runs, 40 done, 20 failed" in out
     assert err.count("its process was killed by SIGKILL") == 10 and "... and 10 more" in err
-    # those that were killed are made again, and no others
+    # those that were killed are repeated, and no others
     write(tmp_path, "wait", "")
     before = {each: json.loads(each) for each in (tmp_path / "s.sweep/journal.jsonl").read_text().splitlines()}
     assert command(tmp_path, file)[0] == 0
@@ -133,7 +133,7 @@ def test_two_sweeps_in_one_folder_are_refused(tmp_path):
 
 
 def test_a_full_disk_fails_the_runs_that_find_no_room(tmp_path):
-    """By the limit on a file's size, which is met as a full disk is, without one."""
+    """With a limit on file sizes, which fails like a full disk."""
     seeds = 40
     code = f"""
 import resource, sys

@@ -1,4 +1,4 @@
-"""Runs of a sweep: measures, commands, how they end, and that they are what one run by itself is."""
+"""Runs of a sweep: measures, commands, end conditions, and equality with single runs."""
 
 import csv
 import math

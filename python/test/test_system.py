@@ -7,7 +7,7 @@ import pongsim
 
 
 class Judge(pongsim.System):
-    """Notes what it is called for."""
+    """Records its calls."""
 
     def __init__(self):
         self.calls = []

@@ -25,7 +25,7 @@ def test_worlds_on_threads_give_the_bits_of_one_after_the_other():
 
 
 def test_other_threads_run_while_one_steps():
-    """The step goes on until another thread of Python, which it would wait for if it held the GIL, says so."""
+    """The step continues until another Python thread ends it, for which it would wait if it held the GIL."""
     sim = pongsim.Simulation(BALL)
     stop = threading.Event()
     told = threading.Event()

@@ -1,4 +1,4 @@
-"""The package is typed, and the stubs of its C++ part say what is there."""
+"""The package is typed, and the stubs of its C++ part are complete."""
 
 import pathlib
 import subprocess

@@ -21,7 +21,7 @@ def short(now):
 
 
 def same(one, other):
-    """Whether two results of a reset or a step are the same, to the bit."""
+    """Whether two results of a reset or a step are bit-for-bit the same."""
     assert len(one) == len(other)
     for a, b in zip(one, other):
         if isinstance(a, dict):

@@ -1,4 +1,4 @@
-"""Models, links and joints: reading, commanding, coming and going."""
+"""Models, links and joints: reading, commanding, inserting and removing."""
 
 import numpy as np
 import pytest

@@ -50,8 +50,8 @@ TEST(Mismatch, NamesBothTypes) {
 TEST(Mismatch, SaysHowATypeThatHasAPairIsHad) {
   EXPECT_EQ(mismatch(commandOffer(), theirWriter("rt/cmd_vel", "geometry_msgs::msg::dds_::TwistStamped_")),
             "a node publishes '/cmd_vel' as geometry_msgs/msg/TwistStamped, which is geometry_msgs/msg/Twist here: "
-            "no messages arrive; --ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' makes "
-            "it that");
+            "no messages arrive; --ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' bridges "
+            "that type");
 }
 
 TEST(Mismatch, NamesTheQualityThatIsMissing) {

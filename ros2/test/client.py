@@ -1,4 +1,4 @@
-"""Services, called by a peer that is not ours, and steps of a paused simulation among them."""
+"""Services called by an independent peer, including steps of a paused simulation."""
 
 from dataclasses import dataclass, field
 
@@ -30,7 +30,7 @@ class StepSimulationResponse(IdlStruct, typename=SRV + "StepSimulation_Response_
 
 
 class Client:
-    """A lone client: the server answers by the writer's name, for cyclonedds can't name the reader of the reply."""
+    """A single client: the server identifies it by its writer, because cyclonedds can't name the reader of the reply."""
 
     def __init__(self, peer, service, request, response):
         participant = peer.participant
@@ -53,7 +53,7 @@ class Client:
 
 
 class Steps:
-    """Steps of a paused simulation, so that who listens is not in the way of who is slow: `steps(100)` makes them."""
+    """Steps a paused simulation, so that slow readers keep up: `steps(100)` makes 100 steps."""
 
     def __init__(self, peer, node="/pongsim"):
         self._client = Client(peer, node + "/step_simulation", StepSimulationRequest, StepSimulationResponse)

@@ -1,4 +1,4 @@
-"""The house of worlds/ros2_nav2.sdf, as its file has it."""
+"""The house of worlds/ros2_nav2.sdf."""
 
 import math
 import xml.etree.ElementTree as xml
@@ -14,7 +14,7 @@ def numbers(text):
 
 
 class House:
-    """The walls, as the world's file has them, and where the robot starts."""
+    """The walls and the robot's start, read from the world's file."""
 
     def __init__(self):
         world = xml.parse(WORLD).getroot().find("world")
@@ -30,7 +30,7 @@ class House:
         self.start[:2, 3] = x, y
 
     def distance(self, points):
-        """From points [n x 2] of the world to the nearest surface, seen from above [m]."""
+        """Distance from points [n x 2] in the world to the nearest surface, seen from above [m]."""
         nearest = np.full(len(points), np.inf)
         for x, y, yaw, size, radius in self.shapes:
             turned = (points - [x, y]) @ np.array([[math.cos(yaw), -math.sin(yaw)], [math.sin(yaw), math.cos(yaw)]])

@@ -1,4 +1,4 @@
-"""What tests with peers share: a simulation that runs, and a node of its own over Cyclone DDS."""
+"""What tests with peers share: a running simulation, and a node on Cyclone DDS."""
 
 import contextlib
 import os
@@ -24,12 +24,12 @@ PONGSIM = os.environ.get("PONGSIM", str(ROOT / "build/release/bin/pongsim"))
 sys.path.append(str(ROOT / "test/support"))
 from test_domain import take_domain  # noqa: E402
 
-# that of the test that has started this process, or one of its own
+# inherited from the test that started this process, or a new one
 DOMAIN = int(os.environ.get("PONGSIM_TEST_DOMAIN") or take_domain())
-# for all that the test starts
+# for all processes started by the test
 for name in ("PONGSIM_TEST_DOMAIN", "PONGSIM_DOMAIN", "ROS_DOMAIN_ID"):
     os.environ[name] = str(DOMAIN)
-# For conditions that must come true, on a busy machine too.
+# For conditions that must come true, even on a busy machine.
 PATIENCE = 60.0
 
 RELIABLE = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(10))
@@ -118,7 +118,7 @@ class ParticipantEntitiesInfo(IdlStruct, typename="rmw_dds_common::msg::dds_::Pa
 
 
 def fortress(name):
-    """A file of Fortress's unmodified worlds; without them the test is skipped."""
+    """A file of Fortress's worlds; without them the test is skipped."""
     import pytest  # which nodes that share this file do without
 
     folder = pathlib.Path(os.environ.get("PONGSIM_FORTRESS_WORLDS", ROOT.parent / "shared/fortress"))
@@ -128,7 +128,7 @@ def fortress(name):
 
 
 def until(condition, what="the condition", patience=PATIENCE):
-    """Waits until `condition()` is true, and gives back what it gave."""
+    """Waits until `condition()` is true, and returns its result."""
     end = time.monotonic() + patience
     while True:
         result = condition()
@@ -139,7 +139,7 @@ def until(condition, what="the condition", patience=PATIENCE):
 
 
 class Peer:
-    """A participant with default settings, as a node of ROS under rmw_cyclonedds has."""
+    """A participant with default settings, like that of a ROS node with rmw_cyclonedds."""
 
     def __init__(self, domain=DOMAIN):
         self.participant = DomainParticipant(domain)
@@ -160,12 +160,12 @@ class Peer:
 
 
 def take(reader):
-    """What has come, without notices of writers that have gone."""
+    """The received samples, without notices of removed writers."""
     return [sample for sample in reader.take(N=100) if sample.sample_info.valid_data]
 
 
 def take_one(reader, patience=PATIENCE, where=lambda sample: True):
-    """Waits for a sample of which `where` holds; the last of those that are there."""
+    """Waits for a sample that meets `where`, and returns the last of those that do."""
     def matching():
         fitting = [sample for sample in take(reader) if where(sample)]
         return fitting[-1:]

@@ -36,7 +36,7 @@ def store():
 
 
 def field_of(kind, what):
-    """The type of a field, and what makes its first value."""
+    """The type of a field, and a function that makes its initial value."""
     if kind == BASE:
         made, default = TYPES[what[0]]
         return made, lambda: default
@@ -72,7 +72,7 @@ def message(name):
 
 
 def check(value, where=""):
-    """Refuses what rclpy refuses: a number of the wrong kind, as `twist.linear.x = 0`."""
+    """Refuses what rclpy refuses: a number of the wrong kind, such as `twist.linear.x = 0`."""
     for field, (kind, what) in store().fielddefs[name_of(type(value))][1]:
         _check_field(getattr(value, field), int(kind), what, f"{where}{field}")
 
@@ -123,5 +123,5 @@ class Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 def install():
-    # after all others, so that what is installed counts
+    # after all others, so that installed packages take precedence
     sys.meta_path.append(Finder())

@@ -1,4 +1,4 @@
-"""Nothing of another machine gets in, which a network namespace stands for, unless --network says so."""
+"""Nothing from another machine, simulated by a network namespace, gets in without --network."""
 
 import json
 import os
@@ -17,7 +17,7 @@ HERE, THERE = "198.51.100.1", "198.51.100.2"
 GROUP = "239.255.0.1"
 
 NAMESPACES = ["unshare", "--user", "--map-root-user", "--net", "--mount"]
-# In namespaces of its own, where it may make interfaces whoever it is.
+# In namespaces of its own, where any user may create interfaces.
 SET_UP = """
 set -e
 mount -t tmpfs none /run
@@ -34,7 +34,7 @@ exec "$@"
 
 
 def inside(function, distro="humble"):
-    """Runs a function of this file within the namespaces, for a distribution, and gives back what it says."""
+    """Runs a function of this file within the namespaces, for a distribution, and returns its output."""
     for tool in ("ip", "unshare"):
         assert shutil.which(tool) or pathlib.Path("/usr/sbin", tool).exists(), f"{tool} is not installed"
     environment = {**os.environ, "PATH": os.environ["PATH"] + ":/usr/sbin:/sbin", "ROS_DISTRO": distro}
@@ -142,7 +142,7 @@ for source, to, port, payload in packets:
 
 
 def heard_at(listener):
-    """How many packets wait at a socket."""
+    """The number of packets waiting at a socket."""
     count = 0
     while True:
         try:
@@ -200,11 +200,11 @@ def forged_packets():
 
 
 def nodes_outside():
-    """Whether a node elsewhere hears the clock of a closed simulation while one here does, and of an open one."""
+    """Whether another machine's node receives the clock of a closed simulation while a local one does, and of an open one."""
     with peers.running(WORLD):
         node = elsewhere(HEAR, TEST_FOLDER, 3600)
         assert node.stdout.readline() == "listens\n"
-        # several meetings of nodes here are time enough for one that could be met
+        # enough time to discover several local nodes is enough for one that could be discovered
         for _ in range(5):
             peers.take_one(peers.Peer().reader("/clock", peers.Clock))
         assert node.poll() is None

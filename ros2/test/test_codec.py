@@ -1,4 +1,4 @@
-"""Each type against rosbags, whose codec and definitions are not ours: the same bytes, the same hash, the same fields."""
+"""Compares each type with rosbags, an independent codec with its own definitions: bytes, hashes and fields."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ SINGLE, NAMED, ARRAY, SEQUENCE = 1, 2, 3, 4
 
 
 def known(name):
-    """rosbags knows messages only: a service's request, or an action's, is one for it under another name."""
+    """rosbags only knows messages: requests of services and actions are registered as such under another name."""
     return name.replace("/srv/", "/msg/Srv").replace("/action/", "/msg/Action")
 
 
@@ -34,7 +34,7 @@ STORE = all_types()
 
 
 def ours():
-    """The names of the types that the program has."""
+    """The names of the program's types."""
     text = DEFINITIONS.with_name("all_types.hh").read_text()
     messages, services, actions = re.findall(r"TypeList<(.*?)>;", text, re.S)
     for name in re.findall(r"(\w+)::(\w+)", messages):
@@ -118,7 +118,7 @@ def test_has_the_same_hash(codec, name):
 
 @pytest.mark.parametrize("name", sorted(name for name in ours() if "/msg/" in name))
 def test_has_the_same_definition(codec, name):
-    """Constants, which nobody needs to read messages, are not in ours."""
+    """Constants are left out of ours, because readers do not need them."""
     described = get_types_from_msg(codec(f"{name} definition").replace("|", "\n"), name)
     assert name in described
     for each, (_, fields) in described.items():

@@ -21,28 +21,28 @@ def pongsim(*arguments, check=True):
 
 
 def say(topic, text):
-    """Publishes a text in the simulation, once somebody listens."""
+    """Publishes a text in the simulation, once there is a subscriber."""
     pongsim("topic", "-t", topic, "-m", "StringMsg", "-p", f'data: "{text}"', "--timeout", "60")
 
 
 def subscribers(topic):
-    """How many listen to a topic of the simulation; -1 where there is none such."""
+    """The number of subscribers to a topic of the simulation; -1 if there is no such topic."""
     topics = {each["name"]: each["subscribers"] for each in json.loads(pongsim("topic", "-l", "--json").stdout)}
     return topics.get(topic, -1)
 
 
 def node(name="/pongsim"):
-    """The names of what a node publishes and what it subscribes to; nothing while it is not there."""
+    """The topics that a node publishes and subscribes to; nothing while it does not exist."""
     for each in json.loads(pongsim("ros2", "nodes", "--json").stdout):
         if each["name"] == name:
-            # without what each node has
+            # without those that each node has
             return {key: [way["name"] for way in each[key] if way["name"] not in ("/rosout", "/parameter_events")]
                     for key in ("publishers", "subscribers")}
     return None
 
 
 def node_with(publishers=(), subscribers=(), name="/pongsim"):
-    """Waits until a node has these topics. The names of all that it has then."""
+    """Waits until a node has these topics, and returns all that it has then."""
     def there():
         known = node(name)
         return known and set(publishers) <= set(known["publishers"]) and set(subscribers) <= set(known["subscribers"]) and known
@@ -65,7 +65,7 @@ def test_a_file_gives_a_topic_another_name(tmp_path):
     file = configuration(tmp_path, lidar_as("scan", "  frame_id: laser\n"))
     with peers.running(WORLD, "--ros2-config", file):
         assert peers.take_one(peers.Peer().reader("/scan", peers.LaserScan)).header.frame_id == "laser"
-        # what no rule speaks of is there as ever
+        # a topic without a rule is bridged as usual
         known = node_with(publishers=("/scan", "/clock"), subscribers=("/cmd_vel",))
         assert "/lidar" not in known["publishers"]
 
@@ -156,7 +156,7 @@ def test_a_profile_is_what_readers_see(tmp_path):
         peer = peers.Peer()
         reliable = peer.reader("/scan", peers.LaserScan, peers.RELIABLE)
         peers.take_one(peer.reader("/scan", peers.LaserScan, peers.BEST_EFFORT))
-        # a best-effort writer is none for a reader that wants more
+        # a best-effort writer does not match a reader that requests more
         assert reliable.get_subscription_matched_status().current_count == 0
 
 
@@ -193,7 +193,7 @@ def test_names_of_the_simulation_are_expanded_too():
 
 
 def refused(*arguments, environment=None, code=1):
-    """What a run says that does not begin."""
+    """The output of a run that does not start."""
     result = subprocess.run([peers.PONGSIM, "run", WORLD, "--iterations", "1", *map(str, arguments)],
                             capture_output=True, text=True, env={**peers.os.environ, **(environment or {})}, timeout=60)
     assert result.returncode == code, result.stderr

@@ -1,4 +1,4 @@
-"""Many nodes at two simulations: each hears its own one, all of it, and nobody is in the way of another."""
+"""Many nodes with two simulations: each receives everything from its own one, and none disturbs another."""
 
 import peers
 import pytest
@@ -31,14 +31,14 @@ def nanoseconds(scan):
 def test_twenty_nodes_hear_every_scan_of_the_simulation_in_their_namespace(tmp_path):
     # the simulations' own topics have the same names
     other = {"PONGSIM_DOMAIN": str(peers.take_domain())}
-    # a writer keeps ten scans for who is slow: no more of them at once, and on when they have been heard
+    # a writer keeps ten scans for slow readers, so no more at once, and on when they have arrived
     stepped = ["--paused", "-z", "0"]
     with (peers.running(world_in(tmp_path, "red"), *stepped),
           peers.running(world_in(tmp_path, "blue"), *stepped, environment=other)):
         steps = [Steps(peers.Peer(), f"/{name}/pongsim") for name in ("red", "blue")]
         nodes = [peers.Peer() for _ in range(NODES)]
         names = ["red" if i % 2 == 0 else "blue" for i in range(NODES)]
-        # every fourth as sensors' readers usually are
+        # every fourth with the QoS that is usual for sensors
         qualities = [peers.BEST_EFFORT if i % 4 == 3 else DEEP for i in range(NODES)]
         readers = [node.reader(f"/{name}/lidar", LaserScan, quality)
                    for node, name, quality in zip(nodes, names, qualities)]
@@ -51,7 +51,7 @@ def test_twenty_nodes_hear_every_scan_of_the_simulation_in_their_namespace(tmp_p
                 scans.extend(peers.take(reader))
 
         def last_is_heard():
-            """By all who have heard some and miss none."""
+            """Whether every reader has received some, and misses none."""
             hear()
             return all(nanoseconds(scans[-1]) == now for scans, quality in zip(heard, qualities)
                        if quality is DEEP and scans)
@@ -71,7 +71,7 @@ def test_twenty_nodes_hear_every_scan_of_the_simulation_in_their_namespace(tmp_p
             assert {scan.header.frame_id for scan in scans} == {f"{name}/rover/chassis/lidar"}
             stamps = [nanoseconds(scan) for scan in scans]
             if quality is DEEP:
-                # the first of all is that of the first step, one step late
+                # the first clock message is that of the first step, one step late
                 stamps = [0 if stamp == 1_000_000 else stamp for stamp in stamps]
                 assert {b - a for a, b in zip(stamps, stamps[1:])} == {step}
             else:
@@ -83,6 +83,6 @@ def test_twenty_nodes_hear_every_scan_of_the_simulation_in_their_namespace(tmp_p
                 for scan in scans if own == name else []:
                     stamp = (scan.header.stamp.sec, scan.header.stamp.nanosec)
                     assert by_stamp.setdefault(stamp, scan.ranges) == scan.ranges
-        # and the command was for one of them
+        # the command was for one of them
         assert heard[0][-1].ranges[30] < heard[0][0].ranges[30] - 0.2
         assert heard[1][-1].ranges[30] == pytest.approx(heard[1][0].ranges[30], abs=1e-3)

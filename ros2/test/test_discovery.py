@@ -1,4 +1,4 @@
-"""Nodes of this machine are met whoever starts first, and again after either was killed."""
+"""Nodes on this machine are discovered whoever starts first, and again after either was killed."""
 
 import os
 import signal
@@ -17,7 +17,7 @@ LOOPBACK = ("<CycloneDDS><Domain><General><Interfaces><NetworkInterface address=
 
 
 class Listener:
-    """A process of its own that says so when it has heard the clock, and stays."""
+    """A process that reports when it has received the clock, and stays."""
 
     PROGRAM = textwrap.dedent("""
         import sys, time
@@ -39,7 +39,7 @@ class Listener:
                                         stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
 
     def seconds(self):
-        """Waits for the clock. How long it took since the reader was there."""
+        """Waits for the clock. Returns the time since the reader was created."""
         line = self.process.stdout.readline()
         assert line, "the listener ended without the clock"
         return float(line)

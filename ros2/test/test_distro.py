@@ -1,4 +1,4 @@
-"""What differs from Humble to Jazzy on the wire, and what says that it is ROS."""
+"""Differences between Humble and Jazzy on the wire, and what identifies a ROS node."""
 
 from dataclasses import dataclass, field
 
@@ -34,7 +34,7 @@ class JazzyInfo(IdlStruct, typename="rmw_dds_common::msg::dds_::ParticipantEntit
 
 
 def publications(peer):
-    """What the simulation publishes: by topics of the wire, its type and its user data."""
+    """The endpoints that the simulation publishes: type and user data, keyed by topic on the wire."""
     reader = BuiltinDataReader(peer.participant, BuiltinTopicDcpsPublication)
     found = {}
 

@@ -1,4 +1,4 @@
-"""Nodes of Fast DDS with the settings of rmw_fastrtps (fast_peer_main.cc): shared memory and UDP, as they come."""
+"""Nodes on Fast DDS with the settings of rmw_fastrtps (fast_peer_main.cc): shared memory and UDP, by default."""
 
 import os
 import queue
@@ -159,7 +159,7 @@ def test_they_meet_again_after_a_node_was_killed():
 def test_they_meet_again_after_the_simulation_was_killed():
     with scan_reader() as scans:
         for name in ("first", "second", "third"):
-            # which says whose scans are heard
+            # which identifies the simulation whose scans arrive
             with peers.running(WORLD, "--ros2-frame-prefix", f"{name}/") as simulation:
                 peers.until(lambda: scans.message().header.frame_id.startswith(f"{name}/"), f"a scan of the {name} one")
                 simulation.send_signal(signal.SIGKILL)

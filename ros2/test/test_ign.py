@@ -25,7 +25,7 @@ ENVIRONMENT = {**os.environ, "IGN_PARTITION": f"pongsim_both_{peers.DOMAIN}_{os.
 
 
 class IgnPeer:
-    """A program that knows ign-transport alone; its lines go into a file."""
+    """A program that uses only ign-transport; its output goes to a file."""
 
     def __init__(self, folder, *words):
         self.file = folder / f"peer_{'_'.join(words).replace('/', '')}"
@@ -50,7 +50,7 @@ def ign_peer(folder, *words):
 
 
 class Listener:
-    """What a reader of ROS has heard."""
+    """The messages received by a ROS reader."""
 
     def __init__(self, topic):
         self.reader = peers.Peer().reader(topic, peers.String)
@@ -71,12 +71,12 @@ def test_what_is_said_goes_to_the_world_once_and_its_answer_to_both(tmp_path):
         greeter, writer = ros.writer("/hello", peers.String), ros.writer("/said", peers.String)
 
         def greeted(more_than):
-            """Whether both have heard more answers than so many to a greeting."""
+            """Whether both have received more than this many answers to a greeting."""
             greeter.write(peers.String("hello"))
             return all(each.lines().count("hello") > more_than for each in (ros_answers, ign_answers))
 
         peers.until(lambda: greeted(0), "answers in ROS and by ign-transport")
-        # the listener here, and the world
+        # the subscriber here, and the world
         peers.until(lambda: len(writer.get_matched_subscriptions()) >= 2, "who listens in ROS")
         for text in ("r1", "r2"):
             writer.write(peers.String(text))
@@ -84,11 +84,11 @@ def test_what_is_said_goes_to_the_world_once_and_its_answer_to_both(tmp_path):
             for each in (ros_answers, ign_answers):
                 peers.until(lambda each=each: each.lines().count("yes") >= 5, "an answer to each")
             peers.until(lambda: len(ign_said.lines()) >= 3, "what was said by ign-transport")
-        # what came twice would be there by the time that much more has come
+        # a duplicate would have arrived by the time of this many more messages
         count = max(each.lines().count("hello") for each in (ros_answers, ign_answers))
         peers.until(lambda: greeted(count + 20), "more answers")
         for each in (ros_answers, ign_answers):
             assert each.lines().count("yes") == 5
-        # neither on nor back
+        # neither forwarded nor sent back
         assert ign_said.lines() == ["a", "b", "c"]
         assert ros_said.lines() == ["r1", "r2"]

@@ -1,4 +1,4 @@
-"""Nodes that are killed and nodes that send rubbish leave nothing behind: memory, handles and pace stay as they are."""
+"""Killed nodes, and nodes that send garbage, leave nothing behind: memory, descriptors and pace stay as they are."""
 
 import json
 import os
@@ -47,7 +47,7 @@ for child in children:
 
 
 class Usage:
-    """What a process holds."""
+    """The resources of a process."""
 
     def __repr__(self):
         return f"{self.kilobytes} kB, {self.handles} handles, {self.threads} threads"
@@ -61,14 +61,14 @@ class Usage:
 
 
 def readers_of_the_clock():
-    """How many nodes the simulation knows that listen to it."""
+    """The number of nodes that the simulation has discovered as subscribers."""
     told = subprocess.run([peers.PONGSIM, "ros2", "topics", "--timeout", "60000", "-d", "0", "--json"], check=True,
                           capture_output=True, text=True)
     return next((each["readers"] for each in json.loads(told.stdout) if each["ros"] == "/clock"), 0)
 
 
 def round_of_nodes():
-    """Starts the nodes, waits until each has heard the clock, and kills them as they are."""
+    """Starts the nodes, waits until each has received the clock, and kills them."""
     nodes = subprocess.Popen([sys.executable, "-c", PROGRAM, str(peers.ROOT / "ros2/test"), str(NODES)],
                              stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     heard = b""
@@ -110,7 +110,7 @@ def test_nodes_that_are_killed_leave_nothing_behind():
 
 @dataclass
 class Rubbish(IdlStruct, typename="rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_"):
-    """Has the name of what nodes tell of themselves, and is none."""
+    """Claims to be ros_discovery_info, but is not."""
     some: array[uint8, 61] = field(default_factory=lambda: [255] * 61)
 
 
@@ -151,7 +151,7 @@ def test_rubbish_takes_no_memory_and_few_words(tmp_path):
             commands.write(RubbishTwist())
             return " before it)" in (tmp_path / "log").read_text()
 
-        # none was lost count of
+        # all were counted
         peers.until(counted, "the count of what was not said")
         simulation.send_signal(signal.SIGINT)
         assert simulation.wait(peers.PATIENCE) == 0

@@ -34,7 +34,7 @@ def test_the_frames_of_the_robot_are_one_tree():
 
         peers.until(connected, "a tree below odom")
         assert tree.chain("base_scan") == ["base_scan", "base_link", "base_footprint", "odom"]
-        # what the description has are the frames, and the joints are those of /joint_states
+        # the description has the same frames as tf, and the same joints as /joint_states
         robot = xml.fromstring(peers.take_one(peer.reader("/robot_description", String, peers.LATCHED)).data)
         links = {link.get("name") for link in robot.findall("link")}
         peers.until(lambda: tree.update() or links <= tree.parents.keys(), "a transform for each link")
@@ -42,7 +42,7 @@ def test_the_frames_of_the_robot_are_one_tree():
         joints = peers.take_one(peer.reader("/joint_states", JointState))
         assert list(joints.name) == [joint.get("name") for joint in robot.findall("joint")
                                      if joint.get("type") != "fixed"]
-        # an optical frame looks along z, which is ahead, and its x is to the right
+        # an optical frame has z ahead and x to the right
         peers.until(lambda: tree.update() or tree.moving, "a transform that moves")
         time = tree.known_until("camera_optical_frame")
         R = tree.lookup("camera_optical_frame", "base_link", time)[:3, :3]
@@ -75,7 +75,7 @@ def test_messages_come_as_often_as_the_robot_says():
             return all(len(stamps[topic]) > 10 for topic in topics)
 
         peers.until(enough, "ten messages of each")
-        # by simulated time, whatever the pace is
+        # in simulated time, whatever the pace
         for topic, (_, rate, _) in topics.items():
             gaps = collections.Counter(np.diff(stamps[topic])).most_common(1)[0]
             assert gaps[0] == 10**9 // rate, topic
@@ -105,7 +105,7 @@ def test_what_the_lidar_sees_falls_on_the_walls_while_the_robot_drives_and_turns
                 while known and waiting and nanoseconds(waiting[0].header.stamp) <= known:
                     scan = waiting.pop(0)
                     time = nanoseconds(scan.header.stamp)
-                    # a reader that the machine gave no time has lost transforms, and a line between others is no drive
+                    # a reader without processor time has lost transforms, and interpolation over gaps is not exact
                     if time < first or tree.gap("base_scan", "odom", time) > 30_000_000:
                         continue
                     points = in_odom(scan, tree.lookup("base_scan", "odom", time))
@@ -123,10 +123,10 @@ def test_what_the_lidar_sees_falls_on_the_walls_while_the_robot_drives_and_turns
 
             peers.until(passed, f"{span} s of simulated time")
     assert checked > 100
-    # it has been about, and turned all round
+    # it has driven about, and turned all round
     ways = np.array([each[:2, 3] for each in path])
     assert np.linalg.norm(np.diff(ways, axis=0), axis=1).sum() > 2
-    # odometry and transforms are the same
+    # odometry and transforms agree
     times, transforms = tree.moving["base_footprint"]
     told = {time: matrix(each.translation, each.rotation) for time, each in zip(times, transforms)}
     same = [each for each in odometries if nanoseconds(each.header.stamp) in told]

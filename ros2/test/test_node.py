@@ -174,7 +174,7 @@ def value(kind, **values):
 def test_a_late_reader_of_rosout_gets_what_was_warned_of():
     with peers.running(WORLD):
         peer = peers.Peer()
-        # what is not a number makes the simulation complain, once a second at most
+        # a value that is not a number causes a warning, once per second at most
         command = peer.writer("/cmd_vel", peers.Twist)
         bad = peers.Twist(linear=peers.Vector3(x=float("nan")))
         first = peer.reader("/rosout", Log, ROSOUT)
@@ -186,7 +186,7 @@ def test_a_late_reader_of_rosout_gets_what_was_warned_of():
         def heard_late():
             peers.until(complained, "a complaint")
             came = time.time()
-            # what is older than ten seconds is not told any more, and this machine may be slow
+            # messages older than ten seconds are not resent, and this machine may be slow
             log = peers.take_one(peers.Peer().reader("/rosout", Log, ROSOUT))
             return [log] if log.stamp.sec + log.stamp.nanosec / 1e9 < came else None
 
@@ -286,7 +286,7 @@ def test_so_many_steps_are_made_of_a_paused_simulation():
         assert last.feedback.completed_steps == 250
         after = peers.take_one(clock, where=lambda each: each.clock.nanosec >= before.nanosec + 250_000_000)
         assert (after.clock.sec, after.clock.nanosec) == (before.sec, before.nanosec + 250_000_000)
-        # and no further: a paused simulation tells its time again and again
+        # and no further: a paused simulation repeats its time
         for _ in range(3):
             assert peers.take_one(clock).clock == after.clock
 
@@ -335,7 +335,7 @@ SDF = "<sdf version='1.9'><model name='crate'><pose>9 9 9 0 0 0</pose><static>tr
 def test_create_inserts_as_ros_gz_sim_does(tmp_path):
     file = tmp_path / "crate.sdf"
     file.write_text(SDF)
-    # which tells where models are
+    # which publishes the poses of models
     world = tmp_path / "world.sdf"
     world.write_text(WORLD.read_text().replace(
         '<world name="drive">', '<world name="drive"><plugin filename="ignition-gazebo-scene-broadcaster-system" '

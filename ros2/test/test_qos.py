@@ -18,7 +18,7 @@ TRANSIENT = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.Durabil
 
 
 def moves(scans, write):
-    """Waits until the wall comes nearer while `write` is called."""
+    """Waits until the wall comes closer while `write` is called."""
     ahead = peers.take_one(scans).ranges[30]
 
     def nearer():
@@ -84,7 +84,7 @@ def test_two_simulations_have_a_namespace_each(tmp_path):
 
 @dataclass
 class Damaged(IdlStruct, typename="geometry_msgs::msg::dds_::Twist_"):
-    """Has the name of a Twist, and bytes for one of its numbers alone, padded as DDS does it."""
+    """Claims to be a Twist, but has the bytes of only one of its numbers, with DDS's padding."""
     few: array[uint8, 5] = field(default_factory=lambda: [255] * 5)
 
 
@@ -109,7 +109,7 @@ def test_what_is_damaged_or_no_number_is_said_and_the_rest_goes_on(tmp_path):
         nan = peers.Twist(linear=peers.Vector3(x=float("nan")))
         peers.until(said("a number in it is not finite", lambda: good.write(nan)), "the warning")
         moves(scans, lambda: good.write(peers.Twist(linear=peers.Vector3(x=1.0))))
-        # once a second at most, whatever comes
+        # once per second at most, whatever arrives
         for _ in range(2000):
             good.write(nan)
         peers.take_one(scans)
@@ -129,7 +129,7 @@ def test_the_bits_are_the_same_with_readers_and_without():
     clock, scans = peer.reader("/clock", peers.Clock), peer.reader("/lidar", peers.LaserScan)
 
     def is_the_same_and_was_heard():
-        # slow enough to be met
+        # slow enough to be discovered
         assert hash_of("--iterations", "5000", "-z", "3000") == alone
         return peers.take(clock) and peers.take(scans)
 

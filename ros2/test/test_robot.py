@@ -1,4 +1,4 @@
-"""What is told of robots: their frames, descriptions and joints; and joints that controllers outside drive."""
+"""Published robots: frames, descriptions and joints; and joints driven by controllers outside."""
 
 import math
 import re
@@ -60,7 +60,7 @@ def time_of(header):
 
 
 class Tree:
-    """What a listener of tf knows: for each frame its parents and the times of the transforms."""
+    """State of a tf subscriber: for each frame its parents and the times of the transforms."""
 
     def __init__(self, peer):
         self.moving = peer.reader("/tf", TFMessage, TRANSFORMS)
@@ -97,7 +97,7 @@ class Tree:
      ["pong_bot/chassis", "pong_bot/left_wheel", "pong_bot/caster"]),
     (peers.ROOT / "worlds/pong_lidar.sdf", "pong_bot/odom",
      ["pong_bot/chassis", "pong_bot/left_wheel", "pong_bot/caster", "pong_bot/chassis/lidar", "pong_bot/chassis/imu"]),
-    # one that has no drive yet
+    # a robot without a drive
     (peers.ROOT / "worlds/building_robot.sdf", "world",
      ["pong_bot/chassis", "pong_bot/left_wheel", "pong_bot/caster"]),
     (DRIVE, "rover/odom", ["rover/chassis", "rover/left_wheel", "rover/caster", "rover/chassis/lidar"]),
@@ -108,7 +108,7 @@ def test_the_frames_are_one_tree(world, root, frames):
         peers.until(tree.has(*frames), "all frames")
         peers.until(lambda: all(len(times) >= 3 for times in tree.read().times.values()), "three times each")
         assert {tree.root_of(frame) for frame in frames} == {root}
-        # what stands still hangs on the world
+        # static models are attached to the world
         assert tree.roots() <= {"world", root}
         for frame, parents in tree.parents.items():
             assert len(parents) == 1, frame
@@ -166,7 +166,7 @@ def test_a_robot_in_urdf_is_described_as_it_came_and_driven_from_outside(tmp_pat
         peer = peers.Peer()
         assert peers.take_one(peer.reader("/robot_description", peers.String, peers.LATCHED)).data == URDF.read_text()
 
-        # what topic_based_ros2_control has: a writer that is reliable, a reader that is not
+        # QoS of topic_based_ros2_control: a reliable writer, a best-effort reader
         states = peer.reader("/robot_joint_states", JointState, peers.BEST_EFFORT)
         commands = peer.writer("/robot_joint_commands", JointState)
         tree = Tree(peer)
@@ -181,7 +181,7 @@ def test_a_robot_in_urdf_is_described_as_it_came_and_driven_from_outside(tmp_pat
         assert tree.roots() == {"world"}
         assert tree.parents["tool"] == {"upper"}
 
-        # a number that is none moves nothing
+        # NaN moves nothing
         def refused():
             commands.write(JointState(name=["shoulder"], position=[math.nan]))
             return "a number in it is not finite" in log_file.read_text()
@@ -215,7 +215,7 @@ def test_the_bits_are_the_same_with_readers_and_without():
     states = peer.reader("/joint_states", JointState)
 
     def is_the_same_and_was_heard():
-        # slow enough to be met
+        # slow enough to be discovered
         assert hash_of(DRIVE, "3000") == alone
         return peers.take(states) and tree.read().parents
 

@@ -1,4 +1,4 @@
-"""The way through: the clock, a command in, a scan out."""
+"""The complete path: the clock, a command to the simulation, a scan from it."""
 
 import peers
 

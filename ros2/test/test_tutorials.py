@@ -1,4 +1,4 @@
-"""The worlds of the tutorials, unmodified, driven and read by a node: what comes is what is there."""
+"""The worlds of the tutorials, unmodified: a node drives them, and reads what is there."""
 
 import math
 import struct
@@ -53,7 +53,7 @@ def test_moving_the_robot():
         assert moving.child_frame_id == "vehicle_blue/chassis"
         assert moving.twist.twist.angular.z == pytest.approx(0.05, abs=0.01)
 
-        # it goes as far as it says, and the transform says the same
+        # it drives as far as odometry reports, and the transform agrees
         far = peers.take_one(odometry, where=lambda each: each.pose.pose.position.x > 1)
         told, seen = {}, {}
 
@@ -79,14 +79,14 @@ def test_moving_the_robot_by_the_keys_of_the_tutorial():
         commands = peer.reader("/cmd_vel", Twist)
         odometry = peer.reader("/model/vehicle_blue/odometry", Odometry)
         up = 16777235
-        # what a system says in answer is heard, too
+        # messages that a system publishes in response arrive, too
         publish_until(keys, Int32(data=up), lambda: [each for each in peers.take(commands) if each.linear.x == 0.5],
                       "the command of the key")
         peers.take_one(odometry, where=lambda each: each.twist.twist.linear.x > 0.45)
 
 
 def points(cloud):
-    """The coordinates in a cloud of the sensors [m]."""
+    """The points of a cloud in the sensor's frame [m]."""
     offsets = {each.name: each.offset for each in cloud.fields}
     data = bytes(cloud.data)
     for i in range(cloud.width * cloud.height):
@@ -102,12 +102,12 @@ def test_sensors():
         contacts = peer.reader("/world/sensor_world/model/wall/link/box/sensor/sensor_contact/contact", Contacts)
         commands = peer.writer("/cmd_vel", Twist)
 
-        # the robot falls 0.6 m at the start, and stands from then on
+        # the robot falls 0.6 m at the start, and rests from then on
         still = peers.take_one(imu, where=lambda each: each.header.stamp.sec >= 2)
         assert still.header.frame_id == "vehicle_blue/chassis/imu_sensor"
         assert still.linear_acceleration.z == pytest.approx(9.8, abs=0.05)
 
-        # the wall's near face is 3.45 m in front of the lidar
+        # the near face of the wall is 3.45 m in front of the lidar
         scan = peers.take_one(scans, where=lambda each: each.header.stamp.sec >= 2)
         assert scan.header.frame_id == "vehicle_blue/chassis/gpu_lidar"
         assert len(scan.ranges) == 640
@@ -120,7 +120,7 @@ def test_sensors():
         for x, _, z in met:
             assert x == pytest.approx(3.45, abs=0.03) and z == pytest.approx(0, abs=1e-3)
 
-        # into the wall, which says so and stops it
+        # into the wall, which reports it and stops the robot
         publish_until(commands, Twist(linear=Vector3(x=2.0)), lambda: peers.take(touches), "a wall that is touched")
         contact = peers.take_one(contacts).contacts[0]
         assert "wall" in contact.collision1.name + contact.collision2.name
@@ -168,7 +168,7 @@ def test_a_command_of_another_type_is_said_and_not_obeyed(tmp_path):
         assert ("a node publishes '/cmd_vel' as std_msgs/msg/String, which is geometry_msgs/msg/Twist here: no messages "
                 "arrive") in text
         assert "--ros2-topic '/cmd_vel@geometry_msgs/msg/TwistStamped@ignition.msgs.Twist' bridges that type" in text
-        # who does it right is obeyed, and nobody is told twice
+        # a correct publisher is obeyed, and no warning is repeated
         publish_until(right, Twist(linear=Vector3(x=0.5)),
                       lambda: [each for each in peers.take(odometry) if each.twist.twist.linear.x > 0.4], "a drive")
     assert (tmp_path / "log").read_text().count("a node publishes") == 2
@@ -192,5 +192,5 @@ def test_another_domain_is_another_world():
             peers.take_one(peers.Peer().reader("/clock", Clock))
         assert not peers.take(stranger)
         simulation.terminate()
-        # which one it is in is what a user looks for
+        # users need to know its domain
         assert f"node '/pongsim' in domain {peers.DOMAIN}, for Humble" in simulation.stderr.read()

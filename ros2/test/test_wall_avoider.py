@@ -1,4 +1,4 @@
-"""The example ros2_wall_avoider: installed as ROS installs it, and run as it is on the stand-in for rclpy."""
+"""The example ros2_wall_avoider, installed as by ROS and run unmodified on the stand-in for rclpy."""
 
 import contextlib
 import dataclasses
@@ -38,7 +38,7 @@ from ros2_wall_avoider.steering import Steering  # noqa: E402
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """The package where colcon puts it, by the same command."""
+    """Installs the package where colcon does, with the same command."""
     folder = tmp_path_factory.mktemp("workspace")
     shutil.copytree(PACKAGE, folder / "source")
     result = subprocess.run([sys.executable, "setup.py", "-q", "install", "--prefix", folder / "install",
@@ -71,7 +71,7 @@ def test_it_is_installed_as_ros_looks_for_it(installed):
     assert manifest.findtext("export/build_type") == "ament_python"
     metadata = next(installed.glob("lib/python3*/site-packages/*.egg-info/PKG-INFO")).read_text()
     assert f"\nVersion: {manifest.findtext('version')}\n" in metadata
-    # what the launch file starts is there
+    # everything that the launch file starts exists
     launch = xml.parse(share / "launch/wall_avoider.launch.xml").getroot()
     program = launch.find("node")
     assert os.access(installed / "lib" / program.get("pkg") / program.get("exec"), os.X_OK)
@@ -85,7 +85,7 @@ SMALL_ROBOT = [(0.22 * math.cos(0.1 * i), 0.22 * math.sin(0.1 * i)) for i in ran
 
 @dataclasses.dataclass
 class Place:
-    """A world, and what is asked of the robot there."""
+    """A world, and the requirements on the robot in it."""
 
     world: pathlib.Path
     name: str
@@ -94,10 +94,10 @@ class Place:
     outline: list
     # distance of points [n x 2] to the nearest wall [m]
     room: Callable
-    # how far it must stay away, and how near it must come so that there was something to avoid [m]
+    # the distance to keep, and the distance to come within, so that there was something to avoid [m]
     least: float = 0.3
     most: float = 1.5
-    # where it is said that a wall was touched
+    # the topic that reports contact with a wall
     touched: str = "/none"
     arguments: tuple = ()
 
@@ -116,7 +116,7 @@ def court():
 
 
 def house():
-    # another robot: by its names and measures
+    # another robot, with its names and dimensions
     return Place(peers.ROOT / "worlds/ros2_nav2.sdf", "ros2_nav2", "robot", SMALL_ROBOT, House().distance, least=0.1,
                  most=0.5, arguments=("-r", "/lidar:=/scan", "-p", "near:=0.4", "-p", "width:=0.7", "-p", "speed:=0.26"))
 
@@ -128,7 +128,7 @@ def outline_at(transform, outline):
 
 
 class Drive:
-    """A simulation that makes the time between two scans at once, and goes on when the node has answered the last."""
+    """A simulation that steps from scan to scan, and continues when the node has answered the last one."""
 
     STEPS = 100
     # So long an answer is waited for [s]. A scan may be lost, for the node does not ask for those again.
@@ -180,7 +180,7 @@ def test_it_keeps_its_distance_for_a_minute(installed, tmp_path, where):
         assert not peers.take(touches), "it touched a wall"
     nearest = min(place.room(outline_at(pose, place.outline)).min() for _, pose in path)
     assert place.least < nearest < place.most
-    # it drove all the while
+    # it drove all the time
     ways = np.array([(pose.translation.x, pose.translation.y) for _, pose in path])
     assert np.linalg.norm(np.diff(ways, axis=0), axis=1).sum() > 8
     said = log.read_text()
@@ -191,7 +191,7 @@ def test_it_keeps_its_distance_for_a_minute(installed, tmp_path, where):
 
 
 class Simulation:
-    """What the node hears and says where the time is told by the test."""
+    """The node's input and output, with the time set by the test."""
 
     def __init__(self):
         peer = peers.Peer()
@@ -201,7 +201,7 @@ class Simulation:
         self.seconds = 100.0
 
     def answer(self, *ranges, speed=None):
-        """Sends that scan until a command comes; of that speed, where one is given: others may be on their way."""
+        """Sends the scan until a command arrives; one with that speed, if given, because others may be on their way."""
         peers.take(self.commands)
         scan = LaserScan(angle_min=-0.1, angle_increment=0.1, ranges=list(ranges))
 
@@ -231,7 +231,7 @@ def test_it_stops_when_no_scan_comes_for_a_while_of_simulated_time(installed, tm
 
         peers.until(stopped, "a command to stop")
         assert "No scan comes: stopping" in (tmp_path / "log").read_text()
-        # time has begun anew, as after a reset
+        # time has restarted, as after a reset
         simulation.seconds = 1.0
         simulation.answer(9.0, 9.0, 9.0, speed=0.25)
         peers.until(stopped, "a command to stop")
@@ -264,9 +264,9 @@ def test_steering_is_ahead_where_nothing_is_met():
 def test_steering_is_slower_before_a_wall_and_turns_to_the_freer_side():
     steering = Steering(1.0, 1.8, 0.5, 0.4)
     assert command(steering, 1.5, 1.5, 1.5)[0] == pytest.approx(0.375, rel=0.01)
-    # beams go from the right to the left
+    # beams are ordered from right to left
     assert command(steering, 0.9, 0.95, 1.2) == (0.0, 0.4)
-    # and on until there is room, though the other side is the freer one now
+    # it continues until there is room, although the other side is free by now
     assert command(steering, 1.9, 1.5, 1.2) == (0.0, 0.4)
     assert command(steering, 2.5, 2.5, 2.5) == (0.5, 0.0)
     assert command(steering, 1.2, 0.95, 0.9) == (0.0, -0.4)

@@ -1,4 +1,4 @@
-"""Several worlds of a file with --ros2: a node each, with the topics of its world."""
+"""Several worlds of a file with --ros2: each is a node with the topics of its world."""
 
 import json
 import subprocess
@@ -16,7 +16,7 @@ def pongsim(*arguments):
 
 
 def x_of(world):
-    """How far a world's cart is [m]."""
+    """The distance that a world's cart has driven [m]."""
     return float(pongsim("topic", "-e", "-t", f"/model/cart_{world}/odometry", "-n", "1", "--field", "pose.position.x"))
 
 

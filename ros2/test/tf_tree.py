@@ -15,7 +15,7 @@ def nanoseconds(stamp):
 
 
 def matrix(position, q):
-    """The 4 x 4 matrix of a pose: of the child's coordinates the parent's."""
+    """The 4 x 4 matrix of a pose, which converts the child's coordinates to the parent's."""
     x, y, z, w = np.array([q.x, q.y, q.z, q.w]) / np.linalg.norm([q.x, q.y, q.z, q.w])
     result = np.eye(4)
     result[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -26,7 +26,7 @@ def matrix(position, q):
 
 
 def between(a, b, part):
-    """The transform that lies so far on the way from a to b, as tf2 has it: a line, and a turn at constant speed."""
+    """The interpolated transform between a and b, as in tf2: linear, with a rotation at constant speed."""
     def vector(message, names):
         return np.array([getattr(message, name) for name in names])
 
@@ -42,7 +42,7 @@ class TfTree:
     def __init__(self, peer, prefix=""):
         self._moving = peer.reader(f"{prefix}/tf", TFMessage, DEEP)
         self._static = peer.reader(f"{prefix}/tf_static", TFMessage, peers.LATCHED)
-        # by child: its parent, and (time, transform) in order; a static one has no time
+        # keyed by child: its parent, and (time, transform) in order; a static one has no time
         self.parents = {}
         self.static = {}
         self.moving = {}
@@ -78,7 +78,7 @@ class TfTree:
         return min((self.moving[each][0][-1] for each in self.chain(frame)[:-1] if each in self.moving), default=None)
 
     def lookup(self, frame, root, time):
-        """The matrix that gives coordinates in `root` of those in `frame`, at that time [ns]."""
+        """The matrix that converts coordinates in `frame` to those in `root`, at that time [ns]."""
         result = np.eye(4)
         for each in self.chain(frame)[:self.chain(frame).index(root)]:
             result = self._at(each, time) @ result

@@ -23,14 +23,14 @@ from test_domain import take_domain  # noqa: E402
 
 WORLD = HERE / "world.sdf"
 KINDS = ("memory", "file", "thread", "socket")
-#: What a process that goes on is given to end, on a machine that is busy [s].
+#: Time for a continuing process to end, on a busy machine [s].
 DEADLINE = 120
 #: Exit codes of an orderly end: done, failed, an option of an extension that could not be read.
 ORDERLY = (0, 1, 2)
 
 
 class Run:
-    """What came of a run with one fault."""
+    """The result of a run with one fault."""
 
     def __init__(self, arguments, folder, environment):
         self.folder = pathlib.Path(folder)
@@ -50,13 +50,13 @@ class Run:
 
     @property
     def words(self):
-        """What pongsim says of it: without what it says anyway, and what the library of faults says."""
+        """pongsim's messages about the fault: without its usual ones, and those of the fault library."""
         usual = re.compile(r"faults: .*|pongsim: (recording to|world '\w+':) .*")
         return [line for line in self.error.splitlines() if not usual.fullmatch(line)]
 
 
 def verdict(run, clean, program):
-    """None where a run is as it may be, else why not."""
+    """None if a run is acceptable, else why not."""
     if run.timed_out:
         return "hangs"
     if run.code not in ORDERLY:
@@ -76,7 +76,7 @@ def recordings(run):
 
 
 def unreadable(run, clean, program):
-    """What is wrong with the recordings that it has left, where it does not say so."""
+    """What is wrong with the recordings, unless that was reported."""
     left = recordings(run)
     for place in recordings(clean):
         if run.words:
@@ -97,7 +97,7 @@ def chosen(count, samples):
 
 
 def sweep(arguments):
-    """Returns how many runs were not as they may be."""
+    """Returns the number of unacceptable runs."""
     domain = threading.local()
     faults = 0
     with tempfile.TemporaryDirectory() as folder:

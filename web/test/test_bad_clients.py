@@ -1,4 +1,4 @@
-"""Clients that mean no good, or can't help it: the world goes on as if they were not there."""
+"""Malicious or broken clients do not affect the world."""
 
 import json
 import os
@@ -110,7 +110,7 @@ class BadClients(unittest.TestCase):
         self.check_that_it_goes_on()
         before = memory(self.simulation.process.pid)
         sockets = pathlib.Path(f"/proc/{self.simulation.process.pid}/fd")
-        # that of the check may be there still
+        # the connection of the check may still exist
         quiet = len(list(sockets.iterdir()))
         program = ("import sys; sys.path.insert(0, sys.argv[1])\n"
                    "from test_bad_clients import Connection, listen, next_data\n"

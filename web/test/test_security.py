@@ -1,4 +1,4 @@
-"""Who may come in to a world's server, and what they may do there."""
+"""Access to a world's server, and permissions of clients."""
 
 import json
 import pathlib
@@ -13,7 +13,7 @@ WORLD = ROOT / "worlds/pong_world.sdf"
 
 
 def first_text(connection):
-    """The first text, which in Foxglove's protocol tells of the server."""
+    """The first text message, which in Foxglove's protocol is the server's information."""
     while True:
         opcode, payload = connection.next()
         if opcode == 1:
@@ -88,7 +88,7 @@ class Security(unittest.TestCase):
             self.assertEqual(connection.open(Origin=f"https://{host}:{port}"), 101)
             self.assertEqual(first_text(connection)["op"], "serverInfo")
         with self.assertRaises(OSError), Connection(host, port) as connection:
-            # without TLS there is no answer of HTTP
+            # without TLS there is no HTTP response
             connection.socket.sendall(b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
             if not connection.stream.read():
                 raise OSError("closed")

@@ -1,4 +1,4 @@
-"""What the tests of the web share: a world that runs, and a client that does as it is told."""
+"""What the tests of the web share: a running world, and a client with arbitrary behaviour."""
 
 import base64
 import contextlib
@@ -31,7 +31,7 @@ EMPTY_WORLD = "<sdf version='1.9'><world name='w'>" + PHYSICS + "{}</world></sdf
 
 
 class Simulation:
-    """`pongsim run`, whose lines are looked at while it runs."""
+    """`pongsim run`, whose output is read while it runs."""
 
     def __init__(self, *words, environment=None):
         self.process = subprocess.Popen([PONGSIM, "run", *map(str, words)], env={**ENVIRONMENT, **(environment or {})},
@@ -80,13 +80,13 @@ def running(*words, environment=None):
 
 
 def ended(*words, environment=None):
-    """A command of pongsim that has come to its end."""
+    """A finished pongsim command."""
     return subprocess.run([PONGSIM, *map(str, words)], env={**ENVIRONMENT, **(environment or {})}, capture_output=True,
                           text=True, timeout=DEADLINE, stdin=subprocess.DEVNULL)
 
 
 class Connection:
-    """A socket to a server, with HTTP and WebSocket by hand."""
+    """A connection to a server, with HTTP and WebSocket written by hand."""
 
     def __init__(self, host, port, certificate=None):
         self.host, self.port = host, port
@@ -120,7 +120,7 @@ class Connection:
         return status, answer
 
     def open(self, path="/", protocol="foxglove.websocket.v1", **headers):
-        """Status of the handshake: 101 where it was granted."""
+        """Status of the handshake: 101 if it was accepted."""
         if protocol:
             headers["Sec_WebSocket_Protocol"] = protocol
         return self.head(path, Upgrade="websocket", Connection="Upgrade", Sec_WebSocket_Version="13",

@@ -1,4 +1,4 @@
-"""Python imports this before any program: messages are there as if their packages were installed."""
+"""Python imports this before any program: makes the message packages importable."""
 
 import ros_messages
 

@@ -9,7 +9,7 @@ _context = None
 
 
 class _Context:
-    """What `init` makes and `shutdown` ends: the arguments, and whether to go on."""
+    """Created by `init` and ended by `shutdown`: the arguments, and whether to continue."""
 
     def __init__(self, args):
         self.arguments = arguments.parse(args)
@@ -36,7 +36,7 @@ def init(*, args=None):
 
 
 def context():
-    """Not of rclpy: what its other parts here share."""
+    """Not part of rclpy: state shared by the other modules."""
     if _context is None:
         raise RuntimeError("rclpy.init() has not been called")
     return _context

@@ -1,4 +1,4 @@
-"""What stands behind --ros-args."""
+"""The arguments after --ros-args."""
 
 import dataclasses
 import sys
@@ -13,7 +13,7 @@ class Arguments:
 
 
 def parse(args=None):
-    """Takes `-p NAME:=VALUE` and `-r FROM:=TO`; anything else there is an error."""
+    """Accepts `-p NAME:=VALUE` and `-r FROM:=TO`; anything else is an error."""
     found = Arguments()
     rest = list(sys.argv[1:] if args is None else args)
     if "--ros-args" not in rest:

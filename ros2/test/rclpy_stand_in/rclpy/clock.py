@@ -1,4 +1,4 @@
-"""The time of a node: that of the wall, or that of the topic /clock."""
+"""The time of a node: wall time, or that of the topic /clock."""
 
 import time
 
@@ -7,7 +7,7 @@ from rclpy.time import Time
 
 class Clock:
     def __init__(self):
-        # set where the node has use_sim_time: 0 until the first message on /clock
+        # set if the node has use_sim_time: 0 until the first message on /clock
         self.simulated = None
 
     def now(self):

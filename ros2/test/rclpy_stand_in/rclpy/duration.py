@@ -1,4 +1,4 @@
-"""Spans of time."""
+"""Durations."""
 
 import functools
 

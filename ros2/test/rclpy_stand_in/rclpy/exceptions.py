@@ -1,4 +1,4 @@
-"""What goes wrong with parameters."""
+"""Exceptions for parameters."""
 
 
 class ParameterException(Exception):

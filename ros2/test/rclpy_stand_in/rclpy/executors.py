@@ -1,11 +1,11 @@
-"""Calls what a node has asked for, one after the other on the thread that spins."""
+"""Runs a node's callbacks one after the other, on the thread that spins."""
 
 import time
 
 import rclpy
 from cyclonedds.util import duration
 
-# So soon a signal is noticed.
+# Maximum delay until a signal is noticed.
 LONGEST_WAIT = 0.1
 
 
@@ -32,7 +32,7 @@ def spin_once(node, timeout_sec):
 
 
 def _work(node):
-    """Does what there is to do, and says whether there was any."""
+    """Runs due callbacks, and returns whether there were any."""
     done = node.follow_clock()
     for timer in node.timers:
         done = timer.call_when_due() or done

@@ -1,4 +1,4 @@
-"""What a node says, on its error output as with ROS."""
+"""A node's log output, on stderr as in ROS."""
 
 import inspect
 import sys

@@ -125,7 +125,7 @@ class Node:
         self._writers.clear()
 
     def follow_clock(self):
-        """Not of rclpy: takes the last time on /clock; whether there was one."""
+        """Not part of rclpy: takes the last time from /clock; returns whether there was one."""
         times = peers.take(self._clock_reader) if self._clock_reader is not None else []
         for each in times:
             self._clock.simulated = Time.from_msg(each.clock).nanoseconds
@@ -153,7 +153,7 @@ class Node:
         return reader
 
     def _tell(self):
-        """Says to the others whose the endpoints are."""
+        """Announces to other participants which node owns the endpoints."""
         def gid(entity):
             return peers.Gid24(data=[*entity.guid.bytes, *bytes(8)])
 

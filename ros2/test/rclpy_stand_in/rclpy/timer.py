@@ -1,4 +1,4 @@
-"""What is called again and again."""
+"""Periodic callbacks."""
 
 
 class Timer:
@@ -13,7 +13,7 @@ class Timer:
         self._due = self._last + self.period
 
     def seconds_left(self):
-        """Not of rclpy: wall time until it is due; of simulated time nobody knows."""
+        """Not part of rclpy: wall time until it is due; unknown for simulated time."""
         if self.clock.simulated is not None:
             return float("inf")
         return (self._due - self.clock.now().nanoseconds) / 1e9
@@ -25,7 +25,7 @@ class Timer:
         self._last = now
         if now < self._due:
             return False
-        # those that were missed are left out
+        # missed calls are skipped
         self._due += self.period * ((now - self._due) // self.period + 1)
         self.callback()
         return True
