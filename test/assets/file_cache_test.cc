@@ -146,7 +146,7 @@ TEST_F(FileCacheTest, IsFilledByManyAtOnce) {
 
 TEST(FileCacheFolder, IsWhereTheUserHasIt) {
   const auto folderWith = [](const char* cache, const char* home) {
-    const test::EnvironmentVariable ofCache("XDG_CACHE_HOME", cache), ofHome("HOME", home);
+    const pongsim::test::EnvironmentVariable ofCache("XDG_CACHE_HOME", cache), ofHome("HOME", home);
     return FileCache::userFolder();
   };
   EXPECT_EQ(folderWith("/x", "/home/y"), "/x/pongsim/meshes");

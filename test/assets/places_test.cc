@@ -22,7 +22,7 @@ class PlacesTest : public testing::Test {
   }
 
  private:
-  std::list<test::EnvironmentVariable> variables_;
+  std::list<pongsim::test::EnvironmentVariable> variables_;
 };
 
 using Folders = std::vector<std::filesystem::path>;
