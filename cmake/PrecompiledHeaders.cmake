@@ -8,6 +8,12 @@ add_library(pongsim_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
 target_link_libraries(pongsim_precompiled PRIVATE pongsim_settings Eigen3::Eigen)
 target_precompile_headers(pongsim_precompiled PRIVATE ${headers})
 
+# For the layers that compute: GCC takes the level of optimization from the header, whatever the command line says.
+add_library(pongsim_computing_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
+target_compile_options(pongsim_computing_precompiled PRIVATE $<$<CONFIG:Release>:-O3>)
+target_link_libraries(pongsim_computing_precompiled PRIVATE pongsim_settings Eigen3::Eigen)
+target_precompile_headers(pongsim_computing_precompiled PRIVATE ${headers})
+
 # With what nearly every system uses; the first message stands for the headers that all share.
 add_library(pongsim_plugin_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
 target_include_directories(pongsim_plugin_precompiled PRIVATE ${CMAKE_SOURCE_DIR}/include)

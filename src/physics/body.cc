@@ -98,12 +98,15 @@ void Body::setPose(const Pose& X_WorldLink) {
 
 void Body::addForces(double dt, bool isHeld) {
   rigid_.applyGravity();
-  if (isRound_) return;
   btMatrix3x3& basis = rigid_.getWorldTransform().getBasis();
-  const auto asked = gyration(basis, rigid_.getAngularVelocity(), moments_, dt, isHeld);
-  if (!asked) return;
+  std::optional<Gyration> asked;
+  if (!isRound_) asked = gyration(basis, rigid_.getAngularVelocity(), moments_, dt, isHeld);
+  if (!asked) {
+    rigid_.updateInertiaTensor();
+    return;
+  }
   rigid_.applyTorque(asked->torque);
-  // Bullet makes the inertia of where the body is; the step's end sets it back
+  // Bullet makes the inertia of where the body is
   const btMatrix3x3 now = std::exchange(basis, asked->R_WorldAhead);
   rigid_.updateInertiaTensor();
   basis = now;

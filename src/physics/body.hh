@@ -44,7 +44,7 @@ class Body {
   /// Sets the pose of the link. Its velocity stays.
   void setPose(const Pose& X_WorldLink);
 
-  /// Adds gravity and the gyroscopic torque for the next step of `dt` [s].
+  /// Adds gravity and the gyroscopic torque for the next step of `dt` [s], and updates the inertia for it.
   /// @param isHeld Whether joints constrain its motion.
   void addForces(double dt, bool isHeld);
 

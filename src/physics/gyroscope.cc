@@ -35,7 +35,7 @@ struct Turn {
   double cosine;
 
  private:
-  btVector3 turned(const btVector3& vector, double s) const {
+  [[gnu::always_inline]] btVector3 turned(const btVector3& vector, double s) const {
     return cosine * vector + s * axis.cross(vector) + (1 - cosine) * axis.dot(vector) * axis;
   }
 };
@@ -48,17 +48,17 @@ std::optional<Gyration> gyration(const btMatrix3x3& R_WorldBody, const btVector3
   if (moments.x() == moments.y() && moments.y() == moments.z()) return std::nullopt;
   // all of it in the body's frame
   const btVector3 before = w_World * R_WorldBody;
-  const btVector3 momentum = Turn(dt / 2 * before).back(moments * before);
+  Turn half(dt / 2 * before);
+  const btVector3 momentum = half.back(moments * before);
   const btVector3 inverse(1 / moments.x(), 1 / moments.y(), 1 / moments.z());
   btVector3 next = before;
   // a free body turns as it comes out; of one that is held the joints decide, and last time's is the best guess
   for (int i = 0; i < (isHeld ? 0 : kMostIterations); ++i) {
     const btVector3 last = next;
-    const Turn half(dt / 2 * last);
     next = half(inverse * half.back(momentum));
+    half = Turn(dt / 2 * next);
     if ((next - last).length2() <= kEnough * kEnough * next.length2()) break;
   }
-  const Turn half(dt / 2 * next);
   const btVector3 torque = R_WorldBody * (momentum - half(moments * half.back(before))) / dt;
   return Gyration{torque, R_WorldBody * half.matrix()};
 }

@@ -17,9 +17,10 @@ COUNTS = [int(each) for each in sys.argv[2:]] or [1, 10, 50, 200, 1000]
 
 # the first that fits
 PARTS = [
-    ("LCP", r"physics::(Lcp|ReducedLcp|eliminate|substitute|.*take(One|Four))"),
-    ("rows", r"physics::(GroupRows|DirectSolver|GroupSolver|ContactSolver|Joint::(getInfo|add|Row)|pointSurface|settlePoint|"
-             r".*[fF]riction|.*bend|.*restitution|bounce)|SequentialImpulse"),
+    ("LCP", r"physics::(Lcp|ReducedLcp|.*::(eliminate|substitute)[A-Z]|eliminate|substitute)"),
+    ("rows", r"physics::(GroupRows|BodyCoupling|.*RowEnd|DirectSolver|GroupSolver|ContactSolver|"
+             r"Joint::(getInfo|add|Row)|pointSurface|settlePoint|.*[fF]riction|.*bend|.*restitution|bounce)"
+             r"|SequentialImpulse"),
     ("grouping", r"GroupedWorld::(gather|form|find)|physics::(Groups|Neighbourhoods|Rest|PieceLimits)"),
     ("broad phase", r"btDbvt|OverlappingPair|[aA]abb|SweptBoxes|BroadPhase|ContactFilter"),
     ("narrow phase", r"Algorithm|Manifold|Dispatcher|Shape|btGjk|btVoronoi|HullOnPlane|combine|ContactAdded|collide"

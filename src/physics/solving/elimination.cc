@@ -21,17 +21,100 @@ constexpr std::size_t kPanel = 4;
   }
 }
 
-/// Takes four pivots, each a row further than the one before.
+/// Takes four pivots, each a row further than the one before. `factors` are of this row, four apart.
 [[gnu::always_inline]] inline void takeFour(double* row, const double* factors, const double* pivots,
                                             std::size_t column, std::size_t width) {
-  const double f0 = factors[0], f1 = factors[1], f2 = factors[2], f3 = factors[3];
-  for (std::size_t k = column / 4 * 4; k < width; k += 4) {
+  const double f0 = factors[0], f1 = factors[4], f2 = factors[8], f3 = factors[12];
+  for (std::size_t k = column; k < width; k += 4) {
     const auto pivot = [&](std::size_t number) -> const Four& {
       return *reinterpret_cast<const Four*>(pivots + number * width + k);
     };
     Four& to = *reinterpret_cast<Four*>(row + k);
     to -= (f0 * pivot(0) + f1 * pivot(1)) + (f2 * pivot(2) + f3 * pivot(3));
   }
+}
+
+/// Takes fewer pivots one after the other; those whose factor is zero not at all.
+template <std::size_t kCount>
+[[gnu::always_inline]] inline void takeInTurn(double* row, const double* factors, const double* pivots,
+                                              std::size_t column, std::size_t width) {
+  bool isOneZero = false;
+  for (std::size_t p = 0; p < kCount; ++p) isOneZero = isOneZero || factors[p] == 0;
+  if (isOneZero) {
+    for (std::size_t p = 0; p < kCount; ++p) {
+      if (factors[p] != 0) takeOne(row, factors[p], pivots + p * width, column, width);
+    }
+    return;
+  }
+  for (std::size_t k = column / 4 * 4; k < width; k += 4) {
+    Four to = *reinterpret_cast<const Four*>(row + k);
+    for (std::size_t p = 0; p < kCount; ++p) to -= factors[p] * *reinterpret_cast<const Four*>(pivots + p * width + k);
+    *reinterpret_cast<Four*>(row + k) = to;
+  }
+}
+
+/// Takes the rows of a panel out of each other.
+/// @param count How many they are.
+[[gnu::always_inline]] inline bool eliminatePanel(const UpperRows& matrix, std::size_t first, std::size_t count,
+                                                  double* inverseD) {
+  for (std::size_t j = first; j < first + count; ++j) {
+    const double* const pivot = matrix.row(j);
+    if (!(pivot[j] > 0)) return false;
+    inverseD[j] = 1 / pivot[j];
+    for (std::size_t i = j + 1; i < first + count; ++i) {
+      const double factor = pivot[i] * inverseD[j];
+      if (factor != 0) takeOne(matrix.row(i), factor, pivot, i, matrix.width);
+    }
+  }
+  return true;
+}
+
+/// Likewise of four rows that all know of each other: what they take is found before they are gone through, once.
+/// @return Whether they do; else nothing has changed but `inverseD`.
+[[gnu::always_inline]] inline bool eliminateFour(const UpperRows& matrix, std::size_t first, double* inverseD) {
+  const std::size_t width = matrix.width;
+  double* const row0 = matrix.row(first);
+  double* const row1 = row0 + width;
+  double* const row2 = row1 + width;
+  double* const row3 = row2 + width;
+  const double* const a = row0 + first;
+  const double i0 = 1 / a[0];
+  const double f01 = a[1] * i0, f02 = a[2] * i0, f03 = a[3] * i0;
+  const double b1 = row1[first + 1] - f01 * a[1], b2 = row1[first + 2] - f01 * a[2], b3 = row1[first + 3] - f01 * a[3];
+  const double i1 = 1 / b1;
+  const double f12 = b2 * i1, f13 = b3 * i1;
+  const double c2 = (row2[first + 2] - f02 * a[2]) - f12 * b2, c3 = (row2[first + 3] - f02 * a[3]) - f12 * b3;
+  const double i2 = 1 / c2;
+  const double f23 = c3 * i2;
+  const double d3 = ((row3[first + 3] - f03 * a[3]) - f13 * b3) - f23 * c3;
+  if (!(a[0] > 0 && b1 > 0 && c2 > 0 && d3 > 0)) return false;
+  if (f01 == 0 || f02 == 0 || f03 == 0 || f12 == 0 || f13 == 0 || f23 == 0) return false;
+  inverseD[first] = i0;
+  inverseD[first + 1] = i1;
+  inverseD[first + 2] = i2;
+  inverseD[first + 3] = 1 / d3;
+  for (std::size_t k = first; k < width; k += 4) {
+    const Four p0 = *reinterpret_cast<const Four*>(row0 + k);
+    const Four p1 = *reinterpret_cast<const Four*>(row1 + k) - f01 * p0;
+    const Four p2 = (*reinterpret_cast<const Four*>(row2 + k) - f02 * p0) - f12 * p1;
+    *reinterpret_cast<Four*>(row1 + k) = p1;
+    *reinterpret_cast<Four*>(row2 + k) = p2;
+    *reinterpret_cast<Four*>(row3 + k) = ((*reinterpret_cast<const Four*>(row3 + k) - f03 * p0) - f13 * p1) - f23 * p2;
+  }
+  return true;
+}
+
+/// Takes a panel of fewer than four rows out of all behind it.
+template <std::size_t kCount>
+[[gnu::always_inline]] inline bool eliminateLast(const UpperRows& matrix, std::size_t first, double* inverseD) {
+  if (!eliminatePanel(matrix, first, kCount, inverseD)) return false;
+  const double* const pivots = matrix.row(first);
+  for (std::size_t i = first + kCount; i < matrix.rows; ++i) {
+    double factors[kCount];
+    for (std::size_t p = 0; p < kCount; ++p) factors[p] = pivots[p * matrix.width + i] * inverseD[first + p];
+    takeInTurn<kCount>(matrix.row(i), factors, pivots, i, matrix.width);
+  }
+  return true;
 }
 
 /// Finds four x side by side, from `first` on, a multiple of four. Those behind them are known.
@@ -82,32 +165,35 @@ PONGSIM_WIDE void substituteRows(const UpperRows& matrix, const double* inverseD
 }
 
 PONGSIM_WIDE bool eliminateColumns(const UpperRows& matrix, std::size_t count, double* inverseD) {
-  for (std::size_t first = 0; first < count; first += kPanel) {
-    const std::size_t end = std::min(first + kPanel, count);
-    const bool isWhole = end - first == kPanel;
-    for (std::size_t j = first; j < end; ++j) {
-      const double* const pivot = matrix.row(j);
-      if (!(pivot[j] > 0)) return false;
-      inverseD[j] = 1 / pivot[j];
-      // those behind the panel are taken from together
-      for (std::size_t i = j + 1; i < (isWhole ? end : matrix.rows); ++i) {
-        const double factor = pivot[i] * inverseD[j];
-        if (factor != 0) takeOne(matrix.row(i), factor, pivot, i, matrix.width);
-      }
-    }
-    if (!isWhole) break;
+  const std::size_t width = matrix.width;
+  std::size_t first = 0;
+  for (; first + kPanel <= count; first += kPanel) {
+    if (!eliminateFour(matrix, first, inverseD) && !eliminatePanel(matrix, first, kPanel, inverseD)) return false;
     const double* const pivots = matrix.row(first);
-    for (std::size_t i = end; i < matrix.rows; ++i) {
-      double factors[kPanel];
-      bool isApart = true;
+    // those behind the panel are taken from together, and four of them find their factors side by side
+    for (std::size_t i = first + kPanel; i < matrix.rows; i += 4) {
+      Four factors[kPanel];
       for (std::size_t p = 0; p < kPanel; ++p) {
-        factors[p] = pivots[p * matrix.width + i] * inverseD[first + p];
-        isApart = isApart && factors[p] == 0;
+        factors[p] = *reinterpret_cast<const Four*>(pivots + p * width + i) * inverseD[first + p];
       }
-      if (!isApart) takeFour(matrix.row(i), factors, pivots, i, matrix.width);
+      const auto areApart = (factors[0] == 0) & (factors[1] == 0) & (factors[2] == 0) & (factors[3] == 0);
+      const std::size_t rows = std::min(matrix.rows - i, std::size_t{4});
+      for (std::size_t r = 0; r < rows; ++r) {
+        if (areApart[r] != 0) continue;
+        takeFour(matrix.row(i + r), reinterpret_cast<const double*>(factors) + r, pivots, i, width);
+      }
     }
   }
-  return true;
+  switch (count - first) {
+    case 1:
+      return eliminateLast<1>(matrix, first, inverseD);
+    case 2:
+      return eliminateLast<2>(matrix, first, inverseD);
+    case 3:
+      return eliminateLast<3>(matrix, first, inverseD);
+    default:
+      return true;
+  }
 }
 
 }  // namespace

@@ -42,24 +42,6 @@ double bound(double limit) { return std::abs(limit) >= SIMD_INFINITY ? std::copy
 
 btVector3 vectorOf(const std::array<double, 3>& values) { return {values[0], values[1], values[2]}; }
 
-/// Two numbers side by side.
-using Two [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
-
-const Two* twosOf(const std::array<double, 6>& values) { return reinterpret_cast<const Two*>(values.data()); }
-
-double dotOf(const std::array<double, 6>& a, const std::array<double, 6>& b) {
-  const Two* const x = twosOf(a);
-  const Two* const y = twosOf(b);
-  const Two sums = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-  return sums[0] + sums[1];
-}
-
-void addTimes(std::array<double, 6>& to, const std::array<double, 6>& each, double factor) {
-  Two* const sum = reinterpret_cast<Two*>(to.data());
-  const Two* const x = twosOf(each);
-  for (int i = 0; i < 3; ++i) sum[i] += x[i] * factor;
-}
-
 void clear(btJointFeedback& feedback) {
   feedback.m_appliedForceBodyA = feedback.m_appliedTorqueBodyA = btVector3(0, 0, 0);
   feedback.m_appliedForceBodyB = feedback.m_appliedTorqueBodyB = btVector3(0, 0, 0);
@@ -105,6 +87,7 @@ void GroupRows::collect(std::span<btPersistentManifold* const> manifolds, std::s
   endCount_ = 0;
   contacts_.clear();
   measured_.clear();
+  isUsual_ = true;
   equations_.clear();
   if (isTree) blocks_.begin(movers_.size(), 2 * joints.size());
   isFriction_ = false;
@@ -129,12 +112,14 @@ void GroupRows::takeBodies(std::span<btCollisionObject* const> bodies) {
     auto& body = static_cast<btRigidBody&>(*object);
     body.setCompanionId(static_cast<int>(movers_.size()));
     const btVector3 linear = body.getLinearVelocity() + body.getTotalForce() * (body.getInvMass() * dt_);
-    const btVector3 angular = body.getAngularVelocity() + body.getInvInertiaTensorWorld() * body.getTotalTorque() * dt_;
+    const btMatrix3x3& I = body.getInvInertiaTensorWorld();
+    const btVector3 angular = body.getAngularVelocity() + I * body.getTotalTorque() * dt_;
     movers_.push_back({&body,
                        {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()},
                        body.getAngularVelocity(),
                        {},
                        {},
+                       {Two{I[0].x(), I[1].x()}, Two{I[0].y(), I[1].y()}, Two{I[0].z(), I[1].z()}},
                        -1});
   }
 }
@@ -143,25 +128,30 @@ double GroupRows::addEnd(const btRigidBody& body, const btVector3& linear, const
   if (body.getInvMass() == 0) return linear.dot(body.getLinearVelocity()) + angular.dot(body.getAngularVelocity());
   const int number = body.getCompanionId();
   Mover& mover = movers_[static_cast<std::size_t>(number)];
-  const btVector3 linearResponse = linear * body.getInvMass();
-  const btVector3 angularResponse = body.getInvInertiaTensorWorld() * angular;
   if (endCount_ == ends_.size()) ends_.resize(2 * endCount_ + 64);
   const int before = std::exchange(mover.lastEnd, static_cast<int>(endCount_));
-  End& end = ends_[endCount_++];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const int i = static_cast<int>(k);
-    end.direction[k] = linear[i];
-    end.direction[k + 3] = angular[i];
-    end.response[k] = linearResponse[i];
-    end.response[k + 3] = angularResponse[i];
-  }
+  RowEnd& end = ends_[endCount_++];
   end.row = static_cast<int>(rows_.size()) - 1;
-  end.mover = number;
+  end.body = number;
   end.before = before;
+  Two* const direction = reinterpret_cast<Two*>(end.direction.data());
+  const Two first{linear.x(), linear.y()}, middle{linear.z(), angular.x()}, last{angular.y(), angular.z()};
+  direction[0] = first;
+  direction[1] = middle;
+  direction[2] = last;
+  const double inverseMass = body.getInvMass();
+  const Two* const I = mover.inverseMoments;
+  const Two turn = I[0] * angular.x() + I[1] * angular.y() + I[2] * angular.z();
+  const double lastTurn = body.getInvInertiaTensorWorld()[2].dot(angular);
+  Two* const response = reinterpret_cast<Two*>(end.response.data());
+  response[0] = first * inverseMass;
+  response[1] = Two{linear.z() * inverseMass, turn[0]};
+  response[2] = Two{turn[1], lastTurn};
   const auto& v = mover.velocity;
   if (!isFriction_) {
-    return (linear.x() * v[0] + linear.z() * v[2] + angular.y() * v[4]) +
-           (linear.y() * v[1] + angular.x() * v[3] + angular.z() * v[5]);
+    const Two* const velocity = reinterpret_cast<const Two*>(v.data());
+    const Two sums = first * velocity[0] + middle * velocity[1] + last * velocity[2];
+    return sums[0] + sums[1];
   }
   return linear.dot(btVector3(v[0], v[1], v[2])) + angular.dot(mover.turnBefore);
 }
@@ -187,6 +177,7 @@ void GroupRows::addJoint(btTypedConstraint& joint) {
   joint.getInfo2(&info);
   // what a gearbox does to a third body belongs to the row before it
   const bool isTail = isGearReference(joint);
+  isUsual_ = isUsual_ && !isTail && &joint.getRigidBodyA() != &joint.getRigidBodyB();
   if (isTree_) {
     addSideBySide(joint, std::span(content).first(count), isTail);
   } else {
@@ -366,10 +357,11 @@ void GroupRows::addTorsionRow(const Contact& contact, int normal) {
 }
 
 void GroupRows::couple(std::span<const int> places, const UpperRows& A) {
-  for (End& end : ends()) {
-    end.place = places[static_cast<std::size_t>(end.row)];
-    A.row(static_cast<std::size_t>(end.place))[end.place] += dotOf(end.direction, end.response);
-    coupleBefore(end, A);
+  for (RowEnd& end : ends()) end.place = places[static_cast<std::size_t>(end.row)];
+  if (isUsual_) {
+    for (const Mover& mover : movers_) bodyCoupling_.couple(ends(), mover.lastEnd, A);
+  } else {
+    for (const RowEnd& end : ends()) coupleBefore(ends(), end, A);
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto place = static_cast<std::size_t>(places[i]);
@@ -380,11 +372,10 @@ void GroupRows::couple(std::span<const int> places, const UpperRows& A) {
 void GroupRows::couple(const JointOrder& order, std::span<const int> numbers, BlockMatrix& A) {
   blocks_.couple(order, equations_, A);
   const UpperRows bounded = A.bounded();
-  for (End& end : ends()) {
+  for (RowEnd& end : ends()) {
     end.place = numbers[static_cast<std::size_t>(end.row)];
-    blocks_.couple(order, equations_, end.mover, end.response, end.place, A);
-    bounded.row(static_cast<std::size_t>(end.place))[end.place] += dotOf(end.direction, end.response);
-    coupleBefore(end, bounded);
+    blocks_.couple(order, equations_, end.body, end.response, end.place, A);
+    coupleBefore(ends(), end, bounded);
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Row& row = rows_[i];
@@ -392,17 +383,6 @@ void GroupRows::couple(const JointOrder& order, std::span<const int> numbers, Bl
     const int number = row.isEquation ? row.lane : numbers[i];
     const BlockMatrix::Part part = A.part(place, place);
     soften(row, part.data[static_cast<std::size_t>(number) * (part.stride + 1)]);
-  }
-}
-
-/// Couples an end with those before it at the same body.
-void GroupRows::coupleBefore(const End& end, const UpperRows& A) const {
-  for (int i = end.before; i >= 0; i = ends_[static_cast<std::size_t>(i)].before) {
-    const End& each = ends_[static_cast<std::size_t>(i)];
-    const double sum = dotOf(each.direction, end.response);
-    // two ends of one row at a body, as gearboxes have them, count both ways
-    A.row(static_cast<std::size_t>(std::min(end.place, each.place)))[std::max(end.place, each.place)] +=
-        each.place == end.place ? 2 * sum : sum;
   }
 }
 
@@ -415,7 +395,7 @@ void GroupRows::soften(Row& row, double& own) const {
 void GroupRows::listBoundedEnds(std::span<const int> numbers, std::vector<BlockMatrix::BoundedEnd>& list) const {
   list.clear();
   for (std::size_t i = 0; i < endCount_; ++i) {
-    list.push_back({numbers[static_cast<std::size_t>(ends_[i].row)], ends_[i].mover});
+    list.push_back({numbers[static_cast<std::size_t>(ends_[i].row)], ends_[i].body});
   }
 }
 
@@ -428,8 +408,8 @@ void GroupRows::applyEquations(const JointOrder& order, const BlockMatrix& A, co
 }
 
 void GroupRows::apply(std::span<const double> impulses, std::span<const double> apart) {
-  for (const End& end : ends()) {
-    Mover& mover = movers_[static_cast<std::size_t>(end.mover)];
+  for (const RowEnd& end : ends()) {
+    Mover& mover = movers_[static_cast<std::size_t>(end.body)];
     const auto row = static_cast<std::size_t>(end.row);
     addTimes(mover.change, end.response, impulses[row]);
     if (row < apart.size()) addTimes(mover.push, end.response, apart[row]);

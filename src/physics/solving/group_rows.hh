@@ -13,6 +13,7 @@
 #include "physics/solving/block_rows.hh"
 #include "physics/solving/elimination.hh"
 #include "physics/solving/joint_order.hh"
+#include "physics/solving/row_ends.hh"
 
 class btManifoldPoint;
 class btPersistentManifold;
@@ -92,20 +93,10 @@ class GroupRows {
     btVector3 turnBefore;
     std::array<double, 6> change;
     std::array<double, 6> push;
+    /// Of its inverse inertia in the world frame the first two rows, column by column.
+    Two inverseMoments[3];
     /// The last end of a row at it, -1 for none.
     int lastEnd;
-  };
-  /// One end of a row: how the motion of the body there counts for the row (linear, angular), and how the body answers
-  /// an impulse along it.
-  struct End {
-    std::array<double, 6> direction;
-    std::array<double, 6> response;
-    int row;
-    int mover;
-    /// The end before it at the same body.
-    int before;
-    /// Of its row in the matrix.
-    int place;
   };
   /// A row as a joint fills it in.
   struct JointRow {
@@ -132,7 +123,7 @@ class GroupRows {
     double torsionSlip;
   };
 
-  std::span<End> ends() { return {ends_.data(), endCount_}; }
+  std::span<RowEnd> ends() { return {ends_.data(), endCount_}; }
   void takeBodies(std::span<btCollisionObject* const> bodies);
   void addJoint(btTypedConstraint& joint);
   void addJointRow(const JointRow& content);
@@ -150,7 +141,6 @@ class GroupRows {
   void chooseDirections(const Contact& contact) const;
   /// @return The velocity along a row at the body with all forces.
   double addEnd(const btRigidBody& body, const btVector3& linear, const btVector3& angular);
-  void coupleBefore(const End& end, const UpperRows& A) const;
   /// @param own Of the row on the diagonal of A.
   void soften(Row& row, double& own) const;
   void pushApart(const Mover& mover) const;
@@ -163,10 +153,13 @@ class GroupRows {
   std::vector<Mover> movers_;
   std::vector<Row> rows_;
   /// The first `endCount_` are in use; none is made anew for each group.
-  std::vector<End> ends_;
+  std::vector<RowEnd> ends_;
   std::size_t endCount_ = 0;
+  BodyCoupling bodyCoupling_;
   std::vector<JointBodies> jointBodies_;
   bool isTree_ = false;
+  /// Each row has two ends at most, at two bodies: the sums in A then are of two numbers, whose order does not count.
+  bool isUsual_ = true;
   BlockRows blocks_;
   std::vector<int> equations_;
   std::vector<Contact> contacts_;

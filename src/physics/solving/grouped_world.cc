@@ -34,11 +34,11 @@ void damp(btRigidBody& body, double dt) {
 
 bool isDamped(const btRigidBody& body) { return body.getLinearDamping() != 0 || body.getAngularDamping() != 0; }
 
-// what is rounded rests to the bit
+// what is rounded rests to the bit; the next step's forces bring the inertia along
 void move(btRigidBody& body, double dt) {
   body.setLinearVelocity(roundedVelocity(body.getLinearVelocity()));
   body.setAngularVelocity(roundedVelocity(body.getAngularVelocity()));
-  body.proceedToTransform(moved(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(), dt));
+  body.getWorldTransform() = moved(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(), dt);
 }
 
 }  // namespace

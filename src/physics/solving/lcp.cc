@@ -119,8 +119,13 @@ bool Lcp::solveFree() {
 
 bool Lcp::solveFreeAfresh() {
   free_.clear();
+  bound_.clear();
   for (std::size_t row = 0; row < rows_; ++row) {
-    if (states_[row] == State::kFree) free_.push_back(static_cast<int>(row));
+    if (states_[row] == State::kFree) {
+      free_.push_back(static_cast<int>(row));
+    } else if (states_[row] != State::kOut) {
+      bound_.push_back(static_cast<int>(row));
+    }
   }
   const std::size_t count = free_.size();
   const UpperRows upper{U_.data(), widthFor(count + 1), count};
@@ -130,9 +135,7 @@ bool Lcp::solveFreeAfresh() {
     std::fill(to + count, to + upper.width, 0.0);
     for (std::size_t j = i; j < count; ++j) to[j] = A[free_[j]];
     double b = problem_.b[free_[i]];
-    for (std::size_t k = 0; k < rows_; ++k) {
-      if (states_[k] == State::kLowest || states_[k] == State::kHighest) b -= A[k] * x_[k];
-    }
+    for (const int k : bound_) b -= A[k] * x_[k];
     to[count] = b;
   }
   if (!eliminate(upper, count, inverseD_.data())) return false;
@@ -210,6 +213,7 @@ void Lcp::begin(const Problem& problem, double* x) {
   for (std::vector<double>* each : {&w_, &dx_, &dw_}) each->reserve(rows_);
   values_.reserve(4 * rows_);
   freed_.reserve(rows_);
+  bound_.reserve(rows_);
 }
 
 // equations: they hold whatever the others do

@@ -95,6 +95,8 @@ class Lcp {
   std::vector<double> dw_;
   /// The rows whose x is free, and of A among them the factors: L D L^T, the diagonal of L being ones; and 1/D.
   std::vector<int> free_;
+  /// Those at a bound, where there are few rows.
+  std::vector<int> bound_;
   std::vector<double> L_;
   std::vector<double> D_;
   std::vector<double> inverseD_;
