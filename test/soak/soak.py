@@ -30,8 +30,8 @@ BEGIN = 42
 MEASURED = 21
 #: For so many rounds memory may grow: all kinds of listeners come to all topics, and the allocator's pools get their size.
 WARM_UP = 252
-#: They begin anew where rounds come faster than ever before by this factor: the faster they come, the more messages wait at
-#: once for listeners. The factor ends it, as no machine becomes faster for ever.
+#: The warm-up starts again when rounds come faster than ever before by this factor, since more messages then wait for
+#: listeners at once.
 FASTER = 1.25
 #: What a process may grow by from then on [bytes]. An allocator that several threads use keeps more in pieces with time; a
 #: leak of 1 kB a round is more after an hour of four rounds a second.
