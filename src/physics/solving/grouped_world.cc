@@ -22,6 +22,8 @@ constexpr std::size_t kPairsAtATime = 16;
 /// Into how many batches the neighbourhoods are divided for each worker, where there are several: the fewer, the longer
 /// one may wait for another at the end.
 constexpr std::size_t kBatchesOfAWorker = 16;
+/// How many groups of a batch are solved together: more of them need more of the nearest cache for their data.
+constexpr std::size_t kGroupsTogether = 8;
 
 /// @return How much of a speed is left after `dt`, of which 1 - `damping` is left after a second.
 double leftAfter(double dt, double damping) { return math::exp(dt * math::log1p(-damping)); }
@@ -166,7 +168,7 @@ void GroupedWorld::solveCrowds() {
   const Neighbourhoods::Members members = neighbourhoods_.crowds();
   formGroups(members, crowds_);
   workers_.forEach(crowds_.groups.count(), [&](std::size_t group, int worker) {
-    solveGroup(members, crowds_, group, static_cast<std::size_t>(worker));
+    solveGroups(members, crowds_, group, group + 1, static_cast<std::size_t>(worker));
   });
 }
 
@@ -175,7 +177,10 @@ void GroupedWorld::advance(const Neighbourhoods::Members& members, std::size_t w
   touching.touches.clear();
   findTouches(members.pairs, worker, touching.touches);
   formGroups(members, touching);
-  for (std::size_t group = 0; group < touching.groups.count(); ++group) solveGroup(members, touching, group, worker);
+  const std::size_t count = touching.groups.count();
+  for (std::size_t first = 0; first < count; first += kGroupsTogether) {
+    solveGroups(members, touching, first, std::min(first + kGroupsTogether, count), worker);
+  }
 }
 
 void GroupedWorld::formGroups(const Neighbourhoods::Members& members, Touching& touching) const {
@@ -190,12 +195,10 @@ void GroupedWorld::formGroups(const Neighbourhoods::Members& members, Touching& 
   touching.groups.form(members.bodies.size(), touching.touchEnds, touching.jointEnds);
 }
 
-void GroupedWorld::gather(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
-                          Scratch& scratch) const {
-  auto& [bodies, manifolds, joints] = scratch.group;
-  bodies.clear();
-  manifolds.clear();
-  joints.clear();
+GroupedWorld::Solved GroupedWorld::gather(const Neighbourhoods::Members& members, const Touching& touching,
+                                          std::size_t group, Scratch& scratch) const {
+  auto& [bodies, manifolds, joints] = scratch.gathered;
+  Solved solved{group, scratch.gathered.end(), {}, scratch.before.end()};
   scratch.touches.clear();
   for (const std::uint32_t place : touching.groups.bodies(group)) {
     bodies.push_back(bodies_[members.bodies[place]]);
@@ -207,31 +210,64 @@ void GroupedWorld::gather(const Neighbourhoods::Members& members, const Touching
   std::ranges::sort(scratch.touches, std::less<>());
   const std::size_t count = scratch.pieces.limit(scratch.touches, mostContacts_);
   for (std::size_t i = 0; i < count; ++i) manifolds.push_back(scratch.touches[i].manifold);
+  solved.end = scratch.gathered.end();
+  return solved;
 }
 
-void GroupedWorld::solveGroup(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
-                              std::size_t worker) {
-  prefetchBodies(members, touching, group + 1);
+void GroupedWorld::solveGroups(const Neighbourhoods::Members& members, const Touching& touching, std::size_t first,
+                               std::size_t end, std::size_t worker) {
   Scratch& scratch = scratches_[worker];
-  gather(members, touching, group, scratch);
-  auto& [bodies, manifolds, joints] = scratch.group;
-  if (!joints.empty() || !rest_.isSettled(bodies, manifolds)) {
-    const btContactSolverInfo& info = getSolverInfo();
-    const double dt = info.m_timeStep;
-    rest_.begin(bodies, manifolds, !joints.empty(), scratch.before);
-    work_.prepare(bodies, joints, dt);
+  Gathered& gathered = scratch.gathered;
+  gathered.bodies.clear();
+  gathered.manifolds.clear();
+  gathered.joints.clear();
+  scratch.solved.clear();
+  scratch.before.clear();
+  for (std::size_t group = first; group < end; ++group) {
+    prefetchBodies(members, touching, group + 1);
+    prepareGroup(members, touching, group, scratch);
     prefetchJoints(members, touching, group + 1);
+  }
+  for (const Solved& solved : scratch.solved) {
+    const auto bodies = gathered.bodiesOf(solved);
+    const auto manifolds = gathered.manifoldsOf(solved);
+    const auto joints = gathered.jointsOf(solved);
     solvers_[worker]->solveGroup(bodies.data(), static_cast<int>(bodies.size()), manifolds.data(),
                                  static_cast<int>(manifolds.size()), joints.data(), static_cast<int>(joints.size()),
-                                 info, getDebugDrawer(), getDispatcher());
-    prefetchSurfaces(members, touching, group + 1);
-    for (btCollisionObject* object : bodies) move(static_cast<btRigidBody&>(*object), dt);
-    work_.finish(bodies, joints);
-    rest_.end(bodies, manifolds, !joints.empty(), scratch.before);
-    for (const std::uint32_t place : touching.groups.bodies(group)) {
-      const std::uint32_t number = members.bodies[place];
-      if (!isDamped(*bodies_[number])) boxes_.sweep(*bodies_[number], number, dt);
-    }
+                                 getSolverInfo(), getDebugDrawer(), getDispatcher());
+    prefetchSurfaces(members, touching, solved.group + 1);
+  }
+  for (const Solved& solved : scratch.solved) finishGroup(members, touching, solved, scratch);
+}
+
+/// Takes the group among those that are solved, unless it rests.
+void GroupedWorld::prepareGroup(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
+                                Scratch& scratch) {
+  const Solved solved = gather(members, touching, group, scratch);
+  const auto bodies = scratch.gathered.bodiesOf(solved);
+  const auto manifolds = scratch.gathered.manifoldsOf(solved);
+  const auto joints = scratch.gathered.jointsOf(solved);
+  if (joints.empty() && rest_.isSettled(bodies, manifolds)) {
+    for (btCollisionObject* object : bodies) static_cast<btRigidBody&>(*object).clearForces();
+    return;
+  }
+  rest_.begin(bodies, manifolds, !joints.empty(), scratch.before);
+  work_.prepare(bodies, joints, getSolverInfo().m_timeStep);
+  scratch.solved.push_back(solved);
+}
+
+void GroupedWorld::finishGroup(const Neighbourhoods::Members& members, const Touching& touching, const Solved& solved,
+                               Scratch& scratch) {
+  const auto bodies = scratch.gathered.bodiesOf(solved);
+  const auto manifolds = scratch.gathered.manifoldsOf(solved);
+  const auto joints = scratch.gathered.jointsOf(solved);
+  const double dt = getSolverInfo().m_timeStep;
+  for (btCollisionObject* object : bodies) move(static_cast<btRigidBody&>(*object), dt);
+  work_.finish(bodies, joints);
+  rest_.end(bodies, manifolds, !joints.empty(), scratch.before, solved.before);
+  for (const std::uint32_t place : touching.groups.bodies(solved.group)) {
+    const std::uint32_t number = members.bodies[place];
+    if (!isDamped(*bodies_[number])) boxes_.sweep(*bodies_[number], number, dt);
   }
   for (btCollisionObject* object : bodies) static_cast<btRigidBody&>(*object).clearForces();
 }

@@ -73,17 +73,43 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
     std::vector<Groups::Ends> jointEnds;
     Groups groups;
   };
-  struct Group {
+  /// How many there are of each, or where some begin.
+  struct Counts {
+    std::size_t bodies = 0;
+    std::size_t manifolds = 0;
+    std::size_t joints = 0;
+  };
+  /// A group that is solved, and where what is gathered of it begins and ends.
+  struct Solved {
+    std::size_t group;
+    Counts begin;
+    Counts end;
+    Rest::Before::Start before;
+  };
+  /// What groups consist of, one after the other.
+  struct Gathered {
     std::vector<btCollisionObject*> bodies;
     std::vector<btPersistentManifold*> manifolds;
     std::vector<btTypedConstraint*> joints;
+
+    Counts end() const { return {bodies.size(), manifolds.size(), joints.size()}; }
+    std::span<btCollisionObject*> bodiesOf(const Solved& solved) {
+      return std::span(bodies).subspan(solved.begin.bodies, solved.end.bodies - solved.begin.bodies);
+    }
+    std::span<btPersistentManifold*> manifoldsOf(const Solved& solved) {
+      return std::span(manifolds).subspan(solved.begin.manifolds, solved.end.manifolds - solved.begin.manifolds);
+    }
+    std::span<btTypedConstraint*> jointsOf(const Solved& solved) {
+      return std::span(joints).subspan(solved.begin.joints, solved.end.joints - solved.begin.joints);
+    }
   };
-  /// What solving a group takes, kept for the next one.
+  /// What solving groups takes, kept for the next ones.
   struct alignas(64) Scratch {
     std::vector<Touch> crowdTouches;
     Touching touching;
     std::vector<Touch> touches;
-    Group group;
+    Gathered gathered;
+    std::vector<Solved> solved;
     PieceLimits pieces;
     Rest::Before before;
   };
@@ -97,10 +123,17 @@ class GroupedWorld final : public btDiscreteDynamicsWorld {
   /// Makes a whole step of a batch.
   void advance(const Neighbourhoods::Members& members, std::size_t worker);
   void formGroups(const Neighbourhoods::Members& members, Touching& touching) const;
-  void gather(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
-              Scratch& scratch) const;
-  void solveGroup(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
-                  std::size_t worker);
+  /// @return What stands behind that of the groups before.
+  Solved gather(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
+                Scratch& scratch) const;
+  /// Solves the groups from `first` to `end`, each part of that for all of them before the next part, so that its code
+  /// stays in the processor's cache.
+  void solveGroups(const Neighbourhoods::Members& members, const Touching& touching, std::size_t first, std::size_t end,
+                   std::size_t worker);
+  void prepareGroup(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group,
+                    Scratch& scratch);
+  void finishGroup(const Neighbourhoods::Members& members, const Touching& touching, const Solved& solved,
+                   Scratch& scratch);
   // these ask for the memory of a group, if there is such a one: some at a time, for a processor waits for who asks for
   // too much at once
   void prefetchBodies(const Neighbourhoods::Members& members, const Touching& touching, std::size_t group) const;

@@ -78,8 +78,6 @@ bool Rest::isSettled(std::span<btCollisionObject* const> bodies,
 
 void Rest::begin(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
                  bool hasJoints, Before& before) {
-  before.places.clear();
-  before.impulses.clear();
   for (const btCollisionObject* object : bodies) {
     const btRigidBody& body = rigidOf(*object);
     before.places.push_back(body.getWorldTransform());
@@ -96,20 +94,20 @@ void Rest::begin(std::span<btCollisionObject* const> bodies, std::span<btPersist
 }
 
 void Rest::end(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
-               bool hasJoints, const Before& before) {
+               bool hasJoints, const Before& before, const Before::Start& start) {
   bool isUnchanged = !hasJoints;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const btRigidBody& body = rigidOf(*bodies[i]);
     Record& record = recordOf(body);
     record.isDisturbed.store(false, std::memory_order_relaxed);
-    record.isStill = isSame(before.places[i], body.getWorldTransform());
+    record.isStill = isSame(before.places[start.places + i], body.getWorldTransform());
     isUnchanged = isUnchanged && record.isStill && isSame(record.linear, body.getLinearVelocity()) &&
                   isSame(record.angular, body.getAngularVelocity());
     // what is damped is slowed down between the steps
     if (body.getLinearDamping() != 0 || body.getAngularDamping() != 0) isUnchanged = false;
   }
   if (isUnchanged) {
-    std::size_t next = 0;
+    std::size_t next = start.impulses;
     forEachImpulse(manifolds, [&](double impulse) {
       isUnchanged = isUnchanged && std::memcmp(&impulse, &before.impulses[next], sizeof(impulse)) == 0;
       ++next;

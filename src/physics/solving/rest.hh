@@ -36,19 +36,31 @@ class Rest {
   /// Asks for the memory of what is known of a body that has joints.
   void prefetch(std::size_t body) const { base::prefetch(records_[body], offsetof(Record, linear)); }
 
-  /// What a group is before a step; memory for one thread.
+  /// What groups are before a step, one after the other; memory for one thread.
   struct alignas(64) Before {
+    /// Where what is kept of a group begins.
+    struct Start {
+      std::size_t places;
+      std::size_t impulses;
+    };
     std::vector<btTransform> places;
     std::vector<double> impulses;
+
+    Start end() const { return {places.size(), impulses.size()}; }
+    void clear() {
+      places.clear();
+      impulses.clear();
+    }
   };
   /// @return Whether the coming step would leave the group as it is.
   bool isSettled(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds) const;
-  /// To be called before forces of the step are put on the bodies.
+  /// To be called before forces of the step are put on the bodies. Appends the group to `before`.
   void begin(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds,
              bool hasJoints, Before& before);
   /// To be called when the bodies have moved.
+  /// @param start Of the group in `before`.
   void end(std::span<btCollisionObject* const> bodies, std::span<btPersistentManifold* const> manifolds, bool hasJoints,
-           const Before& before);
+           const Before& before, const Before::Start& start);
 
  private:
   /// Of a group that a step left as it was; no bodies where it did not.
