@@ -70,7 +70,9 @@ TEST(Announcements, OfSeveralParticipantsMayBeInOneMessage) {
   EXPECT_EQ(presence->announcements[0].lease, seconds(10));
   EXPECT_EQ(presence->announcements[1].participant, kCompanion);
   EXPECT_EQ(presence->announcements[1].lease, seconds(11));
-  for (const Announcement& each : readPresence(bytes)->announcements) EXPECT_GT(each.lease, kDecades);
+  const auto readAgain = readPresence(bytes);
+  ASSERT_TRUE(readAgain);
+  for (const Announcement& each : readAgain->announcements) EXPECT_GT(each.lease, kDecades);
 }
 
 TEST(Announcements, MayBeSentByAnotherParticipantOfTheProcess) {

@@ -9,10 +9,9 @@ using Loose [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
 /// Sets the sum of each of the four. By reference, for who has no registers that wide passes them in another way.
 [[gnu::always_inline]] inline void sumUp(const Four& a, const Four& b, const Four& c, const Four& d, Four& sums) {
-  using Mask [[gnu::vector_size(32)]] = long long;
-  const Four ab = __builtin_shuffle(a, b, Mask{0, 4, 2, 6}) + __builtin_shuffle(a, b, Mask{1, 5, 3, 7});
-  const Four cd = __builtin_shuffle(c, d, Mask{0, 4, 2, 6}) + __builtin_shuffle(c, d, Mask{1, 5, 3, 7});
-  sums = __builtin_shuffle(ab, cd, Mask{0, 1, 4, 5}) + __builtin_shuffle(ab, cd, Mask{2, 3, 6, 7});
+  const Four ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  sums = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
 }  // namespace pongsim::physics

@@ -22,13 +22,12 @@ struct Ends {
 /// Turns four times four numbers round: sets the first two numbers of each, then the last two.
 [[gnu::always_inline]] inline void turn(const Four& a, const Four& b, const Four& c, const Four& d, Four* first,
                                         Four* last) {
-  using Mask [[gnu::vector_size(32)]] = long long;
-  const Four ab0 = __builtin_shuffle(a, b, Mask{0, 4, 2, 6}), ab1 = __builtin_shuffle(a, b, Mask{1, 5, 3, 7});
-  const Four cd0 = __builtin_shuffle(c, d, Mask{0, 4, 2, 6}), cd1 = __builtin_shuffle(c, d, Mask{1, 5, 3, 7});
-  first[0] = __builtin_shuffle(ab0, cd0, Mask{0, 1, 4, 5});
-  first[1] = __builtin_shuffle(ab1, cd1, Mask{0, 1, 4, 5});
-  last[0] = __builtin_shuffle(ab0, cd0, Mask{2, 3, 6, 7});
-  last[1] = __builtin_shuffle(ab1, cd1, Mask{2, 3, 6, 7});
+  const Four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  first[0] = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+  first[1] = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+  last[0] = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+  last[1] = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
 }
 
 [[gnu::always_inline]] inline void load(const RowEnd* const* ends, std::size_t count, Ends& four) {
