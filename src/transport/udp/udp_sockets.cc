@@ -14,6 +14,7 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <utility>
 
 namespace pongsim::transport {
 
@@ -73,17 +74,25 @@ Rest readPiece(const std::byte* bytes, std::size_t size, std::vector<BoundUdp>& 
   return Rest::kMore;
 }
 
-std::optional<std::vector<BoundUdp>> askKernel(int netlink, const PortRange& ports) {
+struct Answer {
+  std::vector<BoundUdp> sockets;
+  /// Between two pieces sockets may come and go, and the kernel remembers its position by counting.
+  bool isInOnePiece = true;
+};
+
+std::optional<Answer> askKernel(int netlink, const PortRange& ports) {
   const Question question(ports);
   if (send(netlink, &question, sizeof question, 0) != sizeof question) return std::nullopt;
-  std::vector<BoundUdp> sockets;
+  Answer answer;
   alignas(nlmsghdr) std::array<std::byte, 32 << 10> piece;
   while (true) {
     const ssize_t size = recv(netlink, piece.data(), piece.size(), 0);
     if (size <= 0) return std::nullopt;
-    const Rest rest = readPiece(piece.data(), static_cast<std::size_t>(size), sockets);
-    if (rest == Rest::kNone) return sockets;
+    const std::size_t before = answer.sockets.size();
+    const Rest rest = readPiece(piece.data(), static_cast<std::size_t>(size), answer.sockets);
     if (rest == Rest::kRefused) return std::nullopt;
+    if (before > 0 && answer.sockets.size() > before) answer.isInOnePiece = false;
+    if (rest == Rest::kNone) return answer;
   }
 }
 
@@ -135,9 +144,12 @@ std::optional<std::vector<BoundUdp>> boundUdpSockets(const PortRange& ports) {
 std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports) {
   const int netlink = socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_SOCK_DIAG);
   if (netlink < 0) return std::nullopt;
-  auto sockets = askKernel(netlink, ports);
+  auto answer = askKernel(netlink, ports);
+  // The kernel makes pieces of a page until it has seen what buffer its reader has.
+  if (answer && !answer->isInOnePiece) answer = askKernel(netlink, ports);
   close(netlink);
-  return sockets;
+  if (!answer) return std::nullopt;
+  return std::move(answer->sockets);
 }
 
 std::optional<std::vector<BoundUdp>> udpSocketsByProc(const PortRange& ports) {

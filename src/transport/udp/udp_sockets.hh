@@ -29,7 +29,7 @@ std::optional<std::vector<BoundUdp>> boundUdpSockets(const PortRange& ports);
 std::optional<bool> isUdpOpen(const BoundUdp& address);
 
 /// Like `boundUdpSockets`, with the kernel's sock_diag(7): fast, and consistent while sockets are opened and closed,
-/// for as many as fit into one answer, at least some fifty. Not available in every container and kernel.
+/// for as many as fit into one answer, some two hundred. Not available in every container and kernel.
 std::optional<std::vector<BoundUdp>> udpSocketsBySockDiag(const PortRange& ports);
 
 /// Like `boundUdpSockets`, with /proc/net/udp. While sockets are opened and closed, some may be missing or listed
