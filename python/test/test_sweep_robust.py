@@ -69,7 +69,9 @@ def test_twenty_killed_processes_cost_their_runs_only(tmp_path):
 def test_ctrl_c_keeps_what_is_done_and_the_next_time_makes_the_rest(tmp_path):
     file = waiting(tmp_path, ["a", "b", "c", "d"], ["c"])
     process = start(tmp_path, file, "--jobs", "1")
-    wait_for((tmp_path / "pid.c").exists, process)
+    journal = tmp_path / "s.sweep/journal.jsonl"
+    # the third has begun, and two are written down
+    wait_for(lambda: (tmp_path / "pid.c").exists() and len(journal.read_text().splitlines()) == 3, process)
     workers = children(process.pid)
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=120)
@@ -79,7 +81,7 @@ def test_ctrl_c_keeps_what_is_done_and_the_next_time_makes_the_rest(tmp_path):
     write(tmp_path, "wait", "")
     code, out, err = command(tmp_path, file)
     assert (code, err) == (0, "") and out.startswith("4 runs, 4 done, 0 failed")
-    numbers = [json.loads(line).get("run") for line in (tmp_path / "s.sweep/journal.jsonl").read_text().splitlines()]
+    numbers = [json.loads(line).get("run") for line in journal.read_text().splitlines()]
     assert numbers[1:3] == [0, 1] and sorted(numbers[3:]) == [2, 3]
 
 
