@@ -6,6 +6,7 @@ import pathlib
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from dataclasses import dataclass, field
 
@@ -30,7 +31,7 @@ DOMAIN = int(os.environ.get("PONGSIM_TEST_DOMAIN") or take_domain())
 for name in ("PONGSIM_TEST_DOMAIN", "PONGSIM_DOMAIN", "ROS_DOMAIN_ID"):
     os.environ[name] = str(DOMAIN)
 # For conditions that must come true, even on a busy machine.
-PATIENCE = 60.0
+PATIENCE = 120.0
 
 RELIABLE = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(10))
 BEST_EFFORT = Qos(Policy.Reliability.BestEffort, Policy.History.KeepLast(10))
@@ -175,16 +176,26 @@ def take_one(reader, patience=PATIENCE, where=lambda sample: True):
 
 @contextlib.contextmanager
 def running(*arguments, environment=None, log=None):
-    """A simulation, `pongsim run ARGUMENTS`, which is stopped at the end."""
-    process = subprocess.Popen([PONGSIM, "run", *map(str, arguments)], stdout=subprocess.DEVNULL,
-                               stderr=log or subprocess.PIPE, env={**os.environ, **(environment or {})}, text=True)
-    try:
-        yield process
-    finally:
-        if process.poll() is None:
-            process.send_signal(signal.SIGINT)
-            try:
-                process.wait(PATIENCE)
-            except subprocess.TimeoutExpired:
+    """A simulation, `pongsim run ARGUMENTS`, which is stopped at the end. What it said is shown where the test fails,
+    unless it goes to a `log` of the test's own."""
+    with tempfile.TemporaryFile("w+") as own_log:
+        process = subprocess.Popen([PONGSIM, "run", *map(str, arguments)], stdout=subprocess.DEVNULL,
+                                   stderr=log or own_log, env={**os.environ, **(environment or {})}, text=True)
+        try:
+            yield process
+            stop(process)
+        except BaseException:
+            print(f"pongsim run {' '.join(map(str, arguments))} (returned {process.poll()}):")
+            own_log.seek(0)
+            print(own_log.read()[-3000:])
+            raise
+        finally:
+            if process.poll() is None:
                 process.kill()
-                raise
+                process.wait()
+
+
+def stop(process):
+    if process.poll() is None:
+        process.send_signal(signal.SIGINT)
+        assert process.wait(PATIENCE) >= 0, "ended by a signal"

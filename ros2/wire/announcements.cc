@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <initializer_list>
 
+#include "ros2/wire/submessages.hh"
+
 namespace pongsim::ros2 {
 
 namespace {
@@ -11,8 +13,8 @@ namespace {
 using Octets = std::span<unsigned char>;
 
 // RTPS 2.3: 9.4.1 header, 9.4.5 submessages
-constexpr std::size_t kMessageHeader = 20, kSourceInHeader = 8, kPartHeader = 4;
-constexpr unsigned char kPadding = 0x01, kTimestamp = 0x09, kInfoSource = 0x0c, kData = 0x15, kDataFragment = 0x16;
+constexpr std::size_t kSourceInHeader = 8;
+constexpr unsigned char kInfoSource = 0x0c, kData = 0x15, kDataFragment = 0x16;
 constexpr unsigned char kLittle = 1, kInlineQos = 2, kWithData = 4, kWithKey = 8;
 constexpr std::size_t kInfoSourceSize = 20, kSourceInInfo = 8;
 // DATA and DATA_FRAG: flags, octets to the inline QoS, reader, writer, sequence number
@@ -35,18 +37,6 @@ constexpr std::uint64_t kEndless = 1 << 30;
 // Far more than anybody sends.
 constexpr std::uint64_t kLastSequence = std::uint64_t(1) << 48;
 
-std::uint64_t valueOf(Octets bytes, bool isLittle) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) value = value << 8 | bytes[isLittle ? bytes.size() - 1 - i : i];
-  return value;
-}
-
-void setValue(Octets bytes, bool isLittle, std::uint64_t value) {
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    bytes[isLittle ? i : bytes.size() - 1 - i] = static_cast<unsigned char>(value >> 8 * i);
-  }
-}
-
 GuidPrefix prefixAt(Octets bytes, std::size_t at) {
   GuidPrefix prefix{};
   std::ranges::copy(bytes.subspan(at, prefix.size()), prefix.begin());
@@ -60,8 +50,8 @@ template <class Take>
 std::optional<Octets> readList(Octets list, bool isLittle, const Take& take) {
   constexpr std::size_t kId = 2, kBeforeValue = 4;
   while (list.size() >= kBeforeValue) {
-    const std::uint64_t id = valueOf(list.first(kId), isLittle);
-    const std::size_t size = valueOf(list.subspan(kId, kBeforeValue - kId), isLittle);
+    const std::uint64_t id = numberIn(list.first(kId), isLittle);
+    const std::size_t size = numberIn(list.subspan(kId, kBeforeValue - kId), isLittle);
     list = list.subspan(kBeforeValue);
     if (id == kEndOfList) return list;
     const std::size_t padded = (size + 3) / 4 * 4;
@@ -74,15 +64,17 @@ std::optional<Octets> readList(Octets list, bool isLittle, const Take& take) {
 /// Reads one announcement or goodbye.
 class AnnouncementReading {
  public:
-  /// @param content Of DATA.
+  /// @param data With all that precedes its inline QoS.
   /// @param source Whose it is if it doesn't say so.
   /// @return Nothing if it is malformed.
-  std::optional<Announcement> read(Octets content, unsigned char flags, const GuidPrefix& source) {
-    const bool isLittle = (flags & kLittle) != 0;
+  std::optional<Announcement> read(const Submessage& data, const GuidPrefix& source) {
+    const bool isLittle = data.isLittleEndian();
+    const Octets content = data.content;
+    const unsigned char flags = data.flags;
     const std::uint64_t sequence =
-        valueOf(content.subspan(kSequence, 4), isLittle) << 32 | valueOf(content.subspan(kSequence + 4, 4), isLittle);
+        numberIn(content.subspan(kSequence, 4), isLittle) << 32 | numberIn(content.subspan(kSequence + 4, 4), isLittle);
     if (sequence == 0 || sequence > kLastSequence) return std::nullopt;
-    if (valueOf(content.subspan(kToInlineQos, 2), isLittle) != kUsualToInlineQos) return std::nullopt;
+    if (numberIn(content.subspan(kToInlineQos, 2), isLittle) != kUsualToInlineQos) return std::nullopt;
     std::optional<Octets> rest = content.subspan(kBeforeInlineQos);
     if ((flags & kInlineQos) != 0) {
       rest = readList(*rest, isLittle, [&](std::uint64_t id, Octets value) { return takeInline(id, value); });
@@ -135,7 +127,7 @@ class AnnouncementReading {
         case kLeaseDuration:
           return takeLease(value, isLittle);
         case kBuiltinEndpoints:
-          isAnnouncer_ = value.size() == 4 && (valueOf(value, isLittle) & kHasAnnouncer) != 0;
+          isAnnouncer_ = value.size() == 4 && (numberIn(value, isLittle) & kHasAnnouncer) != 0;
           return isAnnouncer_;
         default:
           return true;
@@ -147,10 +139,10 @@ class AnnouncementReading {
   /// Takes a lease, which becomes endless. One of less than no time is over.
   bool takeLease(Octets value, bool isLittle) {
     if (value.size() != 8) return false;
-    const auto seconds = static_cast<std::int32_t>(valueOf(value.first(4), isLittle));
-    const std::uint64_t fraction = valueOf(value.subspan(4), isLittle);
-    setValue(value.first(4), isLittle, kEndless);
-    setValue(value.subspan(4), isLittle, 0);
+    const auto seconds = static_cast<std::int32_t>(numberIn(value.first(4), isLittle));
+    const std::uint64_t fraction = numberIn(value.subspan(4), isLittle);
+    putNumber(value.first(4), isLittle, kEndless);
+    putNumber(value.subspan(4), isLittle, 0);
     announcement_.lease =
         std::max(std::chrono::nanoseconds(0),
                  std::chrono::seconds(seconds) + std::chrono::nanoseconds(fraction * 1'000'000'000 >> 32));
@@ -164,33 +156,23 @@ class AnnouncementReading {
 }  // namespace
 
 std::optional<Presence> readPresence(Octets packet) {
-  constexpr std::array<unsigned char, 4> kBeginning{'R', 'T', 'P', 'S'};
   Presence presence;
-  if (packet.size() < kMessageHeader || !std::ranges::equal(packet.first(kBeginning.size()), kBeginning)) {
-    return presence;
-  }
+  if (!isRtpsMessage(packet)) return presence;
   presence.senders.push_back(prefixAt(packet, kSourceInHeader));
-  Octets rest = packet.subspan(kMessageHeader);
-  while (rest.size() >= kPartHeader) {
-    const unsigned char kind = rest[0], flags = rest[1];
-    std::size_t size = valueOf(rest.subspan(2, 2), (flags & kLittle) != 0);
-    rest = rest.subspan(kPartHeader);
-    // the last one may go on to the end
-    if (size == 0 && kind != kPadding && kind != kTimestamp) size = rest.size();
-    // Fast DDS ends here, too
-    if (size > rest.size()) break;
-    const Octets content = rest.first(size);
-    if (kind == kInfoSource) {
-      if (size != kInfoSourceSize) break;
+  Submessages parts(packet);
+  while (const auto part = parts.next()) {
+    const Octets content = part->content;
+    if (part->kind == kInfoSource) {
+      // Fast DDS ends here, too
+      if (content.size() != kInfoSourceSize) break;
       presence.senders.push_back(prefixAt(content, kSourceInInfo));
-    } else if ((kind == kData || kind == kDataFragment) && size >= kBeforeInlineQos &&
+    } else if ((part->kind == kData || part->kind == kDataFragment) && content.size() >= kBeforeInlineQos &&
                std::ranges::equal(content.subspan(kDataWriter, kAnnouncer.size()), kAnnouncer)) {
       const auto announcement =
-          kind == kData ? AnnouncementReading().read(content, flags, presence.senders.back()) : std::nullopt;
+          part->kind == kData ? AnnouncementReading().read(*part, presence.senders.back()) : std::nullopt;
       if (!announcement) return std::nullopt;
       presence.announcements.push_back(*announcement);
     }
-    rest = rest.subspan(std::min(rest.size(), (size + 3) / 4 * 4));
   }
   return presence;
 }
