@@ -13,6 +13,7 @@ Assimp openAssimp() {
   library.bind(functions.setImportPropertyInteger, "aiSetImportPropertyInteger");
   library.bind(functions.releasePropertyStore, "aiReleasePropertyStore");
   library.bind(functions.importFileExWithProperties, "aiImportFileExWithProperties");
+  library.bind(functions.importFileFromMemoryWithProperties, "aiImportFileFromMemoryWithProperties");
   library.bind(functions.releaseImport, "aiReleaseImport");
   library.bind(functions.getErrorString, "aiGetErrorString");
   library.bind(functions.getMaterialColor, "aiGetMaterialColor");

@@ -13,6 +13,7 @@ struct Assimp {
   decltype(&aiSetImportPropertyInteger) setImportPropertyInteger;
   decltype(&aiReleasePropertyStore) releasePropertyStore;
   decltype(&aiImportFileExWithProperties) importFileExWithProperties;
+  decltype(&aiImportFileFromMemoryWithProperties) importFileFromMemoryWithProperties;
   decltype(&aiReleaseImport) releaseImport;
   decltype(&aiGetErrorString) getErrorString;
   decltype(&aiGetMaterialColor) getMaterialColor;

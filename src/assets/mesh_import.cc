@@ -12,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "assets/collada_file.hh"
 #include "assets/mesh_file.hh"
 
 namespace pongsim::assets {
@@ -37,7 +38,17 @@ std::unique_ptr<aiPropertyStore, ReleaseProperties> importSettings(int dropped) 
   set(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   set(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
   set(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, 1);
+  set(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
   return settings;
+}
+
+ImportedScene import(const std::filesystem::path& file, unsigned steps, const aiPropertyStore& settings) {
+  if (lowerCaseEnding(file) != ".dae") {
+    return ImportedScene(assimp().importFileExWithProperties(file.c_str(), steps, nullptr, &settings));
+  }
+  const std::string text = readCollada(file);
+  const auto size = static_cast<unsigned>(text.size());
+  return ImportedScene(assimp().importFileFromMemoryWithProperties(text.data(), size, steps, "dae", &settings));
 }
 
 }  // namespace
@@ -58,7 +69,7 @@ std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& fil
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     const auto settings = importSettings(dropped);
-    ImportedScene scene(assimp().importFileExWithProperties(file.c_str(), steps, nullptr, settings.get()));
+    ImportedScene scene = import(file, steps, *settings);
     if (!scene) return Problem{"can't be read as a mesh", assimp().getErrorString()};
     return scene;
   } catch (const std::exception& problem) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.hh"
+#include "cli/cli.hh"
 #include "cli/console.hh"
 
 namespace {

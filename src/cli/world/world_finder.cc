@@ -53,15 +53,14 @@ std::optional<std::string> firstOf(Transport& transport, const std::vector<std::
 
 std::optional<std::string> findWorld(Transport& transport, const StopSignal& signal, const std::string& wanted,
                                      std::chrono::nanoseconds timeout, WorldChoice choice) {
-  using Clock = std::chrono::steady_clock;
   const std::string name = cleanTopic(wanted);
-  const Clock::time_point deadline = Clock::now() + timeout;
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
   std::vector<std::string> worlds;
   while (true) {
     worlds = worldsOf(
         transport.discoverServices(std::clamp<std::chrono::nanoseconds>(timeout, kShortestLook, kDiscoveryTime)));
     const bool found = name.empty() ? !worlds.empty() : std::ranges::count(worlds, name) > 0;
-    if (found || signal.stopped() || Clock::now() >= deadline) break;
+    if (found || signal.stopped() || std::chrono::steady_clock::now() >= deadline) break;
     transport.dispatchFor(kBetweenLooks);
   }
   if (worlds.empty()) {

@@ -20,7 +20,7 @@ struct Ends {
 };
 
 /// Turns four times four numbers round: sets the first two numbers of each, then the last two.
-[[gnu::always_inline]] inline void turn(const Four& a, const Four& b, const Four& c, const Four& d, Four* first,
+[[gnu::always_inline]] inline void turn(const Loose& a, const Loose& b, const Loose& c, const Loose& d, Four* first,
                                         Four* last) {
   const Four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
