@@ -36,10 +36,11 @@ void say(const std::string& line) {
 }
 
 int listen(Node& node, const std::string& topic, const std::string& type) {
-  std::atomic<int> count = 0;
+  // the library's threads go on until the end of the process
+  static std::atomic<int> count = 0;
   node.SubscribeRaw(
       topic,
-      [&count](const char*, std::size_t, const ignition::transport::MessageInfo&) {
+      [](const char*, std::size_t, const ignition::transport::MessageInfo&) {
         if (count++ == 0) say("heard");
       },
       type);
