@@ -42,8 +42,9 @@ std::unique_ptr<aiPropertyStore, ReleaseProperties> importSettings(int dropped) 
   return settings;
 }
 
-ImportedScene import(const std::filesystem::path& file, unsigned steps, const aiPropertyStore& settings) {
-  if (lowerCaseEnding(file) != ".dae") {
+ImportedScene import(const std::filesystem::path& file, std::string_view ending, unsigned steps,
+                     const aiPropertyStore& settings) {
+  if (ending != ".dae") {
     return ImportedScene(assimp().importFileExWithProperties(file.c_str(), steps, nullptr, &settings));
   }
   const std::string text = readCollada(file);
@@ -69,7 +70,7 @@ std::variant<ImportedScene, Problem> importMesh(const std::filesystem::path& fil
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     const auto settings = importSettings(dropped);
-    ImportedScene scene = import(file, steps, *settings);
+    ImportedScene scene = import(file, ending, steps, *settings);
     if (!scene) return Problem{"can't be read as a mesh", assimp().getErrorString()};
     return scene;
   } catch (const std::exception& problem) {
