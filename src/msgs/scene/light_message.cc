@@ -31,18 +31,14 @@ description::LightType typeOf(im::Light::LightType type) {
 
 constexpr const char* kIsOnKey = "isLightOn";
 
-}  // namespace
-
-void setWhetherOn(bool isOn, im::Light& message) {
-  if (!isOn) setHeaderValue(kIsOnKey, "0", *message.mutable_header());
-}
-
 bool isOn(const im::Light& message) {
   for (const auto& entry : message.header().data()) {
     if (entry.key() == kIsOnKey && entry.value_size() > 0) return entry.value(0) != "0";
   }
   return true;
 }
+
+}  // namespace
 
 void setLight(const description::Light& light, im::Light& message) {
   message.Clear();
@@ -61,6 +57,7 @@ void setLight(const description::Light& light, im::Light& message) {
   message.set_spot_outer_angle(static_cast<float>(light.outerAngle));
   message.set_spot_falloff(static_cast<float>(light.falloff));
   message.set_intensity(static_cast<float>(light.intensity));
+  if (!light.isOn) setHeaderValue(kIsOnKey, "0", *message.mutable_header());
 }
 
 LightName lightName(const Message& light) {

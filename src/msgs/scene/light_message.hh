@@ -12,16 +12,12 @@ class Light;
 
 namespace pongsim::msgs {
 
-/// Fills in a light as Fortress does, except for its id and its parent's.
+/// Fills in a light as Fortress does, except for its id and its parent's. That it is off is stored in the header, as
+/// Fortress does with values that have no field.
 void setLight(const description::Light& light, ignition::msgs::Light& message);
 
 /// @return The light in a message.
 description::Light lightFrom(const ignition::msgs::Light& message);
-
-/// Stores in the header whether a light is on, as Fortress does for values without a field.
-void setWhetherOn(bool isOn, ignition::msgs::Light& message);
-/// @return The value stored by `setWhetherOn`; without one a light is on.
-bool isOn(const ignition::msgs::Light& message);
 
 /// The light that an `ignition.msgs.Light` refers to.
 struct LightName {
@@ -38,7 +34,7 @@ LightName lightName(const Message& light);
 /// @param light An `ignition.msgs.Light`.
 /// @return `before` with the message's changes. Colours, direction and position that the message lacks stay unchanged,
 /// and so do the rotation and the name. Scalars that it leaves out become 0 or false, because that is how the format
-/// stores them. Without a value from `setWhetherOn`, the light is on.
+/// stores them. Unless its header says that it is off, the light is on.
 description::Light changedLight(const description::Light& before, const Message& light);
 
 }  // namespace pongsim::msgs

@@ -232,7 +232,6 @@ class StateWriter {
     EntityWriter entity(light.id.value, message_);
     im::Light settings;
     setLight(*light.description, settings);
-    setWhetherOn(light.description->isOn, settings);
     entity.add("Light", settings);
     entity.add("Name", light.description->name);
     entity.add("ParentEntity", std::to_string(parent));

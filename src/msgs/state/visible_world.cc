@@ -165,7 +165,6 @@ class VisibleWorldReader {
     description::Light& light = lights.emplace_back(lightFrom(*message));
     light.name = componentsOf(id).text("Name");
     light.X_ParentLight = poseOf(componentsOf(id));
-    light.isOn = isOn(*message);
   }
 
   void complete(description::Geometry& geometry) {

@@ -51,10 +51,12 @@ TEST(LightMessage, LeavesPartsThatItDoesNotHave) {
 }
 
 TEST(LightMessage, SwitchesALightOffAndOn) {
+  description::Light off = spot();
+  off.isOn = false;
   im::Light message;
-  setWhetherOn(false, message);
-  const description::Light off = changedLight(spot(), message);
-  EXPECT_FALSE(off.isOn);
+  setLight(off, message);
+  EXPECT_FALSE(changedLight(spot(), message).isOn);
+  EXPECT_EQ(lightFrom(message), off);
   EXPECT_TRUE(changedLight(off, im::Light()).isOn);
 }
 

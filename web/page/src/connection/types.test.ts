@@ -16,6 +16,22 @@ test('a message survives the way there and back', () => {
   assert.deepEqual(message.list, []);
 });
 
+test('a decoded message may be copied and changed', () => {
+  const types = exampleTypes();
+  const before = types.decode('test.Point', types.encode('test.Point', {
+    x: 1, where: { name: 'b', list: [4] }, data: Uint8Array.of(7), points: [{ x: 2 }], big: 9n,
+  }));
+  const changed = { ...before, x: 5, where: { ...before.where, where: { x: 6 } }, points: [...before.points, { name: 'new' }] };
+  const after = types.decode('test.Point', types.encode('test.Point', changed));
+  assert.deepEqual([after.x, after.where.name, after.where.list, after.where.where.x], [5, 'b', [4], 6]);
+  assert.deepEqual(after.points.map(({ x, name }: { x: number; name: string }) => [x, name]), [[2, ''], [0, 'new']]);
+  assert.deepEqual([...after.data, after.big], [7, 9n]);
+  // neither has any, and the message is still its own
+  const added = types.decode('test.Point', types.encode('test.Point', { ...types.decode('test.Point', new Uint8Array()), where: { x: 3 } }));
+  assert.equal(added.where.x, 3);
+  assert.equal(before.x, 1);
+});
+
 test('JSON is read and refused by the field', () => {
   const types = exampleTypes();
   const bytes = types.encodeJson('test.Point', { x: 3, list: [1, 2] });

@@ -10,6 +10,15 @@ import { FileDescriptorSetSchema } from '@bufbuild/protobuf/wkt';
 // the fields are only known by reflection
 export type Message = Record<string, any>;
 
+/// A copy without the names of types: the library takes what has one for a whole message, even if parts of it were
+/// replaced by plain objects.
+function fieldsOf(value: unknown): unknown {
+  if (Array.isArray(value)) return value.map(fieldsOf);
+  if (value === null || typeof value !== 'object' || ArrayBuffer.isView(value)) return value;
+  const fields = Object.entries(value).filter(([name]) => name !== '$typeName' && name !== '$unknown');
+  return Object.fromEntries(fields.map(([name, part]) => [name, fieldsOf(part)]));
+}
+
 export class MessageTypes {
   private readonly registries: FileRegistry[] = [];
   private readonly schemasSeen = new Set<string>();
@@ -55,10 +64,10 @@ export class MessageTypes {
     return fromBinary(this.get(typeName), bytes) as Message;
   }
 
-  /// @param fields As in a decoded message; missing ones have their defaults.
+  /// @param fields As in a decoded message, or parts of it; missing ones have their defaults.
   encode(typeName: string, fields: Message): Uint8Array {
     const type = this.get(typeName);
-    return toBinary(type, create(type, fields as AnyMessage));
+    return toBinary(type, create(type, fieldsOf(fields) as AnyMessage));
   }
 
   /// @throws Error with the field's name if the JSON does not match the type.

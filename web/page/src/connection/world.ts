@@ -26,7 +26,7 @@ export class World {
   revision = -1;
   private readonly frames = new FrameGatherer();
   private isDrawAsked = false;
-  private isReading = false;
+  private reading: Promise<void> | null = null;
   private isStale = false;
   private readonly ends: (() => void)[] = [];
 
@@ -98,22 +98,22 @@ export class World {
   }
 
   /// Requests scene and state again; if something changes meanwhile, once more.
-  async read(): Promise<void> {
-    if (this.isReading) {
-      this.isStale = true;
-      return;
-    }
-    this.isReading = true;
-    try {
-      do {
-        this.isStale = false;
+  /// @return When what has been read is no older than this call.
+  read(): Promise<void> {
+    this.isStale = true;
+    return (this.reading ??= this.readUntilFresh());
+  }
+
+  private async readUntilFresh(): Promise<void> {
+    while (this.isStale) {
+      this.isStale = false;
+      try {
         await this.readOnce();
-      } while (this.isStale);
-    } catch {
-      // interrupted, or no system provides the scene: it is requested when the service appears
-    } finally {
-      this.isReading = false;
+      } catch {
+        // interrupted, or no system provides the scene: it is requested when the service appears
+      }
     }
+    this.reading = null;
   }
 
   private async readOnce(): Promise<void> {

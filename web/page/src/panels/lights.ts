@@ -18,27 +18,65 @@ export function switched(light: Message, on: boolean): Message {
   return { ...light, header: { ...light.header, data: [...data, { key: kKey, value: [on ? '1' : '0'] }] } };
 }
 
+/// A light's row, which stays while the light changes, so that neither focus nor a click is lost.
+class Row {
+  private light: Message = {};
+  private changes = 0;
+  private readonly box = h('input', { type: 'checkbox' });
+  private readonly name = h('button', { type: 'button', class: 'link' });
+  private readonly intensity = numberField(1, { min: 0, step: 0.1, class: 'short' });
+  readonly element = h('div', { class: 'row' }, this.box, this.name, this.intensity);
+
+  /// @param change Asks for the changed light; until it is done, the row shows what is asked for.
+  constructor(private readonly change: (light: Message) => Promise<void>, choose: () => void) {
+    this.box.addEventListener('change', () => void this.ask(switched(this.light, this.box.checked)));
+    this.intensity.addEventListener('change', () => void this.ask({ ...this.light, intensity: this.intensity.valueAsNumber || 0 }));
+    this.name.addEventListener('click', choose);
+  }
+
+  get isChanging(): boolean {
+    return this.changes > 0;
+  }
+
+  show(light: Message): void {
+    this.light = light;
+    this.box.checked = isOn(light);
+    this.box.setAttribute('aria-label', `${light.name} is on`);
+    this.name.textContent = light.name as string;
+    this.intensity.setAttribute('aria-label', `Intensity of ${light.name}`);
+    if (document.activeElement !== this.intensity) this.intensity.value = String(light.intensity ?? 1);
+  }
+
+  private async ask(light: Message): Promise<void> {
+    this.light = light;
+    ++this.changes;
+    await this.change(light);
+    --this.changes;
+  }
+}
+
 export function openLights(context: Context): Panel {
   const { world, connection, selection } = context;
   const ends = new Ends();
   const rows = h('div', {});
-  const change = (name: string, light: Message): void => {
-    void context.attempt(name, world.ask('light_config', light)).then(() => world.read());
-  };
+  const none = h('p', { class: 'hint' }, 'There are no lights');
+  let byId = new Map<number, Row>();
   const show = (): void => {
-    if (rows.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement
-      && document.activeElement.type === 'number') return;
-    const lights = world.entities.all('light').map((entity) => {
-      const settings = entity.components.message('Light', 'ignition.msgs.Light', connection.types) ?? {};
-      const light = { ...settings, id: entity.id, name: entity.name };
-      const box = h('input', { type: 'checkbox', 'aria-label': `${entity.name} is on`, checked: isOn(light) });
-      box.addEventListener('change', () => change('Light', switched(light, box.checked)));
-      const bright = numberField((settings.intensity as number) ?? 1, { min: 0, step: 0.1, class: 'short', 'aria-label': `Intensity of ${entity.name}` });
-      bright.addEventListener('change', () => change('Light', { ...light, intensity: bright.valueAsNumber || 0 }));
-      const name = h('button', { type: 'button', class: 'link', onclick: () => selection.set(entity.id) }, entity.name);
-      return h('div', { class: 'row' }, box, name, bright);
-    });
-    rows.replaceChildren(...(lights.length > 0 ? lights : [h('p', { class: 'hint' }, 'There are no lights')]));
+    const before = byId;
+    byId = new Map(world.entities.all('light').map(({ id, name, components }) => {
+      const row = before.get(id) ?? new Row(change, () => selection.set(id));
+      if (!row.isChanging) row.show({ ...components.message('Light', 'ignition.msgs.Light', connection.types), id, name });
+      return [id, row];
+    }));
+    const shown = byId.size > 0 ? [...byId.values()].map(({ element }) => element) : [none];
+    const isSame = shown.length === rows.children.length && shown.every((element, i) => element === rows.children[i]);
+    if (!isSame) rows.replaceChildren(...shown);
+  };
+  const change = async (light: Message): Promise<void> => {
+    await context.attempt('Light', world.ask('light_config', light));
+    await world.read();
+    // once this change is over; also after a refusal
+    setTimeout(show);
   };
   const add = (type: LightType): HTMLElement => h('button', {
     type: 'button', onclick: async () => {

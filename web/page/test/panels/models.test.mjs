@@ -1,7 +1,7 @@
 // Models in the page: chosen, moved, dragged, removed, added, copied.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { choose, openPage, openPanel, panel, repository, shownPose, until } from './page.mjs';
+import { choose, openPage, openPanel, panel, pongsim, repository, shownPose, until } from './page.mjs';
 
 let page;
 before(async () => (page = await openPage(`${repository}worlds/pong_world.sdf`)));
@@ -77,14 +77,25 @@ test('a model is copied as SDF', async () => {
   assert.match(sdf, /<joint name=/);
 });
 
-test('a light goes off and on', async () => {
-  const { tab } = page;
-  const lights = await openPanel(tab, 'Lights');
-  const box = lights.getByRole('checkbox').first();
-  await box.waitFor();
+test('a light goes off and on, and is dimmed', async () => {
+  const lights = await openPanel(page.tab, 'Lights');
+  const box = lights.getByRole('checkbox', { name: 'sun is on' });
+  const sun = () => {
+    const scene = JSON.parse(pongsim('service', '-s', '/world/pong_world/scene/info', '--req', '', '--json'));
+    return scene.light.find(({ name }) => name === 'sun');
+  };
+  const isOff = ({ header }) => header?.data.some(({ key, value }) => key === 'isLightOn' && value[0] === '0') ?? false;
   await box.uncheck();
-  await until(() => box.isChecked(), (on) => !on, 'off');
-  await until(() => tab.locator('.toast.error').isVisible(), (visible) => !visible, 'no error');
+  await until(sun, isOff, 'off');
+  const bright = lights.getByLabel('Intensity of sun');
+  await bright.fill('0.5');
+  await bright.press('Enter');
+  await until(sun, (light) => light.intensity === 0.5 && isOff(light), 'dimmed, and still off');
+  await box.press('Space');
+  await until(sun, (light) => !isOff(light) && light.intensity === 0.5, 'on again');
+  // by keys, for the box is still the same after the world was read again
+  await page.tab.keyboard.press('Space');
+  await until(sun, isOff, 'off again');
 });
 
 test('nothing has gone wrong in the page', () => assert.deepEqual(page.errors, []));
