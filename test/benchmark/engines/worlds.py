@@ -73,7 +73,7 @@ class Robots:
         self.name = f"robots x{count}"
         self.count = count
         self.contacts = 5 * count
-        self.skipped, self.measured = 500, max(4, 2000 // count)
+        self.skipped, self.measured = 500, max(100, 2000 // count)
 
     def scene(self):
         return robots(self.count, LINEAR, ANGULAR)
