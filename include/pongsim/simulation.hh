@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "pongsim/diagnostic.hh"
@@ -51,6 +52,9 @@ struct SimulationOptions {
   /// lists, and time may be set (`Simulation::setTime`).
   bool physics = true;
 };
+
+/// What a file had to insert: a model, or a light by its name.
+using ModelOrLight = std::variant<Model, std::string>;
 
 /// A world with its bodies and systems, loaded from a file. Use it on one thread at a time.
 class PONGSIM_API Simulation {
@@ -115,6 +119,12 @@ class PONGSIM_API Simulation {
   /// Like `insertFile`, from text; `name` is used in messages.
   std::optional<Model> insertText(std::string_view text, std::string_view name, const InsertOptions& options,
                                   Diagnostics& diagnostics);
+
+  /// Like `insertFile` and `insertText`, but a file without models may have lights, of which the first is inserted.
+  std::optional<ModelOrLight> insertModelOrLight(const std::filesystem::path& file, const InsertOptions& options,
+                                                 Diagnostics& diagnostics);
+  std::optional<ModelOrLight> insertModelOrLight(std::string_view text, std::string_view name,
+                                                 const InsertOptions& options, Diagnostics& diagnostics);
 
   /// Inserts a copy of a top-level model as it was inserted, with its own systems, at the model's current pose or that
   /// of `options`. It needs another name, or `allowRenaming`.

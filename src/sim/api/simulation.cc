@@ -315,6 +315,16 @@ std::optional<Model> Simulation::insertText(std::string_view text, std::string_v
   return parts_->edits.insertText(text, name, options, diagnostics);
 }
 
+std::optional<ModelOrLight> Simulation::insertModelOrLight(const std::filesystem::path& file,
+                                                           const InsertOptions& options, Diagnostics& diagnostics) {
+  return parts_->edits.insertModelOrLight(file, options, diagnostics);
+}
+
+std::optional<ModelOrLight> Simulation::insertModelOrLight(std::string_view text, std::string_view name,
+                                                           const InsertOptions& options, Diagnostics& diagnostics) {
+  return parts_->edits.insertModelOrLight(text, name, options, diagnostics);
+}
+
 std::optional<Model> Simulation::insertCopy(const Model& model, const InsertOptions& options,
                                             Diagnostics& diagnostics) {
   return parts_->edits.insertCopy(model.id(), options, diagnostics);

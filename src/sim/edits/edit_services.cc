@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "base/nearest_word.hh"
 #include "msgs/control/control_messages.hh"
@@ -83,23 +84,32 @@ std::optional<std::string> EditServices::insert(const msgs::EntityFactory& asked
   const InsertOptions options{
       .name = asked.name, .pose = poseFor(asked, refusal), .allowRenaming = asked.allowRenaming};
   if (!refusal.empty()) return refusal;
-  return asked.light != nullptr ? insertLight(asked, options, inserted) : insertModel(asked, options, inserted);
+  if (asked.light != nullptr) return insertLight(asked, options, inserted);
+  return asked.original.empty() ? insertModelOrLight(asked, options, inserted) : insertCopy(asked, options, inserted);
 }
 
-std::optional<std::string> EditServices::insertModel(const msgs::EntityFactory& asked, const InsertOptions& options,
-                                                     Inserted& inserted) {
+std::optional<std::string> EditServices::insertModelOrLight(const msgs::EntityFactory& asked,
+                                                            const InsertOptions& options, Inserted& inserted) {
   Diagnostics diagnostics;
-  std::optional<Model> model;
-  if (!asked.original.empty()) {
-    std::string refusal;
-    const std::optional<Model> original = find({.id = 0, .name = asked.original, .type = "MODEL"}, refusal);
-    if (!original) return refusal;
-    model = simulation_.insertCopy(*original, options, diagnostics);
-  } else if (!asked.text.empty()) {
-    model = simulation_.insertText(asked.text, "sdf", options, diagnostics);
-  } else {
-    model = simulation_.insertFile(asked.file, options, diagnostics);
-  }
+  const std::optional<ModelOrLight> entity =
+      asked.text.empty() ? simulation_.insertModelOrLight(asked.file, options, diagnostics)
+                         : simulation_.insertModelOrLight(asked.text, "sdf", options, diagnostics);
+  const std::string error = logDiagnostics(diagnostics, editLog());
+  if (!entity) return error;
+  if (const Model* model = std::get_if<Model>(&*entity))
+    inserted.models.push_back(*model);
+  else
+    inserted.lights.push_back(std::get<std::string>(*entity));
+  return std::nullopt;
+}
+
+std::optional<std::string> EditServices::insertCopy(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                                    Inserted& inserted) {
+  std::string refusal;
+  const std::optional<Model> original = find({.id = 0, .name = asked.original, .type = "MODEL"}, refusal);
+  if (!original) return refusal;
+  Diagnostics diagnostics;
+  const std::optional<Model> model = simulation_.insertCopy(*original, options, diagnostics);
   const std::string error = logDiagnostics(diagnostics, editLog());
   if (!model) return error;
   inserted.models.push_back(*model);

@@ -45,8 +45,11 @@ class EditServices {
   };
   /// @return Why it was refused, or nothing.
   std::optional<std::string> insert(const msgs::EntityFactory& asked, Inserted& inserted);
-  std::optional<std::string> insertModel(const msgs::EntityFactory& asked, const InsertOptions& options,
-                                         Inserted& inserted);
+  /// From text or a file.
+  std::optional<std::string> insertModelOrLight(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                                Inserted& inserted);
+  std::optional<std::string> insertCopy(const msgs::EntityFactory& asked, const InsertOptions& options,
+                                        Inserted& inserted);
   std::optional<std::string> insertLight(const msgs::EntityFactory& asked, const InsertOptions& options,
                                          Inserted& inserted);
   /// @return The position in the world; nothing, with `refusal`, if there is none.

@@ -62,21 +62,29 @@ std::optional<std::string> checkLight(description::Light& light) {
 
 }  // namespace
 
+Outcome<std::string> insertLight(Access& access, description::Light light, const InsertOptions& options) {
+  if (!options.name.empty()) light.name = options.name;
+  if (light.name.empty()) return {std::nullopt, "the light has no name"};
+  if (light.name.find("::") != std::string::npos) {
+    return {std::nullopt, "the name '" + light.name + "' contains '::', which separates names"};
+  }
+  const Editor editor(access);
+  if (options.allowRenaming) light.name = editor.freeName(light.name);
+  if (!editor.isFree(light.name)) return {std::nullopt, "there is a '" + light.name + "' in the world already"};
+  if (options.pose) light.X_ParentLight = *options.pose;
+  if (!isSound(light.X_ParentLight)) return {std::nullopt, "the light's pose is not finite"};
+  light.X_ParentLight.rotation.normalize();
+  if (std::optional<std::string> refusal = checkLight(light)) return {std::nullopt, *refusal};
+  Outcome<std::string> name{light.name, {}};
+  access.entities.insertLight(std::make_shared<description::Light>(std::move(light)));
+  access.noteChange();
+  return name;
+}
+
 Outcome<std::string> insertLight(Access& access, const Message& light, const InsertOptions& options) {
   description::Light blank;
-  blank.name = options.name.empty() ? msgs::lightName(light).name : options.name;
-  if (blank.name.empty()) return {std::nullopt, "the light has no name"};
-  const Editor editor(access);
-  if (options.allowRenaming) blank.name = editor.freeName(blank.name);
-  if (!editor.isFree(blank.name)) return {std::nullopt, "there is a '" + blank.name + "' in the world already"};
-  auto added = std::make_shared<description::Light>(msgs::changedLight(blank, light));
-  if (options.pose) added->X_ParentLight = *options.pose;
-  if (!isSound(added->X_ParentLight)) return {std::nullopt, "the light's pose is not finite"};
-  added->X_ParentLight.rotation.normalize();
-  if (std::optional<std::string> refusal = checkLight(*added)) return {std::nullopt, *refusal};
-  access.entities.insertLight(std::move(added));
-  access.noteChange();
-  return {blank.name, {}};
+  blank.name = msgs::lightName(light).name;
+  return insertLight(access, msgs::changedLight(blank, light), options);
 }
 
 std::optional<std::string> changeLight(Access& access, const Message& light) {

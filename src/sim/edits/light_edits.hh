@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "description/light.hh"
 #include "pongsim/message.hh"
 #include "pongsim/outcome.hh"
 #include "pongsim/simulation.hh"
@@ -14,8 +15,11 @@ namespace pongsim::sim {
 // Changes of lights, between two steps. A refused change has no effect.
 
 /// Adds a light to the world.
-/// @param options Their name and pose take precedence over the message's.
+/// @param light Its pose is in the world.
+/// @param options Their name and pose take precedence over the light's.
 /// @return Its name, or why it was refused.
+Outcome<std::string> insertLight(Access& access, description::Light light, const InsertOptions& options);
+/// Adds the light of an `ignition.msgs.Light`.
 Outcome<std::string> insertLight(Access& access, const Message& light, const InsertOptions& options);
 
 /// Changes the light that the message identifies; see `msgs::changedLight`.

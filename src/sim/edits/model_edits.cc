@@ -7,6 +7,7 @@
 
 #include "sdf/includes/model_config.hh"
 #include "sim/edits/editor.hh"
+#include "sim/edits/light_edits.hh"
 #include "sim/system_set.hh"
 
 namespace pongsim::sim {
@@ -62,6 +63,50 @@ std::optional<Model> ModelEdits::insertText(std::string_view text, std::string_v
   std::optional<Model> model = insertFirst(sdf::loadText(text, name, found, assets::finderIn(places_)), options, found);
   addAll(found, diagnostics);
   return model;
+}
+
+std::optional<ModelOrLight> ModelEdits::insertModelOrLight(const std::filesystem::path& file,
+                                                           const InsertOptions& options, Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<ModelOrLight> inserted;
+  if (const std::optional<std::filesystem::path> path = modelFile(file, found))
+    inserted = insertFirstOf(sdf::loadFile(*path, found, assets::finderIn(places_)), options, found);
+  addAll(found, diagnostics);
+  return inserted;
+}
+
+std::optional<ModelOrLight> ModelEdits::insertModelOrLight(std::string_view text, std::string_view name,
+                                                           const InsertOptions& options, Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<ModelOrLight> inserted =
+      insertFirstOf(sdf::loadText(text, name, found, assets::finderIn(places_)), options, found);
+  addAll(found, diagnostics);
+  return inserted;
+}
+
+std::optional<ModelOrLight> ModelEdits::insertFirstOf(sdf::Root root, const InsertOptions& options,
+                                                      Diagnostics& found) {
+  const bool isLight = root.models.empty() && !root.lights.empty() && !found.hasErrors();
+  if (isLight) return insertFirstLight(root, options, found);
+  if (std::optional<Model> model = insertFirst(std::move(root), options, found)) return *model;
+  return std::nullopt;
+}
+
+std::optional<ModelOrLight> ModelEdits::insertFirstLight(const sdf::Root& root, const InsertOptions& options,
+                                                         Diagnostics& diagnostics) {
+  const description::Light& light = root.lights.front();
+  for (std::size_t i = 1; i < root.lights.size(); ++i) {
+    diagnostics.warning(root.lights[i].position, "light '" + root.lights[i].name + "' is left out: the first light, '" +
+                                                     light.name + "', is inserted");
+  }
+  addAll(root.unsimulated, diagnostics);
+  Outcome<std::string> name = insertLight(access_, light, options);
+  if (!name) {
+    diagnostics.error(light.position, name.error);
+    return std::nullopt;
+  }
+  announceChanges();
+  return *name;
 }
 
 std::optional<Model> ModelEdits::insertCopy(ModelId original, const InsertOptions& options, Diagnostics& diagnostics) {

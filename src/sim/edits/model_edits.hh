@@ -10,6 +10,7 @@
 #include "description/model.hh"
 #include "pongsim/handles.hh"
 #include "pongsim/insert_options.hh"
+#include "pongsim/simulation.hh"
 #include "sdf/loader.hh"
 #include "sim/api/access.hh"
 
@@ -17,7 +18,8 @@ namespace pongsim::sim {
 
 class SystemSet;
 
-/// Inserts and removes models with their systems, between two steps. A refused change has no effect.
+/// Inserts and removes models with their systems, and inserts lights of files, between two steps. A refused change has
+/// no effect.
 class ModelEdits {
  public:
   /// @param places Where models' files are searched. Both must outlive this.
@@ -30,6 +32,11 @@ class ModelEdits {
                                   Diagnostics& diagnostics);
   std::optional<Model> insertText(std::string_view text, std::string_view name, const InsertOptions& options,
                                   Diagnostics& diagnostics);
+  /// Like the two above; the file or text may have a light instead of a model.
+  std::optional<ModelOrLight> insertModelOrLight(const std::filesystem::path& file, const InsertOptions& options,
+                                                 Diagnostics& diagnostics);
+  std::optional<ModelOrLight> insertModelOrLight(std::string_view text, std::string_view name,
+                                                 const InsertOptions& options, Diagnostics& diagnostics);
   std::optional<Model> insertCopy(ModelId original, const InsertOptions& options, Diagnostics& diagnostics);
   /// @param model The model to insert, except for what the options replace.
   std::optional<Model> insert(const description::Model& model, const InsertOptions& options, Diagnostics& diagnostics);
@@ -49,6 +56,10 @@ class ModelEdits {
  private:
   std::shared_ptr<description::Model> readFirst(const std::filesystem::path& file, Diagnostics& diagnostics) const;
   std::optional<Model> insertFirst(sdf::Root root, const InsertOptions& options, Diagnostics& diagnostics);
+  /// @param found Diagnostics of reading, which are added to.
+  std::optional<ModelOrLight> insertFirstOf(sdf::Root root, const InsertOptions& options, Diagnostics& found);
+  std::optional<ModelOrLight> insertFirstLight(const sdf::Root& root, const InsertOptions& options,
+                                               Diagnostics& diagnostics);
   std::optional<Model> insertOwned(std::shared_ptr<description::Model> model, const InsertOptions& options,
                                    Diagnostics& diagnostics);
   void announceChanges();

@@ -157,6 +157,19 @@ TEST_F(EditServicesTest, CreateChangeAndRemoveLights) {
   ASSERT_EQ(scene().light_size(), 3);
   EXPECT_EQ(scene().light(1).pose().position().x(), 1);
   EXPECT_EQ(scene().light(2).name(), "lamp_0");
+  const std::string spot =
+      "sdf: \"<sdf version='1.9'><light name='spot' "
+      "type='spot'><attenuation><range>4</range></attenuation></light></sdf>\"";
+  EXPECT_EQ(create(spot + ", pose {position {z: 3}}"), "");
+  ASSERT_EQ(scene().light_size(), 4);
+  EXPECT_EQ(scene().light(3).type(), ignition::msgs::Light::SPOT);
+  EXPECT_EQ(scene().light(3).range(), 4);
+  EXPECT_EQ(scene().light(3).pose().position().z(), 3);
+  EXPECT_NE(create(spot).find("there is a 'spot' in the world already"), std::string::npos);
+  EXPECT_NE(create(spot + ", name: 'a::b'").find("'::'"), std::string::npos);
+  EXPECT_NE(refusal("create_multiple", "EntityFactory_V", "data {" + spot + ", name: 'a'} data {" + spot + "}"), "");
+  EXPECT_EQ(scene().light_size(), 4) << "all or none";
+  EXPECT_EQ(refusal("remove", "Entity", "name: 'spot', type: LIGHT"), "");
   EXPECT_EQ(refusal("remove", "Entity", "name: 'sun', type: LIGHT"), "");
   EXPECT_NE(refusal("remove", "Entity", "name: 'sun', type: LIGHT"), "");
   EXPECT_EQ(scene().light_size(), 2);
