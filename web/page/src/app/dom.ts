@@ -18,6 +18,16 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/// Makes these the children of an element. Those in their places are not touched, so that neither focus nor a click is lost.
+export function setChildren(element: Element, children: readonly Element[]): void {
+  const wanted = new Set(children);
+  for (const child of [...element.children]) if (!wanted.has(child)) child.remove();
+  children.forEach((child, i) => {
+    const present = element.children[i];
+    if (present !== child) element.insertBefore(child, present ?? null);
+  });
+}
+
 let nextId = 1;
 
 /// A field preceded by its label.

@@ -1,6 +1,6 @@
 /// All entities of the world as a tree, with a search.
 import { Ends, type Context, type Panel } from '../app/context.ts';
-import { h } from '../app/dom.ts';
+import { h, setChildren } from '../app/dom.ts';
 import type { Entity, Kind } from '../connection/entities.ts';
 
 const kSigns: Record<Kind, string> = {
@@ -21,33 +21,47 @@ export function openEntityTree(context: Context): Panel {
   const tree = h('ul', { class: 'tree', role: 'tree', 'aria-label': 'Entities' });
   const element = h('div', { class: 'entity-tree' }, search, tree);
 
+  // by id: an item stays while the world changes
+  let items = new Map<number, HTMLElement>();
+  let before = items;
+
   const item = (entity: Entity, words: string, level: number): HTMLElement => {
     const children = entity.children.filter((child) => words === '' || matches(child, words));
     const isOpen = words !== '' || open.has(entity.id);
-    const more: Record<string, string> = children.length > 0 ? { 'aria-expanded': String(isOpen) } : {};
-    const row = h('li', {
-      role: 'treeitem', tabindex: -1, 'data-id': entity.id, 'aria-selected': String(selection.id === entity.id),
-      'aria-level': level, 'aria-label': `${entity.name} ${entity.kind}`, ...more,
-    }, h('span', { class: 'row' },
-      h('span', { class: 'twist' }), h('span', { class: 'sign', 'data-sign': kSigns[entity.kind] }),
-      h('span', { class: 'name' }, entity.name)));
+    const row = before.get(entity.id) ?? h('li', { role: 'treeitem', 'data-id': entity.id },
+      h('span', { class: 'row' }, h('span', { class: 'twist' }), h('span', { class: 'sign' }), h('span', { class: 'name' })));
+    items.set(entity.id, row);
+    const sign = row.querySelector<HTMLElement>('.sign')!;
+    sign.dataset.sign = kSigns[entity.kind];
+    row.querySelector('.name')!.textContent = entity.name;
+    row.setAttribute('tabindex', '-1');
+    row.setAttribute('aria-selected', String(selection.id === entity.id));
+    row.setAttribute('aria-level', String(level));
+    row.setAttribute('aria-label', `${entity.name} ${entity.kind}`);
+    if (children.length > 0) row.setAttribute('aria-expanded', String(isOpen));
+    else row.removeAttribute('aria-expanded');
+    const group = row.querySelector(':scope > ul');
     if (children.length > 0 && isOpen) {
-      row.append(h('ul', { role: 'group' }, ...children.map((child) => item(child, words, level + 1))));
+      const shown = group ?? row.appendChild(h('ul', { role: 'group' }));
+      setChildren(shown, children.map((child) => item(child, words, level + 1)));
+    } else {
+      group?.remove();
     }
     return row;
   };
   const show = (): void => {
     const words = search.value.trim().toLowerCase();
     const roots = (world.entities.world?.children ?? []).filter((entity) => words === '' || matches(entity, words));
-    const focused = (document.activeElement as HTMLElement | null)?.closest<HTMLElement>('.tree li')?.dataset.id;
-    tree.replaceChildren(...roots.map((entity) => item(entity, words, 1)));
+    const focused = (document.activeElement as HTMLElement | null)?.closest<HTMLElement>('.tree li');
+    before = items;
+    items = new Map();
+    const shown = roots.map((entity) => item(entity, words, 1));
+    const why = world.scene ? 'No entity has that name' : 'The world has no SceneBroadcaster';
+    setChildren(tree, shown.length > 0 ? shown : [h('li', { role: 'treeitem', class: 'hint' }, why)]);
     const reached = tree.querySelector<HTMLElement>(`li[data-id="${selection.id}"]`) ?? tree.querySelector('li');
     reached?.setAttribute('tabindex', '0');
-    if (focused) tree.querySelector<HTMLElement>(`li[data-id="${focused}"]`)?.focus();
-    if (roots.length === 0) {
-      const why = world.scene ? 'No entity has that name' : 'The world has no SceneBroadcaster';
-      tree.replaceChildren(h('li', { role: 'treeitem', class: 'hint' }, why));
-    }
+    // an item that has been moved has lost it
+    if (focused && document.activeElement !== focused) tree.querySelector<HTMLElement>(`li[data-id="${focused.dataset.id}"]`)?.focus();
   };
   const idOf = (event: Event): number | null => {
     const id = (event.target as HTMLElement).closest<HTMLElement>('li')?.dataset.id;

@@ -1,6 +1,6 @@
 /// The lights of the world: switched, dimmed and added.
 import { Ends, type Context, type Panel } from '../app/context.ts';
-import { h, numberField } from '../app/dom.ts';
+import { h, numberField, setChildren } from '../app/dom.ts';
 import type { Message } from '../connection/types.ts';
 import { lightSdf, type LightType } from './shapes.ts';
 
@@ -68,9 +68,7 @@ export function openLights(context: Context): Panel {
       if (!row.isChanging) row.show({ ...components.message('Light', 'ignition.msgs.Light', connection.types), id, name });
       return [id, row];
     }));
-    const shown = byId.size > 0 ? [...byId.values()].map(({ element }) => element) : [none];
-    const isSame = shown.length === rows.children.length && shown.every((element, i) => element === rows.children[i]);
-    if (!isSame) rows.replaceChildren(...shown);
+    setChildren(rows, byId.size > 0 ? [...byId.values()].map(({ element }) => element) : [none]);
   };
   const change = async (light: Message): Promise<void> => {
     await context.attempt('Light', world.ask('light_config', light));

@@ -11,7 +11,8 @@ export function sdfName(text: string): string | null {
 
 /// Inserts the models of files, such as those dropped on the page.
 export async function spawnFiles(context: Context, files: Iterable<File>): Promise<void> {
-  for (const file of files) {
+  // a list of files is emptied when its field or its event is done with
+  for (const file of [...files]) {
     const text = await file.text();
     if (/<world\b/.test(text)) {
       context.log.add('error', `Spawn: ${file.name} is a world, not a model`);

@@ -37,6 +37,13 @@ export function openTopicEcho(context: Context, settings: Settings): Panel {
       output.textContent = kept.join('\n');
     });
   };
+  const drop = (): void => {
+    kept.length = Math.min(kept.length, Math.max(1, most.valueAsNumber || 1));
+  };
+  most.addEventListener('input', () => {
+    drop();
+    write();
+  });
   const listen = (topic: string): void => {
     stop();
     stop = (): void => {};
@@ -46,7 +53,7 @@ export function openTopicEcho(context: Context, settings: Settings): Panel {
     stop = connection.subscribe(topic, (message: Message, _time, type) => {
       if (isPaused.checked) return;
       kept.unshift(echoText(connection.types.json(type, message)));
-      kept.length = Math.min(kept.length, Math.max(1, most.valueAsNumber || 1));
+      drop();
       write();
     }, true);
   };
