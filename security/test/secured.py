@@ -20,10 +20,20 @@ from test_domain import take_domain  # noqa: E402
 DOMAIN = str(take_domain())
 
 
+# All that runs, for messages of failures.
+_running = []
+
+
+def _told():
+    """What each process has said so far."""
+    return "\n".join(f"{' '.join(each.args[:6])}, code {each.poll()}:\n{each.output()[-500:]}{each.said()[-2000:]}"
+                     for each in _running)
+
+
 def until(condition, what):
     end = time.monotonic() + PATIENCE
     while not (result := condition()):
-        assert time.monotonic() < end, f"waited in vain for {what}"
+        assert time.monotonic() < end, f"waited in vain for {what}\n{_told()}"
         time.sleep(0.02)
     return result
 
@@ -45,6 +55,7 @@ class Place:
         for process in self._running:
             process.kill()
             process.communicate()
+            _running.remove(process)
         self._folder.cleanup()
 
     def run(self, *words, code=0, **environment):
@@ -63,6 +74,7 @@ class Place:
         process.output = name.read_text
         process.said = pathlib.Path(f"{name}.said").read_text
         self._running.append(process)
+        _running.append(process)
         return process
 
     def world(self, *words, file=WORLD, **environment):
