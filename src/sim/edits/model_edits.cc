@@ -86,8 +86,12 @@ std::optional<ModelOrLight> ModelEdits::insertModelOrLight(std::string_view text
 
 std::optional<ModelOrLight> ModelEdits::insertFirstOf(sdf::Root root, const InsertOptions& options,
                                                       Diagnostics& found) {
-  const bool isLight = root.models.empty() && !root.lights.empty() && !found.hasErrors();
-  if (isLight) return insertFirstLight(root, options, found);
+  if (root.models.empty() && !found.hasErrors()) {
+    if (!root.lights.empty()) return insertFirstLight(root, options, found);
+    found.error({}, "there is no model or light to insert",
+                root.actors.empty() ? "put it directly in <sdf>" : "actors can only be loaded with a world");
+    return std::nullopt;
+  }
   if (std::optional<Model> model = insertFirst(std::move(root), options, found)) return *model;
   return std::nullopt;
 }

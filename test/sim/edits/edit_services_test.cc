@@ -167,6 +167,7 @@ TEST_F(EditServicesTest, CreateChangeAndRemoveLights) {
   EXPECT_EQ(scene().light(3).pose().position().z(), 3);
   EXPECT_NE(create(spot).find("there is a 'spot' in the world already"), std::string::npos);
   EXPECT_NE(create(spot + ", name: 'a::b'").find("'::'"), std::string::npos);
+  EXPECT_EQ(create("sdf: \"<sdf version='1.9'><actor name='a'/></sdf>\""), "there is no model or light to insert");
   EXPECT_NE(refusal("create_multiple", "EntityFactory_V", "data {" + spot + ", name: 'a'} data {" + spot + "}"), "");
   EXPECT_EQ(scene().light_size(), 4) << "all or none";
   EXPECT_EQ(refusal("remove", "Entity", "name: 'spot', type: LIGHT"), "");
