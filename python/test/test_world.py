@@ -110,6 +110,19 @@ def test_models_come_and_go(ball, tmp_path):
     assert ball.model_names == ["ground", "ball", "arm"]
 
 
+def test_several_models_go_at_once_or_none(ball):
+    ball.remove(ball.model("arm"), ball.model("ball"), ball.model("arm"))
+    assert ball.model_names == ["ground"]
+    crates = [ball.insert(BOX, name=f"crate{i}") for i in range(3)]
+    ball.remove(crates[1])
+    with pytest.raises(pongsim.Refused):
+        ball.remove(*crates)
+    with pytest.raises(TypeError, match="only models"):
+        ball.remove(crates[0], "crate2")
+    assert ball.model_names == ["ground", "crate0", "crate2"]
+    ball.step()
+
+
 def test_a_model_of_another_simulation_is_refused(ball):
     with pongsim.Simulation("<sdf version='1.9'><world name='x'/></sdf>") as other:
         with pytest.raises(ValueError, match="another simulation"):

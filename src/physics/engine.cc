@@ -56,6 +56,8 @@ struct Engine::Parts final : GroupWork {
   void prepareHulls();
   void addJoints();
   void remove(const world::Removal& removal);
+  /// Takes the bodies of these links out of the world.
+  void takeOut(const std::vector<world::Slot>& links);
   /// Tells bodies and joints of their slots, and the world of who moves.
   void renumber();
   /// As `renumber`, where nothing before these has changed.
@@ -128,11 +130,7 @@ void keepFirst(std::atomic<world::Slot>& first, world::Slot link) {
 
 }  // namespace
 
-Engine::Parts::~Parts() {
-  for (const auto& body : bodies) {
-    if (body->rigid().getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&body->rigid());
-  }
-}
+Engine::Parts::~Parts() { world.bullet().clear(); }
 
 void Engine::Parts::prepare(std::span<btCollisionObject* const> groupBodies,
                             std::span<btTypedConstraint* const> groupJoints, double seconds) {
@@ -208,10 +206,7 @@ void Engine::Parts::remove(const world::Removal& removal) {
     freed.push_back(&joints[slot]->getRigidBodyA());
     freed.push_back(&joints[slot]->getRigidBodyB());
   }
-  for (const world::Slot slot : removal.links) {
-    btRigidBody& rigid = bodies[slot]->rigid();
-    if (rigid.getBroadphaseHandle() != nullptr) world.bullet().removeRigidBody(&rigid);
-  }
+  takeOut(removal.links);
   frictionFrames.remove(removal.links);
   world::eraseSlots(joints, removal.joints);
   // a body that has gone has no place in the broad phase any more, and must live until that has been looked at
@@ -221,7 +216,20 @@ void Engine::Parts::remove(const world::Removal& removal) {
   renumberFrom(removal.links.empty() ? bodies.size() : removal.links.front(),
                removal.joints.empty() ? joints.size() : removal.joints.front());
   filter.update();
+  std::erase_if(freed, [](const btRigidBody* body) { return body->getBroadphaseHandle() == nullptr; });
+  std::ranges::sort(freed, {}, [this](const btRigidBody* body) { return bodyOf(*body).link(); });
+  const auto repeated = std::ranges::unique(freed);
+  freed.erase(repeated.begin(), repeated.end());
   for (btRigidBody* body : freed) world.findPairsOf(*body);
+}
+
+void Engine::Parts::takeOut(const std::vector<world::Slot>& links) {
+  std::vector<btRigidBody*> present;
+  for (const world::Slot link : links) {
+    btRigidBody& rigid = bodies[link]->rigid();
+    if (rigid.getBroadphaseHandle() != nullptr) present.push_back(&rigid);
+  }
+  world.bullet().remove(present);
 }
 
 void Engine::Parts::renumber() {
@@ -424,11 +432,11 @@ std::vector<SetAside> Engine::setAside(const world::GroupSlots& groups) {
       result[group].content_->touches.push_back({parts.bodies[a]->id(), parts.bodies[b]->id(), points});
     }
   }
+  std::vector<world::Slot> going;
   for (world::Slot link = 0; link < parts.bodies.size(); ++link) {
-    btRigidBody& rigid = parts.bodies[link]->rigid();
-    const bool goes = groupOf[link] != result.size();
-    if (goes && rigid.getBroadphaseHandle() != nullptr) parts.world.bullet().removeRigidBody(&rigid);
+    if (groupOf[link] != result.size()) going.push_back(link);
   }
+  parts.takeOut(going);
   auto bodies = world::takeSlots(parts.bodies, groups.links);
   auto joints = world::takeSlots(parts.joints, groups.joints);
   for (std::size_t group = 0; group < result.size(); ++group) {

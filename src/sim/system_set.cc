@@ -237,7 +237,7 @@ void SystemSet::load(world::Slot model, Diagnostics& diagnostics) {
 }
 
 void SystemSet::unload(const std::vector<ModelId>& models) {
-  slots_.remove_if([&](const SystemSlot& slot) { return std::ranges::find(models, slot.model()) != models.end(); });
+  slots_.remove_if([&](const SystemSlot& slot) { return std::ranges::binary_search(models, slot.model()); });
   unloaded_.insert(unloaded_.end(), models.begin(), models.end());
   collectAwake();
 }

@@ -105,12 +105,12 @@ struct ModelRecord {
 /// @return The id of a visual of the link.
 inline VisualId visualId(const LinkRecord& link, std::size_t visual) { return VisualId{link.id.value + 1 + visual}; }
 
-/// Removed entities: their former slots, in ascending order. Keeps their descriptions alive.
+/// Removed entities: their former slots and their ids, in ascending order. Keeps their descriptions alive.
 struct Removal {
   std::vector<Slot> links;
   std::vector<Slot> joints;
   std::vector<ModelId> models;
-  std::shared_ptr<const void> descriptions;
+  std::vector<std::shared_ptr<const void>> descriptions;
 };
 
 /// Removes the entries at these slots, in ascending order, from an array; those behind move up.
@@ -256,8 +256,10 @@ class Entities {
   /// @throws std::invalid_argument like the constructor; then nothing is added.
   Slot insertJoint(std::shared_ptr<const description::Joint> joint, std::optional<JointId> id = std::nullopt);
 
-  /// Removes a top-level model with all its parts, and joints connected to its links.
-  Removal removeModel(Slot model);
+  /// Removes top-level models with all their parts, and joints connected to their links.
+  /// @param models In ascending order. However many, all records behind the first one move up only once.
+  Removal removeModels(const std::vector<Slot>& models);
+  Removal removeModel(Slot model) { return removeModels({model}); }
   Removal removeJoint(Slot joint);
 
   /// Adds a light to the world.

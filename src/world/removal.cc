@@ -48,19 +48,23 @@ void moveUp(std::vector<Slot>& slots, const std::vector<Slot>& gone) {
 
 }  // namespace
 
-Removal Entities::removeModel(Slot model) {
-  const std::uint64_t first = models_[model].id.value;
-  const std::uint64_t last = models_[model].lastId;
+Removal Entities::removeModels(const std::vector<Slot>& models) {
   Removal removal;
-  removal.descriptions = models_[model].owner;
+  if (models.empty()) return removal;
   Gone gone;
-  noteSlots(models_, first, last, gone.models);
-  noteSlots(links_, first, last, gone.links);
-  noteSlots(collisions_, first, last, gone.collisions);
-  noteSlots(lights_, first, last, gone.lights);
-  std::uint64_t from = first;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> joints;
+  for (const Slot model : models) {
+    const std::uint64_t first = models_[model].id.value;
+    const std::uint64_t last = models_[model].lastId;
+    removal.descriptions.push_back(models_[model].owner);
+    noteSlots(models_, first, last, gone.models);
+    noteSlots(links_, first, last, gone.links);
+    noteSlots(collisions_, first, last, gone.collisions);
+    noteSlots(lights_, first, last, gone.lights);
+    joints.emplace_back(first, last);
+  }
+  std::uint64_t from = models_[models.front()].id.value;
   const auto goes = [&](Slot link) { return std::ranges::binary_search(gone.links, link); };
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> joints{{first, last}};
   for (const JointId id : worldJoints_) {
     const JointRecord& joint = joints_[slot(id)];
     if (!goes(joint.parentLink) && !goes(joint.childLink) && !goes(joint.referenceLink)) continue;
@@ -82,7 +86,7 @@ Removal Entities::removeModel(Slot model) {
 Removal Entities::removeJoint(Slot joint) {
   Removal removal;
   removal.joints = {joint};
-  removal.descriptions = joints_[joint].owner;
+  removal.descriptions = {joints_[joint].owner};
   const std::uint64_t id = joints_[joint].id.value;
   Slot root = joints_[joint].model;
   while (root != kNoSlot && models_[root].parent != kNoSlot) root = models_[root].parent;
@@ -109,9 +113,7 @@ void Entities::erase(std::vector<Record>& records, const std::vector<Slot>& slot
 
 void Entities::remove(const Gone& gone, std::uint64_t from) {
   for (const Slot model : gone.models) modelOfName_.erase(models_[model].scopedName);
-  for (const Slot joint : gone.joints) {
-    if (joints_[joint].model == kNoSlot) std::erase(worldJoints_, joints_[joint].id);
-  }
+  std::erase_if(worldJoints_, [&](JointId id) { return std::ranges::binary_search(gone.joints, slot(id)); });
   erase(models_, gone.models);
   erase(links_, gone.links);
   erase(joints_, gone.joints);

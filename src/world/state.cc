@@ -44,9 +44,8 @@ void State::remove(const Removal& removal) {
   eraseSlots(links, removal.links);
   eraseSlots(joints, removal.joints);
   for (const ModelId model : removal.models) actuators.erase(model);
-  std::erase_if(batteries, [&](const BatteryState& battery) {
-    return std::ranges::find(removal.models, battery.model) != removal.models.end();
-  });
+  std::erase_if(batteries,
+                [&](const BatteryState& battery) { return std::ranges::binary_search(removal.models, battery.model); });
 }
 
 std::vector<StatePart> State::setAside(const GroupSlots& groups) {

@@ -69,6 +69,8 @@ void measureWhole(const std::string& world, Times& times) {
   std::unique_ptr<Simulation> simulation;
   times.emplace_back("loading", timeOf([&] { simulation = simulationOf(world); }));
   times.emplace_back("first step", timeOf([&] { simulation->step(); }));
+  constexpr int kSteps = 10;
+  times.emplace_back("a later step", timeOf([&] { simulation->step(kSteps); }) / kSteps);
   const World handle = simulation->world();
   times.emplace_back("scene", timeOf([&] {
                        ignition::msgs::Scene message;
@@ -86,18 +88,23 @@ void measureWhole(const std::string& world, Times& times) {
   times.emplace_back("ending", timeOf([&] { simulation.reset(); }));
 }
 
-/// Costs of filling a world and emptying it, one model at a time.
+/// Costs of filling a world and emptying it, one model at a time and all at once.
 void measureEdits(int count, Times& times) {
   const std::unique_ptr<Simulation> simulation = simulationOf(shapesWorld(0));
   std::vector<std::string> texts;
   for (int i = 0; i < count; ++i) texts.push_back("<sdf version=\"1.6\">" + shapeModel(i) + "</sdf>");
   Diagnostics diagnostics;
   std::vector<Model> models;
-  times.emplace_back("inserting one by one", timeOf([&] {
-                       for (const std::string& text : texts) {
-                         models.push_back(simulation->insertText(text, "shape.sdf", {}, diagnostics).value());
-                       }
-                     }));
+  const auto insertAll = [&] {
+    for (const std::string& text : texts) {
+      models.push_back(simulation->insertText(text, "shape.sdf", {}, diagnostics).value());
+    }
+  };
+  times.emplace_back("inserting one by one", timeOf(insertAll));
+  times.emplace_back("removing all at once", timeOf([&] { expect(simulation->remove(models)); }));
+  models.clear();
+  insertAll();
+  simulation->step();
   times.emplace_back("removing the last each time", timeOf([&] {
                                                       for (int i = 0; i < count / 2; ++i) {
                                                         expect(simulation->remove(models.back()));

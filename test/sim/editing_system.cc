@@ -8,8 +8,8 @@
 namespace pongsim::test {
 
 /// Edits the world on messages on /edit: "template NAME", "text SDF", "file FILE", "read SDF", "find ADDRESS", "copy
-/// MODEL", "remove MODEL", at once or, after "step ", in the next step's update. Publishes the result on /edited,
-/// except after "silent ".
+/// MODEL", "remove MODEL", "remove itself", at once or, after "step ", in the next step's update. Publishes the result
+/// on /edited, except after "silent ".
 class Editing : public System {
  public:
   void declare(Declaration& declaration) override {
@@ -21,6 +21,7 @@ class Editing : public System {
   void configure(const SystemContext& context) override {
     world_ = &context.world;
     edits_ = &context.edits;
+    model_ = context.model;
     if (const Element* sdf = context.sdf.child("sdf")) template_ = context.edits.read(*sdf, context.diagnostics);
     edit_ = context.node.subscribe<ignition::msgs::StringMsg>("/edit", [this](const auto& message) {
       if (message.data().starts_with("step ")) {
@@ -65,6 +66,8 @@ class Editing : public System {
       tell(edits_->resolve(rest).value_or("nothing").string());
     } else if (verb == "copy") {
       edits_->insertCopy(*world_->model(rest), {.allowRenaming = true}, std::move(inserted));
+    } else if (rest == "itself") {
+      edits_->remove(*model_, std::move(removed));
     } else {
       edits_->remove(*world_->model(rest), std::move(removed));
     }
@@ -89,6 +92,7 @@ class Editing : public System {
 
   World* world_ = nullptr;
   WorldEdits* edits_ = nullptr;
+  std::optional<Model> model_;
   std::optional<ModelTemplate> template_;
   std::string waiting_;
   Subscription edit_;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <random>
 #include <string>
@@ -33,6 +34,30 @@ TEST(Removal, TakesAModelWithItsPartsAndTheJointsThatHoldIt) {
   EXPECT_EQ(entities.sensors()[0].link, 0U);
   EXPECT_EQ(entities.topLevelModels(), (std::vector<Slot>{0}));
   expectWhole(entities);
+}
+
+TEST(Removal, TakesSeveralModelsAtOnceLikeOneAfterTheOther) {
+  description::World world = nestedWorld();
+  for (const char* name : {"more", "last"}) {
+    world.models.push_back(world.models[0]);
+    world.models.back().name = name;
+  }
+  Entities atOnce(world), inTurn(world);
+  const std::vector<Slot> slots{atOnce.findModel("outer"), atOnce.findModel("more")};
+  const Removal removal = atOnce.removeModels(slots);
+  EXPECT_EQ(removal.links, (std::vector<Slot>{0, 1, 2, 4, 5, 6}));
+  EXPECT_EQ(removal.models.size(), 4U);
+  EXPECT_TRUE(std::ranges::is_sorted(removal.models));
+  inTurn.removeModel(inTurn.findModel("more"));
+  inTurn.removeModel(inTurn.findModel("outer"));
+  ASSERT_EQ(atOnce.models().size(), inTurn.models().size());
+  for (Slot slot = 0; slot < atOnce.models().size(); ++slot) {
+    EXPECT_EQ(atOnce.models()[slot].scopedName, inTurn.models()[slot].scopedName);
+    EXPECT_EQ(atOnce.models()[slot].id, inTurn.models()[slot].id);
+    EXPECT_EQ(atOnce.models()[slot].links, inTurn.models()[slot].links);
+  }
+  expectWhole(atOnce);
+  EXPECT_TRUE(atOnce.removeModels({}).models.empty());
 }
 
 TEST(Removal, TakesAModelWithoutLinks) {
@@ -102,8 +127,9 @@ TEST(Removal, TakesNothingElseWhateverGoesFirst) {
         const Slot light = random() % entities.lights().size();
         if (entities.lights()[light].link == kNoSlot) entities.removeLight(light);
       } else {
-        const std::vector<Slot>& models = entities.topLevelModels();
-        entities.removeModel(models[random() % models.size()]);
+        std::vector<Slot> some;
+        std::ranges::sample(entities.topLevelModels(), std::back_inserter(some), 1 + random() % 3, random);
+        entities.removeModels(some);
       }
       expectWhole(entities);
     }

@@ -2,6 +2,7 @@
 
 #include <LinearMath/btAabbUtil2.h>
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -30,10 +31,12 @@ class PairFinder final : public btDbvt::ICollide {
   btDbvtProxy& proxy_;
 };
 
-/// The trees' numbers are those of Bullet's stages, of which only the first and the last are used.
-bool forcesMove(const btDbvtProxy& proxy) { return proxy.stage != btDbvtBroadphase::STAGECOUNT; }
-
 }  // namespace
+
+// the trees' numbers are those of Bullet's stages, of which only the first and the last are used
+btDbvt& BroadPhase::treeOf(const btDbvtProxy& proxy) {
+  return m_sets[proxy.stage == STAGECOUNT ? FIXED_SET : DYNAMIC_SET];
+}
 
 btBroadphaseProxy* BroadPhase::createProxy(const btVector3& lowest, const btVector3& highest, int /*shape*/,
                                            void* object, int group, int mask, btDispatcher* /*dispatcher*/) {
@@ -41,10 +44,36 @@ btBroadphaseProxy* BroadPhase::createProxy(const btVector3& lowest, const btVect
   auto* proxy = new (place) btDbvtProxy(lowest, highest, object, group, mask);
   proxy->m_uniqueId = ++m_gid;
   proxy->stage = (group & btBroadphaseProxy::StaticFilter) != 0 ? STAGECOUNT : 0;
-  proxy->leaf =
-      m_sets[forcesMove(*proxy) ? DYNAMIC_SET : FIXED_SET].insert(btDbvtVolume::FromMM(lowest, highest), proxy);
+  btDbvt& tree = treeOf(*proxy);
+  proxy->leaf = tree.insert(btDbvtVolume::FromMM(lowest, highest), proxy);
+  balance_.keepShallow(tree, *proxy->leaf);
   findPairs(*proxy);
   return proxy;
+}
+
+void BroadPhase::destroyProxy(btBroadphaseProxy* absolute, btDispatcher* /*dispatcher*/) {
+  auto* proxy = static_cast<btDbvtProxy*>(absolute);
+  treeOf(*proxy).remove(proxy->leaf);
+  btAlignedFree(proxy);
+}
+
+// backwards, because the last pair takes the place of a removed one
+template <class Goes>
+void BroadPhase::removePairsIf(const Goes& goes, btDispatcher& dispatcher) {
+  for (int i = m_paircache->getNumOverlappingPairs() - 1; i >= 0; --i) {
+    const btBroadphasePair& pair = m_paircache->getOverlappingPairArrayPtr()[i];
+    if (goes(pair)) m_paircache->removeOverlappingPair(pair.m_pProxy0, pair.m_pProxy1, &dispatcher);
+  }
+}
+
+void BroadPhase::removePairs(std::vector<const btBroadphaseProxy*> proxies, btDispatcher& dispatcher) {
+  std::ranges::sort(proxies);
+  const auto goes = [&](const btBroadphaseProxy* proxy) { return std::ranges::binary_search(proxies, proxy); };
+  removePairsIf([&](const btBroadphasePair& pair) { return goes(pair.m_pProxy0) || goes(pair.m_pProxy1); }, dispatcher);
+}
+
+void BroadPhase::removePairs(btDispatcher& dispatcher) {
+  removePairsIf([](const btBroadphasePair&) { return true; }, dispatcher);
 }
 
 void BroadPhase::setAabb(btBroadphaseProxy* absolute, const btVector3& lowest, const btVector3& highest,
@@ -72,7 +101,9 @@ void BroadPhase::leave(btBroadphaseProxy& absolute, const btVector3& way) {
 }
 
 void BroadPhase::put(btDbvtProxy& proxy, btDbvtVolume volume) {
-  m_sets[forcesMove(proxy) ? DYNAMIC_SET : FIXED_SET].update(proxy.leaf, volume);
+  btDbvt& tree = treeOf(proxy);
+  tree.update(proxy.leaf, volume);
+  balance_.keepShallow(tree, *proxy.leaf);
   findPairs(proxy);
 }
 

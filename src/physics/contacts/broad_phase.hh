@@ -3,8 +3,10 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include <utility>
+#include <vector>
 
 #include "base/prefetch.hh"
+#include "physics/contacts/tree_balance.hh"
 
 namespace pongsim::physics {
 
@@ -17,6 +19,12 @@ class BroadPhase final : public btDbvtBroadphase {
  public:
   btBroadphaseProxy* createProxy(const btVector3& lowest, const btVector3& highest, int shape, void* object, int group,
                                  int mask, btDispatcher* dispatcher) override;
+  /// For a body whose pairs have been removed.
+  void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
+  /// Removes all pairs of these bodies, with their contacts, in one pass.
+  void removePairs(std::vector<const btBroadphaseProxy*> proxies, btDispatcher& dispatcher);
+  /// Removes all pairs.
+  void removePairs(btDispatcher& dispatcher);
   /// For a body that jumps to another place.
   void setAabb(btBroadphaseProxy* proxy, const btVector3& lowest, const btVector3& highest,
                btDispatcher* dispatcher) override;
@@ -48,8 +56,12 @@ class BroadPhase final : public btDbvtBroadphase {
   static bool areNear(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
  private:
+  template <class Goes>
+  void removePairsIf(const Goes& goes, btDispatcher& dispatcher);
+  btDbvt& treeOf(const btDbvtProxy& proxy);
   void put(btDbvtProxy& proxy, btDbvtVolume volume);
 
+  TreeBalance balance_;
   bool haveNewPairs_ = false;
 };
 

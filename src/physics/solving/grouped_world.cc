@@ -66,8 +66,8 @@ void GroupedWorld::setBodies(std::size_t first, std::span<btRigidBody* const> bo
   endsAreOld_ = true;
   rest_.resize(first, bodies_.size());
   boxes_.resize(first, bodies_.size());
-  damped_.clear();
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  damped_.erase(std::ranges::lower_bound(damped_, first), damped_.end());
+  for (std::size_t i = first; i < bodies_.size(); ++i) {
     if (isDamped(*bodies_[i])) damped_.push_back(i);
   }
 }
@@ -76,6 +76,37 @@ void GroupedWorld::setJoints(std::size_t first, std::span<btTypedConstraint* con
   joints_.resize(first);
   joints_.insert(joints_.end(), joints.begin(), joints.end());
   endsAreOld_ = true;
+}
+
+void GroupedWorld::remove(std::span<btRigidBody* const> bodies) {
+  if (bodies.empty()) return;
+  std::vector<const btBroadphaseProxy*> proxies;
+  for (const btRigidBody* body : bodies) proxies.push_back(body->getBroadphaseProxy());
+  broadPhase_.removePairs(std::move(proxies), dispatcher_);
+  for (btRigidBody* body : bodies) {
+    broadPhase_.destroyProxy(body->getBroadphaseProxy(), &dispatcher_);
+    body->setBroadphaseHandle(nullptr);
+    // the last object takes its place
+    const int index = body->getWorldArrayIndex();
+    m_collisionObjects.swap(index, m_collisionObjects.size() - 1);
+    m_collisionObjects.pop_back();
+    if (index < m_collisionObjects.size()) m_collisionObjects[index]->setWorldArrayIndex(index);
+    body->setWorldArrayIndex(-1);
+  }
+  int kept = 0;
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+    btRigidBody* const body = m_nonStaticRigidBodies[i];
+    if (body->getBroadphaseHandle() != nullptr) m_nonStaticRigidBodies[kept++] = body;
+  }
+  m_nonStaticRigidBodies.resize(kept);
+}
+
+void GroupedWorld::clear() {
+  broadPhase_.removePairs(dispatcher_);
+  m_nonStaticRigidBodies.clear();
+  while (m_collisionObjects.size() > 0) {
+    btCollisionWorld::removeCollisionObject(m_collisionObjects[m_collisionObjects.size() - 1]);
+  }
 }
 
 void GroupedWorld::forgetBox(const btRigidBody& body) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -367,7 +368,13 @@ std::optional<std::filesystem::path> Simulation::resolve(const std::string& addr
   return assets::finderIn(parts_->places)(address, std::filesystem::path(), {}, none);
 }
 
-std::optional<std::string> Simulation::remove(const Model& model) { return parts_->edits.remove(model.id()); }
+std::optional<std::string> Simulation::remove(const Model& model) { return remove(std::span(&model, 1)); }
+
+std::optional<std::string> Simulation::remove(std::span<const Model> models) {
+  std::vector<ModelId> ids;
+  for (const Model& model : models) ids.push_back(model.id());
+  return parts_->edits.remove(ids);
+}
 
 std::optional<std::string> Simulation::addPerformer(const std::string& model) {
   if (model.empty()) return "no model is given";

@@ -1,6 +1,10 @@
 #include "sim/edits/edit_queue.hh"
 
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "sim/diagnostic_log.hh"
 #include "sim/system_slot.hh"
@@ -18,38 +22,67 @@ void EditQueue::remove(SystemSlot& owner, ModelId model, WorldEdits::Removed rem
 void EditQueue::carryOut() {
   const std::uint64_t end = nextNumber_;
   while (!requests_.empty() && requests_.front().number < end) {
-    const Request request = std::move(requests_.front());
-    requests_.pop_front();
-    owner_ = request.owner;
-    std::visit([this](const auto& what) { carryOut(what); }, request.what);
+    if (std::holds_alternative<Insertion>(requests_.front().what)) {
+      insertFirst();
+    } else {
+      removeFirst(end);
+    }
+    current_.clear();
   }
-  owner_ = nullptr;
 }
 
-void EditQueue::carryOut(const Insertion& request) {
+void EditQueue::takeFirst() {
+  current_.push_back(std::move(requests_.front()));
+  requests_.pop_front();
+}
+
+void EditQueue::insertFirst() {
+  takeFirst();
+  const Request& request = current_.front();
+  const auto& [insert, inserted] = std::get<Insertion>(request.what);
   Diagnostics diagnostics;
-  std::optional<Model> model = request.insert(edits_, diagnostics);
-  if (owner_ == nullptr) return;
-  const std::string error = logWarnings(diagnostics, owner_->log());
-  if (request.inserted) {
-    owner_->answer([&] { request.inserted({model, error}); });
+  std::optional<Model> model = insert(edits_, diagnostics);
+  if (request.owner == nullptr) return;
+  const std::string error = logWarnings(diagnostics, request.owner->log());
+  if (inserted) {
+    request.owner->answer([&] { inserted({model, error}); });
   } else if (!model) {
-    owner_->log().warning("a model can't be inserted: " + error);
+    request.owner->log().warning("a model can't be inserted: " + error);
   }
 }
 
-void EditQueue::carryOut(const RemovalOf& request) {
-  const std::optional<std::string> refusal = edits_.remove(request.model);
-  if (owner_ == nullptr) return;
-  if (request.removed) {
-    owner_->answer([&] { request.removed(refusal); });
-  } else if (refusal) {
-    owner_->log().warning("a model can't be removed: " + *refusal);
+// All removals up to the next insertion at once: each one alone would move up all entities behind it. Requests of a
+// system that goes with one of these models are left, to be forgotten.
+void EditQueue::removeFirst(std::uint64_t end) {
+  std::vector<std::optional<std::string>> refusals;
+  std::vector<ModelId> models;
+  std::set<ModelId> gone;
+  while (!requests_.empty() && requests_.front().number < end) {
+    const auto* removal = std::get_if<RemovalOf>(&requests_.front().what);
+    if (removal == nullptr || gone.contains(edits_.topLevel(requests_.front().owner->model()))) break;
+    const bool isAgain = gone.contains(removal->model);
+    refusals.push_back(isAgain ? std::string(ModelEdits::kNoLongerThere) : edits_.refusalToRemove(removal->model));
+    if (!refusals.back()) gone.insert(removal->model);
+    takeFirst();
+  }
+  edits_.remove(std::vector<ModelId>(gone.begin(), gone.end()));
+  for (std::size_t i = 0; i < current_.size(); ++i) {
+    // an answer may remove systems, and with them owners of what follows
+    const Request& request = current_[i];
+    if (request.owner == nullptr) continue;
+    const auto& removed = std::get<RemovalOf>(request.what).removed;
+    if (removed) {
+      request.owner->answer([&] { removed(refusals[i]); });
+    } else if (refusals[i]) {
+      request.owner->log().warning("a model can't be removed: " + *refusals[i]);
+    }
   }
 }
 
 void EditQueue::forget(const SystemSlot& owner) {
-  if (owner_ == &owner) owner_ = nullptr;
+  for (Request& request : current_) {
+    if (request.owner == &owner) request.owner = nullptr;
+  }
   std::erase_if(requests_, [&](const Request& request) { return request.owner == &owner; });
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "pongsim/diagnostic.hh"
 #include "pongsim/world_edits.hh"
@@ -50,14 +51,17 @@ class EditQueue {
     std::variant<Insertion, RemovalOf> what;
   };
 
-  void carryOut(const Insertion& request);
-  void carryOut(const RemovalOf& request);
+  void insertFirst();
+  /// @param end Number of the first request that has to wait.
+  void removeFirst(std::uint64_t end);
+  /// Moves the first request to those being carried out.
+  void takeFirst();
 
   ModelEdits& edits_;
   std::deque<Request> requests_;
   std::uint64_t nextNumber_ = 0;
-  /// Owner of the current request; null if it was removed by that request.
-  SystemSlot* owner_ = nullptr;
+  /// Requests being carried out. The owner of one is null if it was removed by them.
+  std::vector<Request> current_;
 };
 
 }  // namespace pongsim::sim

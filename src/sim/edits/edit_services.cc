@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "base/nearest_word.hh"
 #include "msgs/control/control_messages.hh"
@@ -136,7 +137,7 @@ ServiceAnswer EditServices::createMultiple(const Message& request) {
     const std::optional<std::string> error = insert(asked, inserted);
     if (!error) continue;
     const std::string number = std::to_string(inserted.models.size() + inserted.lights.size() + 1);
-    for (const Model& model : inserted.models) simulation_.remove(model);
+    simulation_.remove(inserted.models);
     for (const std::string& light : inserted.lights) simulation_.removeLight({}, light);
     return ServiceAnswer::refused("number " + number + ": " + *error);
   }
@@ -144,21 +145,21 @@ ServiceAnswer EditServices::createMultiple(const Message& request) {
 }
 
 std::optional<Model> EditServices::find(const msgs::EntityName& asked, std::string& error) {
-  std::vector<std::string_view> names;
-  const std::vector<Model> models = simulation_.world().models();
-  for (const Model& model : models) {
-    if (asked.id != 0 ? model.id().value == asked.id : model.name() == asked.name) return model;
-    names.push_back(model.name());
-  }
+  const World world = simulation_.world();
+  const std::optional<Model> found = asked.id != 0 ? world.model(ModelId{asked.id}) : world.model(asked.name);
+  if (found && !found->parent()) return found;
   if (asked.id != 0) {
     error = "there is no top-level model with the id " + std::to_string(asked.id);
   } else if (asked.name.empty()) {
     error = "give a name or an id";
-  } else if (simulation_.world().model(asked.name)) {
+  } else if (found) {
     error = "'" + asked.name + "' is nested in another model";
   } else if (simulation_.isSetAside(asked.name)) {
     error = "model '" + asked.name + "' is in a level that is not loaded";
   } else {
+    std::vector<std::string_view> names;
+    const std::vector<Model> models = world.models();
+    for (const Model& model : models) names.push_back(model.name());
     const std::string nearest = base::didYouMean(asked.name, names);
     error = "there is no model '" + asked.name + "'" + (nearest.empty() ? "" : "; " + nearest);
   }

@@ -45,8 +45,8 @@ world::Slot Editor::insert(std::shared_ptr<const description::Model> model) {
   return slot;
 }
 
-std::vector<ModelId> Editor::remove(world::Slot model) {
-  const world::Removal removal = access_.entities.removeModel(model);
+std::vector<ModelId> Editor::remove(const std::vector<world::Slot>& models) {
+  const world::Removal removal = access_.entities.removeModels(models);
   access_.engine.remove(removal);
   access_.state.remove(removal);
   access_.noteChange();

@@ -29,9 +29,9 @@ class Editor {
   /// @return Its slot.
   world::Slot insert(std::shared_ptr<const description::Model> model);
 
-  /// @param model At the top level.
-  /// @return The removed models: the model and its nested models.
-  std::vector<ModelId> remove(world::Slot model);
+  /// @param models At the top level, in ascending order.
+  /// @return The removed models, nested ones too, in ascending order.
+  std::vector<ModelId> remove(const std::vector<world::Slot>& models);
 
   /// @return Why it was refused, or nothing.
   std::optional<std::string> setPose(world::Slot model, const Pose& X_WorldModel, AfterMove after);

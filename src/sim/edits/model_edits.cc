@@ -1,5 +1,7 @@
 #include "sim/edits/model_edits.hh"
 
+#include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -180,7 +182,7 @@ std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model>
   const Model inserted = World(access_).model(access_.entities.models()[slot].id).value();
   if (systems_ != nullptr) systems_->load(slot, diagnostics);
   if (diagnostics.hasErrors()) {
-    systems_->unload(editor.remove(slot));
+    systems_->unload(editor.remove({slot}));
     access_.hasChanged = false;
     return std::nullopt;
   }
@@ -188,15 +190,36 @@ std::optional<Model> ModelEdits::insertOwned(std::shared_ptr<description::Model>
   return inserted;
 }
 
-std::optional<std::string> ModelEdits::remove(ModelId model) {
+ModelId ModelEdits::topLevel(ModelId model) const {
+  world::Slot slot = access_.entities.slot(model);
+  if (slot == world::kNoSlot) return {};
+  const std::vector<world::ModelRecord>& models = access_.entities.models();
+  while (models[slot].parent != world::kNoSlot) slot = models[slot].parent;
+  return models[slot].id;
+}
+
+std::optional<std::string> ModelEdits::refusalToRemove(ModelId model) const {
   const world::Slot slot = access_.entities.slot(model);
-  if (slot == world::kNoSlot) return "the model no longer exists";
+  if (slot == world::kNoSlot) return std::string(kNoLongerThere);
   const world::ModelRecord& record = access_.entities.models()[slot];
   if (record.parent != world::kNoSlot) {
     return "model '" + record.scopedName + "' is part of '" + access_.entities.models()[record.parent].scopedName +
            "' and can't be removed alone";
   }
-  const std::vector<ModelId> gone = Editor(access_).remove(slot);
+  return std::nullopt;
+}
+
+std::optional<std::string> ModelEdits::remove(std::span<const ModelId> models) {
+  std::vector<world::Slot> slots;
+  for (const ModelId model : models) {
+    if (auto refusal = refusalToRemove(model)) return refusal;
+    slots.push_back(access_.entities.slot(model));
+  }
+  if (slots.empty()) return std::nullopt;
+  std::ranges::sort(slots);
+  const auto repeated = std::ranges::unique(slots);
+  slots.erase(repeated.begin(), repeated.end());
+  const std::vector<ModelId> gone = Editor(access_).remove(slots);
   if (systems_ != nullptr) systems_->unload(gone);
   announceChanges();
   return std::nullopt;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -41,8 +42,14 @@ class ModelEdits {
   /// @param model The model to insert, except for what the options replace.
   std::optional<Model> insert(const description::Model& model, const InsertOptions& options, Diagnostics& diagnostics);
 
+  static constexpr std::string_view kNoLongerThere = "the model no longer exists";
+  /// @return The model that it is part of, or itself; 0 if there is none.
+  ModelId topLevel(ModelId model) const;
+  /// @return Why the model can't be removed, or nothing.
+  std::optional<std::string> refusalToRemove(ModelId model) const;
+  /// Removes all of the models or, if one can't be removed, none.
   /// @return Why it was refused, or nothing.
-  std::optional<std::string> remove(ModelId model);
+  std::optional<std::string> remove(std::span<const ModelId> models);
 
   /// @return The first model of an `<sdf>` element; null on errors. Likewise below.
   std::shared_ptr<const description::Model> read(const Element& sdf, Diagnostics& diagnostics) const;

@@ -1,5 +1,7 @@
 #include "physics/contacts/broad_phase.hh"
 
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -81,6 +83,24 @@ TEST(BroadPhase, SaysOnceThatPairsHaveCome) {
   EXPECT_FALSE(row.broadPhase.takeNewPairs());
   row.broadPhase.setAabb(&a, Row::low(0.1), Row::high(0.1), nullptr);
   EXPECT_FALSE(row.broadPhase.takeNewPairs());
+}
+
+TEST(BroadPhase, RemovesThePairsOfSomeBodiesOrOfAll) {
+  Row row;
+  btBroadphaseProxy& a = row.add(0);
+  btBroadphaseProxy& b = row.add(0.3);
+  btBroadphaseProxy& c = row.add(0.6);
+  btBroadphaseProxy& d = row.add(0.9);
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  row.broadPhase.removePairs({&d, &a}, dispatcher);
+  EXPECT_EQ(row.broadPhase.getOverlappingPairCache()->getNumOverlappingPairs(), 1);
+  EXPECT_TRUE(row.isPair(b, c));
+  row.broadPhase.findPairs(a);
+  EXPECT_TRUE(row.isPair(a, b));
+  EXPECT_TRUE(row.isPair(a, d));
+  row.broadPhase.removePairs(dispatcher);
+  EXPECT_EQ(row.broadPhase.getOverlappingPairCache()->getNumOverlappingPairs(), 0);
 }
 
 TEST(BroadPhase, PutsWhoseNumberIsSmallerFirst) {

@@ -59,6 +59,34 @@ TEST(GroupedWorld, GivesTheSameBitsWhateverHasBeenThere) {
   }
 }
 
+TEST(GroupedWorld, RemovesSeveralBodiesAtOnceWithTheSameBits) {
+  // one that is left leaned on those that go
+  const description::World world =
+      piles({boxAt("c0", 10, 0.1), boxAt("c1", 10, 0.31), boxAt("c2", 10.05, 0.52), boxAt("d0", 14, 0.1)});
+  const auto run = [&world](bool atOnce) {
+    world::Entities entities(world);
+    world::State state(entities);
+    Engine engine(entities);
+    for (int i = 0; i < 100; ++i) engine.step(test::Rig::kStep, state);
+    const auto remove = [&](const std::vector<const char*>& names) {
+      std::vector<world::Slot> slots;
+      for (const char* name : names) slots.push_back(entities.findModel(name));
+      const world::Removal removal = entities.removeModels(slots);
+      engine.remove(removal);
+      state.remove(removal);
+    };
+    if (atOnce) {
+      remove({"a1", "c0", "c1", "d0"});
+    } else {
+      for (const char* name : {"c1", "d0", "a1", "c0"}) remove({name});
+    }
+    for (int i = 0; i < 500; ++i) engine.step(test::Rig::kStep, state);
+    EXPECT_LT(state.links[entities.findLink("c2::link")].X_WorldLink.position.z(), 0.2);
+    return world::stateHash(state, {});
+  };
+  EXPECT_EQ(run(true), run(false));
+}
+
 TEST(GroupedWorld, GivesTheSameBitsOnAnyNumberOfThreads) {
   // piles that fall apart, and joints in some of them
   description::World description;

@@ -131,6 +131,18 @@ TEST_F(WorldEditsTest, RemoveModels) {
   EXPECT_EQ(said(), (Said{"there is a", "it has gone", "the model no longer exists"}));
 }
 
+TEST_F(WorldEditsTest, RemoveModelsBetweenInsertionsInTheirOrder) {
+  for (const char* name : {"a", "b", "c"}) tell(std::string("template ") + name);
+  world_.simulation().step();
+  for (const char* what : {"remove a", "remove c", "remove c", "template a", "remove b", "template b"}) tell(what);
+  said();
+  world_.simulation().step();
+  EXPECT_EQ(said(), (Said{"it has gone", "it has gone", "the model no longer exists", "there is a", "it has gone",
+                          "there is b"}));
+  EXPECT_TRUE(has("a") && has("b"));
+  EXPECT_FALSE(has("c"));
+}
+
 TEST_F(WorldEditsTest, WarnOfARefusalThatNobodyIsTold) {
   tell("template a");
   world_.simulation().step();
@@ -176,6 +188,15 @@ TEST_F(WorldEditsOfModels, EndWithTheirSystem) {
   tell("remove first");
   world_.simulation().step(2);
   EXPECT_FALSE(has("first"));
+  EXPECT_EQ(said(), Said{});
+}
+
+// Each removes itself, so that no request is left to one that has gone.
+TEST_F(WorldEditsOfModels, RemoveTheirOwnModelsInOneStep) {
+  tell("remove itself");
+  world_.simulation().step();
+  EXPECT_FALSE(has("first"));
+  EXPECT_FALSE(has("second"));
   EXPECT_EQ(said(), Said{});
 }
 
