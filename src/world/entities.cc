@@ -210,6 +210,7 @@ std::vector<Slot> Entities::allLinks(Slot model) const {
 void Entities::reset() {
   Entities start(*description_);
   start.lastId_ = std::max(start.lastId_, lastId_);
+  start.removals_ = removals_ + 1;
   *this = std::move(start);
 }
 
@@ -279,15 +280,26 @@ Slot Entities::findJoint(Slot model, std::string_view name) const {
   const std::string holderName = join(model == kNoSlot ? "" : models_[model].scopedName, scoped.scope);
   const Slot holder = findModel(holderName);
   if (holder == kNoSlot && !holderName.empty()) return kNoSlot;
-  for (Slot joint = 0; joint < joints_.size(); ++joint) {
-    if (joints_[joint].model == holder && joints_[joint].description->name == scoped.last) return joint;
+  if (holder == kNoSlot) {
+    for (const JointId id : worldJoints_) {
+      if (joints_[slot(id)].description->name == scoped.last) return slot(id);
+    }
+    return kNoSlot;
+  }
+  for (const Slot joint : models_[holder].joints) {
+    if (joints_[joint].description->name == scoped.last) return joint;
   }
   return kNoSlot;
 }
 
 Slot Entities::findLight(Slot link, std::string_view name) const {
-  for (Slot light = 0; light < lights_.size(); ++light) {
-    if (lights_[light].link == link && lights_[light].description->name == name) return light;
+  // those of a link follow it and its visuals and collisions
+  const std::uint64_t first = link == kNoSlot ? 0 : links_[link].id.value;
+  const auto begin =
+      std::ranges::lower_bound(lights_, first, {}, [](const LightRecord& light) { return light.id.value; });
+  for (auto light = begin; light != lights_.end(); ++light) {
+    if (light->link == link && light->description->name == name) return static_cast<Slot>(light - lights_.begin());
+    if (link != kNoSlot && light->link != link) break;
   }
   return kNoSlot;
 }

@@ -290,6 +290,9 @@ class Entities {
   /// @return The links of a model and of its nested models.
   std::vector<Slot> allLinks(Slot model) const;
 
+  /// @return A number that changes when names may have become free.
+  std::uint64_t removals() const { return removals_; }
+
   /// @return A new id, unused in this run.
   std::uint64_t nextId() { return ++lastId_; }
 
@@ -318,6 +321,7 @@ class Entities {
 
   const description::World* description_;
   std::uint64_t lastId_ = 0;
+  std::uint64_t removals_ = 0;
   WorldId worldId_;
   std::vector<ModelRecord> models_;
   std::vector<LinkRecord> links_;

@@ -112,6 +112,7 @@ void Entities::erase(std::vector<Record>& records, const std::vector<Slot>& slot
 }
 
 void Entities::remove(const Gone& gone, std::uint64_t from) {
+  ++removals_;
   for (const Slot model : gone.models) modelOfName_.erase(models_[model].scopedName);
   std::erase_if(worldJoints_, [&](JointId id) { return std::ranges::binary_search(gone.joints, slot(id)); });
   erase(models_, gone.models);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -69,6 +70,12 @@ class Access {
     hasChanged = true;
     ++changes;
   }
+  /// Of each name, how many of name_0, name_1 and so on are known to be taken, until something is removed.
+  struct TakenNames {
+    std::uint64_t removals = 0;
+    std::unordered_map<std::string, int> counts = {};
+  };
+  TakenNames takenNames = {};
   /// Groups that are set aside, in the order of ids.
   std::vector<Shelved> shelf = {};
   /// The ids of all their models, sensors and actors.

@@ -27,9 +27,17 @@ bool Editor::isFree(std::string_view name) const {
 }
 
 std::string Editor::freeName(const std::string& name) const {
-  std::string free = name;
-  for (int number = 0; !isFree(free); ++number) free = name + "_" + std::to_string(number);
-  return free;
+  if (isFree(name)) return name;
+  if (access_.takenNames.removals != access_.entities.removals()) {
+    access_.takenNames = {.removals = access_.entities.removals(), .counts = {}};
+  }
+  // whoever inserts thousands of copies does not try all names each time
+  int& number = access_.takenNames.counts[name];
+  std::string free;
+  for (;; ++number) {
+    free = name + "_" + std::to_string(number);
+    if (isFree(free)) return free;
+  }
 }
 
 world::Slot Editor::insert(std::shared_ptr<const description::Model> model) {

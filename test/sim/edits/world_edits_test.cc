@@ -121,6 +121,24 @@ TEST_F(WorldEditsTest, ReadWhatIsInsertedLater) {
   EXPECT_TRUE(has("r"));
 }
 
+TEST_F(WorldEditsTest, GiveACopyTheFirstFreeName) {
+  tell("template a");
+  world_.simulation().step();
+  for (int i = 0; i < 3; ++i) tell("copy a");
+  world_.simulation().step();
+  for (const char* what : {"remove a_1", "copy a", "copy a"}) tell(what);
+  world_.simulation().step();
+  EXPECT_EQ(said(), (Said{"there is a", "there is a_0", "there is a_1", "there is a_2", "it has gone", "there is a_1",
+                          "there is a_3"}));
+  Diagnostics diagnostics;
+  world_.simulation().reset(diagnostics);
+  tell("template a");
+  world_.simulation().step();
+  tell("copy a");
+  world_.simulation().step();
+  EXPECT_EQ(said(), (Said{"there is a", "there is a_0"}));
+}
+
 TEST_F(WorldEditsTest, RemoveModels) {
   tell("template a");
   world_.simulation().step();
