@@ -1,11 +1,21 @@
-# Makes the virtual environment VENV with REQUIREMENTS. Leaves VENV/why where that can't be, for the tests to say.
+# A script: makes the virtual environment VENV with REQUIREMENTS, unless it is up to date. Leaves VENV/why where that
+# can't be, for the tests to say, or fails if it is NEEDED.
+cmake_path(REPLACE_FILENAME REQUIREMENTS requirements_ray.txt OUTPUT_VARIABLE ray)
+set(isOld FALSE)
+foreach(file ${REQUIREMENTS} ${ray})
+  if(EXISTS ${file} AND ${file} IS_NEWER_THAN ${VENV}/tried)
+    set(isOld TRUE)
+  endif()
+endforeach()
+if(NOT isOld)
+  return()
+endif()
 file(REMOVE_RECURSE ${VENV})
 execute_process(COMMAND ${PYTHON} -m venv ${VENV} RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
 if(NOT failed)
   execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${REQUIREMENTS}
                   RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
 endif()
-cmake_path(REPLACE_FILENAME REQUIREMENTS requirements_ray.txt OUTPUT_VARIABLE ray)
 if(NOT failed AND EXISTS ${ray})
   # The cluster of the tests is large: where it can't be had its own tests are skipped, and no others.
   execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${ray}
@@ -13,6 +23,9 @@ if(NOT failed AND EXISTS ${ray})
   if(noRay)
     message(WARNING "the tests of Ray are skipped: ${whyNoRay}")
   endif()
+endif()
+if(failed AND NEEDED)
+  message(FATAL_ERROR "${why}")
 endif()
 file(MAKE_DIRECTORY ${VENV})
 if(failed)
