@@ -91,7 +91,7 @@ void SystemSet::load(const description::World& world, bool isConfigured, const S
     const std::vector<description::Plugin>& plugins = actor.description->plugins;
     for (std::size_t i = 0; i < plugins.size(); ++i) add(plugins[i], i, {.actor = &actor}, diagnostics);
   }
-  collectAwake();
+  collect();
 }
 
 void SystemSet::loadWorldPlugins(const description::World& world, bool isConfigured, const SimulationOptions& options,
@@ -178,36 +178,51 @@ bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostic
   const bool isUsed =
       start({{}, number, std::move(name), {}, transport_.node(), random, std::move(system), {}, where(), true}, plugin,
             {}, {}, diagnostics);
-  collectAwake();
+  collect();
   return isUsed;
 }
 
 bool SystemSet::start(SystemSlot::Parts parts, const Element& plugin, const std::optional<Model>& model,
                       const std::optional<Actor>& actor, Diagnostics& diagnostics) {
-  std::vector<System*> before;
-  for (SystemSlot& slot : slots_) before.push_back(&slot.system());
-  SystemSlot& slot =
-      slots_.emplace_back(std::move(parts), access_, queue_,
-                          [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); });
-  if (!slot.start(plugin, world_, model, actor, before, diagnostics)) {
+  SystemSlot& slot = slots_.emplace_back(
+      std::move(parts), access_, queue_,
+      [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); },
+      [this](const SystemSlot& each, const std::string& topic) { noteTopic(each, topic); });
+  if (!slot.start(plugin, world_, model, actor, systems_, diagnostics)) {
+    forgetTopics(slot);
     slots_.pop_back();
     return false;
   }
+  systems_.push_back(&slot.system());
   warnOfSharedTopics(slot, diagnostics);
   return true;
 }
 
+void SystemSet::noteTopic(const SystemSlot& slot, const std::string& topic) { publishers_[topic].push_back(&slot); }
+
+void SystemSet::forgetTopics(const SystemSlot& slot) {
+  for (const std::string& topic : slot.topics()) {
+    const auto found = publishers_.find(topic);
+    if (found == publishers_.end()) continue;
+    std::erase(found->second, &slot);
+    if (found->second.empty()) publishers_.erase(found);
+  }
+}
+
 void SystemSet::warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const {
   if (slot.declaration().topicsAreShared()) return;
-  for (const SystemSlot& other : slots_) {
-    // of one kind: what others say on a topic is theirs to know
-    if (&other == &slot || other.declaration().text() != slot.declaration().text()) continue;
-    const auto shared = std::ranges::find_first_of(slot.topics(), other.topics());
-    if (shared == slot.topics().end()) continue;
-    diagnostics.warning(slot.position(),
-                        slot.name() + " publishes on '" + *shared + "', and so does " + other.name() + " in line " +
-                            std::to_string(other.position().line),
-                        "subscribers get the messages of both");
+  std::vector<const SystemSlot*> named;
+  for (const std::string& topic : slot.topics()) {
+    for (const SystemSlot* other : publishers_.at(topic)) {
+      // of one kind: what others say on a topic is theirs to know
+      if (other == &slot || other->declaration().text() != slot.declaration().text()) continue;
+      if (std::ranges::find(named, other) != named.end()) continue;
+      named.push_back(other);
+      diagnostics.warning(slot.position(),
+                          slot.name() + " publishes on '" + topic + "', and so does " + other->name() + " in line " +
+                              std::to_string(other->position().line),
+                          "subscribers get the messages of both");
+    }
   }
 }
 
@@ -233,24 +248,35 @@ void SystemSet::check() const {
 
 void SystemSet::load(world::Slot model, Diagnostics& diagnostics) {
   loadModelPlugins(model, diagnostics);
-  collectAwake();
+  collect();
+}
+
+template <class Predicate>
+void SystemSet::end(Predicate predicate) {
+  slots_.remove_if([&](const SystemSlot& slot) {
+    const bool ends = predicate(slot);
+    if (ends) forgetTopics(slot);
+    return ends;
+  });
 }
 
 void SystemSet::unload(const std::vector<ModelId>& models) {
-  slots_.remove_if([&](const SystemSlot& slot) { return std::ranges::binary_search(models, slot.model()); });
+  end([&](const SystemSlot& slot) { return std::ranges::binary_search(models, slot.model()); });
   unloaded_.insert(unloaded_.end(), models.begin(), models.end());
-  collectAwake();
+  collect();
 }
 
 void SystemSet::updateWhoRests() {
   const auto isShelved = [this](auto id) { return access_.shelvedIds.contains(id.value); };
   for (SystemSlot& slot : slots_) slot.setResting(isShelved(slot.model()) || isShelved(slot.actor()));
-  collectAwake();
+  collect();
 }
 
-void SystemSet::collectAwake() {
+void SystemSet::collect() {
+  systems_.clear();
   awake_.clear();
   for (SystemSlot& slot : slots_) {
+    systems_.push_back(&slot.system());
     if (!slot.isResting()) awake_.push_back(&slot);
   }
 }
@@ -264,8 +290,8 @@ void SystemSet::announceChanges() {
 void SystemSet::reset(Diagnostics& diagnostics, std::optional<std::uint64_t> seed) {
   seed_ = seed.value_or(seed_);
   queue_.clear();
-  slots_.remove_if(
-      [&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
+  end([&](const SystemSlot& slot) { return slot.model() && access_.entities.slot(slot.model()) == world::kNoSlot; });
+  collect();
   for (const ModelId model : std::exchange(unloaded_, {})) {
     const world::Slot slot = access_.entities.slot(model);
     if (slot != world::kNoSlot) loadOwnPlugins(slot, diagnostics);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/hash.hh"
@@ -101,7 +102,12 @@ class SystemSet {
   bool start(SystemSlot::Parts parts, const Element& plugin, const std::optional<Model>& model,
              const std::optional<Actor>& actor, Diagnostics& diagnostics);
   void putInOrder();
-  void collectAwake();
+  void collect();
+  /// Takes out all that one says yes to.
+  template <class Predicate>
+  void end(Predicate predicate);
+  void noteTopic(const SystemSlot& slot, const std::string& topic);
+  void forgetTopics(const SystemSlot& slot);
   void warnOfSharedTopics(const SystemSlot& slot, Diagnostics& diagnostics) const;
   Random stream(const std::string& name) const;
   /// @return Text after a system's name in log messages.
@@ -126,8 +132,12 @@ class SystemSet {
   std::vector<ModelId> unloaded_;
   std::optional<std::string> failure_;
   EditQueue queue_;
+  /// By topic, those that advertise it.
+  std::unordered_map<std::string, std::vector<const SystemSlot*>> publishers_;
   // Contexts point into the slots.
   std::list<SystemSlot> slots_;
+  /// Theirs, in the same order.
+  std::vector<System*> systems_;
   /// Those called in a step, in order.
   std::vector<SystemSlot*> awake_;
 };

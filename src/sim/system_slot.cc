@@ -17,7 +17,7 @@ const char* missingPlace(Declaration::Place place, bool isInModel, bool isInActo
 
 }  // namespace
 
-SystemSlot::SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed)
+SystemSlot::SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed, Advertised advertised)
     : parts_(std::move(parts)),
       crashName_("the system " + label()),
       log_(label()),
@@ -25,7 +25,8 @@ SystemSlot::SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed fai
       access_(access),
       queue_(edits),
       edits_(edits, *this),
-      failed_(std::move(failed)) {}
+      failed_(std::move(failed)),
+      advertised_(std::move(advertised)) {}
 
 SystemSlot::~SystemSlot() {
   const base::RunningPart running(crashName_.c_str(), "in its destructor");
@@ -83,7 +84,10 @@ void SystemSlot::switchOff(const std::string& why) {
   failed_(*this, std::string("failed ") + phase_ + ": " + why);
 }
 
-void SystemSlot::advertised(std::string_view topic, std::string_view) { topics_.emplace_back(topic); }
+void SystemSlot::advertised(std::string_view topic, std::string_view) {
+  topics_.emplace_back(topic);
+  if (advertised_) advertised_(*this, topics_.back());
+}
 
 void SystemSlot::switchOn(Random random) {
   isOff_ = false;

@@ -43,9 +43,11 @@ class SystemSlot final : public CallGuard {
   };
   /// Called with the reason each time the system is switched off.
   using Failed = std::function<void(const SystemSlot& slot, const std::string& what)>;
+  /// Called with each topic that the system advertises.
+  using Advertised = std::function<void(const SystemSlot& slot, const std::string& topic)>;
 
   /// @param edits Carries out the system's requests; must outlive this, like `access`.
-  SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed);
+  SystemSlot(Parts parts, Access& access, EditQueue& edits, Failed failed, Advertised advertised = {});
   ~SystemSlot() override;
 
   ModelId model() const { return parts_.model; }
@@ -114,6 +116,7 @@ class SystemSlot final : public CallGuard {
   EditQueue& queue_;
   WorldEdits edits_;
   Failed failed_;
+  Advertised advertised_;
   Declaration declaration_;
   std::vector<std::string> topics_;
   bool isOff_ = false;

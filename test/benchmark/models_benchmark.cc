@@ -1,5 +1,5 @@
-// Measures the cost of reading, inserting, removing and publishing models, for few and for many: a row that grows from
-// left to right is worse than linear.
+// Measures the cost of reading, inserting, removing and publishing models, for few and for many, and that of loading
+// robots whose systems have topics: a row that grows from left to right is worse than linear.
 
 #include <ignition/msgs/scene.pb.h>
 #include <ignition/msgs/serialized_map.pb.h>
@@ -130,6 +130,63 @@ Times measure(int count) {
   return best;
 }
 
+/// @return Robots, each with a diff drive, an IMU and a joint state publisher: eight topics.
+std::string robotsWorld(int count) {
+  std::string world =
+      "<sdf version=\"1.9\"><world name=\"robots\"><plugin filename=\"ignition-gazebo-physics-system\" "
+      "name=\"ignition::gazebo::systems::Physics\"/><plugin filename=\"ignition-gazebo-imu-system\" "
+      "name=\"ignition::gazebo::systems::Imu\"/>";
+  const auto wheel = [](const std::string& name, const std::string& y) {
+    return "<link name=\"" + name + "\"><pose>0 " + y + " 0 -1.5708 0 0</pose><collision name=\"shape\"><geometry>" +
+           "<sphere><radius>0.1</radius></sphere></geometry></collision></link><joint name=\"" + name +
+           "_joint\" type=\"revolute\"><parent>chassis</parent><child>" + name +
+           "</child><axis><xyz>0 0 1</xyz></axis></joint>";
+  };
+  for (int i = 0; i < count; ++i) {
+    world += "<model name=\"robot" + std::to_string(i) + "\"><pose>" + std::to_string(2 * i) +
+             " 0 0.1 0 0 0</pose><link name=\"chassis\"><sensor name=\"imu\" type=\"imu\"/></link>" +
+             wheel("left", "0.2") + wheel("right", "-0.2") +
+             "<plugin filename=\"ignition-gazebo-diff-drive-system\" name=\"ignition::gazebo::systems::DiffDrive\">"
+             "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint></plugin>"
+             "<plugin filename=\"ignition-gazebo-joint-state-publisher-system\" "
+             "name=\"ignition::gazebo::systems::JointStatePublisher\"/></model>";
+  }
+  return world + "</world></sdf>";
+}
+
+/// Prints what loading and ending robots cost that other processes can find and reach.
+void printRobots() {
+  constexpr std::array kRobots{30, 100, 300, 1000, 3000};
+  std::array<double, kRobots.size()> loading{}, ending{};
+  for (std::size_t i = 0; i < kRobots.size(); ++i) {
+    const std::string world = robotsWorld(kRobots[i]);
+    for (int run = 0; run < kRuns; ++run) {
+      std::optional<Transport> transport(std::in_place);
+      Diagnostics diagnostics;
+      std::unique_ptr<Simulation> simulation;
+      SimulationOptions options;
+      options.transport = &*transport;
+      const double loaded = timeOf([&] {
+        simulation = Simulation::fromText(world, "robots.sdf", options, diagnostics);
+        expect(diagnostics);
+      });
+      const double ended = timeOf([&] {
+        simulation.reset();
+        transport.reset();
+      });
+      loading[i] = run == 0 ? loaded : std::min(loading[i], loaded);
+      ending[i] = run == 0 ? ended : std::min(ending[i], ended);
+    }
+  }
+  std::printf("\n%-32s", "a robot with topics [us]");
+  for (const int count : kRobots) std::printf(" %9d", count);
+  for (const auto& [name, times] : {std::pair("loading", loading), std::pair("ending", ending)}) {
+    std::printf("\n%-32s", name);
+    for (std::size_t i = 0; i < kRobots.size(); ++i) std::printf(" %9.0f", times[i] / kRobots[i]);
+  }
+  std::printf("\n");
+}
+
 int run() {
   std::vector<Times> columns;
   for (const int count : kCounts) columns.push_back(measure(count));
@@ -148,6 +205,7 @@ int run() {
     }
     std::printf("\n");
   }
+  printRobots();
   return 0;
 }
 

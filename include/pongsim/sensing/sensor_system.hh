@@ -1,12 +1,13 @@
 #pragma once
 
-#include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <list>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "pongsim/diagnostic.hh"
@@ -75,7 +76,11 @@ class SensorSystem : public System {
 
   void worldChanged() override {
     // those that are set aside come back as they are
-    std::erase_if(sensors_, [](const Entry& entry) { return !entry.handle.exists() && !entry.handle.isSetAside(); });
+    std::erase_if(sensors_, [this](const Entry& entry) {
+      const bool hasGone = !entry.handle.exists() && !entry.handle.isSetAside();
+      if (hasGone) known_.erase(entry.handle.id().value);
+      return hasGone;
+    });
     for (Entry& entry : sensors_) entry.isThere = entry.handle.exists();
     Diagnostics diagnostics;
     if constexpr (kIsSharing) {
@@ -208,11 +213,10 @@ class SensorSystem : public System {
   void addSensors(Diagnostics& diagnostics) {
     for (const std::string_view type : types()) {
       for (const Sensor& sensor : world_->sensors(type)) {
-        const bool isKnown =
-            std::ranges::any_of(sensors_, [&](const Entry& entry) { return entry.handle.id() == sensor.id(); });
-        if (isKnown) continue;
+        if (known_.contains(sensor.id().value)) continue;
         try {
           add(sensor, diagnostics);
+          known_.insert(sensor.id().value);
         } catch (const Error& error) {
           const Diagnostic& found = error.diagnostic();
           diagnostics.warning(found.position, found.message + ": it is left out", found.hint);
@@ -243,6 +247,8 @@ class SensorSystem : public System {
   const Logger* log_ = nullptr;
   // topics stay where they are
   std::list<Entry> sensors_;
+  /// Their ids.
+  std::unordered_set<std::uint64_t> known_;
   std::unique_ptr<Shared> shared_;
 };
 

@@ -1,8 +1,10 @@
 #include <ignition/msgs/contacts.pb.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "pongsim/contact.hh"
@@ -127,8 +129,10 @@ class ContactSystem : public System {
   }
 
   void worldChanged() override {
-    std::erase_if(sensors_, [](const ContactSensor& sensor) {
-      return !sensor.sensor().exists() && !sensor.sensor().isSetAside();
+    std::erase_if(sensors_, [this](const ContactSensor& each) {
+      const bool hasGone = !each.sensor().exists() && !each.sensor().isSetAside();
+      if (hasGone) known_.erase(each.sensor().id().value);
+      return hasGone;
     });
     Diagnostics diagnostics;
     addSensors(diagnostics);
@@ -147,11 +151,10 @@ class ContactSystem : public System {
  private:
   void addSensors(Diagnostics& diagnostics) {
     for (const Sensor& sensor : world_->sensors("contact")) {
-      const bool isKnown =
-          std::ranges::any_of(sensors_, [&](const ContactSensor& known) { return known.sensor().id() == sensor.id(); });
-      if (isKnown) continue;
+      if (known_.contains(sensor.id().value)) continue;
       try {
         sensors_.emplace_back(sensor, *node_, diagnostics);
+        known_.insert(sensor.id().value);
       } catch (const std::invalid_argument& error) {
         diagnostics.warning(sensor.sdf().position,
                             "sensor '" + sensor.scopedName() + "' can't publish: " + error.what());
@@ -163,6 +166,8 @@ class ContactSystem : public System {
   Node* node_ = nullptr;
   const Logger* log_ = nullptr;
   std::vector<ContactSensor> sensors_;
+  /// Their ids.
+  std::unordered_set<std::uint64_t> known_;
   std::vector<Contact> contacts_;
 };
 

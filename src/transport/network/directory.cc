@@ -16,8 +16,8 @@ ParticipantId participantOf(const EndpointId& endpoint) {
   return id;
 }
 
-/// The first endpoint's id that a participant can have.
-EndpointId firstOf(const ParticipantId& participant) {
+/// The lowest id of an endpoint that a participant can have.
+EndpointId lowestOf(const ParticipantId& participant) {
   EndpointId id{};
   std::ranges::copy(participant, id.begin());
   return id;
@@ -37,10 +37,12 @@ void Directory::changed() {
   changed_.notify_all();
 }
 
-void Directory::addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports) {
+void Directory::addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports,
+                               const std::optional<ParticipantId>& first) {
   const std::lock_guard lock(mutex_);
   Participant& participant = participants_[id];
   participant.pid = pid;
+  participant.first = first;
   participant.ports = std::move(ports);
   changed();
 }
@@ -48,7 +50,7 @@ void Directory::addParticipant(const ParticipantId& id, int pid, std::vector<std
 void Directory::removeParticipant(const ParticipantId& id) {
   const std::lock_guard lock(mutex_);
   participants_.erase(id);
-  auto endpoint = endpoints_.lower_bound(firstOf(id));
+  auto endpoint = endpoints_.lower_bound(lowestOf(id));
   while (endpoint != endpoints_.end() && participantOf(endpoint->first) == id) endpoint = endpoints_.erase(endpoint);
   endpointsOf_.erase(id);
   changed();
@@ -127,13 +129,30 @@ void Directory::warnOfType(const Endpoint& own, const EndpointId& otherId, const
                         ", this process publishes " + own.type);
 }
 
-/// @return Whether a participant has a subscription to any type on the topic.
+ParticipantId Directory::firstOf(const ParticipantId& id) const {
+  const auto found = participants_.find(id);
+  return found == participants_.end() ? id : found->second.first.value_or(id);
+}
+
+/// @return Whether it holds for one of the endpoints of the participants that have the same first.
+template <class Predicate>
+bool Directory::anyOfNetwork(const ParticipantId& id, Predicate predicate) const {
+  const ParticipantId first = firstOf(id);
+  return std::ranges::any_of(participants_, [&](const auto& participant) {
+    const ParticipantId& each = participant.first;
+    if (firstOf(each) != first) return false;
+    for (auto at = endpoints_.lower_bound(lowestOf(each)); at != endpoints_.end(); ++at) {
+      if (participantOf(at->first) != each) return false;
+      if (predicate(at->first, at->second)) return true;
+    }
+    return false;
+  });
+}
+
+/// @return Whether a participant's network has a subscription to any type on the topic.
 bool Directory::takesAnyType(const ParticipantId& id, const std::string& topic) const {
-  for (auto each = endpoints_.lower_bound(firstOf(id)); each != endpoints_.end(); ++each) {
-    if (participantOf(each->first) != id) return false;
-    if (each->second.topic == topic && each->second.type == kAnyType) return true;
-  }
-  return false;
+  return anyOfNetwork(
+      id, [&](const EndpointId&, const Endpoint& each) { return each.topic == topic && each.type == kAnyType; });
 }
 
 /// @return Whether this process has one.
@@ -145,13 +164,9 @@ bool Directory::takesAnyType(const std::string& topic) const {
 /// @return Whether it is a subscription to any type that is listed already, for it has met one.
 bool Directory::isDuplicate(const EndpointId& id, const Endpoint& endpoint) const {
   if (endpoint.type != kAnyType) return false;
-  const ParticipantId participant = participantOf(id);
-  for (auto each = endpoints_.lower_bound(firstOf(participant)); each != endpoints_.end(); ++each) {
-    if (participantOf(each->first) != participant) return false;
-    const Endpoint& other = each->second;
-    if (each->first != id && other.topic == endpoint.topic && other.role == endpoint.role) return true;
-  }
-  return false;
+  return anyOfNetwork(participantOf(id), [&](const EndpointId& otherId, const Endpoint& other) {
+    return otherId != id && other.topic == endpoint.topic && other.role == endpoint.role;
+  });
 }
 
 int Directory::pidOfLocked(const ParticipantId& id) const {
@@ -194,7 +209,7 @@ TopicInfo Directory::topic(std::string_view name) const {
 }
 
 std::optional<TopicInfo::Traffic> Directory::trafficOf(const ParticipantId& id, const Endpoint& endpoint) const {
-  const auto participant = participants_.find(id);
+  const auto participant = participants_.find(firstOf(id));
   if (participant == participants_.end() || !participant->second.firstTraffic) return std::nullopt;
   const TrafficReport& first = *participant->second.firstTraffic;
   const TrafficReport& last = participant->second.traffic;
@@ -246,12 +261,14 @@ bool Directory::isComplete(std::span<const std::uint32_t> ports) const {
   };
   if (!std::ranges::all_of(ports, isKnown)) return false;
 
+  std::map<ParticipantId, std::size_t> told;
+  for (const auto& [id, endpoints] : endpointsOf_) told[firstOf(id)] += endpoints;
   return std::ranges::all_of(participants_, [&](const auto& participant) {
     // one that is no pongsim takes no census, and its topics are not listed
     const auto& [id, about] = participant;
     if (about.pid == 0) return true;
-    const auto told = endpointsOf_.find(id);
-    return about.census && (told == endpointsOf_.end() ? 0 : told->second) >= *about.census;
+    if (about.first) return participants_.contains(*about.first);
+    return about.census && told[id] >= *about.census;
   });
 }
 

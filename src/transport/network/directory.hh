@@ -35,12 +35,15 @@ struct Endpoint {
 class Directory {
  public:
   /// @param pid Process id, 0 if it is not a pongsim process.
-  void addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports);
+  /// @param first The network's first participant, which speaks for this one too: it has the census of both and reports
+  /// the traffic of both. Nothing: it is the first itself.
+  void addParticipant(const ParticipantId& id, int pid, std::vector<std::uint32_t> ports,
+                      const std::optional<ParticipantId>& first = std::nullopt);
   void removeParticipant(const ParticipantId& id);
   void addEndpoint(const EndpointId& id, const Endpoint& endpoint);
   void removeEndpoint(const EndpointId& id);
 
-  /// Stores the number of endpoints that a participant claims to have.
+  /// Stores the number of endpoints that a participant claims to have, with those whose first it is.
   void setCensus(const ParticipantId& id, std::uint32_t endpoints);
 
   /// Stores a participant's traffic report; `forgetTraffic` discards all.
@@ -80,12 +83,16 @@ class Directory {
  private:
   struct Participant {
     int pid = 0;
+    std::optional<ParticipantId> first;
     std::vector<std::uint32_t> ports;
     std::optional<std::uint32_t> census;
     std::optional<TrafficReport> firstTraffic;
     TrafficReport traffic;
   };
 
+  ParticipantId firstOf(const ParticipantId& id) const;
+  template <class Predicate>
+  bool anyOfNetwork(const ParticipantId& id, Predicate predicate) const;
   bool isListed(const EndpointId& id, const Endpoint& endpoint) const;
   std::optional<TopicInfo::Traffic> trafficOf(const ParticipantId& id, const Endpoint& endpoint) const;
   bool isComplete(std::span<const std::uint32_t> ports) const;

@@ -53,6 +53,8 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
+  const ParticipantId& participant() const { return own_; }
+
   /// @return Whether that participant has a matched reader.
   bool hasReaderOf(const ParticipantId& participant) const;
   /// @return The participant of the newest reader, or nothing.
@@ -119,6 +121,8 @@ class Reader : private rtps::ReaderListener {
   ~Reader() override;
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
+
+  const ParticipantId& participant() const { return own_; }
 
   /// @return Messages that writers gave up sending because this reader was too slow.
   std::uint64_t lost() const { return lost_; }

@@ -8,52 +8,57 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "pongsim/program/keystore.hh"
 #include "transport/network/directory.hh"
 #include "transport/network/endpoint.hh"
 #include "transport/network/outbox.hh"
+#include "transport/network/participant.hh"
 #include "transport/network/traffic_reporter.hh"
-#include "transport/udp/gated_udp.hh"
-#include "transport/udp/interfaces.hh"
 
 namespace pongsim::transport {
 
-/// A participant in a DDS domain: over UDP on 127.0.0.1 only, unless it also communicates with other machines over one
+/// Endpoints in a DDS domain: over UDP on 127.0.0.1 only, unless it also communicates with other machines over one
 /// network interface.
 ///
 /// Each participant listens on one of the domain's known ports and announces itself to all of them, so that nothing is
-/// multicast on this machine. Beside its topics, each publishes its number of endpoints (census). Discovery compares
-/// the open ports of this machine with the participants that have answered, and their endpoints with their census, and
-/// so knows when it is complete.
+/// multicast on this machine. One participant has all endpoints, unless they are many: then there are more of them,
+/// which do not know of each other and name the first.
+///
+/// Beside its topics, a network publishes its number of endpoints (census). Discovery compares the open ports of this
+/// machine with the participants that have answered, and their endpoints with their census, and so knows when it is
+/// complete.
 class Network : private rtps::RTPSParticipantListener {
  public:
   /// @param interface Name or address of the interface for other machines, as for `chosenInterface`.
   /// @throws std::runtime_error if the network can't be opened, std::invalid_argument for an invalid domain or
   /// interface, KeystoreError if the identity in PONGSIM_SECURITY can't be used.
-  /// @param announceLater Others do not learn of this participant before `announce`, or for a second.
+  /// @param announceLater Others do not learn of it before `announce`, or for a second.
   explicit Network(std::optional<int> domain, const std::optional<std::string>& interface = std::nullopt,
                    bool announceLater = false);
   ~Network() override;
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
 
-  /// Lets others learn of this participant, if they have not yet. Everything that waits for them calls it. Thread-safe.
+  /// Lets others learn of this network, if they have not yet. Everything that waits for them calls it. Thread-safe.
   void announce();
 
   Directory& directory() { return directory_; }
-  const ParticipantId& id() const { return own_; }
   /// @return The network interface for other machines, if any.
-  const std::optional<NetworkInterface>& interface() const { return interface_; }
+  const std::optional<NetworkInterface>& interface() const { return settings_.interface; }
 
   /// @throws KeystoreError if the identity may not use the topic in this way.
   void requirePermission(TopicUse use, const std::string& topic) const;
 
+  /// @param at The participant of an endpoint that it belongs together with; nothing: any.
   /// @throws KeystoreError like `requirePermission`; std::runtime_error if DDS refuses.
   std::unique_ptr<Writer> makeWriter(const std::string& topic, const std::string& type,
-                                     std::function<void()> readersChanged);
+                                     std::function<void()> readersChanged,
+                                     const std::optional<ParticipantId>& at = std::nullopt);
   std::unique_ptr<Reader> makeReader(const std::string& topic, const std::string& type, Reader::Received received,
-                                     Reader::WriterGone writerGone = {});
+                                     Reader::WriterGone writerGone = {},
+                                     const std::optional<ParticipantId>& at = std::nullopt);
   void end(std::unique_ptr<Writer> writer);
   void end(std::unique_ptr<Reader> reader);
 
@@ -74,20 +79,36 @@ class Network : private rtps::RTPSParticipantListener {
   void onReaderDiscovery(rtps::RTPSParticipant* participant, rtps::ReaderDiscoveryInfo&& info) override;
   void onWriterDiscovery(rtps::RTPSParticipant* participant, rtps::WriterDiscoveryInfo&& info) override;
 
+  /// A participant and how many endpoints it has.
+  struct Place {
+    Participant* participant = nullptr;
+    std::size_t endpoints = 0;
+
+    const ParticipantId& id() const { return participant->id(); }
+  };
+
+  template <class Make>
+  auto make(const std::optional<ParticipantId>& at, Make makeIn);
+  template <class Each>
+  void remove(std::unique_ptr<Each> endpoint);
+  Participant& enter(const std::optional<ParticipantId>& at);
+  void leave(const ParticipantId& at);
+  void openAnother();
+  bool isOwnPort(std::uint32_t port) const;
   template <class ProxyData>
-  void endpointChanged(const ProxyData& data, Role role, bool removed);
+  void endpointChanged(const rtps::RTPSParticipant& own, const ProxyData& data, Role role, bool removed);
   void changeCensus(int endpoints);
   Contract contract(const std::string& topic, const std::string& type) const { return {topic, type, partition_}; }
 
-  int domain_;
+  Participant::Settings settings_;
   std::string partition_;
-  std::optional<NetworkInterface> interface_;
-  std::optional<SecureIdentity> identity_;
   Directory directory_;
-  std::shared_ptr<UdpGate> gate_;
-  std::unique_ptr<rtps::RTPSParticipant, void (*)(rtps::RTPSParticipant*)> participant_;
-  ParticipantId own_{};
-  std::uint32_t ownPort_ = 0;
+  std::unique_ptr<Participant> first_;
+  mutable std::mutex participantsMutex_;
+  std::vector<std::unique_ptr<Participant>> more_;
+  /// The first and the others.
+  std::vector<Place> participants_;
+  bool isFull_ = false;
   Outbox outbox_;
   TrafficReporter reporter_;
   std::mutex censusMutex_;

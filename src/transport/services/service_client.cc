@@ -139,7 +139,8 @@ ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std
                                       [this, to = line.get()](const ParticipantId& sender, const Buffer& sample) {
                                         receive(*to, sender, sample.bytes);
                                       });
-  line->writer = network_->makeWriter(requestTopic(service), type, [this] { changed(); });
+  line->writer = network_->makeWriter(
+      requestTopic(service), type, [this] { changed(); }, line->reader->participant());
   return *lines_.emplace(key, std::move(line)).first->second;
 }
 
@@ -175,7 +176,7 @@ void ServiceClient::receive(const Line& line, const ParticipantId& sender, std::
                 std::to_string(network_->directory().pidOf(sender)) + " is damaged; dropped");
     return;
   }
-  if (header->client != network_->id()) return;
+  if (header->client != line.reader->participant()) return;
   {
     const std::lock_guard lock(mutex_);
     const auto call = calls_.find(header->call);

@@ -91,7 +91,8 @@ void ServiceServer::open(Offer& offer) {
   offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this, &offer] { wake(offer.queue); });
   offer.reader = network_->makeReader(
       requestTopic(offer.name), type,
-      [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); });
+      [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); }, {},
+      offer.writer->participant());
 }
 
 /// After the end of one: the next one of that name answers from now on.
@@ -174,7 +175,7 @@ void ServiceServer::receive(Offer& offer, const ParticipantId& sender, std::span
     complain(offer, sender, "is damaged");
     return;
   }
-  if (header->server != network_->id() || offer.ended) return;
+  if (header->server != offer.writer->participant() || offer.ended) return;
   if (!enqueue(offer,
                {0, sender, header->call, std::chrono::steady_clock::now(), {message->begin(), message->end()}})) {
     complain(offer, sender, "came while too many were waiting");

@@ -16,6 +16,7 @@ constexpr std::chrono::milliseconds kLook{100};
 
 bool Announcements::goesTo(std::uint32_t port, std::uint64_t sequence, TimePoint now) {
   const std::lock_guard lock(mutex_);
+  if (ignored_.contains(port)) return false;
   const auto found = sent_.find(port);
   const bool isMet = found != sent_.end() && !found->second;
   if (!isMet) {
@@ -29,6 +30,11 @@ bool Announcements::goesTo(std::uint32_t port, std::uint64_t sequence, TimePoint
 void Announcements::met(std::uint32_t port) {
   const std::lock_guard lock(mutex_);
   sent_[port].reset();
+}
+
+void Announcements::ignore(std::uint32_t port) {
+  const std::lock_guard lock(mutex_);
+  ignored_.insert(port);
 }
 
 bool Announcements::isOpen(std::uint32_t port, TimePoint now) {

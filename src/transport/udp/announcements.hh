@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace pongsim::transport {
@@ -30,6 +31,9 @@ class Announcements {
   /// @return Whether to send the announcement to this port; it then counts as sent.
   bool goesTo(std::uint32_t port, std::uint64_t sequence, TimePoint now);
 
+  /// Lets none go to this port, at which a participant of the same process listens.
+  void ignore(std::uint32_t port);
+
   /// Lets a participant that has just been met have the next announcement.
   void met(std::uint32_t port);
 
@@ -43,6 +47,7 @@ class Announcements {
 
   Look look_;
   std::mutex mutex_;
+  std::set<std::uint32_t> ignored_;
   /// Without a time where somebody has been met since.
   std::map<std::uint32_t, std::optional<Sent>> sent_;
   std::optional<TimePoint> looked_;

@@ -65,7 +65,7 @@ bool Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, 
     if (sample.isOfParticipant() && sample.isAlive && !sample.leaseAt) return false;
   }
   const std::lock_guard lock(mutex_);
-  if (leases_.hasEnded(message->source)) return false;
+  if (ignored_.contains(message->source) || leases_.hasEnded(message->source)) return false;
   const auto found = known_.find(message->source);
   Known* known = found == known_.end() ? introduce(*message, from, side, now) : &found->second;
   if (known == nullptr || !isFrom(*known, from) || !known->isWithinMeans(*message, now)) return false;
@@ -89,8 +89,14 @@ void Doorkeeper::removed(const RtpsPrefix& prefix) {
   known_.erase(prefix);
 }
 
+void Doorkeeper::ignore(const RtpsPrefix& prefix, std::uint32_t port) {
+  const std::lock_guard lock(mutex_);
+  ignored_.emplace(prefix, port);
+}
+
 bool Doorkeeper::isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbeat) {
   const std::lock_guard lock(mutex_);
+  if (std::ranges::any_of(ignored_, [port](const auto& each) { return each.second == port; })) return true;
   bool isSomebodyThere = false;
   for (const auto& [prefix, known] : known_) {
     if (known.side != Side::kLoopback || known.port != port) continue;

@@ -66,8 +66,11 @@ class Doorkeeper {
   void discovered(const RtpsPrefix& prefix, TimePoint now);
   void removed(const RtpsPrefix& prefix);
 
+  /// Lets nothing in of a participant of the same process, which listens for others at that port.
+  void ignore(const RtpsPrefix& prefix, std::uint32_t port);
+
   /// @return Whether somebody known listens for others at this port of this machine, and all who do have acknowledged
-  /// what the heartbeat announces.
+  /// what the heartbeat announces. True where it is the port of one who is ignored.
   bool isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbeat);
 
   struct Endings {
@@ -107,6 +110,8 @@ class Doorkeeper {
   Sockets sockets_;
   /// Those whose lease runs.
   std::map<RtpsPrefix, Known> known_;
+  /// By participant, the port.
+  std::map<RtpsPrefix, std::uint32_t> ignored_;
   Leases leases_;
   /// Looks at the system's sockets.
   Allowance looks_{300, 100};

@@ -171,4 +171,37 @@ TEST(Directory, TellsOfPublishersOfTopicsAsTheyCome) {
   EXPECT_EQ(told.size(), 1U);
 }
 
+TEST(Directory, CountsWhatSeveralParticipantsOfANetworkTell) {
+  Directory directory;
+  directory.addParticipant(kSecond, 11, {7412}, kFirst);
+  directory.addEndpoint(kSecondsPublisher, {"/a", kTwist, Role::kPublisher});
+  EXPECT_FALSE(directory.waitForAll(ports({7412}), kNow)) << "the first one is not there";
+  directory.addParticipant(kFirst, 11, {7410});
+  directory.setCensus(kFirst, 2);
+  EXPECT_FALSE(directory.waitForAll(ports({7410, 7412}), kNow)) << "one is missing";
+  directory.addEndpoint(kFirstsPublisher, {"/b", kTwist, Role::kPublisher});
+  EXPECT_TRUE(directory.waitForAll(ports({7410, 7412}), kNow));
+}
+
+TEST(Directory, TakesTheFirstParticipantsReportForTheWholeNetwork) {
+  Directory directory;
+  directory.addParticipant(kFirst, 11, {7410});
+  directory.addParticipant(kSecond, 11, {7412}, kFirst);
+  directory.addEndpoint(kSecondsPublisher, {"/a", kTwist, Role::kPublisher});
+  for (const int seconds : {1, 2}) {
+    const auto sent = static_cast<std::uint64_t>(seconds) * 10;
+    directory.setTraffic(kFirst, {std::chrono::seconds(seconds), {{"/a", kTwist, Role::kPublisher, sent, 0}}});
+  }
+  EXPECT_EQ(directory.topic("/a").publishers.at(0).traffic, (TopicInfo::Traffic{20, 0, 10}));
+}
+
+TEST(Directory, ListsWhoTakesAnyTypeOnceWhereItsEndpointsAreOfSeveralParticipants) {
+  Directory directory;
+  directory.addParticipant(kFirst, 11, {7410});
+  directory.addParticipant(kSecond, 11, {7412}, kFirst);
+  directory.addEndpoint(kFirstsSubscriber, {"/a", "*", Role::kSubscriber});
+  directory.addEndpoint(EndpointId{2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3}, {"/a", kTwist, Role::kSubscriber});
+  EXPECT_EQ(directory.topic("/a").subscribers, (std::vector<TopicInfo::Endpoint>{{kTwist, 11}}));
+}
+
 }  // namespace pongsim::transport

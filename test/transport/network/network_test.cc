@@ -8,12 +8,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "pongsim/node.hh"
 #include "support/process.hh"
@@ -139,6 +144,81 @@ TEST(Network, AnnouncesItselfInTheEnd) {
   auto writer = later.makeWriter(kTopic, kType, nullptr);
   EXPECT_TRUE(other.directory().waitForTopic(kTopic, Role::kPublisher, deadlineAfter(test::kDeadline)));
   later.end(std::move(writer));
+}
+
+/// A network with so many endpoints that it has three participants.
+class ManyEndpoints : public testing::Test {
+ protected:
+  static constexpr int kTopics = 2500;
+
+  static std::string topic(int number) { return "/many/" + std::to_string(number); }
+
+  ManyEndpoints() {
+    for (int i = 0; i < kTopics; ++i) writers_.push_back(many_.makeWriter(topic(i), kType, nullptr));
+  }
+  ~ManyEndpoints() override {
+    for (auto& each : writers_) many_.end(std::move(each));
+  }
+
+  int domain_ = test::testDomain();
+  Network many_{domain_};
+  std::vector<std::unique_ptr<Writer>> writers_;
+};
+
+TEST_F(ManyEndpoints, AreSpreadOverParticipantsThatDoNotKnowOfEachOther) {
+  const auto open = openDiscoveryPorts(domain_);
+  if (!open) GTEST_SKIP() << "this system does not tell who listens";
+  EXPECT_EQ(open->size(), 3U);
+  std::set<ParticipantId> participants;
+  for (const auto& each : writers_) participants.insert(each->participant());
+  EXPECT_EQ(participants.size(), 3U);
+  EXPECT_TRUE(many_.discover(test::kDeadline)) << "there is nobody else";
+  EXPECT_TRUE(many_.directory().topics().empty());
+}
+
+TEST_F(ManyEndpoints, AreAllFoundByOthersAsOneProcess) {
+  Network other(domain_);
+  ASSERT_TRUE(other.discover(test::kDeadline));
+  EXPECT_EQ(other.directory().topics().size(), static_cast<std::size_t>(kTopics));
+  EXPECT_EQ(other.directory().topic(topic(kTopics - 1)).publishers,
+            (std::vector<TopicInfo::Endpoint>{{kType, static_cast<int>(getpid())}}));
+}
+
+TEST_F(ManyEndpoints, ReachTheirReadersAndReportTheirTraffic) {
+  const std::string last = topic(kTopics - 1);
+  many_.reportTraffic([&] {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return TrafficReport{now, {{last, kType, Role::kPublisher, 7, 0}}};
+  });
+  Network other(domain_);
+  std::atomic<int> received = 0;
+  auto reader = other.makeReader(last, kType, [&](const ParticipantId& sender, const Buffer&) {
+    if (sender == writers_.back()->participant()) ++received;
+  });
+  ASSERT_TRUE(test::waitUntil([&] { return writers_.back()->hasReaders(); }));
+  writers_.back()->write(4, [](std::span<std::byte> place) { std::ranges::fill(place, std::byte{}); });
+  EXPECT_TRUE(test::waitUntil([&] { return received == 1; }));
+  EXPECT_TRUE(test::waitUntil([&] {
+    other.watchTraffic(std::chrono::milliseconds(300));
+    const TopicInfo info = other.directory().topic(last);
+    return info.publishers.size() == 1 && info.publishers[0].traffic && info.publishers[0].traffic->messages == 7;
+  }));
+  other.end(std::move(reader));
+  many_.reportTraffic({});
+}
+
+TEST_F(ManyEndpoints, LeaveRoomForOthersWhenTheyEnd) {
+  const ParticipantId first = writers_.front()->participant();
+  many_.end(std::move(writers_.front()));
+  writers_.front() = many_.makeWriter(topic(0), kType, nullptr);
+  EXPECT_EQ(writers_.front()->participant(), first);
+}
+
+TEST_F(ManyEndpoints, LetThoseThatBelongTogetherHaveOneParticipant) {
+  auto reader = many_.makeReader(
+      "/r", kType, [](const ParticipantId&, const Buffer&) {}, {}, writers_.front()->participant());
+  EXPECT_EQ(reader->participant(), writers_.front()->participant());
+  many_.end(std::move(reader));
 }
 
 }  // namespace pongsim::transport

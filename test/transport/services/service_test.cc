@@ -327,5 +327,23 @@ TEST_F(ServiceElsewhere, DropsADamagedRequestWithAWarningAndGoesOn) {
   EXPECT_TRUE(call());
 }
 
+/// Topics that fill a process's first participant.
+std::vector<Publisher> manyTopics(Node node) {
+  std::vector<Publisher> all;
+  for (int i = 0; i < 1000; ++i) all.push_back(node.advertise<StringMsg>("/many/" + std::to_string(i)));
+  return all;
+}
+
+TEST(Service, AnswersWhereBothProcessesHaveManyTopics) {
+  test::testDomain();
+  Transport serving, asking;
+  const std::vector<Publisher> served = manyTopics(serving.node()), asked = manyTopics(asking.node());
+  const Service service = echo(serving.node(), "/s");
+  const Dispatched dispatched(serving);
+  StringMsg reply;
+  EXPECT_TRUE(asking.node().call("/s", saying("hi"), reply, kDeadline));
+  EXPECT_EQ(reply.data(), "hi!");
+}
+
 }  // namespace
 }  // namespace pongsim

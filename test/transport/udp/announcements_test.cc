@@ -77,4 +77,11 @@ TEST_F(AnnouncementsTest, GoToAllPortsWhereTheSystemReportsNone) {
   EXPECT_TRUE(goesTo(7414));
 }
 
+TEST_F(AnnouncementsTest, GoToNobodyOfTheSameProcess) {
+  announcements_.ignore(7410);
+  announcements_.met(7410);
+  EXPECT_FALSE(goesTo(7410));
+  EXPECT_TRUE(goesTo(7412));
+}
+
 }  // namespace pongsim::transport

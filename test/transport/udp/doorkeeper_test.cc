@@ -215,6 +215,13 @@ TEST_F(DoorkeeperTest, KnowsWhatHasBeenAcknowledged) {
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "another one at this port has not";
 }
 
+TEST_F(DoorkeeperTest, LetsInNobodyOfTheSameProcess) {
+  doorkeeper_.ignore(prefixOf(1), 7410);
+  EXPECT_FALSE(admits(announcement(1), {kLoopback, 5000}));
+  EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, {kPublicationsWriter, 5})) << "nothing has to be said there";
+  EXPECT_TRUE(admits(announcement(2), {kLoopback, 5001}));
+}
+
 TEST_F(DoorkeeperTest, BoundsEndpointsByTime) {
   ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
   ASSERT_TRUE(admits(announcement(2), {kLoopback, 5001}));
