@@ -1,5 +1,14 @@
-# Installs the packages of package.json into CLIENTS, and makes of gzweb's sources what node takes. Leaves CLIENTS/why where
-# that can't be, for the tests to say.
+# Installs the packages of package.json into CLIENTS, and makes of gzweb's sources what node takes, unless that is up to
+# date. Leaves CLIENTS/why where that can't be, for the tests to say.
+set(isOld FALSE)
+foreach(part package.json package-lock.json gzweb.mjs set_up.cmake)
+  if(${CMAKE_CURRENT_LIST_DIR}/${part} IS_NEWER_THAN ${CLIENTS}/tried)
+    set(isOld TRUE)
+  endif()
+endforeach()
+if(NOT isOld)
+  return()
+endif()
 file(REMOVE ${CLIENTS}/why)
 execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error WORKING_DIRECTORY ${CLIENTS}
                 RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
