@@ -20,10 +20,12 @@ void Watch::run() {
   std::unique_lock lock(mutex_);
   while (!isOver_) {
     lock.unlock();
-    TimePoint next = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    TimePoint next;
     try {
       next = look_();
     } catch (const std::bad_alloc&) {
+      // here and not before: GCC 12 loses what a variable had before a call that throws instead of setting it
+      next = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     }
     lock.lock();
     changed_.wait_until(lock, next, [this] { return isOver_; });
