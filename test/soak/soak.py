@@ -30,6 +30,9 @@ BEGIN = 42
 MEASURED = 21
 #: For so many rounds memory may grow: all kinds of listeners come to all topics, and the allocator's pools get their size.
 WARM_UP = 252
+#: And for this part of the run: what waits for slow listeners goes up and down by 5 MB within seconds, so that the most of
+#: the first minute is not the most of ten.
+WARM_UP_PART = 0.1
 #: The warm-up starts again when rounds come faster than ever before by this factor, since more messages then wait for
 #: listeners at once.
 FASTER = 1.25
@@ -61,11 +64,12 @@ class Record:
 class WarmUp:
     """Whether memory may still grow."""
 
-    def __init__(self, now, rounds=0):
-        """now: in seconds."""
+    def __init__(self, now, seconds=0):
+        """now: in seconds; seconds: how long the run takes."""
         self._fastest = 0
-        self._before = now, rounds
+        self._before = now, 0
         self._until = WARM_UP
+        self._end = now + WARM_UP_PART * seconds
 
     def goes_on(self, now, rounds):
         """Asked at each measure, with the seconds and the rounds up to it."""
@@ -77,7 +81,7 @@ class WarmUp:
         elif pace > FASTER * self._fastest:
             self._fastest = pace
             self._until = rounds + WARM_UP
-        return rounds <= self._until
+        return rounds <= self._until or now < self._end
 
 
 class Bound:
@@ -117,7 +121,7 @@ class Bound:
 class Soak:
     """One run."""
 
-    def __init__(self, program, folder):
+    def __init__(self, program, seconds, folder):
         domain = take_domain()
         environment = dict(os.environ, PONGSIM_DOMAIN=str(domain))
         self._record = Record()
@@ -132,7 +136,7 @@ class Soak:
         pids = {"the daemon": self._daemon.process.pid, "the driver": os.getpid()}
         self._bounds = [Bound(what, lambda pid=pid: Footprint.of(pid)) for what, pid in pids.items()]
         self._next_measure = BEGIN
-        self._warm_up = WarmUp(time.monotonic())
+        self._warm_up = WarmUp(time.monotonic(), seconds)
         self.lost = 0
         self.rounds = 0
         self.measures = 0
@@ -296,7 +300,7 @@ def run(arguments):
     soak = beside = None
     with tempfile.TemporaryDirectory() as folder:
         try:
-            soak = Soak(arguments.program, folder)
+            soak = Soak(arguments.program, arguments.minutes * 60, folder)
             if arguments.subscribers:
                 beside = Beside(arguments.subscribers, max(1, int(arguments.minutes)), folder)
             go_on(soak, beside, arguments)

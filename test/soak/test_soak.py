@@ -4,7 +4,7 @@ import types
 import unittest
 
 from daemon import Daemon, Fault, Footprint
-from soak import FASTER, GROWTH, WARM_UP, Bound, Record, WarmUp, go_on
+from soak import FASTER, GROWTH, WARM_UP, WARM_UP_PART, Bound, Record, WarmUp, go_on
 
 
 class Hashes(unittest.TestCase):
@@ -60,6 +60,12 @@ class Warmth(unittest.TestCase):
         warm_up = WarmUp(now=0)
         self.assertTrue(warm_up.goes_on(now=WARM_UP, rounds=WARM_UP))
         self.assertFalse(warm_up.goes_on(now=WARM_UP + 10, rounds=WARM_UP + 10))
+
+    def test_comes_after_a_part_of_the_run(self):
+        warm_up = WarmUp(now=0, seconds=WARM_UP / WARM_UP_PART + 100)
+        self.assertTrue(warm_up.goes_on(now=WARM_UP, rounds=WARM_UP))
+        self.assertTrue(warm_up.goes_on(now=WARM_UP + 5, rounds=WARM_UP + 5))
+        self.assertFalse(warm_up.goes_on(now=WARM_UP + 20, rounds=WARM_UP + 20))
 
     def test_begins_anew_where_rounds_come_faster_than_ever(self):
         warm_up = WarmUp(now=0)
