@@ -16,7 +16,7 @@ pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
 pkg_check_modules(ignition_msgs REQUIRED IMPORTED_TARGET ignition-msgs8)
-# opened where cameras are; of OpenGL the headers only, for OSMesa has its functions
+# loaded with the first camera; only the headers of OpenGL, because OSMesa has the functions
 pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
 find_path(GL_INCLUDE_DIR GL/glcorearb.h REQUIRED)
 if(BUILD_TESTING)
@@ -24,7 +24,7 @@ if(BUILD_TESTING)
   find_package(benchmark REQUIRED)
 endif()
 
-# Headers of others are not ours to warn about.
+# No warnings about other projects' headers.
 foreach(target PkgConfig::assimp PkgConfig::jpeg PkgConfig::png PkgConfig::tinyxml2 PkgConfig::urdfdom PkgConfig::bullet
         PkgConfig::ignition_msgs)
   get_target_property(directories ${target} INTERFACE_INCLUDE_DIRECTORIES)
@@ -34,7 +34,7 @@ foreach(target PkgConfig::assimp PkgConfig::jpeg PkgConfig::png PkgConfig::tinyx
 endforeach()
 
 # pongsim_opened_library(NAME LIBRARY TARGET)
-# A target with the headers of a library that is opened while running rather than linked, and what to open as PONGSIM_NAME.
+# A target with the headers of a library that is loaded at run time instead of linked; PONGSIM_NAME is the file to load.
 function(pongsim_opened_library name library target)
   string(TOUPPER PONGSIM_${name} variable)
   find_library(${variable}_FILE ${library} REQUIRED)

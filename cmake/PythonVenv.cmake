@@ -1,5 +1,5 @@
-# A script: makes the virtual environment VENV with REQUIREMENTS, unless it is up to date. Leaves VENV/why where that
-# can't be, for the tests to say, or fails if it is NEEDED.
+# A script: creates the virtual environment VENV with REQUIREMENTS, unless it is up to date. If that fails, writes the
+# reason to VENV/why for the tests to report, or fails itself if it is NEEDED.
 cmake_path(REPLACE_FILENAME REQUIREMENTS requirements_ray.txt OUTPUT_VARIABLE ray)
 set(isOld FALSE)
 foreach(file ${REQUIREMENTS} ${ray})
@@ -17,7 +17,7 @@ if(NOT failed)
                   RESULT_VARIABLE failed ERROR_VARIABLE why OUTPUT_VARIABLE why)
 endif()
 if(NOT failed AND EXISTS ${ray})
-  # The cluster of the tests is large: where it can't be had its own tests are skipped, and no others.
+  # Ray is large: if it can't be installed, only its own tests are skipped.
   execute_process(COMMAND ${VENV}/bin/pip install --quiet --disable-pip-version-check --requirement ${ray}
                   RESULT_VARIABLE noRay ERROR_VARIABLE whyNoRay OUTPUT_VARIABLE whyNoRay)
   if(noRay)

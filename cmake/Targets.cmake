@@ -1,6 +1,6 @@
 # pongsim_layer(NAME SOURCES ... [USES third-party targets ...] [COMPUTES])
-# A folder under src/, as object files that go into the library and into the tests of the layer. COMPUTES: it is where the
-# time of a run goes, and is optimized all the more.
+# A folder under src/, as object files for the library and for the layer's tests. COMPUTES: most of a run's time is spent
+# here, so it is optimized more.
 function(pongsim_layer name)
   cmake_parse_arguments(arg "COMPUTES" "" "SOURCES;USES" ${ARGN})
   add_library(pongsim_${name} OBJECT ${arg_SOURCES})
@@ -17,8 +17,8 @@ function(pongsim_layer name)
 endfunction()
 
 # pongsim_export(TARGET FILE)
-# Of a library's names, lets only those of a linker's version script in cmake/ be seen: what templates of others leave
-# behind is not ours to offer.
+# Exports only the symbols of a linker version script in cmake/, so that instantiations of other libraries' templates are
+# not exported.
 function(pongsim_export target file)
   set(map ${CMAKE_SOURCE_DIR}/cmake/${file})
   target_link_options(${target} PRIVATE LINKER:--version-script=${map})
@@ -26,7 +26,7 @@ function(pongsim_export target file)
 endfunction()
 
 # pongsim_plugin(NAME SOURCES ... [USES third-party targets ...])
-# A system's library; knows the installed API only.
+# A system's library; it sees only the installed API.
 function(pongsim_plugin name)
   cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
   set(target pongsim-${name}-system)
@@ -42,8 +42,8 @@ function(pongsim_plugin name)
 endfunction()
 
 # pongsim_extension(NAME [PAGE])
-# What a room adds to the command line, share/NAME.json, where the program looks for it in the build tree and in an
-# installation; PAGE: with the manual page of its command, pongsim-NAME.
+# Puts a component's descriptor, share/NAME.json (docs/extensions.md), where the program looks for it in the build tree and
+# in an installation. PAGE: also makes the manual page of its command, pongsim-NAME.
 function(pongsim_extension name)
   cmake_parse_arguments(arg "PAGE" "" "" ${ARGN})
   configure_file(share/${name}.json ${CMAKE_BINARY_DIR}/share/pongsim/extensions/${name}.json COPYONLY)
@@ -60,15 +60,15 @@ function(pongsim_extension name)
 endfunction()
 
 # pongsim_test(NAME SOURCES ... [LINKS ...] [LABELS ...])
-# A GoogleTest program, each of its tests a test of ctest. Links the layers, hidden parts and all, unless LINKS
-# names the library itself (`pongsim`) for a test that sees only the installed API.
+# A GoogleTest program; each of its tests is a ctest test. Links the layers, including hidden parts, unless LINKS names the
+# library itself (`pongsim`), for a test that sees only the installed API.
 function(pongsim_test name)
   cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINKS;USES" ${ARGN})
   if(NOT arg_LINKS)
     set(arg_LINKS pongsim_layers)
   endif()
   if(NOT arg_TIMEOUT)
-    # against those that hang: waits of a minute each on a machine that is busy are none
+    # for tests that hang; waits of a minute each on a busy machine are no hang
     set(arg_TIMEOUT 300)
   endif()
   add_executable(${name} ${arg_SOURCES})
@@ -83,7 +83,7 @@ function(pongsim_test name)
 endfunction()
 
 # pongsim_plugin_test(NAME SOURCES ... [USES third-party targets ...])
-# Tests of a system: see the installed API only. All go into one program, systems_test, which is quicker to build.
+# Tests of a system, which see only the installed API. All go into one program, systems_test, which builds faster.
 function(pongsim_plugin_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
   list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)

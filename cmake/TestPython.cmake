@@ -1,5 +1,5 @@
 # pongsim_test_python(GROUP PYTHON VENV [NEEDED]): a virtual environment with the requirements.txt of this folder, set up by
-# the test GROUP.setup, so that the build does not wait for downloads. Tests get it by `FIXTURES_REQUIRED GROUP_python`.
+# the test GROUP.setup, so that the build does not wait for downloads. Tests use it with `FIXTURES_REQUIRED GROUP_python`.
 function(pongsim_test_python group python venv)
   cmake_parse_arguments(PARSE_ARGV 3 arg "NEEDED" "" "")
   add_test(NAME ${group}.setup

@@ -1,5 +1,5 @@
-# Message types that the installed ignition-msgs lacks, as a library of their own: two copies of a type in a process are
-# one too many for protobuf. Those that it has are left to it.
+# Message types that the installed ignition-msgs lacks, in a separate library, because protobuf allows only one copy of a
+# type per process. The others come from ignition-msgs.
 find_path(ignition_msgs_proto_dir ignition/msgs/entity.proto PATHS ${ignition_msgs_INCLUDE_DIRS} NO_DEFAULT_PATH
           REQUIRED)
 set(folder ${CMAKE_BINARY_DIR}/messages)
@@ -20,7 +20,7 @@ endforeach()
 
 if(sources)
   add_library(pongsim_messages SHARED ${sources})
-  # what protoc writes is one file's alone
+  # generated files can't be compiled as one
   set_target_properties(pongsim_messages PROPERTIES UNITY_BUILD OFF)
   target_compile_options(pongsim_messages PRIVATE -w)
   set_target_properties(pongsim_messages PROPERTIES OUTPUT_NAME pongsim-messages CXX_VISIBILITY_PRESET default
@@ -37,8 +37,8 @@ install(TARGETS pongsim_messages EXPORT pongsim LIBRARY DESTINATION ${CMAKE_INST
 install(DIRECTORY ${folder}/ignition DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pongsim/messages
         FILES_MATCHING PATTERN "*.pb.h")
 
-# The types as files: with what stands beside them, for pongsim msg -i, and as little as it takes to read and write
-# messages, for programs that do without the classes.
+# The types as files: one with comments, for `pongsim msg -i`, and one with only what reading and writing messages needs,
+# for programs that do not contain the classes.
 file(GLOB installed ${ignition_msgs_proto_dir}/ignition/msgs/*.proto)
 file(GLOB own ${CMAKE_CURRENT_SOURCE_DIR}/proto/ignition/msgs/*.proto)
 foreach(proto ${own})

@@ -1,5 +1,5 @@
-# Installs the packages of package.json into CLIENTS, and makes of gzweb's sources what node takes, unless that is up to
-# date. Leaves CLIENTS/why where that can't be, for the tests to say.
+# Installs the packages of package.json into CLIENTS, and bundles gzweb's sources for node, unless that is up to date. If it
+# fails, writes the reason to CLIENTS/why for the tests to report.
 set(isOld FALSE)
 foreach(part package.json package-lock.json gzweb.mjs set_up.cmake)
   if(${CMAKE_CURRENT_LIST_DIR}/${part} IS_NEWER_THAN ${CLIENTS}/tried)
