@@ -8,8 +8,7 @@ add_library(pongsim_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
 target_link_libraries(pongsim_precompiled PRIVATE pongsim_settings Eigen3::Eigen)
 target_precompile_headers(pongsim_precompiled PRIVATE ${headers})
 
-# For the layers that compute: GCC takes the optimization level from the precompiled header and ignores the command
-# line's.
+# For the layers that compute: GCC takes the optimization level from the precompiled header, not from the command line.
 add_library(pongsim_computing_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
 target_compile_options(pongsim_computing_precompiled PRIVATE $<$<CONFIG:Release>:-O3>)
 target_link_libraries(pongsim_computing_precompiled PRIVATE pongsim_settings Eigen3::Eigen)
