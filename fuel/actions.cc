@@ -73,7 +73,7 @@ Server serverFrom(const std::string& url, const Settings& settings) {
   while (plain.ends_with('/')) plain.pop_back();
   const bool isWeb = plain.starts_with("https://") || plain.starts_with("http://");
   if (!isWeb || originOf(plain).size() != plain.size()) {
-    throw UsageError("'" + url + "' is not the address of a server", "as https://fuel.gazebosim.org");
+    throw UsageError("'" + url + "' is not the address of a server", "such as https://fuel.gazebosim.org");
   }
   plain = originOf(plain);
   const auto known = std::ranges::find(settings.servers, plain, &Server::url);

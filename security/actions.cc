@@ -230,8 +230,9 @@ int add(const Options& options) {
                 {identities, permissions}, options.permissions, options.permissionsFile);
   const fs::path place = keystore / "enclaves" / name.substr(1);
   if (!folder.put(place)) {
-    throw Failure("keystore '" + keystore.string() + "' has '" + name.substr(1) + "', and nothing is overwritten",
-                  "remove " + place.string() + " first, or use another name");
+    throw Failure(
+        "keystore '" + keystore.string() + "' already has '" + name.substr(1) + "', and nothing is overwritten",
+        "remove " + place.string() + " first, or use another name");
   }
   programs::say("identity '" + name.substr(1) + "', valid until " + dayOf(readIdentity(place.string()).validUntil));
   return programs::kDone;

@@ -131,7 +131,7 @@ TEST_F(Keystore, IsNotOverwritten) {
   EXPECT_EQ(contentOf(keys_ / "private/ca.key.pem"), key);
   actions::add(adding("robot"));
   const std::string own = contentOf(keys_ / "enclaves/robot/key.pem");
-  EXPECT_EQ(refusalToAdd(adding("/robot")), "keystore 'KEYS' has 'robot', and nothing is overwritten");
+  EXPECT_EQ(refusalToAdd(adding("/robot")), "keystore 'KEYS' already has 'robot', and nothing is overwritten");
   EXPECT_EQ(contentOf(keys_ / "enclaves/robot/key.pem"), own);
   EXPECT_EQ(std::distance(fs::directory_iterator(keys_ / "private"), {}), 3) << "something is left behind";
 }

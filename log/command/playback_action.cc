@@ -47,7 +47,7 @@ std::pair<std::string, std::string> remapOf(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t sign = text.find(":=");
   if (sign == std::string::npos || sign == 0 || sign + 2 == text.size())
-    throw programs::UsageError("'" + text + "' is not a renaming", "as --remap /from:=/to");
+    throw programs::UsageError("'" + text + "' is not a renaming", "write --remap /from:=/to");
   return {text.substr(0, sign), text.substr(sign + 2)};
 }
 

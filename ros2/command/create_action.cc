@@ -109,12 +109,12 @@ std::optional<std::string> findWorld(Transport& transport, const CreateOptions& 
     if (wanted.empty() && worlds.size() > 1) {
       std::string names;
       for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
-      fail("several worlds run: " + names, "choose with -world WORLD");
+      fail("several worlds are running: " + names, "choose with -world WORLD");
       return std::nullopt;
     }
     const auto waited = Clock::now() - start;
     if (options.search.timeout && waited >= *options.search.timeout) {
-      fail(wanted.empty() ? "no world runs" : "no world '" + options.given.world + "' runs",
+      fail(wanted.empty() ? "no world is running" : "no world '" + options.given.world + "' is running",
            worlds.empty() ? "start one with pongsim run WORLD"
                           : didYouMean(wanted, std::vector<std::string_view>(worlds.begin(), worlds.end())));
       return std::nullopt;

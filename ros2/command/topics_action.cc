@@ -78,10 +78,10 @@ int failWithout(const std::string& wanted, const std::vector<std::string>& bridg
     return fail("several worlds are bridged: " + names, "choose with -w WORLD");
   }
   if (!wanted.empty() && std::ranges::count(running, wanted) == 0) {
-    return fail("no world '" + wanted + "' runs",
+    return fail("no world '" + wanted + "' is running",
                 didYouMean(wanted, std::vector<std::string_view>(running.begin(), running.end())));
   }
-  if (running.empty()) return fail("no world runs", "start one with pongsim run WORLD --ros2");
+  if (running.empty()) return fail("no world is running", "start one with pongsim run WORLD --ros2");
   return fail("world '" + (wanted.empty() ? running.front() : wanted) + "' is not bridged to ROS 2",
               "start it with pongsim run WORLD --ros2");
 }

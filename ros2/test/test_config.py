@@ -241,7 +241,7 @@ def test_what_is_bridged_can_be_asked_for():
 
 def test_who_asks_hears_why_nothing_is_bridged():
     nobody = pongsim("ros2", "topics", "--timeout", "0", check=False)
-    assert nobody.returncode == 1 and "no world runs" in nobody.stderr
+    assert nobody.returncode == 1 and "no world is running" in nobody.stderr
     with peers.running(peers.ROOT / "worlds/pong_world.sdf"):
         def said_why():
             unbridged = pongsim("ros2", "topics", "--timeout", "0", check=False)

@@ -30,7 +30,7 @@ int runWhole(int argc, char** argv) {
   }
   auto* const whole = std::get<SharedLibrary>(opened).find<int(int, char**)>("pongsim_main");
   if (whole == nullptr) {
-    std::fputs("pongsim: error: " PONGSIM_LIBRARY " is of another version\n", stderr);
+    std::fputs("pongsim: error: " PONGSIM_LIBRARY " has a different version\n", stderr);
     return 1;
   }
   return whole(argc, argv);

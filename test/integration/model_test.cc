@@ -73,7 +73,7 @@ TEST_F(ModelCommand, GoesOnPrinting) {
 TEST(ModelCommandAlone, SaysWhereAWorldDoesNotTellItsState) {
   const Outcome none = runToEnd({"model", "--list", "--timeout", "0"});
   EXPECT_EQ(none.exitCode, 1);
-  EXPECT_EQ(none.error, "pongsim: error: no world runs\n  hint: start one with pongsim run WORLD\n");
+  EXPECT_EQ(none.error, "pongsim: error: no world is running\n  hint: start one with pongsim run WORLD\n");
 }
 
 }  // namespace

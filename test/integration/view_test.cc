@@ -182,11 +182,11 @@ TEST_F(ViewOfARunningWorld, KnowsActorsByName) {
 TEST_F(ViewOfARunningWorld, WantsToKnowWhichOne) {
   const Outcome none = runToEnd({"view", "--timeout", "0"});
   EXPECT_EQ(none.exitCode, 1);
-  EXPECT_EQ(none.error, "pongsim: error: no world runs\n  hint: start one with pongsim run WORLD\n");
+  EXPECT_EQ(none.error, "pongsim: error: no world is running\n  hint: start one with pongsim run WORLD\n");
   const auto first = runColoredWorld("w"), second = runColoredWorld("v");
   const Outcome either = runToEnd({"view", "--timeout", "60000"});
   EXPECT_EQ(either.exitCode, 1);
-  EXPECT_TRUE(either.error.starts_with("pongsim: error: several worlds run: ")) << either.error;
+  EXPECT_TRUE(either.error.starts_with("pongsim: error: several worlds are running: ")) << either.error;
   EXPECT_NE(either.error.find("hint: choose with -w WORLD"), std::string::npos) << either.error;
   EXPECT_EQ(SeenFromAbove({"-w", "v", "--timeout", "60000"}).at(0, 0), "255 0 0");
 }

@@ -52,13 +52,13 @@ TEST(World, IsChosenWhereSeveralRun) {
   EXPECT_EQ(ask({"pause", "-w", "pong_world"}), 0);
   const Outcome wrong = runToEnd({"world", "pause", "-w", "ping_world", "--timeout", "0"});
   EXPECT_EQ(wrong.exitCode, 1);
-  EXPECT_EQ(wrong.error, "pongsim: error: no world 'ping_world' runs\n  hint: did you mean 'pong_world'?\n");
+  EXPECT_EQ(wrong.error, "pongsim: error: no world 'ping_world' is running\n  hint: did you mean 'pong_world'?\n");
   const auto second = startWorld("building_robot.sdf", {"--paused"});
   const Outcome list = runToEnd({"topic", "-et", "/world/building_robot/clock", "-n", "1"});
   EXPECT_EQ(list.exitCode, 0);
   const Outcome either = runToEnd({"world", "pause"});
   EXPECT_EQ(either.exitCode, 1);
-  EXPECT_TRUE(either.error.starts_with("pongsim: error: several worlds run: ")) << either.error;
+  EXPECT_TRUE(either.error.starts_with("pongsim: error: several worlds are running: ")) << either.error;
 }
 
 TEST(World, TellsWhatIsInIt) {
@@ -87,7 +87,7 @@ TEST(World, StatsEndAtASignal) {
 TEST(World, IsMissedWhereNoneRuns) {
   const Outcome none = runToEnd({"world", "play", "--timeout", "0"});
   EXPECT_EQ(none.exitCode, 1);
-  EXPECT_EQ(none.error, "pongsim: error: no world runs\n  hint: start one with pongsim run WORLD\n");
+  EXPECT_EQ(none.error, "pongsim: error: no world is running\n  hint: start one with pongsim run WORLD\n");
 }
 
 }  // namespace

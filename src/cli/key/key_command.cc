@@ -66,7 +66,7 @@ class Keyboard {
 int Keyboard::run() {
   const KeyTerminal terminal(STDIN_FILENO);
   signal_.onStop([this] { eventfd_write(stop_, 1); });
-  if (terminal.isTerminal()) say("keys go to " + options_.topic + "; q or Ctrl-C ends");
+  if (terminal.isTerminal()) say("keys go to " + options_.topic + "; q or Ctrl-C quits");
   if (!findListener(terminal.isTerminal())) return kFailed;
 
   bool delivered = true;

@@ -255,7 +255,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addFlag("--strict", options->strict,
           "Treat warnings about the file as errors, and exit with code 1 when a system fails");
   addFlag("--levels", options->levels,
-          "Load the contents of a <level> only while a <performer> is near (all of it, always)");
+          "Load the contents of a <level> only while a <performer> is near (always all of it)");
   addFlag("--hash", options->hash, "Print a hash of the state's bits at the end");
   add("--hash-every", "N", "Print that hash every N steps, too",
       [options](const std::string& text) { options->hashPeriod = wholeNumber("--hash-every", text, 1); });

@@ -66,9 +66,9 @@ std::string_view useOf(sdf::Use use) {
     case sdf::Use::kRead:
       return "read";
     case sdf::Use::kKept:
-      return "kept as it stands";
+      return "kept as it is";
     case sdf::Use::kPassed:
-      return "known, but not made use of";
+      return "known, but unused";
   }
   return "";
 }

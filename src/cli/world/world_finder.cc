@@ -64,11 +64,11 @@ std::optional<std::string> findWorld(Transport& transport, const StopSignal& sig
     transport.dispatchFor(kBetweenLooks);
   }
   if (worlds.empty()) {
-    fail("no world runs", "start one with pongsim run WORLD");
+    fail("no world is running", "start one with pongsim run WORLD");
     return std::nullopt;
   }
   if (!name.empty() && std::ranges::count(worlds, name) == 0) {
-    fail("no world '" + wanted + "' runs",
+    fail("no world '" + wanted + "' is running",
          base::didYouMean(name, std::vector<std::string_view>(worlds.begin(), worlds.end())));
     return std::nullopt;
   }
@@ -76,10 +76,10 @@ std::optional<std::string> findWorld(Transport& transport, const StopSignal& sig
     std::string names;
     for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
     if (const auto first = choice == WorldChoice::kFirst ? firstOf(transport, worlds, timeout) : std::nullopt) {
-      say("several worlds run: " + names + "; this is " + *first + " (-w WORLD chooses)");
+      say("several worlds are running: " + names + "; this is " + *first + " (-w WORLD chooses)");
       return first;
     }
-    fail("several worlds run: " + names, "choose with -w WORLD");
+    fail("several worlds are running: " + names, "choose with -w WORLD");
     return std::nullopt;
   }
   return name.empty() ? worlds.front() : name;

@@ -36,8 +36,8 @@ TEST(SdfDescribe, TellsWhereASharedElementStands) {
 TEST(SdfDescribe, TellsOfWhatIsGone) {
   EXPECT_NE(described("joint/axis/use_parent_model_frame").find("versions    SDF 1.5 to 1.6\n"), std::string::npos);
   EXPECT_NE(described("inertial/pose/@relative_to").find("versions    SDF 1.7 only\n"), std::string::npos);
-  EXPECT_NE(described("world/gui").find("in pongsim  kept as it stands\n"), std::string::npos);
-  EXPECT_NE(described("battery").find("in pongsim  known, but not made use of\n"), std::string::npos);
+  EXPECT_NE(described("world/gui").find("in pongsim  kept as it is\n"), std::string::npos);
+  EXPECT_NE(described("battery").find("in pongsim  known, but unused\n"), std::string::npos);
 }
 
 TEST(SdfDescribe, KeepsToTheWidthOfAScreen) {
