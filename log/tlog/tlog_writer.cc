@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::milliseconds kTransactionTime{500};
-constexpr std::size_t kMostWaiting = std::size_t{64} << 20U;
+constexpr std::size_t kMostWaitingBytes = std::size_t{64} << 20U;
 
 // As in ignition-transport 11; its readers check the version.
 constexpr const char* kSchema = R"(
@@ -152,7 +152,7 @@ struct TlogWriter::Parts {
   bool take(Batch& batch) {
     batch.clear();
     std::unique_lock lock(mutex);
-    given.wait_for(lock, kTransactionTime, [this] { return isClosing || waiting.bytes.size() >= kMostWaiting / 2; });
+    given.wait_for(lock, kTransactionTime, [this] { return isClosing || waiting.bytes.size() >= kMostWaitingBytes / 2; });
     std::swap(batch, waiting);
     taken.notify_all();
     return !isClosing || !batch.entries.empty();
@@ -213,7 +213,7 @@ TlogWriter::~TlogWriter() {
 
 void TlogWriter::write(const Record& record) {
   std::unique_lock lock(parts_->mutex);
-  parts_->taken.wait(lock, [&] { return parts_->failure || parts_->waiting.bytes.size() < kMostWaiting; });
+  parts_->taken.wait(lock, [&] { return parts_->failure || parts_->waiting.bytes.size() < kMostWaitingBytes; });
   if (parts_->failure) throw *parts_->failure;
   Batch& waiting = parts_->waiting;
   std::string& name = parts_->numbersKey;
@@ -222,7 +222,7 @@ void TlogWriter::write(const Record& record) {
   if (isNew) waiting.topics.emplace_back(record.topic, record.type);
   waiting.entries.push_back({record.timeNs, known->second, waiting.bytes.size(), record.payload.size()});
   waiting.bytes += record.payload;
-  if (waiting.bytes.size() >= kMostWaiting / 2) parts_->given.notify_one();
+  if (waiting.bytes.size() >= kMostWaitingBytes / 2) parts_->given.notify_one();
 }
 
 void TlogWriter::close() {

@@ -37,12 +37,12 @@ class CheckTest : public testing::Test {
   std::string said_;
 };
 
-constexpr const char* kScan =
+constexpr const char* kScanPair =
     "- {ros_topic_name: scan, gz_topic_name: /lidar, ros_type_name: sensor_msgs/msg/LaserScan,\n"
     "   gz_type_name: gz.msgs.LaserScan, direction: GZ_TO_ROS, qos_profile: SENSOR_DATA, frame_id: laser}\n";
 
 TEST_F(CheckTest, SaysWhatAConfigurationDoes) {
-  EXPECT_EQ(check(kScan, {"--namespace", "/robot"}), kDone);
+  EXPECT_EQ(check(kScanPair, {"--namespace", "/robot"}), kDone);
   EXPECT_EQ(printed_,
             "/robot/scan [sensor_msgs/msg/LaserScan]  <-  /lidar [ignition.msgs.LaserScan]  "
             "to ROS: best_effort, volatile, depth 5, lazy; frame laser\n");
@@ -50,7 +50,7 @@ TEST_F(CheckTest, SaysWhatAConfigurationDoes) {
 }
 
 TEST_F(CheckTest, SaysWhatIsWrongWithTheLine) {
-  EXPECT_EQ(check(std::string(kScan) + "- topic_name: /a\n  ros_type_name: std_msgs/msg/Strin\n"
+  EXPECT_EQ(check(std::string(kScanPair) + "- topic_name: /a\n  ros_type_name: std_msgs/msg/Strin\n"
                                        "  gz_type_name: gz.msgs.StringMsg\n"),
             kFailed);
   EXPECT_EQ(said_, file_ +
@@ -62,7 +62,7 @@ TEST_F(CheckTest, SaysWhatIsWrongWithTheLine) {
 }
 
 TEST_F(CheckTest, PrintsJson) {
-  EXPECT_EQ(check(std::string(kScan) + "- topic_name: /a\n", {"--json"}), kFailed);
+  EXPECT_EQ(check(std::string(kScanPair) + "- topic_name: /a\n", {"--json"}), kFailed);
   const auto json = nlohmann::json::parse(printed_);
   EXPECT_EQ(json.at("topics").at(0).at("ros"), "/scan");
   EXPECT_EQ(json.at("topics").at(0).at("to_ros").at("reliability"), "best_effort");

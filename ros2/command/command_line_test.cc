@@ -17,12 +17,12 @@ void addAction(CLI::App& program, Work& work) {
   action->callback([&work] { work = [] { return 42; }; });
 }
 
-struct Outcome {
+struct CommandOutcome {
   int code = 0;
   std::string said;
 };
 
-Outcome outcomeOf(std::vector<std::string> words) {
+CommandOutcome outcomeOf(std::vector<std::string> words) {
   words.insert(words.begin(), "pongsim-ros2");
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

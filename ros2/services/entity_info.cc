@@ -12,15 +12,15 @@ using Category = si::EntityCategory;
 namespace {
 
 /// @return Whether it has a movable joint or a sensor.
-bool isRobot(const Model& model) {
+bool movesOrSenses(const Model& model) {
   return std::ranges::any_of(model.joints(), [](const Joint& joint) { return joint.axisCount() > 0; }) ||
          std::ranges::any_of(model.links(), [](const Link& link) { return !link.sensors().empty(); }) ||
-         std::ranges::any_of(model.models(), [](const Model& each) { return isRobot(each); });
+         std::ranges::any_of(model.models(), [](const Model& each) { return movesOrSenses(each); });
 }
 
 std::uint8_t categoryOf(const Model& model) {
   if (model.isStatic()) return Category::kCategoryStaticObject;
-  return isRobot(model) ? Category::kCategoryRobot : Category::kCategoryObject;
+  return movesOrSenses(model) ? Category::kCategoryRobot : Category::kCategoryObject;
 }
 
 bool isKnown(std::uint8_t category) {

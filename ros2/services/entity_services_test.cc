@@ -12,7 +12,6 @@ namespace {
 namespace si = simulation_interfaces;
 namespace srv = simulation_interfaces::srv;
 using si::SpawnResult;
-using test::ServedWorld;
 
 const std::string kWorld =
     "<gravity>0 0 0</gravity><frame name='dock'><pose>1 2 3 0 0 0</pose></frame>"

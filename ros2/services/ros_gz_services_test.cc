@@ -35,7 +35,7 @@ class RosGzServicesTest : public testing::Test {
   std::vector<std::string> entities() { return world_.call<GetEntities>("/pongsim/get_entities").entities; }
   static gz::Entity named(const std::string& name) { return {0, name, gz::Entity::kModel}; }
 
-  test::ServedWorld world_{
+  ServedWorld world_{
       "<gravity>0 0 0</gravity><model name='ball'><pose>1 0 0 0 0 0</pose><link name='l'/></model>", {"--paused"}};
 };
 

@@ -14,7 +14,6 @@ namespace {
 namespace si = simulation_interfaces;
 namespace srv = simulation_interfaces::srv;
 using State = si::SimulationState;
-using test::ServedWorld;
 
 const std::string kBall =
     "<model name='ball'><pose>0 0 10 0 0 0</pose><link name='l'/></model>"

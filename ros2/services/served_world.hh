@@ -14,9 +14,7 @@
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
-namespace pongsim::ros2::test {
-
-using namespace pongsim::test;
+namespace pongsim::ros2 {
 
 /// A simulation that `pongsim run` runs as a ROS node, and a node in another process that calls its services.
 class ServedWorld {
@@ -36,33 +34,33 @@ class ServedWorld {
     std::vector<std::string> arguments{PONGSIM_PROGRAM, "run", file_};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const std::string resources = folder_.path() / "models";
-    process_.emplace(arguments, Process::Options{{{"ROS_DOMAIN_ID", std::to_string(domain_)},
+    process_.emplace(arguments, test::Process::Options{{{"ROS_DOMAIN_ID", std::to_string(domain_)},
                                                   {"ROS_DISTRO", "humble"},
                                                   {"PONGSIM_RESOURCE_PATH", resources}},
                                                  folder_.path()});
   }
 
   const std::filesystem::path& file() const { return file_; }
-  const TempFolder& folder() const { return folder_; }
+  const test::TempFolder& folder() const { return folder_; }
   RosNode& node() { return node_; }
-  Process& process() { return *process_; }
+  test::Process& process() { return *process_; }
 
   /// @param service "~/get_entities" for the simulation's node; or an absolute name.
   template <ServiceType Service>
   typename Service::Response call(const std::string& service, const typename Service::Request& request = {}) {
     RosClient<Service> client(node_, service.starts_with("~") ? "/pongsim" + service.substr(1) : service);
-    const auto response = client.call(request, kDeadline);
+    const auto response = client.call(request, test::kDeadline);
     if (!response) ADD_FAILURE() << service << " did not answer; " << process_->error();
     return response.value_or(typename Service::Response());
   }
 
  private:
-  const int domain_ = testDomain();
-  TempFolder folder_;
+  const int domain_ = test::testDomain();
+  test::TempFolder folder_;
   std::filesystem::path file_;
-  std::optional<Process> process_;
+  std::optional<test::Process> process_;
   Participant participant_{{.domain = domain_}};
   RosNode node_{participant_, {.name = "peer"}};
 };
 
-}  // namespace pongsim::ros2::test
+}  // namespace pongsim::ros2

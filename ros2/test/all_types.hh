@@ -14,7 +14,7 @@
 #include "ros2/types/trajectory_msgs.hh"
 #include "ros2/types/vision_msgs.hh"
 
-namespace pongsim::ros2::test {
+namespace pongsim::ros2 {
 
 template <class... Types>
 struct TypeList {
@@ -97,4 +97,4 @@ void forAllTypes(auto&& each) {
   });
 }
 
-}  // namespace pongsim::ros2::test
+}  // namespace pongsim::ros2

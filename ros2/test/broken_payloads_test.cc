@@ -14,7 +14,7 @@
 #include "ros2/test/all_types.hh"
 #include "ros2/types/cdr.hh"
 
-namespace pongsim::ros2::test {
+namespace pongsim::ros2 {
 namespace {
 
 constexpr std::size_t kEncapsulation = 4;
@@ -162,4 +162,4 @@ TEST(BrokenPayloads, OfAnyBytesDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace pongsim::ros2::test
+}  // namespace pongsim::ros2

@@ -13,7 +13,7 @@
 #include "ros2/types/message_definition.hh"
 #include "ros2/types/type_hash.hh"
 
-namespace pongsim::ros2::test {
+namespace pongsim::ros2 {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -76,6 +76,6 @@ int run() {
 }
 
 }  // namespace
-}  // namespace pongsim::ros2::test
+}  // namespace pongsim::ros2
 
-int main() { return pongsim::ros2::test::run(); }
+int main() { return pongsim::ros2::run(); }

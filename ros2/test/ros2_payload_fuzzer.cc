@@ -14,7 +14,7 @@
 #include "ros2/wire/first_acknack.hh"
 #include "test/fuzz/require.hh"
 
-namespace pongsim::ros2::test {
+namespace pongsim::ros2 {
 namespace {
 
 using Bytes = std::span<const std::byte>;
@@ -56,7 +56,7 @@ std::vector<void (*)(Bytes)> readers() {
 }
 
 }  // namespace
-}  // namespace pongsim::ros2::test
+}  // namespace pongsim::ros2
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace pongsim::ros2;

@@ -8,7 +8,7 @@
 #include "ros2/wire/announcements.hh"
 
 /// Announcements and goodbyes of participants that only tests have.
-namespace pongsim::ros2::test {
+namespace pongsim::ros2 {
 
 /// The ids of parameters (RTPS 2.3, 9.6.2.2).
 inline constexpr std::uint16_t kLeaseId = 0x02, kMetatrafficId = 0x32, kGuidId = 0x50, kEndpointsId = 0x58,
@@ -98,4 +98,4 @@ inline std::vector<unsigned char> goodbyeOf(const GuidPrefix& participant, Goodb
   return bytesOf(packet);
 }
 
-}  // namespace pongsim::ros2::test
+}  // namespace pongsim::ros2

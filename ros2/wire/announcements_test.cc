@@ -11,14 +11,12 @@ namespace {
 
 using std::chrono::nanoseconds;
 using std::chrono::seconds;
-using test::Announced;
-using test::announcementOf;
 
 constexpr GuidPrefix kSpeaker = {1, 16, 7}, kCompanion = {1, 16, 8};
 constexpr nanoseconds kDecades = std::chrono::hours(24 * 365 * 30);
 
 std::optional<Presence> presenceIn(const hostile::Packet& packet) {
-  std::vector<unsigned char> bytes = test::bytesOf(packet);
+  std::vector<unsigned char> bytes = bytesOf(packet);
   return readPresence(bytes);
 }
 
@@ -58,10 +56,10 @@ TEST(Announcements, HaveEitherByteOrder) {
 TEST(Announcements, OfSeveralParticipantsMayBeInOneMessage) {
   // as those of one process by Cyclone DDS are
   hostile::Packet packet(kSpeaker);
-  test::addAnnouncement(packet, {.participant = kSpeaker, .lease = 10});
-  test::addSource(packet, kCompanion);
-  test::addAnnouncement(packet, {.participant = kCompanion, .lease = 11});
-  std::vector<unsigned char> bytes = test::bytesOf(packet);
+  addAnnouncement(packet, {.participant = kSpeaker, .lease = 10});
+  addSource(packet, kCompanion);
+  addAnnouncement(packet, {.participant = kCompanion, .lease = 11});
+  std::vector<unsigned char> bytes = bytesOf(packet);
   const auto presence = readPresence(bytes);
   ASSERT_TRUE(presence);
   EXPECT_EQ(presence->senders, (std::vector{kSpeaker, kCompanion}));
@@ -77,16 +75,16 @@ TEST(Announcements, OfSeveralParticipantsMayBeInOneMessage) {
 
 TEST(Announcements, MayBeSentByAnotherParticipantOfTheProcess) {
   hostile::Packet packet(kSpeaker);
-  test::addAnnouncement(packet, {.participant = kCompanion});
+  addAnnouncement(packet, {.participant = kCompanion});
   const auto presence = presenceIn(packet);
   ASSERT_TRUE(presence);
   EXPECT_EQ(presence->announcements.at(0).participant, kCompanion);
 }
 
 TEST(Announcements, AreGoodbyesInEitherForm) {
-  for (const test::Goodbye form : {test::Goodbye::kWithHash, test::Goodbye::kWithKey}) {
+  for (const Goodbye form : {Goodbye::kWithHash, Goodbye::kWithKey}) {
     hostile::Packet packet(kSpeaker);
-    test::addGoodbye(packet, kCompanion, form);
+    addGoodbye(packet, kCompanion, form);
     const auto presence = presenceIn(packet);
     ASSERT_TRUE(presence);
     ASSERT_EQ(presence->announcements.size(), 1);
@@ -97,15 +95,15 @@ TEST(Announcements, AreGoodbyesInEitherForm) {
 
 TEST(Announcements, HaveNoLeaseThatFastDdsReadsAndWeDont) {
   hostile::Packet twice(kSpeaker);
-  test::beginAnnouncement(twice, 4, 1);
+  beginAnnouncement(twice, 4, 1);
   twice.add32(0x00000300);
-  twice.addGuid(test::kGuidId, kSpeaker, hostile::entity::kParticipant);
-  twice.addNumberParameter(test::kEndpointsId, 0x3f);
-  test::addLease(twice, 1);
-  test::addLease(twice, 2);
+  twice.addGuid(kGuidId, kSpeaker, hostile::entity::kParticipant);
+  twice.addNumberParameter(kEndpointsId, 0x3f);
+  addLease(twice, 1);
+  addLease(twice, 2);
   twice.addSentinel();
   twice.end();
-  std::vector<unsigned char> bytes = test::bytesOf(twice);
+  std::vector<unsigned char> bytes = bytesOf(twice);
   EXPECT_EQ(readPresence(bytes)->announcements.at(0).lease, seconds(2)) << "Fast DDS takes the last one";
   std::size_t endless = 0;
   for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4) {
@@ -125,13 +123,13 @@ TEST(Announcements, HaveNoLeaseThatFastDdsReadsAndWeDont) {
   EXPECT_FALSE(presenceIn(fragment));
 
   hostile::Packet endlessList(kSpeaker);
-  test::beginAnnouncement(endlessList, 4, 1);
+  beginAnnouncement(endlessList, 4, 1);
   endlessList.add32(0x00000300);
-  endlessList.addGuid(test::kGuidId, kSpeaker, hostile::entity::kParticipant);
-  endlessList.addNumberParameter(test::kEndpointsId, 0x3f);
-  test::addLease(endlessList, 1);
+  endlessList.addGuid(kGuidId, kSpeaker, hostile::entity::kParticipant);
+  endlessList.addNumberParameter(kEndpointsId, 0x3f);
+  addLease(endlessList, 1);
   endlessList.end();
-  test::addAnnouncement(endlessList, {.participant = kSpeaker});
+  addAnnouncement(endlessList, {.participant = kSpeaker});
   EXPECT_FALSE(presenceIn(endlessList)) << "the list would go on in the next submessage";
 }
 
@@ -162,7 +160,7 @@ TEST(Announcements, AreNotWhatElseIsInMessages) {
   fragment.add32(100'000'000);
   fragment.addZeros(64);
   fragment.end();
-  std::vector<unsigned char> bytes = test::bytesOf(fragment);
+  std::vector<unsigned char> bytes = bytesOf(fragment);
   const std::vector<unsigned char> before = bytes;
   const auto presence = readPresence(bytes);
   ASSERT_TRUE(presence);

@@ -12,8 +12,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using test::announcementOf;
-using test::goodbyeOf;
 
 constexpr GuidPrefix kNeighbour = {1, 16, 7}, kAnotherNeighbour = {1, 16, 8};
 
@@ -54,7 +52,7 @@ TEST_F(LeasesTest, EndAfterSilenceOnly) {
   ASSERT_TRUE(receive(announcementOf({.participant = kAnotherNeighbour, .lease = 10})));
   EXPECT_TRUE(pass(milliseconds(4500)).empty());
   // anything that it says counts
-  ASSERT_TRUE(receive(test::bytesOf(hostile::Packet(kNeighbour))));
+  ASSERT_TRUE(receive(bytesOf(hostile::Packet(kNeighbour))));
   EXPECT_TRUE(pass(milliseconds(4900)).empty());
   EXPECT_EQ(pass(milliseconds(200)), std::vector{kNeighbour});
   EXPECT_EQ(pass(seconds(5)), std::vector{kAnotherNeighbour});
@@ -67,9 +65,9 @@ TEST_F(LeasesTest, OfAllWhoSpeakInAMessageGoOn) {
   ASSERT_TRUE(receive(announcementOf({.participant = kAnotherNeighbour, .lease = 5})));
   EXPECT_TRUE(pass(seconds(4)).empty());
   hostile::Packet both(kNeighbour);
-  test::addSource(both, kAnotherNeighbour);
-  test::addSource(both, kNeighbour);
-  ASSERT_TRUE(receive(test::bytesOf(both)));
+  addSource(both, kAnotherNeighbour);
+  addSource(both, kNeighbour);
+  ASSERT_TRUE(receive(bytesOf(both)));
   EXPECT_TRUE(pass(seconds(4)).empty());
   EXPECT_EQ(pass(seconds(2)), (std::vector{kNeighbour, kAnotherNeighbour}));
 }
@@ -81,7 +79,7 @@ TEST_F(LeasesTest, RunOnForThoseWhoAnnounceThemForever) {
 }
 
 TEST_F(LeasesTest, EndSoonWithAGoodbye) {
-  for (const test::Goodbye form : {test::Goodbye::kWithHash, test::Goodbye::kWithKey}) {
+  for (const Goodbye form : {Goodbye::kWithHash, Goodbye::kWithKey}) {
     ASSERT_TRUE(receive(announcementOf({.participant = kNeighbour, .lease = 1000})));
     ASSERT_TRUE(receive(announcementOf({.participant = kAnotherNeighbour, .lease = 1000})));
     ASSERT_TRUE(receive(goodbyeOf(kNeighbour, form))) << "Fast DDS may have understood it";
@@ -96,13 +94,13 @@ TEST_F(LeasesTest, EndBeforeWhoWasSilentIsHeardAgain) {
   ASSERT_TRUE(receive(announcementOf({.participant = kNeighbour, .lease = 5})));
   now_ += seconds(6);
   EXPECT_FALSE(receive(announcementOf({.participant = kNeighbour, .lease = 5})));
-  EXPECT_FALSE(receive(test::bytesOf(hostile::Packet(kNeighbour))));
+  EXPECT_FALSE(receive(bytesOf(hostile::Packet(kNeighbour))));
   EXPECT_FALSE(receive(goodbyeOf(kNeighbour)));
   std::size_t ended = 0;
   leases_.end(now_, [&](auto) { ++ended; });
   EXPECT_EQ(ended, 1);
   EXPECT_TRUE(receive(announcementOf({.participant = kNeighbour, .lease = 5})));
-  EXPECT_TRUE(receive(test::bytesOf(hostile::Packet(kNeighbour))));
+  EXPECT_TRUE(receive(bytesOf(hostile::Packet(kNeighbour))));
 }
 
 TEST_F(LeasesTest, LetEachGoodbyeBeNewerThanTheLast) {
@@ -148,7 +146,7 @@ TEST_F(LeasesTest, LetDataPassMeanwhile) {
   std::vector<unsigned char> announcement = announcementOf({.participant = kNeighbour});
   bool isHandedOn = false;
   leases_.receive(announcement, now_, [&](auto) {
-    std::thread([&] { isHandedOn = receive(test::bytesOf(hostile::Packet(kNeighbour))); }).join();
+    std::thread([&] { isHandedOn = receive(bytesOf(hostile::Packet(kNeighbour))); }).join();
   });
   EXPECT_TRUE(isHandedOn);
 }

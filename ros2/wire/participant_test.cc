@@ -110,17 +110,17 @@ TEST(Participant, MeetsTwoParticipantsThatAreAnnouncedInOneMessage) {
   Participant participant({.domain = domain});
   Voice voice(domain);
   hostile::Packet both(kCyclone);
-  test::addAnnouncement(both, {.participant = kCyclone, .lease = 1000});
-  test::addSource(both, kCyclonesOther);
-  test::addAnnouncement(both, {.participant = kCyclonesOther, .lease = 1000});
-  const auto say = [&] { voice.say(test::bytesOf(both)); };
+  addAnnouncement(both, {.participant = kCyclone, .lease = 1000});
+  addSource(both, kCyclonesOther);
+  addAnnouncement(both, {.participant = kCyclonesOther, .lease = 1000});
+  const auto say = [&] { voice.say(bytesOf(both)); };
   EXPECT_TRUE(comesTrue([&] {
     say();
     return doesKnow(participant, kCyclone) && doesKnow(participant, kCyclonesOther);
   }));
   // Fast DDS alone would make nothing of such a goodbye
   EXPECT_TRUE(comesTrue([&] {
-    voice.say(test::goodbyeOf(kCyclone, test::Goodbye::kWithKey));
+    voice.say(goodbyeOf(kCyclone, Goodbye::kWithKey));
     return !doesKnow(participant, kCyclone);
   }));
   EXPECT_TRUE(doesKnow(participant, kCyclonesOther));
@@ -131,12 +131,12 @@ TEST(Participant, OutlivesGoodbyesAtTheEndsOfLeases) {
   Participant participant({.domain = domain});
   Voice voice(domain);
   ASSERT_TRUE(comesTrue([&] {
-    voice.say(test::announcementOf({.participant = kBrief, .lease = 1}));
+    voice.say(announcementOf({.participant = kBrief, .lease = 1}));
     return doesKnow(participant, kBrief);
   }));
   EXPECT_TRUE(comesTrue([&] { return !doesKnow(participant, kBrief); })) << "it is silent";
   ASSERT_TRUE(comesTrue([&] {
-    voice.say(test::announcementOf({.participant = kBrief, .lease = 1}));
+    voice.say(announcementOf({.participant = kBrief, .lease = 1}));
     return doesKnow(participant, kBrief);
   })) << "and comes back with an announcement that is no newer";
 
@@ -145,7 +145,7 @@ TEST(Participant, OutlivesGoodbyesAtTheEndsOfLeases) {
   std::vector<std::pair<GuidPrefix, Clock::time_point>> others;
   for (int i = 0; i < kMany; ++i) {
     const GuidPrefix prefix = {1, 15, 1, static_cast<unsigned char>(i >> 8), static_cast<unsigned char>(i)};
-    voice.say(test::announcementOf({.participant = prefix, .lease = 1}));
+    voice.say(announcementOf({.participant = prefix, .lease = 1}));
     // about when its end is noticed
     others.emplace_back(prefix, Clock::now() + std::chrono::microseconds(1'000'000 + i % 40 * 100));
     std::this_thread::sleep_for(std::chrono::microseconds(200));
@@ -153,7 +153,7 @@ TEST(Participant, OutlivesGoodbyesAtTheEndsOfLeases) {
   std::ranges::sort(others, {}, [](const auto& each) { return each.second; });
   for (const auto& [prefix, end] : others) {
     std::this_thread::sleep_until(end);
-    voice.say(test::goodbyeOf(prefix));
+    voice.say(goodbyeOf(prefix));
   }
   EXPECT_TRUE(comesTrue([&] { return participant.graph().participants().empty(); }));
 }

@@ -6,7 +6,7 @@
 namespace pongsim::web::gz {
 namespace {
 
-TEST(Frame, IsReadByItsFirstThreeCommas) {
+TEST(GzFrame, IsReadByItsFirstThreeCommas) {
   const auto call = readCall("req,/s,ignition.msgs.StringMsg,a,b,,");
   ASSERT_TRUE(call.has_value());
   EXPECT_EQ(call->operation, "req");
@@ -16,11 +16,11 @@ TEST(Frame, IsReadByItsFirstThreeCommas) {
   EXPECT_TRUE(readCall(",,,").has_value());
 }
 
-TEST(Frame, IsNoneWithFewerCommas) {
+TEST(GzFrame, IsNoneWithFewerCommas) {
   for (const char* text : {"", "sub", "sub,,", "\xff\x00"}) EXPECT_FALSE(readCall(text).has_value()) << text;
 }
 
-TEST(Frame, HasAMessageBehindItsHead) {
+TEST(GzFrame, HasAMessageBehindItsHead) {
   const web::Frame frame = textFrame("pub", "/t", "x");
   EXPECT_EQ(frame.head, "pub,/t,ignition.msgs.StringMsg,");
   ignition::msgs::StringMsg message;

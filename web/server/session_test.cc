@@ -21,7 +21,7 @@ TEST(Payload, IsEmptyOfAnEmptyText) {
   EXPECT_EQ(Payload().bytes().size(), 0U);
 }
 
-TEST(Frame, IsAsLongAsItsParts) { EXPECT_EQ((Frame{"head", Payload("body!")}.size()), 9U); }
+TEST(SessionFrame, IsAsLongAsItsParts) { EXPECT_EQ((Frame{"head", Payload("body!")}.size()), 9U); }
 
 }  // namespace
 }  // namespace pongsim::web
