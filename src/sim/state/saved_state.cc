@@ -155,7 +155,7 @@ std::optional<std::string> restoreState(std::span<const std::byte> bytes, Access
   for (char& letter : mark) header(letter);
   header(structure);
   header(checksum);
-  if (!std::ranges::equal(mark, kMark)) return "the saved state is of another version of pongsim";
+  if (!std::ranges::equal(mark, kMark)) return "the saved state is from another version of pongsim";
   if (checksum != checksumOf(header.rest())) return "the saved state is damaged";
   if (structure != structureOf(access, systems)) {
     return "the saved state is of another world, or of other models, joints or systems";

@@ -183,7 +183,7 @@ TEST(SavedState, IsRefusedWhereItDoesNotFit) {
     return simulation->restoreState(bytes).value_or("taken");
   };
   EXPECT_EQ(refusal({}), "this is not a saved state");
-  EXPECT_EQ(refusal(std::vector<std::byte>(100)), "the saved state is of another version of pongsim");
+  EXPECT_EQ(refusal(std::vector<std::byte>(100)), "the saved state is from another version of pongsim");
   EXPECT_EQ(refusal(std::vector<std::byte>(state.begin(), state.end() - 1)), "the saved state is damaged");
   std::vector<std::byte> damaged = state;
   damaged[100] ^= std::byte{1};
