@@ -15,6 +15,10 @@ endif()
 
 # The same bits on every processor: no fused multiply-add, which one build would use and another not.
 target_compile_options(pongsim_settings INTERFACE -ffp-contract=off)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+  # where Eigen asks for them by name
+  target_include_directories(pongsim_settings SYSTEM BEFORE INTERFACE ${CMAKE_CURRENT_LIST_DIR}/aarch64)
+endif()
 
 if(PONGSIM_SANITIZE)
   add_compile_options(-fsanitize=${PONGSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -65,7 +65,8 @@ function(pongsim_extension name)
   set(page ${CMAKE_CURRENT_BINARY_DIR}/pongsim-${name}.1)
   add_custom_command(OUTPUT ${page} DEPENDS pongsim pongsim_manual share/${name}.json VERBATIM
     COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0:new_delete_type_mismatch=0
-            $<TARGET_FILE:pongsim_manual> ${CMAKE_CURRENT_BINARY_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/share/${name}.json)
+            ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:pongsim_manual>
+            ${CMAKE_CURRENT_BINARY_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/share/${name}.json)
   add_custom_target(pongsim_${name}_words ALL DEPENDS ${page})
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endfunction()
