@@ -227,7 +227,8 @@ std::optional<MessageError> parseMessage(std::string_view text, Message& message
   protobuf::io::ArrayInputStream stream(text.data(), static_cast<int>(text.size()));
   const bool parsed = parser.Parse(&stream, &message);
   if (parsed && !first.found) {
-    const bool plain = std::all_of(text.begin(), text.end(), [](char letter) { return letter >= 0 && letter != '\\'; });
+    const bool plain =
+        std::all_of(text.begin(), text.end(), [](unsigned char letter) { return letter < 0x80 && letter != '\\'; });
     if (plain || survivesTheWire(message)) return std::nullopt;
     return saying("a quoted text is not valid UTF-8");
   }
