@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <thread>
 
 namespace pongsim::ros2::detail {
 
@@ -10,6 +11,8 @@ namespace {
 // How long a reply waits for the discovery of its reader.
 constexpr std::chrono::seconds kPatience{5};
 constexpr std::size_t kMostWaiting = 1000;
+// How long the end of a service waits until its last replies have arrived.
+constexpr std::chrono::seconds kFarewell{1};
 
 struct WireEnds {
   Contract request;
@@ -36,14 +39,26 @@ ServerEnds::ServerEnds(RosNode& node, const std::string& service, const Types& t
 
 ServerEnds::~ServerEnds() {
   node_.removeReader(reader_->id());
-  node_.removeWriter(writer_->id());
   reader_.reset();
+  sendWaiting();
+  node_.removeWriter(writer_->id());
   {
     // readers still match and unmatch while the writer is destroyed, which must not be used then
     const std::lock_guard lock(mutex_);
     waiting_.clear();
   }
   writer_.reset();
+}
+
+/// Delivers the last replies: the reply to a request to quit ends the process.
+void ServerEnds::sendWaiting() {
+  const auto isWaiting = [this] {
+    const std::lock_guard lock(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    return std::ranges::any_of(waiting_, [now](const Waiting& each) { return each.until > now; });
+  };
+  while (isWaiting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  writer_->waitForAcknowledgement(kFarewell);
 }
 
 SampleId ServerEnds::callerOf(const Sample& request) {

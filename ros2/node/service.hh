@@ -38,6 +38,7 @@ class ServerEnds {
   };
   /// @param received Called from a DDS thread with each request.
   ServerEnds(RosNode& node, const std::string& service, const Types& types, Reader::Received received);
+  /// Waits until replies have reached their clients: up to 5 s for the discovery of one, and 1 s for all.
   ~ServerEnds();
   ServerEnds(const ServerEnds&) = delete;
   ServerEnds& operator=(const ServerEnds&) = delete;
@@ -55,6 +56,7 @@ class ServerEnds {
     std::vector<std::byte> payload;
     std::chrono::steady_clock::time_point until;
   };
+  void sendWaiting();
   void readersChanged();
   bool send(const Waiting& reply);
 

@@ -2,13 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <future>
+#include <memory>
 #include <optional>
+#include <span>
 #include <thread>
+#include <vector>
 
+#include "ros2/node/names.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
+#include "support/wait_until.hh"
 
 namespace pongsim::ros2 {
 namespace {
@@ -95,6 +101,32 @@ TEST_F(ServiceTest, EachOfManyClientsGetsItsOwnAnswer) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(right, 5 * 21);
+}
+
+TEST_F(ServiceTest, RepliesToAClientThatIsDiscoveredWhileItEnds) {
+  bool isAnswered = false;
+  auto server = serveAtOnce<AddTwoInts>(node_, "/add", [&](const AddTwoInts::Request& request) {
+    isAnswered = true;
+    return AddTwoInts::Response{request.a + request.b};
+  });
+  const TypeInfo asked = typeInfo<AddTwoInts::Request>(), answered = typeInfo<AddTwoInts::Response>();
+  const auto writer =
+      peerParticipant_.makeWriter({requestOnWire("/add"), ddsTypeName(asked.name), asked.hash, kDefaultQos});
+  ASSERT_TRUE(test::waitUntil([&] { return writer->hasReaders(); }));
+  const std::vector<std::byte> request = toCdr(AddTwoInts::Request{40, 2});
+  writer->write(request.size(), [&](std::span<std::byte> place) { std::ranges::copy(request, place.begin()); });
+  ASSERT_TRUE(test::waitUntil([&] {
+    node_.mailbox().dispatch();
+    return isAnswered;
+  }));
+  std::atomic<bool> hasReply = false;
+  std::unique_ptr<Reader> reader;
+  std::jthread late([&] {
+    reader = peerParticipant_.makeReader({replyOnWire("/add"), ddsTypeName(answered.name), answered.hash, kDefaultQos},
+                                         [&](const Sample&) { hasReply = true; });
+  });
+  server.reset();
+  EXPECT_TRUE(hasReply);
 }
 
 TEST_F(ServiceTest, WhereNobodyServesThereIsNoAnswer) {
