@@ -419,15 +419,18 @@ TEST_F(NodeTest, WorksWhereThereIsNothingButLoopback) {
 
 namespace {
 
-/// Two network namespaces with a wire between them stand for two machines. PEER is another machine's program.
+/// Two network namespaces with a wire between them stand for two machines. PEER is another machine's program. Both wait for
+/// the wire, because Fast DDS leaves out interfaces that have no carrier when it starts.
 constexpr const char* kTwoMachines = R"sh(
   ip link set lo up
   ip link add here type veth peer name there
   unshare -n sh -c 'while ! ip link set there up 2>/dev/null; do sleep 0.01; done
-    ip link set lo up; ip addr add 10.7.7.2/24 dev there; exec '"$PEER" &
+    ip link set lo up; ip addr add 10.7.7.2/24 dev there
+    until ip link show there | grep -q "state UP"; do sleep 0.01; done; exec '"$PEER" &
   other=$!
   until [ "$(readlink /proc/$other/ns/net)" != "$(readlink /proc/self/ns/net)" ]; do sleep 0.01; done
   ip link set there netns $other && ip addr add 10.7.7.1/24 dev here && ip link set here up
+  until ip link show here | grep -q "state UP"; do sleep 0.01; done
 )sh";
 
 bool twoMachinesCanBeMade() {
