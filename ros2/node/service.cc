@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <thread>
 
 namespace pongsim::ros2::detail {
 
@@ -40,25 +39,16 @@ ServerEnds::ServerEnds(RosNode& node, const std::string& service, const Types& t
 ServerEnds::~ServerEnds() {
   node_.removeReader(reader_->id());
   reader_.reset();
-  sendWaiting();
-  node_.removeWriter(writer_->id());
   {
+    std::unique_lock lock(mutex_);
+    // the reply to a request to quit ends the process
+    if (!waiting_.empty()) sent_.wait_until(lock, waiting_.back().until, [this] { return waiting_.empty(); });
     // readers still match and unmatch while the writer is destroyed, which must not be used then
-    const std::lock_guard lock(mutex_);
     waiting_.clear();
   }
-  writer_.reset();
-}
-
-/// Delivers the last replies: the reply to a request to quit ends the process.
-void ServerEnds::sendWaiting() {
-  const auto isWaiting = [this] {
-    const std::lock_guard lock(mutex_);
-    const auto now = std::chrono::steady_clock::now();
-    return std::ranges::any_of(waiting_, [now](const Waiting& each) { return each.until > now; });
-  };
-  while (isWaiting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   writer_->waitForAcknowledgement(kFarewell);
+  node_.removeWriter(writer_->id());
+  writer_.reset();
 }
 
 SampleId ServerEnds::callerOf(const Sample& request) {
@@ -92,6 +82,7 @@ void ServerEnds::readersChanged() {
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
   std::erase_if(waiting_, [&](const Waiting& each) { return each.until < now || send(each); });
+  if (waiting_.empty()) sent_.notify_all();
 }
 
 std::unique_ptr<RosServer> serve(RosNode& node, const std::string& service, const ServerEnds::Types& types,

@@ -56,13 +56,13 @@ class ServerEnds {
     std::vector<std::byte> payload;
     std::chrono::steady_clock::time_point until;
   };
-  void sendWaiting();
   void readersChanged();
   bool send(const Waiting& reply);
 
   RosNode& node_;
   std::string service_;
   std::mutex mutex_;
+  std::condition_variable sent_;
   std::deque<Waiting> waiting_;
   std::unique_ptr<Writer> writer_;
   std::unique_ptr<Reader> reader_;
