@@ -5,6 +5,7 @@
 #include "base/nearest_word.hh"
 #include "sdf/frames/frame_graph.hh"
 #include "sdf/text/names.hh"
+#include "sdf/text/values.hh"
 
 namespace pongsim::sdf {
 
@@ -189,8 +190,6 @@ void Scope::resolvePoses(Context& context) {
     if (references[i] && references[i]->inside)
       X_ScopeReference = X_ScopeReference * references[i]->inside->X_ScopeFrame;
     const Pose X_ScopeFrame = X_ScopeReference * entries_[i].pose.value * placementOf(entries_[i], context);
-    // further away, the physics gives up
-    constexpr double kLargestPosition = 1e9;
     if (X_ScopeFrame.position.cwiseAbs().maxCoeff() <= kLargestPosition && X_ScopeFrame.rotation.coeffs().allFinite()) {
       resolved_[i].X_ScopeFrame = X_ScopeFrame;
     } else {

@@ -9,6 +9,7 @@
 
 #include "base/nearest_word.hh"
 #include "sdf/text/names.hh"
+#include "sdf/text/values.hh"
 
 namespace pongsim::sdf {
 
@@ -34,9 +35,6 @@ std::size_t axisCount(JointType type) {
       return 1;
   }
 }
-
-// the physics lets nothing move further than this [rad or m]
-constexpr double kLargestJointPosition = 1e9;
 
 // two axes are parallel if the sine of the angle between them is below this
 constexpr double kSmallestSine = 1e-3;
@@ -76,7 +74,7 @@ void readLimits(const Element& element, const std::string& label, JointType type
   axis.velocity = readMaximum(element, "velocity", context);
   for (const auto& [name, value] : {std::pair("lower", axis.lower), std::pair("upper", axis.upper)}) {
     // "no limit" is infinite in the opposite direction
-    const bool isOut = name[0] == 'l' ? value > kLargestJointPosition : value < -kLargestJointPosition;
+    const bool isOut = name[0] == 'l' ? value > kLargestPosition : value < -kLargestPosition;
     if (!isOut) continue;
     context.diagnostics.error(element.child(name)->position, "the " + std::string(name) + " limit of " + label +
                                                                  " is out of range: beyond 1e9 rad or m");
@@ -101,7 +99,7 @@ JointAxis readAxis(const Element& element, const std::string& label, JointType t
     axis.damping = readNumber(*dynamics, "damping", axis.damping, context);
     axis.friction = readNumber(*dynamics, "friction", axis.friction, context);
     axis.springReference = readNumber(*dynamics, "spring_reference", axis.springReference, context);
-    if (!(std::abs(axis.springReference) <= kLargestJointPosition)) {
+    if (!(std::abs(axis.springReference) <= kLargestPosition)) {
       context.diagnostics.error(dynamics->child("spring_reference")->position,
                                 "the spring of " + label + " has a reference out of range: beyond 1e9 rad or m");
       axis.springReference = 0;

@@ -102,7 +102,6 @@ std::optional<std::vector<double>> readEulerNumbers(const Element& element, Cont
 
 /// @return Whether the first three are a position that the physics can handle; if not, adds an error.
 bool isWithinReach(const std::vector<double>& values, const Element& element, Context& context) {
-  constexpr double kLargestPosition = 1e9;
   if (std::all_of(values.begin(), values.begin() + 3, [](double x) { return std::abs(x) <= kLargestPosition; })) {
     return true;
   }

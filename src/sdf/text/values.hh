@@ -15,6 +15,9 @@
 
 namespace pongsim::sdf {
 
+/// The physics lets nothing be further away than this [m], or turned further [rad].
+inline constexpr double kLargestPosition = 1e9;
+
 /// A pose as written in the file, not resolved yet.
 struct PoseText {
   Pose value;
