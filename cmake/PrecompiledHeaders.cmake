@@ -6,28 +6,29 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cc CONTENT "")
 set(headers <algorithm> <chrono> <filesystem> <functional> <map> <memory> <optional> <string> <string_view>
             <unordered_map> <variant> <vector> <Eigen/Geometry>)
 
-add_library(pongsim_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
-target_link_libraries(pongsim_precompiled PRIVATE pongsim_settings Eigen3::Eigen)
-target_precompile_headers(pongsim_precompiled PRIVATE ${headers})
+# pongsim_precompile(NAME [LEVEL -O...] USES targets ... [HEADERS headers ...])
+# A precompiled header of its own, with HEADERS besides those that all share. GCC takes the optimization level from the
+# precompiled header, not from the command line, so each LEVEL needs one.
+function(pongsim_precompile name)
+  cmake_parse_arguments(arg "" "LEVEL" "USES;HEADERS" ${ARGN})
+  add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
+  if(arg_LEVEL)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${arg_LEVEL}>)
+  endif()
+  target_link_libraries(${name} PRIVATE ${arg_USES} Eigen3::Eigen)
+  target_precompile_headers(${name} PRIVATE ${headers} ${arg_HEADERS})
+endfunction()
 
-# For the layers that compute: GCC takes the optimization level from the precompiled header, not from the command line.
-add_library(pongsim_computing_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
-target_compile_options(pongsim_computing_precompiled PRIVATE $<$<CONFIG:Release>:-O3>)
-target_link_libraries(pongsim_computing_precompiled PRIVATE pongsim_settings Eigen3::Eigen)
-target_precompile_headers(pongsim_computing_precompiled PRIVATE ${headers})
-
-# For code that parses command lines: see pongsim_runs_once.
-add_library(pongsim_once_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
-target_compile_options(pongsim_once_precompiled PRIVATE $<$<CONFIG:Release>:-O1>)
-target_link_libraries(pongsim_once_precompiled PRIVATE pongsim_settings Eigen3::Eigen CLI11::CLI11
-                                                       nlohmann_json::nlohmann_json)
-target_precompile_headers(pongsim_once_precompiled PRIVATE ${headers} <CLI/App.hpp> <nlohmann/json.hpp>)
-
-# Also what nearly every system uses; one message header brings those that all of them share.
-add_library(pongsim_plugin_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
+pongsim_precompile(pongsim_precompiled USES pongsim_settings)
+# for the layers that compute
+pongsim_precompile(pongsim_computing_precompiled LEVEL -O3 USES pongsim_settings)
+# for code that parses command lines: see pongsim_runs_once
+pongsim_precompile(pongsim_once_precompiled LEVEL -O1 USES pongsim_settings CLI11::CLI11 nlohmann_json::nlohmann_json
+                   HEADERS <CLI/App.hpp> <nlohmann/json.hpp>)
+# what nearly every system uses; one message header brings those that all of them share
+pongsim_precompile(pongsim_plugin_precompiled USES pongsim_settings PkgConfig::ignition_msgs
+                   HEADERS <ignition/msgs/header.pb.h> <pongsim/system.hh>)
 target_include_directories(pongsim_plugin_precompiled PRIVATE ${CMAKE_SOURCE_DIR}/include)
-target_link_libraries(pongsim_plugin_precompiled PRIVATE pongsim_settings Eigen3::Eigen PkgConfig::ignition_msgs)
-target_precompile_headers(pongsim_plugin_precompiled PRIVATE ${headers} <ignition/msgs/header.pb.h> <pongsim/system.hh>)
 # GCC recognizes a header with `#pragma once` by its modification time, too. A precompiled header that ccache made in
 # another clone has other times for our headers, so they would be read twice.
 set_target_properties(pongsim_plugin_precompiled PROPERTIES CXX_COMPILER_LAUNCHER "")
@@ -44,10 +45,8 @@ if(BUILD_TESTING)
     target_compile_options(pongsim_test_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 
-  add_library(pongsim_test_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
-  target_link_libraries(pongsim_test_precompiled PRIVATE pongsim_test_settings Eigen3::Eigen GTest::gtest
-                                                         PkgConfig::ignition_msgs)
-  target_precompile_headers(pongsim_test_precompiled PRIVATE ${headers} <gtest/gtest.h> <ignition/msgs/header.pb.h>)
+  pongsim_precompile(pongsim_test_precompiled USES pongsim_test_settings GTest::gtest PkgConfig::ignition_msgs
+                     HEADERS <gtest/gtest.h> <ignition/msgs/header.pb.h>)
   # As by default in GCC: an OBJECT library's -fPIC does not match an executable's -fPIE.
   set_target_properties(pongsim_test_precompiled PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 endif()

@@ -106,6 +106,16 @@ function(pongsim_test_program target)
                                              POSITION_INDEPENDENT_CODE OFF)
 endfunction()
 
+# pongsim_test_library(NAME SOURCE FOLDER [USES third-party targets ...])
+# A system that tests load from FOLDER of their build folder; knows only the installed API.
+function(pongsim_test_library name source folder)
+  cmake_parse_arguments(arg "" "" "USES" ${ARGN})
+  add_library(${name} MODULE ${source})
+  target_link_libraries(${name} PRIVATE pongsim pongsim_settings ${arg_USES})
+  target_precompile_headers(${name} REUSE_FROM pongsim_plugin_precompiled)
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test/${folder})
+endfunction()
+
 # pongsim_plugin_test(NAME SOURCES ... [USES third-party targets ...])
 # Tests of a system, which see only the installed API. All go into one program, systems_test, which builds faster.
 function(pongsim_plugin_test name)
