@@ -84,6 +84,7 @@ Writer::Writer(rtps::RTPSParticipant& participant, Outbox& outbox, const Contrac
       outbox_(outbox),
       topic_(contract.topic),
       keepsLast_(contract.keepsLast),
+      content_(contract.content),
       readersChanged_(std::move(readersChanged)),
       samples_(std::make_shared<SentSamples>(outbox)),
       history_(historyAttributes()) {

@@ -27,6 +27,9 @@ namespace pongsim::transport {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
+/// What a topic's samples are.
+enum class Content { kMessages, kCalls /* requests and replies of a service */ };
+
 /// Properties of an endpoint.
 struct Contract {
   std::string topic;
@@ -35,6 +38,7 @@ struct Contract {
   std::string partition;
   /// Whether later readers get the last message, and only that is kept.
   bool keepsLast = false;
+  Content content = Content::kMessages;
 };
 
 ParticipantId participantId(const rtps::GuidPrefix_t& prefix);
@@ -81,6 +85,7 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   bool sendToAll(Buffer* sample);
   bool sendKeptAgain();
   const std::string& topic() const override { return topic_; }
+  bool isDroppedLast() const override { return content_ == Content::kCalls; }
   void removeDelivered();
   void makeRoomFor(std::size_t bytes);
   void removeOldest(const rtps::CacheChange_t& oldest);
@@ -92,6 +97,7 @@ class Writer : private rtps::WriterListener, private Outbox::Target {
   Outbox& outbox_;
   std::string topic_;
   bool keepsLast_;
+  Content content_;
   std::function<void()> readersChanged_;
   std::shared_ptr<SentSamples> samples_;
   rtps::WriterHistory history_;

@@ -109,10 +109,10 @@ auto Network::make(const std::optional<ParticipantId>& at, Make makeIn) {
 
 std::unique_ptr<Writer> Network::makeWriter(const std::string& topic, const std::string& type,
                                             std::function<void()> readersChanged,
-                                            const std::optional<ParticipantId>& at) {
+                                            const std::optional<ParticipantId>& at, Content content) {
   requirePermission(TopicUse::kPublish, topic);
   return make(at, [&](rtps::RTPSParticipant& participant) {
-    return std::make_unique<Writer>(participant, outbox_, contract(topic, type), std::move(readersChanged));
+    return std::make_unique<Writer>(participant, outbox_, contract(topic, type, content), std::move(readersChanged));
   });
 }
 

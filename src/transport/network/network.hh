@@ -55,7 +55,8 @@ class Network : private rtps::RTPSParticipantListener {
   /// @throws KeystoreError like `requirePermission`; std::runtime_error if DDS refuses.
   std::unique_ptr<Writer> makeWriter(const std::string& topic, const std::string& type,
                                      std::function<void()> readersChanged,
-                                     const std::optional<ParticipantId>& at = std::nullopt);
+                                     const std::optional<ParticipantId>& at = std::nullopt,
+                                     Content content = Content::kMessages);
   std::unique_ptr<Reader> makeReader(const std::string& topic, const std::string& type, Reader::Received received,
                                      Reader::WriterGone writerGone = {},
                                      const std::optional<ParticipantId>& at = std::nullopt);
@@ -98,7 +99,9 @@ class Network : private rtps::RTPSParticipantListener {
   template <class ProxyData>
   void endpointChanged(const rtps::RTPSParticipant& own, const ProxyData& data, Role role, bool removed);
   void changeCensus(int endpoints);
-  Contract contract(const std::string& topic, const std::string& type) const { return {topic, type, partition_}; }
+  Contract contract(const std::string& topic, const std::string& type, Content content = Content::kMessages) const {
+    return {topic, type, partition_, false, content};
+  }
 
   Participant::Settings settings_;
   std::string partition_;

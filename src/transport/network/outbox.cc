@@ -1,5 +1,6 @@
 #include "transport/network/outbox.hh"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -39,9 +40,10 @@ void Outbox::add(Target& target, std::size_t size, const std::function<void(std:
     ++target.pending_;
     const std::size_t count = waiting_.size() - first_;
     if (count > kMostWaiting || (waitingBytes_ > kMostWaitingBytes && count > 1)) {
+      const Entry oldest = takeOldest();
       unmentioned = complaints_.pass(std::chrono::steady_clock::now());
-      if (unmentioned) droppedTopic = waiting_[first_].target->topic();
-      dropOldest();
+      if (unmentioned) droppedTopic = oldest.target->topic();
+      drop(oldest);
     }
   }
   added_.notify_one();
@@ -62,11 +64,19 @@ void Outbox::giveBack(Buffer* sample) {
   buffers_.giveBack(sample);
 }
 
-void Outbox::dropOldest() {
-  const Entry oldest = waiting_[first_++];
-  waitingBytes_ -= oldest.buffer->bytes.size();
-  ++oldest.target->dropped_;
-  done(oldest, false);
+Outbox::Entry Outbox::takeOldest() {
+  const auto begin = waiting_.begin() + static_cast<std::ptrdiff_t>(first_);
+  auto oldest = std::find_if(begin, waiting_.end(), [](const Entry& entry) { return !entry.target->isDroppedLast(); });
+  if (oldest == waiting_.end()) oldest = begin;
+  // those before it stay in order
+  std::rotate(begin, oldest, oldest + 1);
+  return waiting_[first_++];
+}
+
+void Outbox::drop(const Entry& entry) {
+  waitingBytes_ -= entry.buffer->bytes.size();
+  ++entry.target->dropped_;
+  done(entry, false);
   // the dropped ones' room is used again
   if (first_ < kMostWaiting) return;
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));

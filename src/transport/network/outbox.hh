@@ -28,6 +28,8 @@ class Outbox {
     /// @return Whether it keeps the sample and gives it back later.
     virtual bool send(Buffer* sample) = 0;
     virtual const std::string& topic() const = 0;
+    /// @return Whether samples of others are dropped before its own.
+    virtual bool isDroppedLast() const { return false; }
 
    protected:
     /// @return Samples dropped by the outbox.
@@ -47,7 +49,7 @@ class Outbox {
   Outbox& operator=(const Outbox&) = delete;
 
   /// Sends a sample after all earlier ones. If more than 10,000 samples or 64 MiB wait, the oldest is dropped, with an
-  /// occasional warning.
+  /// occasional warning; those of targets that are dropped last only if there are no others.
   /// @param fill Writes the sample.
   void add(Target& target, std::size_t size, const std::function<void(std::span<std::byte>)>& fill);
 
@@ -65,7 +67,8 @@ class Outbox {
   };
 
   void run();
-  void dropOldest();
+  Entry takeOldest();
+  void drop(const Entry& entry);
   void done(const Entry& entry, bool isKept);
 
   std::mutex mutex_;

@@ -140,7 +140,7 @@ ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std
                                         receive(*to, sender, sample.bytes);
                                       });
   line->writer = network_->makeWriter(
-      requestTopic(service), type, [this] { changed(); }, line->reader->participant());
+      requestTopic(service), type, [this] { changed(); }, line->reader->participant(), Content::kCalls);
   return *lines_.emplace(key, std::move(line)).first->second;
 }
 

@@ -88,7 +88,8 @@ void ServiceServer::open(Offer& offer) {
   if (network_ == nullptr) return;
   const std::string type = serviceType(offer.requestType, offer.replyType);
   // the way back first: who finds the service finds all of it soon
-  offer.writer = network_->makeWriter(replyTopic(offer.name), type, [this, &offer] { wake(offer.queue); });
+  offer.writer = network_->makeWriter(
+      replyTopic(offer.name), type, [this, &offer] { wake(offer.queue); }, std::nullopt, Content::kCalls);
   offer.reader = network_->makeReader(
       requestTopic(offer.name), type,
       [this, &offer](const ParticipantId& sender, const Buffer& sample) { receive(offer, sender, sample.bytes); }, {},

@@ -16,7 +16,8 @@ namespace {
 /// Keeps the numbers that are sent, when it is let.
 class NumberTarget final : public Outbox::Target {
  public:
-  explicit NumberTarget(bool isOpen = true) : isOpen_(isOpen) {}
+  explicit NumberTarget(bool isOpen = true, bool isDroppedLast = false)
+      : isOpen_(isOpen), isDroppedLast_(isDroppedLast) {}
 
   bool send(Buffer* sample) override {
     std::unique_lock lock(mutex_);
@@ -27,6 +28,7 @@ class NumberTarget final : public Outbox::Target {
     return false;
   }
   const std::string& topic() const override { return topic_; }
+  bool isDroppedLast() const override { return isDroppedLast_; }
   std::uint64_t dropped() const { return droppedBeforeSending(); }
 
   void open() {
@@ -43,6 +45,7 @@ class NumberTarget final : public Outbox::Target {
   std::mutex mutex_;
   std::condition_variable opened_;
   bool isOpen_;
+  bool isDroppedLast_;
   std::string topic_ = "/numbers";
 };
 
@@ -84,6 +87,38 @@ TEST(Outbox, WaitsForNobodyAndDropsTheOldestWithAWarning) {
   EXPECT_EQ(closed.sent.size() + closed.dropped(), 30'000U);
   EXPECT_EQ(other.dropped(), 0U);
   EXPECT_TRUE(std::ranges::is_sorted(closed.sent));
+}
+
+TEST(Outbox, DropsWhatMayBeDroppedFirst) {
+  Outbox outbox;
+  NumberTarget closed(false), replies(true, true);
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 30'000; ++i) {
+    addNumber(outbox, closed, i);
+    if (i % 100 == 0) addNumber(outbox, replies, i);
+  }
+  testing::internal::GetCapturedStderr();
+  closed.open();
+  outbox.flush(closed);
+  outbox.flush(replies);
+  EXPECT_EQ(replies.dropped(), 0U);
+  EXPECT_EQ(replies.sent.size(), 300U);
+  EXPECT_TRUE(std::ranges::is_sorted(replies.sent));
+  EXPECT_GE(closed.dropped(), 10'000U);
+  EXPECT_TRUE(std::ranges::is_sorted(closed.sent));
+  EXPECT_EQ(closed.sent.back(), 29'999);
+}
+
+TEST(Outbox, BoundsAlsoWhatIsDroppedLast) {
+  Outbox outbox;
+  NumberTarget closed(false, true);
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 30'000; ++i) addNumber(outbox, closed, i);
+  testing::internal::GetCapturedStderr();
+  closed.open();
+  outbox.flush(closed);
+  EXPECT_GE(closed.dropped(), 10'000U);
+  EXPECT_EQ(closed.sent.back(), 29'999);
 }
 
 TEST(Outbox, KeepsNoMoreBytesThanItMay) {
