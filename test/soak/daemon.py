@@ -6,6 +6,7 @@ import re
 import select
 import signal
 import subprocess
+import threading
 import time
 
 #: Long enough for anything that works, on a machine that is busy with other work [s].
@@ -45,6 +46,8 @@ class Daemon:
         self._errors = errors
         self._rest = b""
         self._hashes = {}
+        self._reading = threading.Condition()
+        self._end = None
         command = [program, "run", worlds, "--paused", "-z", "0", "--hash-every", str(period)]
         with open(errors, "wb") as error:
             self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=error, env=environment)
@@ -53,6 +56,20 @@ class Daemon:
             if self.process.poll() is not None or time.monotonic() > end:
                 raise Fault("the daemon does not start: " + self.said())
             time.sleep(0.02)
+        # a world that prints more than a pipe holds would wait for us, who may wait for its answer
+        threading.Thread(target=self._drain, daemon=True).start()
+
+    def _drain(self):
+        try:
+            while True:
+                if select.select([self.process.stdout], [], [], 1)[0]:
+                    with self._reading:
+                        self._take()
+                        self._reading.notify()
+        except (Fault, OSError, ValueError) as end:
+            with self._reading:
+                self._end = end
+                self._reading.notify()
 
     def said(self):
         """All that it has said on stderr."""
@@ -61,25 +78,27 @@ class Daemon:
 
     def forget(self, world):
         """Drops the hashes that a world has printed up to now."""
-        while self._read(0):
-            pass
-        self._hashes.pop(world, None)
+        with self._reading:
+            while self._take():
+                pass
+            self._hashes.pop(world, None)
 
     def hashes(self, world, steps):
         """The next hashes of a world, which must be those after these numbers of steps."""
         mine = self._hashes.setdefault(world, [])
-        end = time.monotonic() + DEADLINE
-        while len(mine) < len(steps):
-            if not self._read(1) and time.monotonic() > end:
-                raise Fault(f"'{world}' makes no steps: {mine} in place of those after {steps}")
+        with self._reading:
+            self._reading.wait_for(lambda: self._end or len(mine) >= len(steps), DEADLINE)
+        if len(mine) < len(steps):
+            raise Fault(self._end or f"'{world}' makes no steps: {mine} in place of those after {steps}")
         if [at for at, _ in mine[: len(steps)]] != steps:
             raise Fault(f"'{world}' missed a reset: hashes after {mine}, where those after {steps} have to come")
         taken = [number for _, number in mine[: len(steps)]]
         del mine[: len(steps)]
         return taken
 
-    def _read(self, timeout):
-        if not select.select([self.process.stdout], [], [], timeout)[0]:
+    def _take(self):
+        """Takes what has been printed; whether there was anything. Raises Fault where nothing more will come."""
+        if not select.select([self.process.stdout], [], [], 0)[0]:
             return False
         data = os.read(self.process.stdout.fileno(), 65536)
         if not data:
@@ -95,7 +114,8 @@ class Daemon:
     def end(self):
         """Ends it by Ctrl-C, as a user would."""
         self.process.send_signal(signal.SIGINT)
-        self.process.stdout.close()
+        with self._reading:
+            self.process.stdout.close()
         try:
             code = self.process.wait(DEADLINE)
         except subprocess.TimeoutExpired:

@@ -1,5 +1,6 @@
 """What the long run takes for a fault."""
 
+import threading
 import types
 import unittest
 
@@ -28,6 +29,7 @@ class Hashes(unittest.TestCase):
 
     def test_show_a_reset_that_was_missed(self):
         daemon = Daemon.__new__(Daemon)
+        daemon._reading, daemon._end = threading.Condition(), None
         daemon._hashes = {"w": [(500, "a"), (750, "b")]}
         with self.assertRaisesRegex(Fault, "missed a reset"):
             daemon.hashes("w", [250, 500])
