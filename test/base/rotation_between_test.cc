@@ -26,6 +26,15 @@ TEST(RotationBetween, IsHalfATurnBetweenOppositeDirections) {
   }
 }
 
+TEST(RotationBetween, TurnsNearlyOppositeDirectionsIntoEachOther) {
+  for (const double off : {0.3, 1e-3, 1e-5, 1e-6, 3e-7, 1e-8, 1e-13, 1e-15}) {
+    const Vector3 from(1, 2, -2), to = -from / 3 + off * Vector3(2, -1, 0);
+    const Quaternion turn = rotationBetween(from, to);
+    EXPECT_NEAR(turn.norm(), 1, 1e-14) << off;
+    EXPECT_NEAR((turn * from.normalized() - to.normalized()).norm(), 0, 1e-14) << off;
+  }
+}
+
 TEST(RotationBetween, OfADirectionAndItselfIsNone) {
   EXPECT_NEAR(rotationBetween(Vector3(1, 2, 3), Vector3(2, 4, 6)).angularDistance(Quaternion::Identity()), 0, 1e-7);
 }
