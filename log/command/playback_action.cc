@@ -5,14 +5,15 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <regex>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "log/command/command.hh"
+#include "log/record/topic_expression.hh"
 #include "log/store/failure.hh"
 #include "log/tlog/tlog_reader.hh"
 #include "pongsim/node.hh"
@@ -51,10 +52,10 @@ std::pair<std::string, std::string> remapOf(const std::string& text) {
   return {text.substr(0, sign), text.substr(sign + 2)};
 }
 
-std::regex expressionOf(const std::string& pattern) {
+TopicExpression expressionOf(const std::string& pattern) {
   try {
-    return std::regex(pattern);
-  } catch (const std::regex_error& error) {
+    return TopicExpression(pattern);
+  } catch (const std::invalid_argument& error) {
     throw programs::UsageError("'" + pattern + "' is not a regular expression: " + error.what());
   }
 }
@@ -64,10 +65,10 @@ using Publishers = std::map<std::pair<std::string, std::string>, Publisher, std:
 /// Creates a publisher for each selected topic.
 Publishers advertise(Node node, const TlogReader& reader, const PlaybackOptions& options) {
   const auto [from, to] = remapOf(options.remap);
-  const std::regex wanted = expressionOf(options.pattern);
+  const TopicExpression wanted = expressionOf(options.pattern);
   Publishers publishers;
   for (const Topic& topic : reader.topics()) {
-    if (!std::regex_match(topic.name, wanted)) continue;
+    if (!wanted.matches(topic.name)) continue;
     const std::string& name = topic.name == from ? to : topic.name;
     publishers.emplace(std::pair(topic.name, topic.type), node.advertiseBytes(name, topic.type));
   }

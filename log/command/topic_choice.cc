@@ -1,6 +1,7 @@
 #include "log/command/topic_choice.hh"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "pongsim/node.hh"
 #include "programs/failure.hh"
@@ -22,18 +23,18 @@ TopicChoice::TopicChoice(const std::vector<std::string>& words) {
       continue;
     }
     try {
-      patterns_.emplace_back(word);
-    } catch (const std::regex_error& error) {
+      expressions_.emplace_back(word);
+    } catch (const std::invalid_argument& error) {
       throw programs::UsageError("'" + word + "' is neither a topic nor a regular expression: " + error.what(),
                                  "as /odom, or '/model/.*'");
     }
   }
-  if (words.empty()) patterns_.emplace_back(".+");
+  if (words.empty()) expressions_.emplace_back(".+");
 }
 
 bool TopicChoice::has(const std::string& topic) const {
   if (std::ranges::count(names_, topic) > 0) return true;
-  return std::ranges::any_of(patterns_, [&topic](const std::regex& each) { return std::regex_match(topic, each); });
+  return std::ranges::any_of(expressions_, [&topic](const TopicExpression& each) { return each.matches(topic); });
 }
 
 }  // namespace pongsim::log

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <regex>
 #include <string>
 #include <vector>
+
+#include "log/record/topic_expression.hh"
 
 namespace pongsim::log {
 
@@ -20,7 +21,7 @@ class TopicChoice {
 
  private:
   std::vector<std::string> names_;
-  std::vector<std::regex> patterns_;
+  std::vector<TopicExpression> expressions_;
 };
 
 }  // namespace pongsim::log

@@ -26,7 +26,7 @@ TopicRecorder::TopicRecorder(const Node& node, const std::vector<std::string>& t
     }
     try {
       expressions_.emplace_back(topic);
-    } catch (const std::regex_error& error) {
+    } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("'" + topic + "' is not a regular expression: " + error.what());
     }
   }
@@ -37,7 +37,7 @@ void TopicRecorder::update(Time now) {
   if (expressions_.empty() || version_ == node_.ownTopicsVersion()) return;
   for (const OwnTopic& topic : node_.ownTopics()) {
     const bool isWanted = std::ranges::any_of(
-        expressions_, [&](const std::regex& expression) { return std::regex_match(topic.name, expression); });
+        expressions_, [&](const TopicExpression& expression) { return expression.matches(topic.name); });
     if (isWanted && !subscriptions_.contains(topic.name)) subscribe(topic.name);
   }
   // once our own topics exist

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <regex>
 #include <string>
 #include <vector>
 
+#include "log/record/topic_expression.hh"
 #include "log/store/writer.hh"
 #include "pongsim/node.hh"
 #include "pongsim/types.hh"
@@ -32,7 +32,7 @@ class TopicRecorder {
   Node node_;
   Writer& writer_;
   std::function<void(const std::exception&)> failed_;
-  std::vector<std::regex> expressions_;
+  std::vector<TopicExpression> expressions_;
   std::map<std::string, Subscription> subscriptions_;
   std::uint64_t version_ = 0;
   Time now_{0};

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <regex>
 #include <system_error>
 #include <vector>
 
@@ -20,17 +19,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// @return The file that the text of a world's metadata names, as in `world { file: "x.sdf" }`; empty if there is none
+/// without folders.
+std::string fileIn(const std::string& metadata) {
+  std::size_t at = metadata.find("world");
+  while ((at = metadata.find("file", at)) != std::string::npos) {
+    at += 4;
+    const std::size_t quote = metadata.find_first_not_of(" \t\r\n:", at);
+    // and not file_format
+    if (quote == std::string::npos || metadata[quote] != '"') continue;
+    const std::string name = metadata.substr(quote + 1, metadata.find('"', quote + 1) - quote - 1);
+    return name.find('/') == std::string::npos ? name : std::string();
+  }
+  return {};
+}
+
 /// @return The file named in a world's metadata.pbtxt, else the first SDF file in its folder by name; nothing if there
 /// is none.
 std::optional<fs::path> worldFileIn(const fs::path& folder) {
   std::ifstream stream(folder / "metadata.pbtxt");
   const std::string metadata{std::istreambuf_iterator<char>(stream), {}};
-  std::smatch match;
-  static const std::regex kFile("world\\s*:?\\s*\\{[^]*?\\bfile\\s*:\\s*\"([^\"/]+)\"");
+  const std::string named = fileIn(metadata);
   std::error_code error;
-  if (std::regex_search(metadata, match, kFile) && fs::is_regular_file(folder / match[1].str(), error)) {
-    return folder / match[1].str();
-  }
+  if (!named.empty() && fs::is_regular_file(folder / named, error)) return folder / named;
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".sdf" || entry.path().extension() == ".world") files.push_back(entry.path());

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
-#include <regex>
 #include <string>
 #include <vector>
 
+#include "support/regex.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::cli {
@@ -154,10 +154,10 @@ INSTANTIATE_TEST_SUITE_P(Cli, WrongCommandLine, testing::ValuesIn(kWrong));
 TEST(Cli, PrintsItsVersionAndThoseOfItsLibraries) {
   const Outcome outcome = runWith({"--version"});
   EXPECT_EQ(outcome.exitCode, 0);
-  const std::regex wanted(
+  const test::Regex wanted(
       "pongsim " PONGSIM_VERSION
       "\nBullet \\d\\.\\d\\d\nFast DDS \\d+\\.\\d+\\.\\d+\nEmbree \\d+\\.\\d+\\.\\d+\nMesa \\d+\\.\\d+\\.\\d+\n");
-  EXPECT_TRUE(std::regex_match(outcome.output, wanted)) << outcome.output;
+  EXPECT_TRUE(wanted.matches(outcome.output)) << outcome.output;
 }
 
 TEST(Cli, HelpsWithEachCommandAndShowsExamples) {

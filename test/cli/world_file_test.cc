@@ -59,6 +59,9 @@ TEST_F(WorldFile, IsInTheCacheWhereItsAddressIsThatOfAFuelServer) {
   first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt",
                "name: \"w\"\nworld {\n  file_format { name: \"sdf\" }\n  file: \"c.sdf\"\n}\n");
   EXPECT_EQ(fetchWorldFile(server + "worlds/w", diagnostics), folder / "worlds/w/2/c.sdf");
+  // what is not known, or broken after it, does no harm
+  first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt", "new: 3 world { file: \"c.sdf\" } name: {{");
+  EXPECT_EQ(fetchWorldFile(server + "worlds/w", diagnostics), folder / "worlds/w/2/c.sdf");
   // one that leads elsewhere does not count
   first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt", "world { file: \"../../../../x.sdf\" }");
   EXPECT_EQ(fetchWorldFile(server + "worlds/w/2", diagnostics), folder / "worlds/w/2/b.sdf");

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <string>
 
 #include "integration/program.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::test {
@@ -16,8 +16,8 @@ void expectRefused(const std::string& text, const std::string& pattern) {
   const Outcome outcome = runToEnd({"run", file, "--iterations", "1"});
   EXPECT_EQ(outcome.exitCode, 1) << outcome.error;
   EXPECT_EQ(outcome.output, "");
-  EXPECT_TRUE(std::regex_search(outcome.error, std::regex("world\\.sdf" + pattern))) << outcome.error;
-  EXPECT_TRUE(std::regex_search(outcome.error, std::regex("pongsim: [0-9]+ errors?\n$"))) << outcome.error;
+  EXPECT_TRUE(Regex("world\\.sdf" + pattern).isIn(outcome.error)) << outcome.error;
+  EXPECT_TRUE(Regex("pongsim: [0-9]+ errors?\n$").isIn(outcome.error)) << outcome.error;
 }
 
 TEST(BadWorld, IsNotThere) {

@@ -6,13 +6,13 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <regex>
 #include <string>
 #include <vector>
 
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
 #include "support/process.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
@@ -96,7 +96,7 @@ TEST_F(DocumentationTest, SystemsPageSaysWhatTheSystemsSay) {
 
 TEST(Documentation, LinksLeadSomewhere) {
   namespace fs = std::filesystem;
-  const std::regex link("\\]\\(([^)#:]+)(#[^)]*)?\\)");
+  const test::Regex link("\\]\\(([^)#:]+)(#[^)]*)?\\)");
   int links = 0;
   std::vector<fs::path> files = {test::projectFolder() / "README.md", test::projectFolder() / "CHANGELOG.md"};
   for (const char* folder : {"docs", "plugins", "src"}) {
@@ -107,8 +107,9 @@ TEST(Documentation, LinksLeadSomewhere) {
   for (const fs::path& file : files) {
     std::ifstream stream(file);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
-    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found, ++links) {
-      EXPECT_TRUE(fs::exists(file.parent_path() / (*found)[1].str())) << file << ": " << (*found)[1];
+    for (const test::Regex::Match& found : link.allIn(text)) {
+      EXPECT_TRUE(fs::exists(file.parent_path() / found[1])) << file << ": " << found[1];
+      ++links;
     }
   }
   EXPECT_GE(links, 8);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <vector>
 
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
+#include "support/regex.hh"
 #include "support/working_folder.hh"
 
 namespace pongsim::test {
@@ -43,13 +43,13 @@ TEST(Worlds, OfTheProjectRunWithoutAWarning) {
 TEST(Worlds, OfFortressRunOrSayWhyNot) {
   const auto folder = fortressWorlds();
   if (!folder) GTEST_SKIP() << "no worlds of Fortress here";
-  const std::regex complaint("([^:]+:\\d+:\\d+: (warning|error): .*|  .*|pongsim: .*|warning: .*)");
+  const Regex complaint("([^:]+:\\d+:\\d+: (warning|error): .*|  .*|pongsim: .*|warning: .*)");
   for (const char* part : {"tutorials", "examples"}) {
     for (const fs::path& file : worldsBelow(*folder / part)) {
       const Outcome outcome = runToEnd({"run", file.string(), "-z", "0", "--iterations", "20"});
       const bool hasErrors = outcome.error.find(": error: ") != std::string::npos;
       EXPECT_EQ(outcome.exitCode, hasErrors ? 1 : 0) << file << "\n" << outcome.error;
-      for (const std::string& line : lines(outcome.error)) EXPECT_TRUE(std::regex_match(line, complaint)) << line;
+      for (const std::string& line : lines(outcome.error)) EXPECT_TRUE(complaint.matches(line)) << line;
     }
   }
 }

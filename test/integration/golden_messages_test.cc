@@ -7,11 +7,11 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <regex>
 #include <string>
 
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
+#include "support/regex.hh"
 
 namespace pongsim::test {
 namespace {
@@ -23,16 +23,16 @@ std::string textOf(const std::filesystem::path& file) {
 
 /// @return The message with its numbers replaced by #: names, nesting and words stay.
 std::string shapeOf(const std::string& text) {
-  static const std::regex kNumber(": -?[0-9][-+.0-9e]*");
+  static const Regex kNumber(": -?[0-9][-+.0-9e]*");
   // a whole second has no nanoseconds
-  static const std::regex kNanoseconds(" *nsec: #\n");
-  return std::regex_replace(std::regex_replace(text, kNumber, ": #"), kNanoseconds, "");
+  static const Regex kNanoseconds(" *nsec: #\n");
+  return kNanoseconds.replaceAll(kNumber.replaceAll(text, ": #"), "");
 }
 
 /// @return Likewise without coordinates, which are left out if they happen to be zero.
 std::string withoutCoordinates(const std::string& shape) {
-  static const std::regex kCoordinate(" *[xyzw]: #\n");
-  return std::regex_replace(shape, kCoordinate, "");
+  static const Regex kCoordinate(" *[xyzw]: #\n");
+  return kCoordinate.replaceAll(shape, "");
 }
 
 struct Golden {
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Golden{"/world/Moving_robot/dynamic_pose/info", "world.Moving_robot.dynamic_pose.info.txt", true},
                     Golden{"/clock", "clock.txt"}, Golden{"/stats", "stats.txt"},
                     Golden{"/world/Moving_robot/stats", "world.Moving_robot.stats.txt"}),
-    [](const auto& instance) { return std::regex_replace(instance.param.topic, std::regex("[^A-Za-z]"), "_"); });
+    [](const auto& instance) { return Regex("[^A-Za-z]").replaceAll(instance.param.topic, "_"); });
 
 /// Compares the responses of services about the same world.
 class GoldenReplies : public testing::Test {
@@ -107,13 +107,16 @@ TEST_F(GoldenReplies, DrawTheGraphOfFortress) {
     // ids differ; their order determines the rest
     std::map<std::string, std::string> names;
     std::string result;
-    static const std::regex kId("[0-9]+");
-    std::string rest = text;
-    for (std::smatch id; std::regex_search(rest, id, kId); rest = id.suffix()) {
-      result +=
-          std::string(id.prefix()) + names.try_emplace(id.str(), "#" + std::to_string(names.size())).first->second;
+    const char* const digits = "0123456789";
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t begin = std::min(text.find_first_of(digits, at), text.size());
+      const std::size_t end = std::min(text.find_first_not_of(digits, begin), text.size());
+      result += text.substr(at, begin - at);
+      const std::string id = text.substr(begin, end - begin);
+      if (!id.empty()) result += names.try_emplace(id, "#" + std::to_string(names.size())).first->second;
+      at = end;
     }
-    return result + rest;
+    return result;
   };
   EXPECT_EQ(named(replyOf("/world/Moving_robot/scene/graph")), named(textOf(folder_ / "service.scene_graph.txt")));
 }

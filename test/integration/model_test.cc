@@ -3,11 +3,11 @@
 
 #include <iterator>
 #include <memory>
-#include <regex>
 #include <string>
 #include <vector>
 
 #include "integration/program.hh"
+#include "support/regex.hh"
 
 namespace pongsim::test {
 namespace {
@@ -34,8 +34,9 @@ TEST_F(ModelCommand, ListsModels) {
 TEST_F(ModelCommand, TellsOfAModelAndItsParts) {
   const Outcome all = model({"-m", "pong_bot"});
   EXPECT_EQ(all.exitCode, 0) << all.error;
-  EXPECT_TRUE(std::regex_search(all.output, std::regex("^Model: \\[\\d+\\]\n  - Name: pong_bot\n  - Pose \\[ XYZ"
-                                                       " \\(m\\) \\] \\[ RPY \\(rad\\) \\]:\n    \\[")))
+  EXPECT_TRUE(Regex("^Model: \\[\\d+\\]\n  - Name: pong_bot\n  - Pose \\[ XYZ"
+                    " \\(m\\) \\] \\[ RPY \\(rad\\) \\]:\n    \\[")
+                  .isIn(all.output))
       << all.output;
   EXPECT_NE(all.output.find("    - Name: left_wheel_joint\n"), std::string::npos) << all.output;
   const Outcome link = model({"-m", "pong_bot", "-l", "caster"});
@@ -61,8 +62,7 @@ TEST_F(ModelCommand, SaysWhatIsNotThere) {
 TEST_F(ModelCommand, GoesOnPrinting) {
   const Outcome twice = model({"-m", "pong_bot", "-p", "--follow", "-n", "2"});
   EXPECT_EQ(twice.exitCode, 0) << twice.error;
-  const std::regex once("Model: \\[");
-  EXPECT_EQ(std::distance(std::sregex_iterator(twice.output.begin(), twice.output.end(), once), {}), 2);
+  EXPECT_EQ(Regex("Model: \\[").allIn(twice.output).size(), 2U);
   EXPECT_EQ(runToEnd({"world", "play"}).exitCode, 0);
   const auto followed = start({"model", "-m", "pong_bot", "-p", "--follow", "--json", "--timeout", "60000"});
   ASSERT_TRUE(followed->waitForOutput("\n[^]*\n[^]*\n")) << followed->error();

@@ -9,11 +9,11 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <regex>
 #include <string>
 #include <vector>
 
 #include "integration/program.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
@@ -26,7 +26,7 @@ constexpr const char* kWorld = "pong_world.sdf";
 std::string hashAfter(const char* iterations) {
   const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-z", "0", "--iterations", iterations, "--hash"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
-  EXPECT_TRUE(std::regex_match(outcome.output, std::regex("state hash: [0-9a-f]{16}\n"))) << outcome.output;
+  EXPECT_TRUE(Regex("state hash: [0-9a-f]{16}\n").matches(outcome.output)) << outcome.output;
   return outcome.output;
 }
 
@@ -40,13 +40,13 @@ TEST(Run, PrintsTheStateHashAsOftenAsAsked) {
   const Outcome outcome =
       runToEnd({"run", ownWorld(kWorld), "-z", "0", "--iterations", "500", "--hash-every", "200", "--hash"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
-  std::smatch found;
-  ASSERT_TRUE(std::regex_match(outcome.output, found,
-                               std::regex("state hash after 200: ([0-9a-f]{16})\n"
-                                          "state hash after 400: ([0-9a-f]{16})\n(state hash: [0-9a-f]{16}\n)")))
-      << outcome.output;
+  const Regex::Match found = Regex(
+                                 "^state hash after 200: ([0-9a-f]{16})\n"
+                                 "state hash after 400: ([0-9a-f]{16})\n(state hash: [0-9a-f]{16}\n)$")
+                                 .firstIn(outcome.output);
+  ASSERT_EQ(found.size(), 4U) << outcome.output;
   EXPECT_NE(found[1], found[2]);
-  EXPECT_EQ("state hash: " + found[1].str() + "\n", hashAfter("200"));
+  EXPECT_EQ("state hash: " + found[1] + "\n", hashAfter("200"));
   EXPECT_EQ(found[3], hashAfter("500"));
 }
 
@@ -142,8 +142,7 @@ TEST(Run, EndsAtASignalWhilePaused) {
 TEST(Run, SaysInOneLineWhatItRuns) {
   const Outcome outcome = runToEnd({"run", ownWorld(kWorld), "-r", "--iterations", "1"});
   EXPECT_EQ(outcome.exitCode, 0);
-  EXPECT_TRUE(std::regex_match(outcome.error,
-                               std::regex("pongsim: world 'pong_world': \\d+ models, step 1 ms, real-time factor 1\n")))
+  EXPECT_TRUE(Regex("pongsim: world 'pong_world': \\d+ models, step 1 ms, real-time factor 1\n").matches(outcome.error))
       << outcome.error;
 }
 

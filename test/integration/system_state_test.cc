@@ -12,7 +12,6 @@
 #include <iterator>
 #include <memory>
 #include <ostream>
-#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "pongsim/message.hh"
 #include "pongsim/simulation.hh"
 #include "support/fortress_worlds.hh"
+#include "support/regex.hh"
 #include "support/working_folder.hh"
 
 namespace pongsim::test {
@@ -38,11 +38,9 @@ struct Command {
 std::vector<Command> commandsIn(const fs::path& file) {
   std::ifstream stream(file);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const std::regex command(R"re(pongsim topic -t (\S+) -m (\S+) -p "([^"]*)")re");
+  const Regex command(R"re(pongsim topic -t (\S+) -m (\S+) -p "([^"]*)")re");
   std::vector<Command> commands;
-  for (std::sregex_iterator match(text.begin(), text.end(), command), end; match != end; ++match) {
-    commands.push_back({(*match)[1], (*match)[2], (*match)[3]});
-  }
+  for (const Regex::Match& match : command.allIn(text)) commands.push_back({match[1], match[2], match[3]});
   return commands;
 }
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <vector>
 
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 #include "support/wait_until.hh"
@@ -29,9 +29,9 @@ Outcome publish(const std::string& topic, const std::string& type, const std::st
 class Topic : public testing::Test {
  protected:
   /// Repeats the command until its output matches: on a busy machine a world may be silent for a second.
-  static std::string runUntil(const std::vector<std::string>& arguments, const std::regex& wanted) {
+  static std::string runUntil(const std::vector<std::string>& arguments, const Regex& wanted) {
     std::string output;
-    EXPECT_TRUE(waitUntil([&] { return std::regex_search(output = runToEnd(arguments).output, wanted); })) << output;
+    EXPECT_TRUE(waitUntil([&] { return wanted.isIn(output = runToEnd(arguments).output); })) << output;
     return output;
   }
 
@@ -77,10 +77,10 @@ TEST_F(Topic, ListsWhatIsPublishedSorted) {
 TEST_F(Topic, TellsWhoPublishesAndWhoSubscribes) {
   const std::string pid = std::to_string(world_->pid());
   // independent of the machine's speed
-  const std::regex publisher("^Publishers \\[Process, Message Type, Rate, Messages\\]:\n  " + pid +
-                             ", ignition\\.msgs\\.Clock, [1-9][0-9.]* Hz, [1-9]\\d* sent, 0 dropped\n$");
+  const Regex publisher("^Publishers \\[Process, Message Type, Rate, Messages\\]:\n  " + pid +
+                        ", ignition\\.msgs\\.Clock, [1-9][0-9.]* Hz, [1-9]\\d* sent, 0 dropped\n$");
   runUntil({"topic", "-it", "/clock"}, publisher);
-  const std::regex subscriber("  " + pid + ", ignition\\.msgs\\.Int32, 0\\.0 Hz, 0 received, 0 dropped\n");
+  const Regex subscriber("  " + pid + ", ignition\\.msgs\\.Int32, 0\\.0 Hz, 0 received, 0 dropped\n");
   const std::string key = runUntil({"topic", "-i", "-t", "/keyboard/keypress"}, subscriber);
   EXPECT_TRUE(key.starts_with("No publishers on topic [/keyboard/keypress]\nSubscribers ")) << key;
 }
@@ -122,9 +122,10 @@ TEST_F(Topic, TellsOfOneAsJson) {
 TEST_F(Topic, MeasuresHowLateMessagesCome) {
   const Outcome delay = runToEnd({"topic", "-t", "/model/pong_bot/odometry", "--delay", "-n", "20"});
   EXPECT_EQ(delay.exitCode, 0) << delay.error;
-  EXPECT_TRUE(std::regex_match(delay.output, std::regex("(delay mean -?\\d+\\.\\d{3} ms, min -?\\d+\\.\\d{3} ms, max "
-                                                        "-?\\d+\\.\\d{3} ms, deviation \\d+\\.\\d{3} ms, \\d+ "
-                                                        "messages\n)+")))
+  EXPECT_TRUE(Regex("(delay mean -?\\d+\\.\\d{3} ms, min -?\\d+\\.\\d{3} ms, max "
+                    "-?\\d+\\.\\d{3} ms, deviation \\d+\\.\\d{3} ms, \\d+ "
+                    "messages\n)+")
+                  .matches(delay.output))
       << delay.output;
   const Outcome json = runToEnd({"topic", "-t", "/model/pong_bot/odometry", "--delay", "-n", "5", "--json"});
   EXPECT_TRUE(json.output.starts_with("{\"mean\":")) << json.output << json.error;
@@ -138,9 +139,9 @@ TEST_F(Topic, MeasuresHowLateMessagesCome) {
 TEST_F(Topic, EchoesTheValuesAskedFor) {
   const Outcome one = runToEnd({"topic", "-et", "/clock", "--field", "sim.sec", "-n", "2"});
   EXPECT_EQ(one.exitCode, 0) << one.error;
-  EXPECT_TRUE(std::regex_match(one.output, std::regex("\\d+\n\\d+\n"))) << one.output;
+  EXPECT_TRUE(Regex("\\d+\n\\d+\n").matches(one.output)) << one.output;
   const Outcome two = runToEnd({"topic", "-et", "/clock", "--field", "sim.sec", "--field", "sim", "--csv", "-n", "1"});
-  EXPECT_TRUE(std::regex_match(two.output, std::regex("sim\\.sec,sim\n\\d+,\\{.*\\}\n"))) << two.output;
+  EXPECT_TRUE(Regex("sim\\.sec,sim\n\\d+,\\{.*\\}\n").matches(two.output)) << two.output;
   const Outcome all = runToEnd({"topic", "-et", "/model/pong_bot/odometry", "--csv", "-n", "1"});
   const std::vector<std::string> table = lines(all.output);
   ASSERT_EQ(table.size(), 2U) << all.output;
@@ -153,11 +154,10 @@ TEST_F(Topic, EchoesTheValuesAskedFor) {
 TEST_F(Topic, MeasuresHowOftenAndHowMuchComes) {
   const Outcome rate = runToEnd({"topic", "-t", "/clock", "--hz", "-n", "200"});
   EXPECT_EQ(rate.exitCode, 0) << rate.error;
-  EXPECT_TRUE(std::regex_search(rate.output, std::regex("^[\\d.]+ Hz, spacing mean .* messages\n"))) << rate.output;
+  EXPECT_TRUE(Regex("^[\\d.]+ Hz, spacing mean .* messages\n").isIn(rate.output)) << rate.output;
   const Outcome bandwidth = runToEnd({"topic", "-t", "/clock", "--bw", "-n", "200"});
   EXPECT_EQ(bandwidth.exitCode, 0) << bandwidth.error;
-  EXPECT_TRUE(std::regex_search(bandwidth.output, std::regex("^[\\d.]+ kB/s, message mean .* messages\n")))
-      << bandwidth.output;
+  EXPECT_TRUE(Regex("^[\\d.]+ kB/s, message mean .* messages\n").isIn(bandwidth.output)) << bandwidth.output;
   const Outcome one = runToEnd({"topic", "-t", "/clock", "--hz", "-n", "1"});
   EXPECT_EQ(one.exitCode, 1);
   EXPECT_EQ(one.error, "pongsim: error: only one message: no rate\n");
@@ -170,8 +170,7 @@ TEST_F(Topic, WaitsForAValue) {
   EXPECT_EQ(runToEnd({"topic", "wait", "-t", "/clock"}).exitCode, 0);
   const Outcome late = runToEnd({"topic", "wait", "-t", "/clock", "--field", "sim.sec < 0", "--timeout", "1"});
   EXPECT_EQ(late.exitCode, 1);
-  EXPECT_TRUE(std::regex_match(
-      late.error, std::regex("pongsim: error: none of \\d+ messages on /clock met the condition in time\n")))
+  EXPECT_TRUE(Regex("pongsim: error: none of \\d+ messages on /clock met the condition in time\n").matches(late.error))
       << late.error;
 }
 

@@ -13,7 +13,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +21,7 @@
 #include "pongsim/node.hh"
 #include "support/proc.hh"
 #include "support/pseudo_terminal.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
@@ -110,14 +110,14 @@ TEST_F(TransportFault, OfASlowSubscriberIsCountedAndHoldsUpNothing) {
   // nobody reads it: the program would block once it is full
   const Process slow({"sh", "-c", "exec " PONGSIM_PROGRAM " topic -e -t /clock >" + terminal->name()});
   const std::uint64_t memory = memoryOf(world_->pid());
-  const std::regex subscriber("  " + std::to_string(slow.pid()) +
-                              ", ignition\\.msgs\\.Clock, [0-9.]+ Hz, \\d+ received, [1-9]\\d* dropped\n");
+  const Regex subscriber("  " + std::to_string(slow.pid()) +
+                         ", ignition\\.msgs\\.Clock, [0-9.]+ Hz, \\d+ received, [1-9]\\d* dropped\n");
   std::string said;
   const auto deadline = std::chrono::steady_clock::now() + kDeadline;
-  while (!std::regex_search(said, subscriber) && std::chrono::steady_clock::now() < deadline && goesOn(500)) {
+  while (!subscriber.isIn(said) && std::chrono::steady_clock::now() < deadline && goesOn(500)) {
     said = runToEnd({"topic", "-i", "-t", "/clock"}).output;
   }
-  EXPECT_TRUE(std::regex_search(said, subscriber)) << said;
+  EXPECT_TRUE(subscriber.isIn(said)) << said;
   EXPECT_TRUE(goesOn(1000));
   EXPECT_LT(memoryOf(world_->pid()), memory + kSomeMemory);
 }
@@ -129,8 +129,8 @@ TEST_F(TransportFault, OfAFloodHoldsUpNothing) {
   ASSERT_TRUE(flood.waitForOutput("ready"));
   EXPECT_TRUE(goesOn(1000));
   const std::string said = runToEnd({"topic", "-i", "-t", "/cmd_vel"}).output;
-  EXPECT_TRUE(std::regex_search(
-      said, std::regex(std::to_string(world_->pid()) + ", ignition\\.msgs\\.Twist, [1-9]\\d* Hz, [1-9]\\d* received")))
+  EXPECT_TRUE(
+      Regex(std::to_string(world_->pid()) + ", ignition\\.msgs\\.Twist, [1-9]\\d* Hz, [1-9]\\d* received").isIn(said))
       << said;
   EXPECT_LT(memoryOf(world_->pid()), memory + kSomeMemory);
 }

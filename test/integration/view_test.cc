@@ -3,12 +3,12 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "integration/program.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
@@ -43,12 +43,12 @@ class SeenFromAbove {
     arguments.insert(arguments.begin(), "view");
     arguments.insert(arguments.end(), {"--camera", "0 0 10 0 1.570796 0", "--size", "40x40", "--terminal"});
     outcome_ = runToEnd(arguments);
-    static const std::regex kBlock("\033\\[38;2;(\\d+);(\\d+);(\\d+)m\033\\[48;2;(\\d+);(\\d+);(\\d+)m");
+    static const Regex kBlock("\033\\[38;2;(\\d+);(\\d+);(\\d+)m\033\\[48;2;(\\d+);(\\d+);(\\d+)m");
     for (const std::string& line : lines(outcome_.output)) {
       std::array<std::vector<std::string>, 2> pair;
-      for (std::sregex_iterator block(line.begin(), line.end(), kBlock), end; block != end; ++block) {
+      for (const Regex::Match& block : kBlock.allIn(line)) {
         for (std::size_t i = 0; i < 2; ++i) {
-          const auto number = [&](std::size_t part) { return (*block)[3 * i + part].str(); };
+          const auto number = [&](std::size_t part) { return block[3 * i + part]; };
           pair[i].push_back(number(1) + " " + number(2) + " " + number(3));
         }
       }

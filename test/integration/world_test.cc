@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <regex>
 #include <string>
 
 #include "integration/program.hh"
+#include "support/regex.hh"
 
 namespace pongsim::test {
 namespace {
@@ -27,8 +27,9 @@ int ask(std::vector<std::string> action) {
 TEST(World, IsSteppedPlayedAndPaused) {
   const auto world = startServedWorld("pong_world.sdf", {"--paused"});
   EXPECT_EQ(ask({"step", "100"}), 0);
-  EXPECT_TRUE(std::regex_match(state(), std::regex("simulated 0\\.100 s, real \\d+\\.\\d{3} s, factor \\d+\\.\\d{3}, "
-                                                   "100 iterations, paused\n")))
+  EXPECT_TRUE(Regex("simulated 0\\.100 s, real \\d+\\.\\d{3} s, factor \\d+\\.\\d{3}, "
+                    "100 iterations, paused\n")
+                  .matches(state()))
       << state();
   EXPECT_EQ(ask({"step"}), 0);
   EXPECT_NE(state().find(" 101 iterations, paused"), std::string::npos);
@@ -71,8 +72,9 @@ TEST(World, TellsWhatIsInIt) {
             "  sensors     0\n  lights      1\n  gravity     0 0 -9.8 m/s^2\n  step        0.001 s\n"
             "  simulated   0.020 s\n  iterations  20\n  state       paused\n");
   const Outcome json = runToEnd({"world", "stats", "-n", "1", "--json", "--timeout", "60000"});
-  EXPECT_TRUE(std::regex_match(json.output, std::regex("\\{\"simulated\":0\\.02,\"real\":.*,\"iterations\":20,"
-                                                       "\"paused\":true\\}\n")))
+  EXPECT_TRUE(Regex("\\{\"simulated\":0\\.02,\"real\":.*,\"iterations\":20,"
+                    "\"paused\":true\\}\n")
+                  .matches(json.output))
       << json.output;
 }
 

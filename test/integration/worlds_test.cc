@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <string>
 #include <vector>
 
 #include "integration/program.hh"
 #include "support/fortress_worlds.hh"
 #include "support/process.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
@@ -29,8 +29,8 @@ std::string roverWorld(const std::string& name, const std::string& stepSize) {
   std::string text{std::istreambuf_iterator<char>(file), {}};
   const std::size_t begin = text.find("<world name="), end = text.find("</sdf>");
   text = text.substr(begin, end - begin);
-  text = std::regex_replace(text, std::regex("diff_drive\""), name + "\"");
-  text = std::regex_replace(text, std::regex("\"rover\""), "\"rover_" + name + "\"");
+  text = Regex("diff_drive\"").replaceAll(text, name + "\"");
+  text = Regex("\"rover\"").replaceAll(text, "\"rover_" + name + "\"");
   return text.insert(text.find('>') + 1,
                      "<physics name='p' type='ignored'><max_step_size>" + stepSize + "</max_step_size></physics>");
 }

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -16,6 +15,7 @@
 
 #include "support/fortress_worlds.hh"
 #include "support/process.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 
@@ -134,14 +134,14 @@ TEST_F(PackageTest, OffersWhatItsHeadersDeclareAndNothingElse) {
     declared.append(std::istreambuf_iterator<char>(stream), {});
   }
   // _ZN7pongsim10SimulationC1Ev, _ZTIN7pongsim4GoneE: a name after its length
-  const std::regex ownName("N[KRO]*7pongsim(\\d+)(\\w+)");
+  const Regex ownName("N[KRO]*7pongsim(\\d+)(\\w+)");
   const std::vector<std::string> names = exportsOf(libraries / "libpongsim.so");
   for (const std::string& name : names) {
     // the program's own entry points
     if (name == "pongsim_main" || name.starts_with("pongsim_write_")) continue;
-    std::smatch found;
-    ASSERT_TRUE(std::regex_search(name, found, ownName)) << name;
-    const std::string member = found[2].str().substr(0, std::stoul(found[1]));
+    const Regex::Match found = ownName.firstIn(name);
+    ASSERT_FALSE(found.empty()) << name;
+    const std::string member = found[2].substr(0, std::stoul(found[1]));
     EXPECT_EQ(std::ranges::count(kLayers, member), 0) << name;
     EXPECT_NE(declared.find(member), std::string::npos) << name;
   }

@@ -1,4 +1,5 @@
 #include "support/process.hh"
+#include "support/regex.hh"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -10,7 +11,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <regex>
 #include <stdexcept>
 
 extern char** environ;
@@ -136,9 +136,9 @@ bool Process::takeFrom(Stream& stream) {
 }
 
 bool Process::waitFor(const Stream& stream, const std::string& pattern, std::chrono::nanoseconds timeout) {
-  const std::regex wanted(pattern);
+  const Regex wanted(pattern);
   std::unique_lock lock(mutex_);
-  const auto found = [&] { return std::regex_search(stream.text, wanted); };
+  const auto found = [&] { return wanted.isIn(stream.text); };
   changed_.wait_for(lock, timeout, [&] { return found() || readAll_; });
   return found();
 }

@@ -9,13 +9,13 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "support/proc.hh"
 #include "support/process.hh"
+#include "support/regex.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 #include "support/wait_until.hh"
@@ -166,8 +166,7 @@ TEST_F(NodeTest, IsNotHeldUpByAStoppedSubscriber) {
 
   // each of them was heard or is counted
   const std::string output = other->output();
-  const std::regex number("got \\d+\n");
-  const auto heard = std::distance(std::sregex_iterator(output.begin(), output.end(), number), std::sregex_iterator());
+  const std::size_t heard = test::Regex("got \\d+\n").allIn(output).size();
   EXPECT_EQ(trafficOf(other->pid(), [](const TopicInfo& topic) { return topic.subscribers; }).dropped, 3000 - heard);
   EXPECT_GE(trafficOf(getpid(), [](const TopicInfo& topic) { return topic.publishers; }).dropped, 3000 - heard);
 }
@@ -419,8 +418,8 @@ TEST_F(NodeTest, WorksWhereThereIsNothingButLoopback) {
 
 namespace {
 
-/// Two network namespaces with a wire between them stand for two machines. PEER is another machine's program. Both wait for
-/// the wire, because Fast DDS leaves out interfaces that have no carrier when it starts.
+/// Two network namespaces with a wire between them stand for two machines. PEER is another machine's program. Both wait
+/// for the wire, because Fast DDS leaves out interfaces that have no carrier when it starts.
 constexpr const char* kTwoMachines = R"sh(
   ip link set lo up
   ip link add here type veth peer name there
