@@ -69,9 +69,9 @@ bool Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, 
   const auto found = known_.find(message->source);
   Known* known = found == known_.end() ? introduce(*message, from, side, now) : &found->second;
   if (known == nullptr || !isFrom(*known, from) || !known->isWithinMeans(*message, now)) return false;
+  // who has forgotten this participant meanwhile, and meets it again, acknowledges less than before
   for (const RtpsAcknowledgement& each : message->acknowledgements) {
-    std::uint64_t& below = known->acknowledgedBelow[each.writer];
-    below = std::max(below, each.below);
+    known->acknowledgedBelow[each.writer] = each.below;
   }
   leases_.hear(*message, bytes, now);
   return known->isNews(*message, now);

@@ -207,8 +207,10 @@ TEST_F(DoorkeeperTest, KnowsWhatHasBeenAcknowledged) {
   ASSERT_TRUE(admits(acknowledge(1, 5), {kLoopback, 5000}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "all below 5";
   ASSERT_TRUE(admits(acknowledge(1, 6), {kLoopback, 5000}));
-  ASSERT_TRUE(admits(acknowledge(1, 2), {kLoopback, 5000}));
   EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, five));
+  ASSERT_TRUE(admits(acknowledge(1, 2), {kLoopback, 5000}));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "has met this participant again, and misses all from 2";
+  ASSERT_TRUE(admits(acknowledge(1, 6), {kLoopback, 5000}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, {kSubscriptionsWriter, 5}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7412, five));
   ASSERT_TRUE(admits(announcement(2), {kLoopback, 5001}));
