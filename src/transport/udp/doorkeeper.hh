@@ -37,7 +37,7 @@ class Allowance {
 /// A participant is introduced by its first announcement. That must come from a socket, and lead to a port, that there
 /// are. From then on its messages come from that socket and no other, and what can be asked of its reader is bounded
 /// by time: endpoints that it tells of, numbers that it skips, samples that it wants again. When it has been silent for
-/// its lease the library is told to drop it. Any thread may use this.
+/// its lease, or has forgotten this participant, the library is told to drop it. Any thread may use this.
 class Doorkeeper {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -93,12 +93,13 @@ class Doorkeeper {
     bool isDiscovered = false;
     std::uint64_t seen = 0;
     TimePoint seenAt;
-    /// What it has received of the participant's own discovery.
-    std::map<RtpsEntity, std::uint64_t> acknowledgedBelow;
+    /// What it has received of the participant's own discovery, by writer.
+    std::map<RtpsEntity, RtpsAcknowledgement> acknowledged;
     Allowance endpoints, endpointBytes, gaps, wishes;
 
     Known();
     bool isWithinMeans(const RtpsMessage& message, TimePoint now);
+    bool hasForgotten(const RtpsMessage& message);
     bool isNews(const RtpsMessage& message, TimePoint now);
   };
 

@@ -199,8 +199,10 @@ bool readWish(Reading body, bool isFragments, RtpsMessage& message) {
   const std::uint64_t bits = body.number(4);
   if (!body.isGood() || number > kLastNumber || bits > kMostInSet) return false;
   if (bits > 0) ++message.wishes;
-  if (!isFragments && isDiscovery(writer)) message.acknowledgements.push_back({writer, number});
-  return true;
+  if (isFragments || !isDiscovery(writer)) return true;
+  body.take((bits + 31) / 32 * 4);
+  message.acknowledgements.push_back({writer, number, static_cast<std::uint32_t>(body.number(4))});
+  return body.isGood();
 }
 
 bool isAboutMessage(std::uint8_t kind) {

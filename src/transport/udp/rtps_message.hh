@@ -55,6 +55,8 @@ struct RtpsAcknowledgement {
   RtpsEntity writer = 0;
   /// Sequence numbers below this one.
   std::uint64_t below = 0;
+  /// Increases from one to the next of the same reader.
+  std::uint32_t count = 0;
 };
 
 /// What an RTPS message (RTPS 2.3, 8.3 and 9.4) asks of who takes it.

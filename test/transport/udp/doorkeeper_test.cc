@@ -53,6 +53,17 @@ class DoorkeeperTest : public testing::Test {
     return packet;
   }
 
+  static Packet acknowledgement(int number, std::int64_t below, std::uint32_t count) {
+    Packet packet(prefixOf(number));
+    packet.begin(Kind::kAckNack);
+    packet.addEntity(0x000003c7);
+    packet.addEntity(kPublicationsWriter);
+    packet.addSequenceSet(below, 0);
+    packet.add32(count);
+    packet.end();
+    return packet;
+  }
+
   static Packet endpoint(int number, int owner) {
     Packet packet(prefixOf(number));
     beginData(packet, kPublicationsWriter);
@@ -190,31 +201,42 @@ TEST_F(DoorkeeperTest, HearsAnAnnouncementThatItDoesNotPassOn) {
 }
 
 TEST_F(DoorkeeperTest, KnowsWhatHasBeenAcknowledged) {
-  const auto acknowledge = [](int number, std::int64_t below) {
-    Packet packet(prefixOf(number));
-    packet.begin(Kind::kAckNack);
-    packet.addEntity(0x000003c7);
-    packet.addEntity(kPublicationsWriter);
-    packet.addSequenceSet(below, 0);
-    packet.add32(1);
-    packet.end();
-    return packet;
-  };
   const RtpsHeartbeat five{kPublicationsWriter, 5};
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "nobody is there";
   ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five));
-  ASSERT_TRUE(admits(acknowledge(1, 5), {kLoopback, 5000}));
+  ASSERT_TRUE(admits(acknowledgement(1, 5, 1), {kLoopback, 5000}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "all below 5";
-  ASSERT_TRUE(admits(acknowledge(1, 6), {kLoopback, 5000}));
+  ASSERT_TRUE(admits(acknowledgement(1, 6, 3), {kLoopback, 5000}));
+  ASSERT_TRUE(admits(acknowledgement(1, 2, 2), {kLoopback, 5000})) << "is late";
   EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, five));
-  ASSERT_TRUE(admits(acknowledge(1, 2), {kLoopback, 5000}));
-  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "has met this participant again, and misses all from 2";
-  ASSERT_TRUE(admits(acknowledge(1, 6), {kLoopback, 5000}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, {kSubscriptionsWriter, 5}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7412, five));
   ASSERT_TRUE(admits(announcement(2), {kLoopback, 5001}));
   EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "another one at this port has not";
+}
+
+TEST_F(DoorkeeperTest, AnswersWhoHasForgottenTheParticipantAndAsksForAll) {
+  const RtpsHeartbeat five{kPublicationsWriter, 5};
+  ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  ASSERT_TRUE(admits(acknowledgement(1, 6, 1), {kLoopback, 5000}));
+  EXPECT_TRUE(doorkeeper_.isAcknowledged(7410, five));
+  ASSERT_TRUE(admits(acknowledgement(1, 0, 2), {kLoopback, 5000}));
+  EXPECT_FALSE(doorkeeper_.isAcknowledged(7410, five)) << "is to hear what there is";
+  EXPECT_TRUE(admits(acknowledgement(1, 1, 3), {kLoopback, 5000}));
+  EXPECT_TRUE(doorkeeper_.endings(now_).messages.empty());
+}
+
+TEST_F(DoorkeeperTest, DropsWhoHasForgottenTheParticipantAndMissesSome) {
+  ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  doorkeeper_.discovered(prefixOf(1), now_);
+  ASSERT_TRUE(admits(acknowledgement(1, 6, 1), {kLoopback, 5000}));
+  EXPECT_FALSE(admits(acknowledgement(1, 1, 2), {kLoopback, 5000}));
+  EXPECT_FALSE(admits(announcement(1), {kLoopback, 5000})) << "the library has to drop it first";
+  EXPECT_EQ(doorkeeper_.endings(now_).messages.size(), 1U);
+  doorkeeper_.removed(prefixOf(1));
+  EXPECT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  EXPECT_TRUE(admits(acknowledgement(1, 1, 3), {kLoopback, 5000}));
 }
 
 TEST_F(DoorkeeperTest, LetsInNobodyOfTheSameProcess) {
