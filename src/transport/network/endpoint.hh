@@ -28,7 +28,11 @@ namespace pongsim::transport {
 namespace rtps = eprosima::fastrtps::rtps;
 
 /// What a topic's samples are.
-enum class Content { kMessages, kCalls /* requests and replies of a service */ };
+enum class Content {
+  kMessages,
+  /// Requests and replies of a service.
+  kCalls
+};
 
 /// Properties of an endpoint.
 struct Contract {
