@@ -27,7 +27,7 @@ constexpr spdlog::level::level_enum kLevels[] = {spdlog::level::off, spdlog::lev
 
 void say(LogLevel level, const std::string& speaker, std::string_view message) {
   const spdlog::level::level_enum theirs = kLevels[static_cast<int>(level)];
-  if (standardError().should_log(theirs)) standardError().log(theirs, speaker + ": " + std::string(message));
+  if (standardError().should_log(theirs)) standardError().log(theirs, (speaker + ": ").append(message));
   tellSinks({level, speaker, message});
 }
 

@@ -1,6 +1,7 @@
 #include "cli/world_file.hh"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -19,19 +20,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// @return Where a text goes on after a word and `sign`, between which there are at most spaces and a colon; npos if
+/// they are not there from `at` on.
+std::size_t after(const std::string& word, char sign, const std::string& text, std::size_t at) {
+  for (at = text.find(word, at); at != std::string::npos; at = text.find(word, at + 1)) {
+    const bool isWhole =
+        at == 0 || (std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0 && text[at - 1] != '_');
+    const std::size_t next = text.find_first_not_of(" \t\r\n:", at + word.size());
+    if (isWhole && next != std::string::npos && text[next] == sign) return next + 1;
+  }
+  return std::string::npos;
+}
+
 /// @return The file that the text of a world's metadata names, as in `world { file: "x.sdf" }`; empty if there is none
 /// without folders.
 std::string fileIn(const std::string& metadata) {
-  std::size_t at = metadata.find("world");
-  while ((at = metadata.find("file", at)) != std::string::npos) {
-    at += 4;
-    const std::size_t quote = metadata.find_first_not_of(" \t\r\n:", at);
-    // and not file_format
-    if (quote == std::string::npos || metadata[quote] != '"') continue;
-    const std::string name = metadata.substr(quote + 1, metadata.find('"', quote + 1) - quote - 1);
-    return name.find('/') == std::string::npos ? name : std::string();
-  }
-  return {};
+  const std::size_t inside = after("world", '{', metadata, 0);
+  const std::size_t begin = after("file", '"', metadata, inside);
+  if (begin == std::string::npos) return {};
+  const std::string name = metadata.substr(begin, metadata.find('"', begin) - begin);
+  return name.find('/') == std::string::npos ? name : std::string();
 }
 
 /// @return The file named in a world's metadata.pbtxt, else the first SDF file in its folder by name; nothing if there

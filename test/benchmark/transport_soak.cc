@@ -49,6 +49,7 @@ std::atomic<bool> stopped = false;
 class Gaps {
  public:
   void take(std::int64_t number) {
+    look();
     look(taken_);
     const std::int64_t gap = heard_ > 0 ? number - last_ - 1 : 0;
     missed_ += gap;

@@ -62,7 +62,10 @@ TEST_F(WorldFile, IsInTheCacheWhereItsAddressIsThatOfAFuelServer) {
   // what is not known, or broken after it, does no harm
   first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt", "new: 3 world { file: \"c.sdf\" } name: {{");
   EXPECT_EQ(fetchWorldFile(server + "worlds/w", diagnostics), folder / "worlds/w/2/c.sdf");
-  // one that leads elsewhere does not count
+  // one that is not the world's does not count
+  first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt", "name: \"world\" model { file: \"c.sdf\" }");
+  EXPECT_EQ(fetchWorldFile(server + "worlds/w", diagnostics), folder / "worlds/w/2/b.sdf");
+  // neither does one that leads elsewhere
   first_.write("fuel.gazebosim.org/o/worlds/w/2/metadata.pbtxt", "world { file: \"../../../../x.sdf\" }");
   EXPECT_EQ(fetchWorldFile(server + "worlds/w/2", diagnostics), folder / "worlds/w/2/b.sdf");
   EXPECT_EQ(fetchWorldFile(server + "models/m", diagnostics), folder / "models/m/1/m.sdf");

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>

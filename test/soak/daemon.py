@@ -85,8 +85,8 @@ class Daemon:
 
     def hashes(self, world, steps):
         """The next hashes of a world, which must be those after these numbers of steps."""
-        mine = self._hashes.setdefault(world, [])
         with self._reading:
+            mine = self._hashes.setdefault(world, [])
             self._reading.wait_for(lambda: self._end or len(mine) >= len(steps), DEADLINE)
         if len(mine) < len(steps):
             raise Fault(self._end or f"'{world}' makes no steps: {mine} in place of those after {steps}")

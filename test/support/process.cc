@@ -1,5 +1,4 @@
 #include "support/process.hh"
-#include "support/regex.hh"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -12,6 +11,8 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+
+#include "support/regex.hh"
 
 extern char** environ;
 
