@@ -36,6 +36,16 @@ std::uint16_t read16(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::uint16_t>(bytes[at] | bytes[at + 1] << 8);
 }
 
+/// @return What follows a list of parameters.
+std::span<const std::uint8_t> afterList(std::span<const std::uint8_t> list) {
+  while (list.size() >= 4) {
+    const bool isEnd = read16(list, 0) == 1;
+    list = list.subspan(std::min(list.size(), std::size_t(4) + read16(list, 2)));
+    if (isEnd) break;
+  }
+  return list;
+}
+
 /// Reads the ports in the parameters of a participant that speaks little-endian.
 void readPorts(std::span<const std::uint8_t> parameters, Neighbour& neighbour) {
   while (parameters.size() >= 4) {
@@ -60,7 +70,10 @@ Neighbour readNeighbour(std::span<const std::uint8_t> message) {
     constexpr std::uint8_t kSpdpWriter[] = {0x00, 0x01, 0x00, 0xc2};
     if (rest[0] == static_cast<std::uint8_t>(Kind::kData) && length > kDataHeader + kEncapsulation &&
         std::equal(std::begin(kSpdpWriter), std::end(kSpdpWriter), rest.begin() + 12)) {
-      readPorts(rest.subspan(4 + kDataHeader + kEncapsulation, length - kDataHeader - kEncapsulation), neighbour);
+      constexpr std::uint8_t kHasInlineQos = 2;
+      auto sample = rest.subspan(4 + kDataHeader, length - kDataHeader);
+      if ((rest[1] & kHasInlineQos) != 0) sample = afterList(sample);
+      if (sample.size() > kEncapsulation) readPorts(sample.subspan(kEncapsulation), neighbour);
     }
     rest = rest.subspan(4 + length);
   }

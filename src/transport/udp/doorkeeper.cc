@@ -69,25 +69,52 @@ bool Doorkeeper::Known::isNews(const RtpsMessage& message, TimePoint now) {
 
 Doorkeeper::Doorkeeper(Sockets sockets) : sockets_(std::move(sockets)), leases_({kShortestLease, kLongestLease}) {}
 
-bool Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now) {
+Doorkeeper::Admission Doorkeeper::admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side,
+                                         TimePoint now) {
   const std::optional<RtpsMessage> message = readRtpsMessage(bytes);
-  if (!message) return false;
+  if (!message) return {};
+  bool isGoodbye = false;
   for (const RtpsDiscovery& sample : message->discovery) {
-    if (sample.prefix != message->source) return false;
+    if (sample.prefix != message->source) return {};
     // the library would take it for none at all, and drop the participant whenever it has met it
-    if (sample.isOfParticipant() && sample.isAlive && !sample.leaseAt) return false;
+    if (sample.isOfParticipant() && sample.isAlive && !sample.leaseAt) return {};
+    isGoodbye |= sample.isOfParticipant() && !sample.isAlive;
   }
   const std::lock_guard lock(mutex_);
-  if (ignored_.contains(message->source) || leases_.hasEnded(message->source)) return false;
+  if (ignored_.contains(message->source) || leases_.hasEnded(message->source)) return {};
   const auto found = known_.find(message->source);
   Known* known = found == known_.end() ? introduce(*message, from, side, now) : &found->second;
-  if (known == nullptr || !isFrom(*known, from) || !known->isWithinMeans(*message, now)) return false;
+  if (known == nullptr || !isFrom(*known, from) || !known->isWithinMeans(*message, now)) return {};
   if (known->hasForgotten(*message)) {
     leases_.end(message->source);
-    return false;
+    return {};
   }
   leases_.hear(*message, bytes, now);
-  return known->isNews(*message, now);
+  if (!known->isNews(*message, now)) return {};
+  return {true, isGoodbye ? lastAcknowledgement(message->source) : std::vector<std::uint8_t>()};
+}
+
+void Doorkeeper::sends(const RtpsMessage& message) {
+  const std::lock_guard lock(mutex_);
+  const auto note = [this](RtpsEntity writer, std::uint64_t number) {
+    if (writer != kSpdpWriter) sent_[writer] = std::max(sent_[writer], number);
+  };
+  for (const RtpsDiscovery& each : message.discovery) note(each.writer, each.sequence);
+  for (const RtpsHeartbeat& each : message.heartbeats) note(each.writer, each.last);
+}
+
+/// @return A message in which the participant acknowledges all that was sent of discovery; empty where there is
+/// nothing, or it is not known.
+std::vector<std::uint8_t> Doorkeeper::lastAcknowledgement(const RtpsPrefix& prefix) const {
+  const auto known = known_.find(prefix);
+  if (known == known_.end() || sent_.empty()) return {};
+  std::vector<RtpsAcknowledgement> all;
+  for (const auto& [writer, number] : sent_) {
+    const auto last = known->second.acknowledged.find(writer);
+    const std::uint32_t count = last == known->second.acknowledged.end() ? 0 : last->second.count;
+    all.push_back({writer, number + 1, count + 1});
+  }
+  return acknowledgementBy(prefix, all);
 }
 
 void Doorkeeper::discovered(const RtpsPrefix& prefix, TimePoint now) {
@@ -122,7 +149,12 @@ bool Doorkeeper::isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbe
 
 Doorkeeper::Endings Doorkeeper::endings(TimePoint now) {
   const std::lock_guard lock(mutex_);
-  Endings endings{leases_.endings(now), leases_.nextLook(now)};
+  Endings endings;
+  for (auto& [prefix, message] : leases_.endings(now)) {
+    if (auto before = lastAcknowledgement(prefix); !before.empty()) endings.messages.push_back(std::move(before));
+    endings.messages.push_back(std::move(message));
+  }
+  endings.nextLook = leases_.nextLook(now);
   std::erase_if(known_, [this](const auto& each) { return !leases_.runs(each.first); });
   return endings;
 }
@@ -177,13 +209,13 @@ bool Doorkeeper::isRoomFor(std::uint32_t port, const RtpsAddress& from, Side sid
   }
   if (!sockets_.isOpen(from)) return false;
   // other machines have ports of the same numbers
-  const auto isAtPort = [&](const auto& each) { return each.second.side == side && each.second.port == port; };
+  const auto isAtPort = [&](const auto& each) {
+    return each.second.side == side && each.second.port == port && leases_.runs(each.first);
+  };
   if (std::ranges::count_if(known_, isAtPort) < static_cast<std::ptrdiff_t>(kMostAtPort)) return true;
-  std::erase_if(known_, [&](const auto& each) {
-    const bool hasGone = isAtPort(each) && std::ranges::none_of(each.second.sockets, sockets_.isOpen);
-    if (hasGone) leases_.end(each.first);
-    return hasGone;
-  });
+  for (const auto& each : known_) {
+    if (isAtPort(each) && std::ranges::none_of(each.second.sockets, sockets_.isOpen)) leases_.end(each.first);
+  }
   return std::ranges::count_if(known_, isAtPort) < static_cast<std::ptrdiff_t>(kMostAtPort);
 }
 

@@ -37,7 +37,11 @@ class Allowance {
 /// A participant is introduced by its first announcement. That must come from a socket, and lead to a port, that there
 /// are. From then on its messages come from that socket and no other, and what can be asked of its reader is bounded
 /// by time: endpoints that it tells of, numbers that it skips, samples that it wants again. When it has been silent for
-/// its lease, or has forgotten this participant, the library is told to drop it. Any thread may use this.
+/// its lease, or has forgotten this participant, the library is told to drop it.
+///
+/// Before the library drops a participant, it is told that the participant has received all of this one's discovery.
+/// Fast DDS 2.9 otherwise waits for itself for ever, with the participant's locks, where one leaves that is just being
+/// sent again what tells of an endpoint's end (docs/transport.md). Any thread may use this.
 class Doorkeeper {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -55,12 +59,21 @@ class Doorkeeper {
     std::function<bool(const RtpsAddress& address)> isOpen;
   };
 
+  struct Admission {
+    /// Whether the library may see the message.
+    bool isAdmitted = false;
+    /// A message that it must see before; empty: none.
+    std::vector<std::uint8_t> before;
+  };
+
   explicit Doorkeeper(Sockets sockets);
 
   /// @param bytes A message; the lease in it becomes endless, as `Leases` has it.
   /// @param from The socket that it comes from.
-  /// @return Whether it may be seen.
-  bool admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now);
+  Admission admits(std::span<std::uint8_t> bytes, const RtpsAddress& from, Side side, TimePoint now);
+
+  /// Takes note of a message that this participant sends.
+  void sends(const RtpsMessage& message);
 
   /// Takes note of whom the library knows, and of whom it does no longer.
   void discovered(const RtpsPrefix& prefix, TimePoint now);
@@ -74,7 +87,7 @@ class Doorkeeper {
   bool isAcknowledged(std::uint32_t port, const RtpsHeartbeat& heartbeat);
 
   struct Endings {
-    /// Messages for the library, which then drops those who have been silent for their lease.
+    /// Messages for the library, in this order. It then drops those who have been silent for their lease.
     std::vector<std::vector<std::uint8_t>> messages;
     TimePoint nextLook;
   };
@@ -105,6 +118,7 @@ class Doorkeeper {
 
   Known* introduce(const RtpsMessage& message, const RtpsAddress& from, Side side, TimePoint now);
   bool isRoomFor(std::uint32_t port, const RtpsAddress& from, Side side);
+  std::vector<std::uint8_t> lastAcknowledgement(const RtpsPrefix& prefix) const;
   static bool isFrom(Known& known, const RtpsAddress& from);
 
   std::mutex mutex_;
@@ -113,6 +127,8 @@ class Doorkeeper {
   std::map<RtpsPrefix, Known> known_;
   /// By participant, the port.
   std::map<RtpsPrefix, std::uint32_t> ignored_;
+  /// By writer of this participant's own discovery, the number of its last sample that was sent.
+  std::map<RtpsEntity, std::uint64_t> sent_;
   Leases leases_;
   /// Looks at the system's sockets.
   Allowance looks_{300, 100};

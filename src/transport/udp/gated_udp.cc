@@ -60,14 +60,19 @@ class OwnSide : public rtps::LocatorsIterator {
   }
   bool isWanted(const rtps::Locator_t& locator) {
     if (!isOn(side_, locator)) return false;
-    if (side_ == GatedUdp::Side::kBeyond || !discoveryPorts(domain_).contains(locator.port)) return true;
-    if (!isRead_) read_ = readRtpsMessage(message_);
-    isRead_ = true;
-    if (!read_) return true;
+    if (!discoveryPorts(domain_).contains(locator.port)) return true;
+    if (!isRead_) read();
+    if (!read_ || side_ == GatedUdp::Side::kBeyond) return true;
     const auto now = std::chrono::steady_clock::now();
     if (read_->isAnnouncement())
       return gate_.announcements.goesTo(locator.port, read_->discovery.front().sequence, now);
     return !read_->isHeartbeatToAll() || gate_.heartbeats.goTo(locator.port, read_->heartbeats, now);
+  }
+
+  void read() {
+    isRead_ = true;
+    read_ = readRtpsMessage(message_);
+    if (read_) gate_.doorkeeper.sends(*read_);
   }
 
   GatedUdp::Side side_;
@@ -134,7 +139,11 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
     const auto side = side_ == GatedUdp::Side::kLoopback ? Doorkeeper::Side::kLoopback : Doorkeeper::Side::kBeyond;
     // it is the library's buffer, which it may change itself
     const std::span message(const_cast<rtps::octet*>(bytes), size);
-    if (!gate_->doorkeeper.admits(message, from, side, std::chrono::steady_clock::now())) return;
+    const auto [isAdmitted, before] = gate_->doorkeeper.admits(message, from, side, std::chrono::steady_clock::now());
+    if (!isAdmitted) return;
+    if (!before.empty()) {
+      receiver->OnDataReceived(before.data(), static_cast<std::uint32_t>(before.size()), local, remote);
+    }
     receiver->OnDataReceived(bytes, size, local, remote);
   }
 

@@ -71,8 +71,8 @@ bool Leases::hasEnded(const RtpsPrefix& prefix) const {
   return found != neighbours_.end() && found->second.hasEnded;
 }
 
-std::vector<std::vector<std::uint8_t>> Leases::endings(TimePoint now) {
-  std::vector<std::vector<std::uint8_t>> messages;
+std::vector<Leases::Ending> Leases::endings(TimePoint now) {
+  std::vector<Ending> endings;
   // those it never got to know
   std::erase_if(neighbours_, [now](const auto& each) {
     return each.second.timesTold == kMostTold && now - each.second.told >= kTellAgain;
@@ -81,11 +81,11 @@ std::vector<std::vector<std::uint8_t>> Leases::endings(TimePoint now) {
     if (now - neighbour.heard > neighbour.lease) neighbour.hasEnded = true;
     if (!neighbour.hasEnded || (neighbour.timesTold > 0 && now - neighbour.told < kTellAgain)) continue;
     // each must be newer than what the library has seen
-    messages.push_back(announcementWithoutLease(prefix, ++neighbour.sequence));
+    endings.push_back({prefix, announcementWithoutLease(prefix, ++neighbour.sequence)});
     ++neighbour.timesTold;
     neighbour.told = now;
   }
-  return messages;
+  return endings;
 }
 
 Leases::TimePoint Leases::nextLook(TimePoint now) const {

@@ -46,9 +46,13 @@ class Leases {
   /// @return How many are known, those whose lease has ended among them.
   std::size_t size() const { return neighbours_.size(); }
 
+  struct Ending {
+    RtpsPrefix prefix;
+    std::vector<std::uint8_t> message;
+  };
   /// @return Messages by which the library drops those whose lease has ended, one for each. They are told again every
   /// second, a few times, until it has.
-  std::vector<std::vector<std::uint8_t>> endings(TimePoint now);
+  std::vector<Ending> endings(TimePoint now);
 
   /// @return When `endings` is to be asked next, in a second at the latest.
   TimePoint nextLook(TimePoint now) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 #include "transport/payload.hh"
 
@@ -12,6 +13,9 @@ namespace pongsim::transport {
 namespace {
 
 constexpr std::size_t kHeader = 20, kSubmessageHeader = 4, kEncapsulation = 4;
+constexpr RtpsEntity kParticipant = 0x000001c1;
+// The flag of a submessage that is little-endian.
+constexpr std::uint8_t kLittle = 1;
 constexpr std::uint64_t kMostInSet = 256;
 // Far more than anybody has ever sent. Fast DDS 2.9 ends the process where a number is the last one that there is.
 constexpr std::uint64_t kLastNumber = std::uint64_t(1) << 48;
@@ -67,10 +71,32 @@ std::optional<RtpsPrefix> prefixIn(std::span<const std::uint8_t> value) {
   return prefix;
 }
 
+/// A message as it is written, little-endian.
+class Writing {
+ public:
+  explicit Writing(const RtpsPrefix& source) : bytes_{'R', 'T', 'P', 'S', 2, 3, 1, 0x0f} { add(source); }
+
+  void add(std::initializer_list<std::uint8_t> more) { bytes_.insert(bytes_.end(), more); }
+  void add(const RtpsPrefix& prefix) { bytes_.insert(bytes_.end(), prefix.begin(), prefix.end()); }
+  void add32(std::uint64_t number) {
+    for (int shift = 0; shift < 32; shift += 8) bytes_.push_back(static_cast<std::uint8_t>(number >> shift));
+  }
+  void addEntity(RtpsEntity id) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes_.push_back(static_cast<std::uint8_t>(id >> shift));
+  }
+  void addSequence(std::uint64_t number) {
+    add32(number >> 32);
+    add32(number);
+  }
+  std::vector<std::uint8_t> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
 /// Reads whose the sample is.
 /// @return Whether the GUID is one, and contradicts no other.
 bool takeGuid(std::span<const std::uint8_t> value, RtpsDiscovery& sample) {
-  constexpr RtpsEntity kParticipant = 0x000001c1;
   const auto prefix = prefixIn(value);
   if (!prefix || (sample.prefix && sample.prefix != prefix)) return false;
   sample.prefix = prefix;
@@ -107,13 +133,16 @@ bool readParameters(Reading& list, std::span<const std::uint8_t> whole, RtpsDisc
   }
 }
 
+/// @return The reader of a writer of discovery.
+constexpr RtpsEntity readerOf(RtpsEntity writer) { return (writer & ~RtpsEntity(0xff)) | 0xc7; }
+
 bool isDiscovery(RtpsEntity writer) {
   return writer == kSpdpWriter || writer == kPublicationsWriter || writer == kSubscriptionsWriter;
 }
 
 /// Reads DATA.
 bool readData(Reading body, std::uint8_t flags, std::span<const std::uint8_t> whole, RtpsMessage& message) {
-  constexpr std::uint8_t kLittle = 1, kInlineQos = 2, kWithData = 4, kWithKey = 8;
+  constexpr std::uint8_t kInlineQos = 2, kWithData = 4, kWithKey = 8;
   constexpr std::size_t kLongestKey = 16;
   constexpr std::uint64_t kUpToInlineQos = 16;
   body.take(2);
@@ -192,7 +221,8 @@ bool readGap(Reading body, RtpsMessage& message) {
 
 /// Reads ACKNACK or, of fragments, NACK_FRAG.
 bool readWish(Reading body, bool isFragments, RtpsMessage& message) {
-  body.take(4);
+  constexpr std::uint64_t kLastCount = 0x7fff'ffff;
+  const RtpsEntity reader = body.entity();
   const RtpsEntity writer = body.entity();
   const std::uint64_t number = body.sequence();
   if (isFragments) body.take(4);
@@ -201,8 +231,11 @@ bool readWish(Reading body, bool isFragments, RtpsMessage& message) {
   if (bits > 0) ++message.wishes;
   if (isFragments || !isDiscovery(writer)) return true;
   body.take((bits + 31) / 32 * 4);
-  message.acknowledgements.push_back({writer, number, static_cast<std::uint32_t>(body.number(4))});
-  return body.isGood();
+  const std::uint64_t count = body.number(4);
+  if (reader == readerOf(writer)) {
+    message.acknowledgements.push_back({writer, number, static_cast<std::uint32_t>(count)});
+  }
+  return body.isGood() && count <= kLastCount;
 }
 
 bool isAboutMessage(std::uint8_t kind) {
@@ -261,30 +294,37 @@ std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes) 
 }
 
 std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant, std::uint64_t sequence) {
-  constexpr std::uint8_t kLittle = 1, kWithData = 4;
-  std::vector<std::uint8_t> bytes = {'R', 'T', 'P', 'S', 2, 3, 1, 0x0f};
-  const auto add = [&](std::initializer_list<std::uint8_t> more) { bytes.insert(bytes.end(), more); };
-  const auto addGuid = [&] {
-    bytes.insert(bytes.end(), participant.begin(), participant.end());
-    add({0, 0, 1, 0xc1});
-  };
-  const auto add32 = [&](std::uint64_t number) {
-    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
-  };
-  bytes.insert(bytes.end(), participant.begin(), participant.end());
+  constexpr std::uint8_t kWithData = 4;
+  Writing message(participant);
   // without a length, for it is the last one
-  add({submessage::kData, kLittle | kWithData, 0, 0, 0, 0, 16, 0});
-  add({0, 1, 0, 0xc7, 0, 1, 0, 0xc2});
-  add32(sequence >> 32);
-  add32(sequence);
-  add({0, 3, 0, 0});
-  add({parameter::kParticipantGuid, 0, 16, 0});
-  addGuid();
-  add({parameter::kLease, 0, 8, 0});
-  add32(0);
-  add32(1);
-  add({parameter::kSentinel, 0, 0, 0});
-  return bytes;
+  message.add({submessage::kData, kLittle | kWithData, 0, 0, 0, 0, 16, 0});
+  message.addEntity(readerOf(kSpdpWriter));
+  message.addEntity(kSpdpWriter);
+  message.addSequence(sequence);
+  message.add({0, 3, 0, 0});
+  message.add({parameter::kParticipantGuid, 0, 16, 0});
+  message.add(participant);
+  message.addEntity(kParticipant);
+  message.add({parameter::kLease, 0, 8, 0});
+  message.add32(0);
+  message.add32(1);
+  message.add({parameter::kSentinel, 0, 0, 0});
+  return message.take();
+}
+
+std::vector<std::uint8_t> acknowledgementBy(const RtpsPrefix& participant,
+                                            std::span<const RtpsAcknowledgement> acknowledgements) {
+  constexpr std::uint8_t kFinal = 2, kLength = 24;
+  Writing message(participant);
+  for (const RtpsAcknowledgement& each : acknowledgements) {
+    message.add({submessage::kAckNack, kLittle | kFinal, kLength, 0});
+    message.addEntity(readerOf(each.writer));
+    message.addEntity(each.writer);
+    message.addSequence(each.below);
+    message.add32(0);
+    message.add32(each.count);
+  }
+  return message.take();
 }
 
 }  // namespace pongsim::transport

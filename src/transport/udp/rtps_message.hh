@@ -50,13 +50,15 @@ struct RtpsHeartbeat {
   std::uint64_t last = 0;
 };
 
-/// What a reader of discovery has received.
+/// What the reader of one of discovery's writers has received.
 struct RtpsAcknowledgement {
   RtpsEntity writer = 0;
   /// Sequence numbers below this one.
   std::uint64_t below = 0;
   /// Increases from one to the next of the same reader.
   std::uint32_t count = 0;
+
+  bool operator==(const RtpsAcknowledgement&) const = default;
 };
 
 /// What an RTPS message (RTPS 2.3, 8.3 and 9.4) asks of who takes it.
@@ -86,11 +88,15 @@ struct RtpsMessage {
 
 /// @return The message; nothing where its lengths are wrong, or where it says what no honest participant says: that it
 /// is from another one than its header says, that discovery comes in fragments, a set of more than 256 numbers, a gap
-/// that ends before it begins, a sequence number beyond 2^48.
+/// that ends before it begins, a sequence number beyond 2^48, a negative count of acknowledgements.
 std::optional<RtpsMessage> readRtpsMessage(std::span<const std::uint8_t> bytes);
 
 /// @param sequence Of the sample.
 /// @return A message in which a participant announces a lease of no time, and else nothing of itself.
 std::vector<std::uint8_t> announcementWithoutLease(const RtpsPrefix& participant, std::uint64_t sequence);
+
+/// @return A message in which a participant acknowledges samples of discovery, and asks for none.
+std::vector<std::uint8_t> acknowledgementBy(const RtpsPrefix& participant,
+                                            std::span<const RtpsAcknowledgement> acknowledgements);
 
 }  // namespace pongsim::transport

@@ -18,12 +18,16 @@
 #include <set>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "hostile/neighbour.hh"
+#include "hostile/packet.hh"
 #include "pongsim/node.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
 #include "support/udp_socket.hh"
+#include "support/wait_until.hh"
 #include "transport/udp/domain.hh"
 
 namespace pongsim::transport {
@@ -69,6 +73,74 @@ class Sender {
 };
 
 void noDamage(std::byte*) {}
+
+/// A participant that is nothing but its messages.
+class Stranger {
+ public:
+  explicit Stranger(const hostile::Foothold& foothold, int number) : foothold_(foothold) {
+    prefix_ = {1, 15, 7, 7, static_cast<std::uint8_t>(number)};
+  }
+
+  void announce(std::uint16_t port) const {
+    constexpr std::uint16_t kLease = 0x02, kAddress = 0x31, kDiscoveryAddress = 0x32, kBuiltinEndpoints = 0x58;
+    constexpr std::uint32_t kLoopback = 0x7f000001, kDiscovery = 0x3f;
+    hostile::Packet packet = data(hostile::entity::kSpdpReader, hostile::entity::kSpdpWriter, 1, kWithData);
+    packet.add32(0x00000300);
+    packet.addGuid(kParticipantGuid, prefix_, hostile::entity::kParticipant);
+    packet.addNumberParameter(kBuiltinEndpoints, kDiscovery);
+    packet.addLocator(kDiscoveryAddress, kLoopback, foothold_.port());
+    packet.addLocator(kAddress, kLoopback, foothold_.port());
+    packet.beginParameter(kLease);
+    packet.add32(20);
+    packet.add32(0);
+    packet.endParameter();
+    packet.addSentinel();
+    packet.end();
+    foothold_.send(packet.bytes(), port);
+  }
+
+  /// Asks for samples of the other's publishers again.
+  void askFor(std::int64_t first, std::uint32_t number, std::uint16_t port) const {
+    hostile::Packet packet(prefix_);
+    packet.begin(hostile::Kind::kAckNack);
+    packet.addEntity(hostile::entity::kPublicationsReader);
+    packet.addEntity(hostile::entity::kPublicationsWriter);
+    packet.addSequenceSet(first, number);
+    packet.add32(1);
+    packet.end();
+    foothold_.send(packet.bytes(), port);
+  }
+
+  void leave(std::uint16_t port) const {
+    constexpr std::uint16_t kStatus = 0x71, kKeyHash = 0x70;
+    constexpr std::uint32_t kGone = 0x03000000;
+    hostile::Packet packet = data(hostile::entity::kSpdpReader, hostile::entity::kSpdpWriter, 2, kInlineQos);
+    packet.addGuid(kKeyHash, prefix_, hostile::entity::kParticipant);
+    packet.addNumberParameter(kStatus, kGone);
+    packet.addSentinel();
+    packet.end();
+    foothold_.send(packet.bytes(), port);
+  }
+
+ private:
+  static constexpr std::uint8_t kInlineQos = 2, kWithData = 4;
+  static constexpr std::uint16_t kParticipantGuid = 0x50;
+
+  hostile::Packet data(hostile::EntityId reader, hostile::EntityId writer, std::int64_t sequence,
+                       std::uint8_t flags) const {
+    hostile::Packet packet(prefix_);
+    packet.begin(hostile::Kind::kData, flags);
+    packet.add16(0);
+    packet.add16(16);
+    packet.addEntity(reader);
+    packet.addEntity(writer);
+    packet.addSequence(sequence);
+    return packet;
+  }
+
+  const hostile::Foothold& foothold_;
+  hostile::Prefix prefix_{};
+};
 
 }  // namespace
 
@@ -127,6 +199,35 @@ TEST(Network, KeepsNoMoreForASlowReaderThanItMay) {
   listener.kill(SIGCONT);
   EXPECT_TRUE(listener.waitForOutput("got the end"));
   EXPECT_GT(sender.dropped(), 0);
+}
+
+// Fast DDS 2.9 has two threads wait for each other for ever where a participant leaves while it is sent again what
+// tells of an endpoint's end.
+TEST(Network, LosesANeighbourThatStillAsksForWhatHasEnded) {
+  constexpr int kEach = 100;
+  const int domain = test::testDomain();
+  Network network(domain);
+  hostile::Foothold foothold(domain);
+  network.announce();
+  const auto neighbours = foothold.hear(std::chrono::milliseconds(0), test::kDeadline);
+  ASSERT_EQ(neighbours.size(), 1U);
+  const std::uint16_t port = neighbours.front().discoveryPort;
+  for (int i = 0; i < 200 && !HasFailure(); ++i) {
+    std::vector<std::unique_ptr<Writer>> writers;
+    for (int k = 0; k < kEach; ++k) writers.push_back(network.makeWriter(kTopic, kType, nullptr));
+    const Stranger stranger(foothold, i);
+    const auto changes = [&](auto&& act) {
+      const std::uint64_t before = network.directory().version();
+      act();
+      return test::waitUntil([&] { return network.directory().version() > before; });
+    };
+    EXPECT_TRUE(changes([&] { stranger.announce(port); }));
+    for (auto& each : writers) network.end(std::move(each));
+    // the first one is the census's
+    stranger.askFor(2 * kEach * i + kEach + 2, kEach, port);
+    std::this_thread::sleep_for(std::chrono::microseconds(i % 40 * 15));  // the answer comes about now
+    EXPECT_TRUE(changes([&] { stranger.leave(port); }));
+  }
 }
 
 TEST(Network, IsFoundWhenItIsAnnounced) {

@@ -26,7 +26,9 @@ class DoorkeeperTest : public testing::Test {
  protected:
   bool admits(const Packet& packet, const RtpsAddress& from, Doorkeeper::Side side = Doorkeeper::Side::kLoopback) {
     bytes_.assign(packet.bytes().begin(), packet.bytes().end());
-    return doorkeeper_.admits(bytes_, from, side, now_);
+    Doorkeeper::Admission admission = doorkeeper_.admits(bytes_, from, side, now_);
+    before_ = std::move(admission.before);
+    return admission.isAdmitted;
   }
 
   static void beginData(Packet& packet, RtpsEntity writer) {
@@ -64,6 +66,20 @@ class DoorkeeperTest : public testing::Test {
     return packet;
   }
 
+  static Packet goodbye(int number) {
+    Packet packet(prefixOf(number));
+    packet.begin(Kind::kData, 2);
+    packet.add16(0);
+    packet.add16(16);
+    packet.addEntity(0);
+    packet.addEntity(kSpdpWriter);
+    packet.addSequence(2);
+    packet.addGuid(0x70, prefixOf(number), 0x1c1);
+    packet.addSentinel();
+    packet.end();
+    return packet;
+  }
+
   static Packet endpoint(int number, int owner) {
     Packet packet(prefixOf(number));
     beginData(packet, kPublicationsWriter);
@@ -78,6 +94,8 @@ class DoorkeeperTest : public testing::Test {
   int looks_ = 0;
   Doorkeeper::TimePoint now_{};
   std::vector<std::uint8_t> bytes_;
+  /// What the library must see before the last message.
+  std::vector<std::uint8_t> before_;
   Doorkeeper doorkeeper_{{[this](std::uint32_t port) {
                             ++looks_;
                             return discovery_.contains(port);
@@ -153,20 +171,38 @@ TEST_F(DoorkeeperTest, LetsInWhoHasAnotherSocketAfterItsLease) {
 
 TEST_F(DoorkeeperTest, ForgetsWhoSaysThatItHasGone) {
   ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
-  Packet end(prefixOf(1));
-  end.begin(Kind::kData, 2);
-  end.add16(0);
-  end.add16(16);
-  end.addEntity(0);
-  end.addEntity(kSpdpWriter);
-  end.addSequence(2);
-  end.addGuid(0x70, prefixOf(1), 0x1c1);
-  end.addSentinel();
-  end.end();
-  EXPECT_FALSE(admits(end, {kLoopback, 5001}));
-  EXPECT_TRUE(admits(end, {kLoopback, 5000}));
+  EXPECT_FALSE(admits(goodbye(1), {kLoopback, 5001}));
+  EXPECT_TRUE(admits(goodbye(1), {kLoopback, 5000}));
+  EXPECT_TRUE(before_.empty()) << "there is nothing that it could miss";
   doorkeeper_.removed(prefixOf(1));
   EXPECT_FALSE(admits(endpoint(1, 1), {kLoopback, 5000}));
+}
+
+TEST_F(DoorkeeperTest, LetsThoseAcknowledgeAllWhoLeave) {
+  RtpsMessage sent;
+  sent.discovery.emplace_back().writer = kPublicationsWriter;
+  sent.discovery.back().sequence = 7;
+  sent.heartbeats = {{kPublicationsWriter, 6}, {kSubscriptionsWriter, 3}};
+  doorkeeper_.sends(sent);
+  ASSERT_TRUE(admits(announcement(1), {kLoopback, 5000}));
+  ASSERT_TRUE(admits(announcement(2), {kLoopback, 5001}));
+  ASSERT_TRUE(admits(acknowledgement(1, 5, 4), {kLoopback, 5000}));
+  EXPECT_TRUE(before_.empty());
+
+  ASSERT_TRUE(admits(goodbye(1), {kLoopback, 5000}));
+  const auto last = readRtpsMessage(before_);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->source, prefixOf(1));
+  EXPECT_EQ(last->acknowledgements,
+            (std::vector<RtpsAcknowledgement>{{kPublicationsWriter, 8, 5}, {kSubscriptionsWriter, 4, 1}}));
+
+  now_ += std::chrono::seconds(21);
+  doorkeeper_.removed(prefixOf(1));
+  const auto messages = doorkeeper_.endings(now_).messages;
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(readRtpsMessage(messages[0])->acknowledgements,
+            (std::vector<RtpsAcknowledgement>{{kPublicationsWriter, 8, 1}, {kSubscriptionsWriter, 4, 1}}));
+  EXPECT_EQ(readRtpsMessage(messages[1])->discovery.size(), 1U);
 }
 
 TEST_F(DoorkeeperTest, AsksTheSystemSoOftenOnly) {

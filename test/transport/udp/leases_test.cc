@@ -47,9 +47,9 @@ class LeasesTest : public testing::Test {
   bool hearWord(const RtpsPrefix& prefix) { return hear(Packet(prefix)); }
 
   std::optional<RtpsDiscovery> ending() {
-    const auto messages = leases_.endings(now_);
-    if (messages.size() != 1) return std::nullopt;
-    const auto message = readRtpsMessage(messages.front());
+    const auto endings = leases_.endings(now_);
+    if (endings.size() != 1) return std::nullopt;
+    const auto message = readRtpsMessage(endings.front().message);
     if (!message || message->discovery.size() != 1) return std::nullopt;
     return message->discovery.front();
   }

@@ -231,6 +231,33 @@ TEST(RtpsMessage, AnnouncesAParticipantWithoutALease) {
                           [](std::uint8_t each) { return each == 0; }));
 }
 
+TEST(RtpsMessage, AcknowledgesForAParticipant) {
+  const std::vector<RtpsAcknowledgement> all = {{kPublicationsWriter, 8, 5},
+                                                {kSubscriptionsWriter, std::uint64_t(1) << 40, 1}};
+  const auto message = readRtpsMessage(acknowledgementBy(kSourcePrefix, all));
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->source, kSourcePrefix);
+  EXPECT_EQ(message->acknowledgements, all);
+  EXPECT_EQ(message->wishes, 0U);
+}
+
+TEST(RtpsMessage, HasAcknowledgementsOfDiscoverysReadersAlone) {
+  const auto read = [](RtpsEntity reader, std::uint32_t count) {
+    Packet packet(kSourcePrefix);
+    packet.begin(Kind::kAckNack);
+    packet.addEntity(reader);
+    packet.addEntity(kPublicationsWriter);
+    packet.addSequenceSet(3, 1);
+    packet.add32(count);
+    packet.end();
+    return readPacket(packet);
+  };
+  EXPECT_EQ(read(0x3c7, 9)->acknowledgements, (std::vector<RtpsAcknowledgement>{{kPublicationsWriter, 3, 9}}));
+  EXPECT_TRUE(read(0x4c7, 9)->acknowledgements.empty()) << "of another writer's reader";
+  EXPECT_TRUE(read(0x3c7, 0x7fff'ffff));
+  EXPECT_FALSE(read(0x3c7, 0x8000'0000)) << "a count after which none comes";
+}
+
 TEST(RtpsMessage, IsAnAnnouncementOrMore) {
   const auto announcement = [] {
     Packet packet(kSourcePrefix);
