@@ -1,8 +1,6 @@
 # pongsim_runs_once(TARGET)
-# Code that runs once per command and uses CLI11, such as the parsing of options: less optimized, it takes a quarter less to
-# compile.
+# Code that uses CLI11, to parse the options of a command.
 function(pongsim_runs_once target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_precompile_headers(${target} REUSE_FROM pongsim_once_precompiled)
 endfunction()
 

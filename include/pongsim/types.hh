@@ -1,15 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <compare>
 #include <cstdint>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "pongsim/math.hh"
+#include "pongsim/export.hh"
 
 namespace pongsim {
 
@@ -31,46 +29,37 @@ using Quaternion = Eigen::Quaterniond;
 
 /// A rigid transform. Variables name both frames: `X_AB` is the pose of frame B in frame A, so that `p_A = X_AB * p_B`
 /// and `X_AC = X_AB * X_BC`. Position in metres, rotation a unit quaternion.
-struct Pose {
-  Vector3 position = Vector3::Zero();
-  Quaternion rotation = Quaternion::Identity();
+///
+/// A template, so that a file that composes no poses does not have to compile what that takes of Eigen.
+template <class Scalar>
+struct BasicPose {
+  Eigen::Vector3<Scalar> position = Eigen::Vector3<Scalar>::Zero();
+  Eigen::Quaternion<Scalar> rotation = Eigen::Quaternion<Scalar>::Identity();
 
-  Pose operator*(const Pose& other) const {
+  BasicPose operator*(const BasicPose& other) const {
     return {position + rotation * other.position, (rotation * other.rotation).normalized()};
   }
-  Vector3 operator*(const Vector3& point) const { return position + rotation * point; }
-  Pose inverse() const {
-    const Quaternion inverted = rotation.conjugate();
+  Eigen::Vector3<Scalar> operator*(const Eigen::Vector3<Scalar>& point) const { return position + rotation * point; }
+  BasicPose inverse() const {
+    const Eigen::Quaternion<Scalar> inverted = rotation.conjugate();
     return {-(inverted * position), inverted};
   }
-  bool operator==(const Pose&) const = default;
+  bool operator==(const BasicPose&) const = default;
 };
+using Pose = BasicPose<double>;
 
 /// @param axis Unit vector.
 /// @return The rotation by `angle` [rad] about it, counter-clockwise seen from its tip.
-inline Quaternion rotationAbout(const Vector3& axis, double angle) {
-  const auto [sine, cosine] = math::sinCos(angle / 2);
-  return {cosine, sine * axis.x(), sine * axis.y(), sine * axis.z()};
-}
+PONGSIM_API Quaternion rotationAbout(const Vector3& axis, double angle);
 
 /// Rotation from fixed-axis roll, pitch, yaw [rad] as SDF and URDF write it: R = Rz(yaw) Ry(pitch) Rx(roll).
-inline Quaternion fromRollPitchYaw(double roll, double pitch, double yaw) {
-  return rotationAbout(Vector3::UnitZ(), yaw) * rotationAbout(Vector3::UnitY(), pitch) *
-         rotationAbout(Vector3::UnitX(), roll);
-}
+PONGSIM_API Quaternion fromRollPitchYaw(double roll, double pitch, double yaw);
 
 /// @return Heading [rad] in (-pi, pi]: the angle about z of the direction of the rotated x axis, seen from above.
-inline double yawOf(const Quaternion& rotation) {
-  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
-  return math::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
-}
+PONGSIM_API double yawOf(const Quaternion& rotation);
 
 /// @return Roll, pitch, yaw [rad] from which `fromRollPitchYaw` makes this rotation; the pitch is in [-pi/2, pi/2].
-inline Vector3 rollPitchYawOf(const Quaternion& rotation) {
-  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
-  return {math::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
-          math::asin(std::min(std::max(2 * (w * y - z * x), -1.0), 1.0)), yawOf(rotation)};
-}
+PONGSIM_API Vector3 rollPitchYawOf(const Quaternion& rotation);
 
 /// Id of an entity of one kind (a joint's id is not a link's). Never reused within a run; 0 is none.
 template <class Kind>
