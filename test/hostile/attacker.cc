@@ -23,22 +23,10 @@ constexpr std::uint32_t kLoopback = 0x7f000001;
 // What a participant has at least: participants, publications and subscriptions, both ways.
 constexpr std::uint32_t kDiscovery = 0x3f;
 
-// Flags of DATA.
-constexpr std::uint8_t kInlineQos = 2, kWithData = 4;
-
 constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
 
 // Topics that a run has, of other types than these.
 constexpr std::array<std::string_view, 5> kTopics = {"/clock", "/stats", "/cmd_vel", "pongsim/census", "/chatter"};
-
-void beginData(Packet& packet, EntityId reader, EntityId writer, std::int64_t sequence, std::uint8_t flags) {
-  packet.begin(Kind::kData, flags);
-  packet.add16(0);
-  packet.add16(16);
-  packet.addEntity(reader);
-  packet.addEntity(writer);
-  packet.addSequence(sequence);
-}
 
 /// Begins a sample that is a list of parameters.
 void beginList(Packet& packet) { packet.add32(0x00000300); }
@@ -156,7 +144,7 @@ std::string Attacker::enormousName() {
 /// @param lease Of an honest one, in seconds.
 Packet Attacker::participant(const Prefix& prefix, bool isHonest, std::uint32_t lease) {
   Packet packet(prefix);
-  beginData(packet, entity::kSpdpReader, entity::kSpdpWriter, isHonest ? 1 : 1 + below(3), kWithData);
+  packet.beginData(entity::kSpdpReader, entity::kSpdpWriter, isHonest ? 1 : 1 + below(3), kWithData);
   beginList(packet);
   packet.addNumberParameter(kVersion, 0x0302);
   packet.addNumberParameter(kVendor, 0x0f01);
@@ -200,7 +188,7 @@ Packet Attacker::forgedParticipant() {
   const EntityId writer = isParticipant ? entity::kSpdpWriter
                           : isWriter    ? entity::kPublicationsWriter
                                         : entity::kSubscriptionsWriter;
-  beginData(packet, writer + 5, writer, 1 + below(200), kInlineQos);
+  packet.beginData(writer + 5, writer, 1 + below(200), kInlineQos);
   packet.addGuid(kKeyHash, victim.prefix, isParticipant ? entity::kParticipant : guessedEndpoint(isWriter));
   packet.addNumberParameter(kStatus, kGone);
   packet.addSentinel();
@@ -212,7 +200,7 @@ Packet Attacker::endpoint(const Prefix& prefix, EntityId id, std::string_view to
   Packet packet(own_);
   const bool isWriter = (id & 0xff) == 0x03;
   const EntityId writer = isWriter ? entity::kPublicationsWriter : entity::kSubscriptionsWriter;
-  beginData(packet, writer + 5, writer, 1 + count_, kWithData);
+  packet.beginData(writer + 5, writer, 1 + count_, kWithData);
   beginList(packet);
   packet.addGuid(kEndpointGuid, prefix, id);
   packet.addGuid(kParticipantGuid, prefix, entity::kParticipant);
@@ -238,7 +226,7 @@ Packet Attacker::floodOfEndpoints() {
 Packet Attacker::brokenParameters() {
   Packet packet(own_);
   const EntityId writer = oneIn(2) ? entity::kPublicationsWriter : entity::kSubscriptionsWriter;
-  beginData(packet, writer + 5, writer, 1 + count_, kWithData);
+  packet.beginData(writer + 5, writer, 1 + count_, kWithData);
   beginList(packet);
   if (!oneIn(4)) packet.addGuid(kEndpointGuid, own_, guessedEndpoint(oneIn(2)));
   for (std::uint32_t i = below(200); i > 0; --i) {
@@ -260,7 +248,7 @@ Packet Attacker::forgedData() {
   const bool isDiscovery = oneIn(3);
   const EntityId writer = isDiscovery ? entity::kPublicationsWriter : guessedEndpoint(true);
   const EntityId reader = isDiscovery ? writer + 5 : oneIn(2) ? 0 : guessedEndpoint(false);
-  beginData(packet, reader, writer, oddSequence(), kWithData);
+  packet.beginData(reader, writer, oddSequence(), kWithData);
   packet.add32(0x00000100);
   packet.add32(oneIn(4) ? 0xffffffff : 16);
   packet.addZeros(4 * below(64));
@@ -377,16 +365,6 @@ void Attacker::endOnTime() {
   if (now < end) return std::this_thread::sleep_until(std::min(end, now + std::chrono::milliseconds(1)));
   for (const Neighbour& each : neighbours_) send(goodbye(prefix), each.discoveryPort);
   ends_.pop_front();
-}
-
-Packet Attacker::goodbye(const Prefix& prefix) {
-  Packet packet(prefix);
-  beginData(packet, entity::kSpdpReader, entity::kSpdpWriter, 2, kInlineQos);
-  packet.addGuid(kKeyHash, prefix, entity::kParticipant);
-  packet.addNumberParameter(kStatus, kGone);
-  packet.addSentinel();
-  packet.end();
-  return packet;
 }
 
 }  // namespace pongsim::hostile

@@ -81,7 +81,6 @@ class Attacker {
   Packet wantAgain();
   Packet interpreter();
   void endOnTime();
-  static Packet goodbye(const Prefix& prefix);
 
   void send(const Packet& packet, std::uint16_t port);
 

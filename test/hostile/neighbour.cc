@@ -70,9 +70,8 @@ Neighbour readNeighbour(std::span<const std::uint8_t> message) {
     constexpr std::uint8_t kSpdpWriter[] = {0x00, 0x01, 0x00, 0xc2};
     if (rest[0] == static_cast<std::uint8_t>(Kind::kData) && length > kDataHeader + kEncapsulation &&
         std::equal(std::begin(kSpdpWriter), std::end(kSpdpWriter), rest.begin() + 12)) {
-      constexpr std::uint8_t kHasInlineQos = 2;
       auto sample = rest.subspan(4 + kDataHeader, length - kDataHeader);
-      if ((rest[1] & kHasInlineQos) != 0) sample = afterList(sample);
+      if ((rest[1] & kInlineQos) != 0) sample = afterList(sample);
       if (sample.size() > kEncapsulation) readPorts(sample.subspan(kEncapsulation), neighbour);
     }
     rest = rest.subspan(4 + length);

@@ -31,6 +31,15 @@ void Packet::begin(Kind kind, std::uint8_t flags) {
   add16(0);
 }
 
+void Packet::beginData(EntityId reader, EntityId writer, std::int64_t sequence, std::uint8_t flags) {
+  begin(Kind::kData, flags);
+  add16(0);
+  add16(16);
+  addEntity(reader);
+  addEntity(writer);
+  addSequence(sequence);
+}
+
 void Packet::beginParameter(std::uint16_t id) {
   add16(id);
   open_.push_back(bytes_.size());
@@ -84,6 +93,19 @@ void Packet::addLocator(std::uint16_t id, std::uint32_t address, std::uint32_t p
 void Packet::addSentinel() {
   add16(1);
   add16(0);
+}
+
+Packet goodbye(const Prefix& prefix) {
+  constexpr std::uint16_t kKeyHash = 0x70, kStatus = 0x71;
+  // disposed and unregistered, big-endian
+  constexpr std::uint32_t kGone = 0x03000000;
+  Packet packet(prefix);
+  packet.beginData(entity::kSpdpReader, entity::kSpdpWriter, 2, kInlineQos);
+  packet.addGuid(kKeyHash, prefix, entity::kParticipant);
+  packet.addNumberParameter(kStatus, kGone);
+  packet.addSentinel();
+  packet.end();
+  return packet;
 }
 
 }  // namespace pongsim::hostile

@@ -39,6 +39,9 @@ enum class Kind : std::uint8_t {
   kSecureMessagePrefix = 0x33
 };
 
+/// Flags of DATA.
+inline constexpr std::uint8_t kInlineQos = 2, kWithData = 4;
+
 /// An RTPS message as it is built, little-endian: numbers are appended, and `begin` and `end` stand around the body of
 /// each submessage and of each parameter.
 class Packet {
@@ -61,6 +64,8 @@ class Packet {
   void begin(Kind kind, std::uint8_t flags = 0);
   /// @param length What the submessage says its length is; its true one where there is none.
   void end(std::optional<std::uint16_t> length = std::nullopt) { close(length); }
+  /// Begins a DATA submessage, up to its lists of parameters.
+  void beginData(EntityId reader, EntityId writer, std::int64_t sequence, std::uint8_t flags);
 
   void beginParameter(std::uint16_t id);
   void endParameter(std::optional<std::uint16_t> length = std::nullopt);
@@ -82,5 +87,8 @@ class Packet {
   /// Where the lengths of what has been begun belong.
   std::vector<std::size_t> open_;
 };
+
+/// @return The second word of a participant that announced itself: that it has gone.
+Packet goodbye(const Prefix& prefix);
 
 }  // namespace pongsim::hostile

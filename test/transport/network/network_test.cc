@@ -82,9 +82,11 @@ class Stranger {
   }
 
   void announce(std::uint16_t port) const {
-    constexpr std::uint16_t kLease = 0x02, kAddress = 0x31, kDiscoveryAddress = 0x32, kBuiltinEndpoints = 0x58;
+    constexpr std::uint16_t kLease = 0x02, kAddress = 0x31, kDiscoveryAddress = 0x32, kParticipantGuid = 0x50,
+                            kBuiltinEndpoints = 0x58;
     constexpr std::uint32_t kLoopback = 0x7f000001, kDiscovery = 0x3f;
-    hostile::Packet packet = data(hostile::entity::kSpdpReader, hostile::entity::kSpdpWriter, 1, kWithData);
+    hostile::Packet packet(prefix_);
+    packet.beginData(hostile::entity::kSpdpReader, hostile::entity::kSpdpWriter, 1, hostile::kWithData);
     packet.add32(0x00000300);
     packet.addGuid(kParticipantGuid, prefix_, hostile::entity::kParticipant);
     packet.addNumberParameter(kBuiltinEndpoints, kDiscovery);
@@ -111,33 +113,9 @@ class Stranger {
     foothold_.send(packet.bytes(), port);
   }
 
-  void leave(std::uint16_t port) const {
-    constexpr std::uint16_t kStatus = 0x71, kKeyHash = 0x70;
-    constexpr std::uint32_t kGone = 0x03000000;
-    hostile::Packet packet = data(hostile::entity::kSpdpReader, hostile::entity::kSpdpWriter, 2, kInlineQos);
-    packet.addGuid(kKeyHash, prefix_, hostile::entity::kParticipant);
-    packet.addNumberParameter(kStatus, kGone);
-    packet.addSentinel();
-    packet.end();
-    foothold_.send(packet.bytes(), port);
-  }
+  void leave(std::uint16_t port) const { foothold_.send(hostile::goodbye(prefix_).bytes(), port); }
 
  private:
-  static constexpr std::uint8_t kInlineQos = 2, kWithData = 4;
-  static constexpr std::uint16_t kParticipantGuid = 0x50;
-
-  hostile::Packet data(hostile::EntityId reader, hostile::EntityId writer, std::int64_t sequence,
-                       std::uint8_t flags) const {
-    hostile::Packet packet(prefix_);
-    packet.begin(hostile::Kind::kData, flags);
-    packet.add16(0);
-    packet.add16(16);
-    packet.addEntity(reader);
-    packet.addEntity(writer);
-    packet.addSequence(sequence);
-    return packet;
-  }
-
   const hostile::Foothold& foothold_;
   hostile::Prefix prefix_{};
 };

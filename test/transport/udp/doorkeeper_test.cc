@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
+#include <utility>
 
 #include "hostile/packet.hh"
 
@@ -32,12 +33,7 @@ class DoorkeeperTest : public testing::Test {
   }
 
   static void beginData(Packet& packet, RtpsEntity writer) {
-    packet.begin(Kind::kData, 4);
-    packet.add16(0);
-    packet.add16(16);
-    packet.addEntity(0);
-    packet.addEntity(writer);
-    packet.addSequence(1);
+    packet.beginData(0, writer, 1, hostile::kWithData);
     packet.add32(0x00000300);
   }
 
@@ -66,19 +62,7 @@ class DoorkeeperTest : public testing::Test {
     return packet;
   }
 
-  static Packet goodbye(int number) {
-    Packet packet(prefixOf(number));
-    packet.begin(Kind::kData, 2);
-    packet.add16(0);
-    packet.add16(16);
-    packet.addEntity(0);
-    packet.addEntity(kSpdpWriter);
-    packet.addSequence(2);
-    packet.addGuid(0x70, prefixOf(number), 0x1c1);
-    packet.addSentinel();
-    packet.end();
-    return packet;
-  }
+  static Packet goodbye(int number) { return hostile::goodbye(prefixOf(number)); }
 
   static Packet endpoint(int number, int owner) {
     Packet packet(prefixOf(number));

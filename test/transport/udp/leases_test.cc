@@ -10,7 +10,6 @@ namespace pongsim::transport {
 
 namespace {
 
-using hostile::Kind;
 using hostile::Packet;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -23,7 +22,8 @@ class LeasesTest : public testing::Test {
   /// @param lease In seconds, and 2^-32 of a second.
   bool hearAnnouncement(const RtpsPrefix& prefix, std::uint32_t lease, std::uint32_t fraction = 0,
                         std::int64_t sequence = 1) {
-    Packet packet = begin(prefix, 4, sequence);
+    Packet packet(prefix);
+    packet.beginData(0, kSpdpWriter, sequence, hostile::kWithData);
     packet.add32(0x00000300);
     packet.addGuid(0x50, prefix, 0x1c1);
     packet.beginParameter(0x02);
@@ -35,13 +35,7 @@ class LeasesTest : public testing::Test {
     return hear(packet);
   }
 
-  bool hearGoodbye(const RtpsPrefix& prefix) {
-    Packet packet = begin(prefix, 2, 2);
-    packet.addGuid(0x70, prefix, 0x1c1);
-    packet.addSentinel();
-    packet.end();
-    return hear(packet);
-  }
+  bool hearGoodbye(const RtpsPrefix& prefix) { return hear(hostile::goodbye(prefix)); }
 
   /// Something that is no announcement.
   bool hearWord(const RtpsPrefix& prefix) { return hear(Packet(prefix)); }
@@ -59,17 +53,6 @@ class LeasesTest : public testing::Test {
   Leases leases_{{seconds(1), seconds(100)}};
 
  private:
-  static Packet begin(const RtpsPrefix& prefix, std::uint8_t flags, std::int64_t sequence) {
-    Packet packet(prefix);
-    packet.begin(Kind::kData, flags);
-    packet.add16(0);
-    packet.add16(16);
-    packet.addEntity(0);
-    packet.addEntity(kSpdpWriter);
-    packet.addSequence(sequence);
-    return packet;
-  }
-
   bool hear(const Packet& packet) {
     heard_.assign(packet.bytes().begin(), packet.bytes().end());
     return leases_.hear(*readRtpsMessage(heard_), heard_, now_);

@@ -18,12 +18,7 @@ constexpr RtpsPrefix kOtherPrefix = {1, 15, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9};
 constexpr std::uint32_t kThisMachine = 0x7f000001;
 
 void beginSample(Packet& packet, RtpsEntity writer, std::int64_t number = 1) {
-  packet.begin(Kind::kData, 4);
-  packet.add16(0);
-  packet.add16(16);
-  packet.addEntity(0);
-  packet.addEntity(writer);
-  packet.addSequence(number);
+  packet.beginData(0, writer, number, hostile::kWithData);
   packet.add32(0x00000300);
 }
 
