@@ -22,8 +22,8 @@ endfunction()
 pongsim_precompile(pongsim_precompiled USES pongsim_settings)
 # for the layers that compute
 pongsim_precompile(pongsim_computing_precompiled LEVEL -O3 USES pongsim_settings)
-# for code that parses command lines
-pongsim_precompile(pongsim_once_precompiled USES pongsim_settings CLI11::CLI11 nlohmann_json::nlohmann_json
+# for code that parses the options of a command: see pongsim_parses_options
+pongsim_precompile(pongsim_options_precompiled USES pongsim_settings CLI11::CLI11 nlohmann_json::nlohmann_json
                    HEADERS <CLI/App.hpp> <nlohmann/json.hpp>)
 # what nearly every system uses; one message header brings those that all of them share
 pongsim_precompile(pongsim_plugin_precompiled USES pongsim_settings PkgConfig::ignition_msgs

@@ -1,17 +1,17 @@
-# pongsim_runs_once(TARGET)
+# pongsim_parses_options(TARGET)
 # Code that uses CLI11, to parse the options of a command.
-function(pongsim_runs_once target)
-  target_precompile_headers(${target} REUSE_FROM pongsim_once_precompiled)
+function(pongsim_parses_options target)
+  target_precompile_headers(${target} REUSE_FROM pongsim_options_precompiled)
 endfunction()
 
-# pongsim_layer(NAME SOURCES ... [USES third-party targets ...] [COMPUTES | RUNS_ONCE])
+# pongsim_layer(NAME SOURCES ... [USES third-party targets ...] [COMPUTES | PARSES_OPTIONS])
 # A folder under src/, as object files for the library and for the layer's tests. COMPUTES: most of a run's time is spent
-# here, so it is optimized more. RUNS_ONCE: see pongsim_runs_once.
+# here, so it is optimized more. PARSES_OPTIONS: see pongsim_parses_options.
 function(pongsim_layer name)
-  cmake_parse_arguments(arg "COMPUTES;RUNS_ONCE" "" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(arg "COMPUTES;PARSES_OPTIONS" "" "SOURCES;USES" ${ARGN})
   add_library(pongsim_${name} OBJECT ${arg_SOURCES})
-  if(arg_RUNS_ONCE)
-    pongsim_runs_once(pongsim_${name})
+  if(arg_PARSES_OPTIONS)
+    pongsim_parses_options(pongsim_${name})
   elseif(arg_COMPUTES)
     target_compile_options(pongsim_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
     target_precompile_headers(pongsim_${name} REUSE_FROM pongsim_computing_precompiled)
