@@ -86,7 +86,8 @@ int hear(int pauseMs) {
   pongsim::Transport transport;
   Gaps gaps;
   pongsim::Subscription subscription;
-  // What was dropped before the first number shows no gap. It was counted between these two looks.
+  // What was dropped before the first number shows no gap. It is at least what was counted before a look that found no
+  // number, and at most what is counted when the first is taken.
   std::uint64_t least = 0, most = 0;
   subscription = transport.node().subscribe<Int32>(kNumbers, [&](const Int32& message) {
     if (gaps.heard() == 0) most = subscription.dropped();
@@ -96,9 +97,10 @@ int hear(int pauseMs) {
   std::puts("ready");
   std::fflush(stdout);
   const auto dispatch = [&] {
-    if (gaps.heard() == 0) least = subscription.dropped();
+    const std::uint64_t before = subscription.dropped();
     gaps.look();
     transport.dispatchFor(std::chrono::milliseconds(20));
+    if (gaps.heard() == 0) least = before;
   };
   const auto dropped = [&] {
     const std::uint64_t all = subscription.dropped(), missed = static_cast<std::uint64_t>(gaps.missed());
@@ -110,9 +112,12 @@ int hear(int pauseMs) {
     dispatch();
     if (gaps.areEvenWith(dropped())) break;
   }
-  std::printf("heard %lld missed %lld dropped %llu unseen %lld: %s\n", static_cast<long long>(gaps.heard()),
-              static_cast<long long>(gaps.missed()), static_cast<unsigned long long>(dropped()),
-              static_cast<long long>(gaps.unseen()), gaps.areEvenWith(dropped()) ? "even" : "not even");
+  std::printf(
+      "heard %lld missed %lld dropped %llu unseen %lld of all dropped %llu, before the first %llu to %llu: %s\n",
+      static_cast<long long>(gaps.heard()), static_cast<long long>(gaps.missed()),
+      static_cast<unsigned long long>(dropped()), static_cast<long long>(gaps.unseen()),
+      static_cast<unsigned long long>(subscription.dropped()), static_cast<unsigned long long>(least),
+      static_cast<unsigned long long>(most), gaps.areEvenWith(dropped()) ? "even" : "not even");
   return 0;
 }
 
