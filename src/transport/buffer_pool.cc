@@ -1,7 +1,10 @@
 #include "transport/buffer_pool.hh"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <bit>
+#include <new>
 #include <utility>
 
 namespace pongsim::transport {
@@ -14,28 +17,51 @@ constexpr std::size_t kSpareBytes = 32 << 20;
 // That of the smallest buffers.
 constexpr std::size_t kSmallestCapacity = 256;
 
+// From this capacity on a buffer has pages of its own, which the system gets back. In the heap, where it would lie
+// between what stays, they would not return.
+constexpr std::size_t kOwnPages = 8192;
+
 std::size_t capacityFor(std::size_t size) { return std::bit_ceil(std::max(size, kSmallestCapacity)); }
+
+std::size_t classOf(std::size_t capacity) { return static_cast<std::size_t>(std::countr_zero(capacity)); }
+
+std::byte* allocate(std::size_t capacity) {
+  if (capacity < kOwnPages) return new std::byte[capacity];
+  void* room = mmap(nullptr, capacity, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  return static_cast<std::byte*>(room);
+}
 
 }  // namespace
 
+void FreeBytes::operator()(std::byte* bytes) const {
+  if (capacity < kOwnPages) {
+    delete[] bytes;
+  } else {
+    munmap(bytes, capacity);
+  }
+}
+
 void Buffer::resize(std::size_t size) {
-  if (size > capacity_) {
-    capacity_ = capacityFor(size);
-    room_ = std::make_unique_for_overwrite<std::byte[]>(capacity_);
+  if (size > capacity()) {
+    const std::size_t capacity = capacityFor(size);
+    room_ = {allocate(capacity), FreeBytes{capacity}};
   }
   bytes = {room_.get(), size};
 }
 
 Buffer* BufferPool::take(std::size_t size) {
-  std::vector<Buffer*>& free = free_[static_cast<std::size_t>(std::countr_zero(capacityFor(size)))];
+  Spare& spare = spare_[classOf(capacityFor(size))];
   Buffer* buffer = nullptr;
-  if (free.empty()) {
+  if (spare.buffers.empty()) {
     all_.push_back(std::make_unique<Buffer>());
     buffer = all_.back().get();
+    buffer->index_ = all_.size() - 1;
   } else {
-    buffer = free.back();
-    free.pop_back();
-    freeBytes_ -= buffer->capacity();
+    buffer = spare.buffers.back();
+    spare.buffers.pop_back();
+    spare.least = std::min(spare.least, spare.buffers.size());
+    spareBytes_ -= buffer->capacity();
   }
   buffer->users = 1;
   buffer->resize(size);
@@ -44,13 +70,42 @@ Buffer* BufferPool::take(std::size_t size) {
 
 void BufferPool::giveBack(Buffer* buffer) {
   if (--buffer->users > 0) return;
-  if (buffer->capacity() > 0 && freeBytes_ + buffer->capacity() <= kSpareBytes) {
-    freeBytes_ += buffer->capacity();
-    free_[static_cast<std::size_t>(std::countr_zero(buffer->capacity()))].push_back(buffer);
-    return;
+  if (buffer->capacity() > 0 && spareBytes_ + buffer->capacity() <= kSpareBytes) {
+    spareBytes_ += buffer->capacity();
+    spare_[classOf(buffer->capacity())].buffers.push_back(buffer);
+  } else {
+    free(buffer);
   }
-  const auto found = std::ranges::find(all_, buffer, &std::unique_ptr<Buffer>::get);
-  std::swap(*found, all_.back());
+  if (++givenBack_ % kPeriod == 0) beginPeriod();
+  if (surplus_ > 0) freeOne();
+}
+
+void BufferPool::beginPeriod() {
+  surplus_ = 0;
+  for (Spare& spare : spare_) {
+    spare.surplus = (spare.least + 1) / 2;
+    spare.least = spare.buffers.size();
+    surplus_ += spare.surplus;
+  }
+}
+
+/// One at a time, so that nobody has to wait while a thousand are freed.
+void BufferPool::freeOne() {
+  Spare& spare = *std::ranges::find_if(spare_, [](const Spare& each) { return each.surplus > 0; });
+  --spare.surplus;
+  --surplus_;
+  if (spare.buffers.empty()) return;
+  Buffer* buffer = spare.buffers.back();
+  spare.buffers.pop_back();
+  spare.least = std::min(spare.least, spare.buffers.size());
+  spareBytes_ -= buffer->capacity();
+  free(buffer);
+}
+
+void BufferPool::free(Buffer* buffer) {
+  const std::size_t index = buffer->index_;
+  std::swap(all_[index], all_.back());
+  all_[index]->index_ = index;
   all_.pop_back();
 }
 

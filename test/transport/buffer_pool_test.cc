@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace pongsim::transport {
 
 TEST(BufferPool, UsesBuffersAgain) {
@@ -33,6 +36,38 @@ TEST(BufferPool, KeepsNoHugeBuffers) {
   Buffer* small = pool.take(0);
   EXPECT_TRUE(small->bytes.empty());
   EXPECT_LT(small->capacity(), 1024);
+}
+
+TEST(BufferPool, FreesWhatABurstNeeded) {
+  BufferPool pool;
+  const auto burst = [&pool](std::size_t count) {
+    std::vector<Buffer*> taken;
+    for (std::size_t i = 0; i < count; ++i) taken.push_back(pool.take(i % 2 == 0 ? 16'000 : 1'000));
+    for (Buffer* each : taken) pool.giveBack(each);
+  };
+  burst(1'000);
+  EXPECT_EQ(pool.spareBytes(), 500 * (16'384 + 1'024));
+  // a steady flow, of which two messages are under way at once
+  constexpr std::size_t kFlow = 2 * (16'384 + 1'024);
+  for (std::size_t i = 0; i < 12 * BufferPool::kPeriod; i += 4) burst(4);
+  EXPECT_EQ(pool.spareBytes(), kFlow);
+
+  std::vector<Buffer*> kept;
+  for (int i = 0; i < 2; ++i) kept.insert(kept.end(), {pool.take(16'000), pool.take(1'000)});
+  EXPECT_EQ(pool.spareBytes(), 0) << "the flow's own buffers are there";
+  for (Buffer* each : kept) pool.giveBack(each);
+}
+
+TEST(BufferPool, FreesNothingThatAFlowUsesNowAndThen) {
+  BufferPool pool;
+  std::vector<Buffer*> taken;
+  for (int period = 0; period < 5; ++period) {
+    for (int i = 0; i < 100; ++i) taken.push_back(pool.take(5'000));
+    for (Buffer* each : taken) pool.giveBack(each);
+    taken.clear();
+    for (std::size_t i = 0; i < BufferPool::kPeriod / 2; ++i) pool.giveBack(pool.take(10));
+    EXPECT_GE(pool.spareBytes(), 100 * 8'192);
+  }
 }
 
 TEST(Buffer, ExchangesItsBytesAndNothingElse) {
