@@ -195,7 +195,7 @@ TEST_F(Keystore, SaysWhatIsMissing) {
     fs::rename(own_ / "away", own_ / file);
   }
   fs::remove(keys_ / "enclaves/governance.p7s");
-  EXPECT_EQ(refusalToRead(), "KEYS/enclaves/pongsim/governance.p7s is a link to nothing");
+  EXPECT_EQ(refusalToRead(), "KEYS/enclaves/pongsim/governance.p7s is a broken symbolic link");
   fs::remove(keys_ / "private/identity_ca.key.pem");
   EXPECT_EQ(refusalToAdd(adding("robot")), "KEYS/private/identity_ca.key.pem is missing");
   EXPECT_EQ(refusal([&] { identityFolder((keys_ / "nobody").string()); }, keys_),

@@ -33,7 +33,7 @@ void require(bool isDone, const std::string& what) {
   if (isDone) return;
   char reason[256];
   ERR_error_string_n(ERR_get_error(), reason, sizeof reason);
-  throw programs::Failure("OpenSSL does not " + what + ": " + reason);
+  throw programs::Failure("OpenSSL can't " + what + ": " + reason);
 }
 
 std::string textIn(BIO& bio) {

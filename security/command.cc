@@ -46,7 +46,7 @@ void addDays(CLI::App& command, const Given& given, const char* help) {
 void addKeystore(CLI::App& command, const Given& given) {
   command
       .add_option("-k,--keystore", given->keystore,
-                  "The keystore (that of PONGSIM_SECURITY or ROS_SECURITY_KEYSTORE, else keystore)")
+                  "The keystore (that of PONGSIM_SECURITY or ROS_SECURITY_KEYSTORE, else ./keystore)")
       ->type_name("FOLDER");
 }
 
@@ -88,7 +88,7 @@ void addActions(CLI::App& program, programs::Work& work) {
                 "Create a keystore: a certificate authority and the identity 'pongsim', which is allowed everything",
                 actions::init, given);
   made->add_option("FOLDER", given->keystore, "The new folder (keystore)")->type_name("");
-  addDays(*made, given, "Validity of the authority in days (3650)");
+  addDays(*made, given, "Validity of the authority in days (3650); the identity 'pongsim' is valid for at most 365");
 
   CLI::App* added = addAction(program, work, "add", "Add an identity to a keystore", actions::add, given);
   added->add_option("NAME", given->name, "The name, such as robot or fleet/robot_1")->type_name("")->required();

@@ -41,7 +41,7 @@ class CommsSystem : public System {
     declaration.serves("/broker/bind", "ignition.msgs.StringMsg_V", "ignition.msgs.Boolean",
                        "binds an address to a topic: address, model, topic");
     declaration.serves("/broker/unbind", "ignition.msgs.StringMsg_V", "ignition.msgs.Empty", "unbinds: address, topic");
-    declaration.publishes("the bound topics", "ignition.msgs.Dataframe", "messages to the bound address");
+    declaration.publishes("TOPIC", "ignition.msgs.Dataframe", "messages to an address, on the topic TOPIC bound to it");
   }
 
   void configure(const SystemContext& context) override {

@@ -31,7 +31,7 @@ std::unique_ptr<Writer> newLog(const fs::path& file, const McapOptions& options,
 
 void checkRos2Name(const fs::path& file) {
   if (formatOf(file) == Format::kTlog) {
-    throw programs::UsageError("'" + file.string() + "' can't have ROS messages: a tlog has Gazebo's",
+    throw programs::UsageError("'" + file.string() + "' can't contain ROS messages: a tlog holds only Gazebo messages",
                                "with --ros2, the name must end in .mcap");
   }
 }
@@ -45,7 +45,7 @@ std::unique_ptr<EncodedWriter> newRos2Log(const fs::path& file, const McapOption
 
 void requireSomeOfRos2(const EncodedWriter& writer, bool hasLeftOut, const std::string& source) {
   if (writer.messages() > 0 || !hasLeftOut) return;
-  throw Failure("nothing of " + source + " can be written as ROS messages", "leave out --ros2");
+  throw Failure("no message of " + source + " can be written as a ROS message", "leave out --ros2");
 }
 
 }  // namespace pongsim::log

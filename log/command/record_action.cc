@@ -107,7 +107,7 @@ int record(RecordCommandLine& given) {
     writer->close();
     sayLost(recording);
     if (writer->messages() == 0 && writer->hasLeftOut()) removeEmpty(file);
-    requireSomeOfRos2(*writer, writer->hasLeftOut(), "what was heard");
+    requireSomeOfRos2(*writer, writer->hasLeftOut(), "the recorded topics");
     sayWritten(writer->messages(), writer->topics(), file);
     sayUnheard(recording, choice);
     return programs::kDone;
@@ -139,7 +139,8 @@ void addRecordAction(CLI::App& program, programs::Work& work) {
             names, [&to](const std::string& word) { to = word; }, help)
         ->type_name(value);
   };
-  text("-o,--output,--file", given->output, "FILE", "The log, .mcap or .tlog (DATE_TIME.tlog, like ign)");
+  text("-o,--output,--file", given->output, "FILE",
+       "The log, .mcap or .tlog (DATE_TIME.tlog, like ign; with --ros2 DATE_TIME.mcap)");
   action->add_flag("--force", given->overwrites, "Overwrite an existing file");
   text("--pattern", given->pattern, "REGEX", "Another regular expression, like 'ign log record'");
   text("--duration", given->duration, "S", "Exit after S seconds");

@@ -26,7 +26,7 @@ TopicChoice::TopicChoice(const std::vector<std::string>& words) {
       expressions_.emplace_back(word);
     } catch (const std::invalid_argument& error) {
       throw programs::UsageError("'" + word + "' is neither a topic nor a regular expression: " + error.what(),
-                                 "as /odom, or '/model/.*'");
+                                 "such as /odom or '/model/.*'");
     }
   }
   if (words.empty()) expressions_.emplace_back(".+");

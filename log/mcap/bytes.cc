@@ -19,7 +19,7 @@ void ByteWriter::text(std::string_view value) {
 std::string_view ByteReader::raw(std::uint64_t size) {
   const std::size_t left = bytes_.size() - at_;
   if (size > left) {
-    fail("the " + std::string(what_) + " claims " + std::to_string(size) + " more bytes, and has " +
+    fail("the " + std::string(what_) + " should have " + std::to_string(size) + " more bytes, but has " +
          std::to_string(left));
   }
   const std::string_view taken = bytes_.substr(at_, size);

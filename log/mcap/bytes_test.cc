@@ -38,7 +38,7 @@ TEST(Bytes, AreNotReadBeyondTheirEnd) {
     reader.text();
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_STREQ(failure.what(), "byte 1004: the channel claims 4000000000 more bytes, and has 3");
+    EXPECT_STREQ(failure.what(), "byte 1004: the channel should have 4000000000 more bytes, but has 3");
   }
 }
 

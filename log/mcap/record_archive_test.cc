@@ -117,7 +117,8 @@ TEST(RecordArchive, SaysWhereAListLies) {
     readRecord<Statistics>(reader);
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.what(), "byte " + std::to_string(length + 6) + ": the statistics claims 8 more bytes, and has 7");
+    EXPECT_EQ(failure.what(),
+              "byte " + std::to_string(length + 6) + ": the statistics should have 8 more bytes, but has 7");
   }
 }
 

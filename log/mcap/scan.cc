@@ -137,7 +137,7 @@ class Scan {
       const mcap::Message message = mcap::readRecord<mcap::Message>(fields);
       if (!contents_.channels.contains(message.channelId) &&
           std::ranges::find(found.channels, message.channelId, &mcap::Channel::id) == found.channels.end()) {
-        fields.fail("a message of channel " + std::to_string(message.channelId) + ", which there is not");
+        fields.fail("a message of channel " + std::to_string(message.channelId) + ", which does not exist");
       }
       found.startTime = found.count == 0 ? message.logTime : std::min(found.startTime, message.logTime);
       found.endTime = std::max(found.endTime, message.logTime);

@@ -49,14 +49,15 @@ void RecordSystem::declare(Declaration& declaration) {
   declaration.is("Records the world's state and topics into a folder, for LogPlayback.", Declaration::Place::kWorld);
   declaration.parameter("record_path", &path_, "", "folder of the recording")
       .otherwise("HOME/.ignition/gazebo/log/TIME");
-  declaration.parameter("record_topic", &topics_, "",
-                        "topic to be recorded, too; with any of * ? [ ] ( ) . an expression for topics' whole names");
+  declaration.parameter(
+      "record_topic", &topics_, "",
+      "further topic to record; with any of * ? [ ] ( ) . it is a regular expression for whole names");
   declaration.parameter("record_period", &period_, "s", "least time between two states; 0: each step").atLeast(0);
   declaration.parameter("record_resources", &resources_, "", "copy meshes and textures into the folder");
   declaration.parameter("compress", &compress_, "", "pack the folder into a zip file at the end, and delete it");
   declaration.parameter("compress_path", &zipPath_, "", "that file").otherwise("PATH.zip");
   declaration.parameter("overwrite", &overwrite_, "", "delete a folder or zip file that is there already");
-  declaration.parameter("keep_existing", &keepsExisting_, "", "take PATH(1), PATH(2) and so on where PATH is there");
+  declaration.parameter("keep_existing", &keepsExisting_, "", "record into PATH(1), PATH(2) and so on if PATH exists");
   declaration.publishes("/world/W/log/clock", "ignition.msgs.Clock", "the time by which messages are recorded");
   declaration.publishes("/FOLDER/sdf", "ignition.msgs.StringMsg", "the world, in SDF");
 }

@@ -217,11 +217,11 @@ class Robot(unittest.TestCase):
 
     def test_mistakes_are_said(self):
         said = self.place.log("convert", "plain.mcap", "-o", "x.tlog", "--ros2", code=2)
-        self.assertIn("'x.tlog' can't have ROS messages", said)
-        self.assertIn("can't have ROS messages",
+        self.assertIn("'x.tlog' can't contain ROS messages", said)
+        self.assertIn("can't contain ROS messages",
                       self.place.log("record", "-o", "x.tlog", "--ros2", "--duration", "0.1", code=2))
         said = self.place.log("convert", "plain.mcap", "-o", "x.mcap", "--ros2", "--topic", "/stats", code=1)
-        self.assertIn("nothing of 'plain.mcap' can be written as ROS messages", said)
+        self.assertIn("no message of 'plain.mcap' can be written as a ROS message", said)
         said = self.place.log("convert", "bag.mcap", "-o", "x.mcap", "--ros2", code=1)
         self.assertIn("'/scan' is left out: its messages are in 'cdr', not in 'protobuf'", said)
         self.assertIn("already exists", self.place.log("convert", "plain.mcap", "-o", "bag.mcap", "--ros2", code=1))
@@ -266,7 +266,7 @@ class Alone(unittest.TestCase):
         recorder = self.place.record("-o", "none.mcap", "--ros2", "/stats")
         wait_until(lambda: "'/stats' is left out" in self.place.said(recorder), "a warning")
         self.assertEqual(self.place.end(recorder), 1)
-        self.assertIn("nothing of what was heard can be written as ROS messages", self.place.said(recorder))
+        self.assertIn("no message of the recorded topics can be written as a ROS message", self.place.said(recorder))
         # the same command is not refused
         self.assertFalse((self.place.path / "none.mcap").exists())
 

@@ -322,7 +322,7 @@ std::string typeOfObject(py::handle object) {
 void fillIn(Message& message, py::handle from) {
   if (const std::string type = typeOfObject(from); !type.empty()) {
     if (messageTypeName(type) != message.GetDescriptor()->full_name()) {
-      throw py::type_error("a " + message.GetDescriptor()->full_name() + " is wanted, not a " + type);
+      throw py::type_error("expected " + message.GetDescriptor()->full_name() + ", not " + type);
     }
     const auto bytes = from.attr("SerializeToString")().cast<std::string>();
     parse(message, bytes.data(), bytes.size());
@@ -349,7 +349,7 @@ py::object messageAs(py::handle type, const std::string& name, std::span<const s
   if (type.ptr() == reinterpret_cast<PyObject*>(&PyBytes_Type)) return content;
   const auto wanted = type.attr("DESCRIPTOR").attr("full_name").cast<std::string>();
   if (messageTypeName(wanted) != name && wanted != name) {
-    throw py::type_error("a " + name + " came where " + wanted + " is asked for");
+    throw py::type_error("received " + name + ", but expected " + wanted);
   }
   return type.attr("FromString")(content);
 }

@@ -61,7 +61,7 @@ void Pool::seal() {
   valueSize_ = worlds_.empty() ? 0 : sizeOf(worlds_.front()->readings);
   for (std::size_t i = 0; i < worlds_.size(); ++i) {
     if (sizeOf(worlds_[i]->readings) != valueSize_ || sizeOf(worlds_[i]->steerings) != actionSize()) {
-      throw py::value_error(nameOf(i) + " does not read and take as many numbers as the first one");
+      throw py::value_error(nameOf(i) + " has a different number of readings or action values than the first one");
     }
   }
   for (const Observed& each : observed_) {

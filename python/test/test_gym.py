@@ -313,7 +313,7 @@ def test_what_functions_give_is_checked(changes, text):
         ({"step_time": -1.0}, ValueError, "step_time must be above 0"),
         ({"time_limit": np.nan}, ValueError, "time_limit must be above 0"),
         ({"reward": 3}, TypeError, "reward must be a function"),
-        ({"action": lambda sim, action: None}, ValueError, "need each other"),
+        ({"action": lambda sim, action: None}, ValueError, "if, and only if, action is a function"),
     ],
 )
 def test_what_is_wrong_with_a_task_is_said(changes, kind, text):

@@ -114,11 +114,11 @@ def test_a_line_that_a_crash_tore_is_made_again(tmp_path):
 
 def test_a_changed_sweep_is_refused_until_told(tmp_path):
     make(tmp_path)
-    with pytest.raises(sweep.SweepError, match=r"made with another the sweep \(use --restart to discard them"):
+    with pytest.raises(sweep.SweepError, match=r"made with a different version of the sweep \(use --restart to discard them"):
         make(tmp_path, duration=0.1)
     assert make(tmp_path, duration=0.1, options={"restart": True}).column("sim_time") == [0.1, 0.1]
     write(tmp_path, "w.sdf", WORLD.replace("<mass>2", "<mass>3"))
-    with pytest.raises(sweep.SweepError, match=r"made with another \S*w.sdf \("):
+    with pytest.raises(sweep.SweepError, match=r"made with a different version of \S*w.sdf \("):
         make(tmp_path, duration=0.1)
 
 

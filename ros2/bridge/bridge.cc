@@ -101,8 +101,8 @@ bool Bridge::isTakenByRule(const TopicRule& automatic) {
   const auto found = std::ranges::find(settings_.rules, automatic.ros, &TopicRule::ros);
   if (found == settings_.rules.end()) return false;
   if (refusedNames_.insert(automatic.ignition + " " + automatic.pair->ignition).second) {
-    ros_.log().warning("topic '" + automatic.ignition + "' is not bridged: in ROS '" + automatic.ros + "' is '" +
-                       found->ignition + "', as configured");
+    ros_.log().warning("topic '" + automatic.ignition + "' is not bridged: the configuration gives its ROS name, '" +
+                       automatic.ros + "', to '" + found->ignition + "'");
   }
   return true;
 }
@@ -129,8 +129,8 @@ void Bridge::warnOfOtherTypes(const TopicRule& rule, const std::vector<OwnTopic>
     const std::string where =
         place.line > 0 ? *place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": "
                        : "";
-    ros_.log().warning(where + "topic '" + topic.name + "' of the simulation has " + topic.type +
-                       ", which the configuration of " + rule.pair->ignition + " leaves out");
+    ros_.log().warning(where + "topic '" + topic.name + "' of the simulation has type " + topic.type +
+                       ", but the configuration bridges it as " + rule.pair->ignition);
   }
 }
 
@@ -146,8 +146,8 @@ Bridge::Entry* Bridge::entryFor(const TopicRule& rule) {
     if (!refusedNames_.insert(rule.ignition + " " + rule.pair->ignition).second) return nullptr;
     ros_.log().warning("topic '" + rule.ignition + "' is not bridged: " +
                        (error ? "its name in ROS, '" + rule.ros + "', " + *error
-                              : "'" + rule.ros + "' is " + std::string(other->rule.pair->ros) +
-                                    " in ROS already, of '" + other->rule.ignition + "'"));
+                              : "ROS topic '" + rule.ros + "' already has type " + std::string(other->rule.pair->ros) +
+                                    ", from '" + other->rule.ignition + "'"));
     return nullptr;
   }
   Entry& entry = entries_.emplace_back();

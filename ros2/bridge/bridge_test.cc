@@ -268,8 +268,8 @@ TEST_F(BridgeTest, SaysThatARuleIsForAnotherType) {
   testing::internal::CaptureStderr();
   bridge(settings).update();
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "warning: ros2: bridge.yaml:4:3: topic '/chatter' of the simulation has ignition.msgs.Twist, which the "
-            "configuration of ignition.msgs.StringMsg leaves out\n");
+            "warning: ros2: bridge.yaml:4:3: topic '/chatter' of the simulation has type ignition.msgs.Twist, but the "
+            "configuration bridges it as ignition.msgs.StringMsg\n");
 }
 
 TEST_F(BridgeTest, BridgesNoTopicUnderANameThatARuleGivesToAnother) {

@@ -22,9 +22,7 @@ SimulationParameters::SimulationParameters(RosNode& node, const World& world, Br
   Parameters::Descriptor descriptor;
   descriptor.name = kRealTimeFactor;
   descriptor.description =
-      "simulated seconds a second that the world asks for; 0: as many as possible. A run that was given a rate of "
-      "steps "
-      "keeps to that.";
+      "target real-time factor of the world; 0: as fast as possible. No effect in a run with a fixed step rate (-z).";
   descriptor.floating_point_range =
       std::vector{rcl_interfaces::FloatingPointRange{0, std::numeric_limits<double>::max(), 0}};
   parameters_.declare(descriptor, parameterOf(realTimeFactor_), [this](const Parameters::Value& value) {
@@ -40,14 +38,13 @@ SimulationParameters::SimulationParameters(RosNode& node, const World& world, Br
 void SimulationParameters::declareSwitches(Bridge& bridge, const Settings& settings) {
   Parameters::Descriptor descriptor;
   descriptor.name = "bridge_all";
-  descriptor.description = "whether all topics that have a type in ROS are there, or those only that are named";
+  descriptor.description = "whether to bridge all topics that have a ROS type, or only those that are named";
   parameters_.declare(descriptor, parameterOf(settings.bridgesAll), [&bridge](const Parameters::Value& value) {
     bridge.setBridgesAll(value.bool_value);
     return std::nullopt;
   });
   descriptor.name = "override_timestamps_with_wall_time";
-  descriptor.description =
-      "whether messages to ROS are stamped with the time of the wall, in place of the simulation's";
+  descriptor.description = "whether messages to ROS are stamped with wall time instead of simulated time";
   parameters_.declare(descriptor, parameterOf(settings.frames.usesWallTime), [&bridge](const Parameters::Value& value) {
     bridge.setWallTime(value.bool_value);
     return std::nullopt;
@@ -64,18 +61,18 @@ void SimulationParameters::addReadOnly(const std::string& name, const char* desc
 }
 
 void SimulationParameters::declareReadOnly(const Settings& settings) {
-  addReadOnly("use_sim_time", "always: the clock of this node is the one that it publishes on /clock",
+  addReadOnly("use_sim_time", "always true: this node uses the simulated time that it publishes on /clock",
               parameterOf(true));
   addReadOnly("domain", "number of the domain", parameterOf(static_cast<std::int64_t>(settings.participant.domain)));
-  addReadOnly("distro", "how it speaks on the wire: as humble (and older) or as jazzy (and later)",
+  addReadOnly("distro", "wire protocol: humble (and older) or jazzy (Iron and later)",
               parameterOf(std::string(settings.participant.distro == Distro::kHumble ? "humble" : "jazzy")));
-  addReadOnly("localhost_only", "whether nodes are met on the loopback interface alone",
+  addReadOnly("localhost_only", "whether nodes are discovered only on the loopback interface",
               parameterOf(settings.participant.isLoopbackOnly));
-  addReadOnly("network", "interface by which nodes of other machines are met; empty: none are",
+  addReadOnly("network", "network interface for nodes on other machines; empty: none",
               parameterOf(settings.participant.interface.value_or("")));
-  addReadOnly("namespace", "in front of the names of node and topics", parameterOf(settings.nameSpace));
-  addReadOnly("frame_prefix", "in front of all frames", parameterOf(settings.frames.prefix));
-  addReadOnly("config_file", "what the bridge was configured with; empty: nothing", parameterOf(settings.configFile));
+  addReadOnly("namespace", "prefix of the node's and topics' names", parameterOf(settings.nameSpace));
+  addReadOnly("frame_prefix", "prefix of all frames", parameterOf(settings.frames.prefix));
+  addReadOnly("config_file", "configuration file of the bridge; empty: none", parameterOf(settings.configFile));
 }
 
 /// Named as in rclcpp: those of the events, which rclcpp's nodes have too, and those of rules.

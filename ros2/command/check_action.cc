@@ -162,7 +162,8 @@ void addCheckAction(CLI::App& program, Work& work) {
   action->add_flag("--json", given->asJson, "Print JSON: an object with topics, services and diagnostics")
       ->disable_flag_override();
   action->footer(
-      "Each line has the ROS topic, the direction, and the simulation's topic.\n"
+      "Each line has the ROS topic, the direction (<- to ROS, -> from ROS), the simulation's topic,\nand the quality "
+      "of service.\n"
       "The exit code is 1 if there is an error.\n"
       "Example:\n"
       "  pongsim ros2 check bridge.yaml");

@@ -37,7 +37,7 @@ ParticipantOptions DomainOptions::participant() const {
   if (domain) options.domain = domainOf(*domain);
   if (distro) {
     const std::optional<Distro> known = distroNamed(*distro);
-    if (!known) throw UsageError("'" + *distro + "' is not a distribution of ROS 2", "humble or jazzy, for example");
+    if (!known) throw UsageError("'" + *distro + "' is not a ROS 2 distribution", "humble or jazzy, for example");
     options.distro = *known;
   }
   if (network) options.interface = *network;

@@ -235,9 +235,10 @@ void addTopicsAction(CLI::App& program, Work& work) {
   action->add_flag("--json", given->asJson, "Print JSON: an array of objects")->disable_flag_override();
   add("--network", "INTERFACE", "Also ask machines on this network interface (name or address)",
       [](const std::string& words) { setenv("PONGSIM_NETWORK", words.c_str(), 1); });
-  add("--secure", "KEYSTORE[/NAME]", "Be an identity of this keystore, as with PONGSIM_SECURITY", takeKeystore);
+  add("--secure", "KEYSTORE[/NAME]", "Take part as an identity of this keystore, like PONGSIM_SECURITY", takeKeystore);
   action->footer(
-      "Each line has the ROS topic, the direction, and the simulation's topic.\n"
+      "Each line has the ROS topic, the direction (<- to ROS, -> from ROS), the simulation's topic,\nand the readers "
+      "or writers, rates and drops.\n"
       "Examples:\n"
       "  pongsim ros2 topics\n"
       "  pongsim ros2 topics -d 5 --json");

@@ -296,7 +296,7 @@ void Entry::takeNames() {
   const auto exclude = [this](const std::optional<Said>& one, const char* name, const std::optional<Said>& other,
                               const char* otherName) {
     if (one && other) {
-      fail(other->position, std::string("'") + name + "' and '" + otherName + "' exclude each other");
+      fail(other->position, std::string("'") + name + "' and '" + otherName + "' can't be used together");
     }
   };
   const bool isService = rule_.isService;

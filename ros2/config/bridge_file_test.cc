@@ -110,7 +110,7 @@ TEST(BridgeFile, WarnsOfAKeyThatItDoesNotKnow) {
 
 TEST(BridgeFile, SaysWhereItContradictsItself) {
   EXPECT_EQ(saidOf(topicWith("  ros_topic_name: b\n")),
-            "bridge.yaml:4:19: error: 'topic_name' and 'ros_topic_name' exclude each other\n");
+            "bridge.yaml:4:19: error: 'topic_name' and 'ros_topic_name' can't be used together\n");
   EXPECT_EQ(saidOf(topicWith("  lazy: true\n  lazy: false\n")), "bridge.yaml:5:3: error: key 'lazy' is given twice\n");
   EXPECT_EQ(saidOf(topicWith("  ign_type_name: ignition.msgs.Int32\n")),
             "bridge.yaml:4:18: error: 'ign_type_name' is 'ignition.msgs.Int32', and 'gz.msgs.StringMsg' by its other "

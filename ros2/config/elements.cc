@@ -34,24 +34,23 @@ std::filesystem::path besideItsElement(const std::string& file, const SourcePosi
 }  // namespace
 
 void SettingsElements::declare(Declaration& declaration) {
-  declaration.parameter("domain", &domain_, "", "number of the domain, 0 to 232; else what ROS_DOMAIN_ID says")
-      .otherwise("$ROS_DOMAIN_ID, else 0");
-  declaration.parameter("distro", &distro_, "", "distribution of ROS whose nodes are met, as humble or jazzy")
+  declaration.parameter("domain", &domain_, "", "ROS domain, 0 to 232").otherwise("$ROS_DOMAIN_ID, else 0");
+  declaration.parameter("distro", &distro_, "", "ROS distribution of the other nodes, such as humble or jazzy")
       .otherwise("$ROS_DISTRO, else humble");
   declaration.parameter("node_name", &nodeName_, "", "name of the node");
-  declaration.parameter("namespace", &nameSpace_, "", "in front of the names of node and topics, as /robot");
-  declaration.parameter("frame_prefix", &framePrefix_, "", "in front of all frames, as robot/");
+  declaration.parameter("namespace", &nameSpace_, "", "prefix of the node's and topics' names, such as /robot");
+  declaration.parameter("frame_prefix", &framePrefix_, "", "prefix of all frames, such as robot/");
   declaration.parameter("bridge_all", &bridgesAll_, "",
-                        "whether all topics that have a type in ROS are there, or those only that are named");
+                        "whether to bridge all topics that have a ROS type, or only those that are named");
   declaration.parameter("config_file", &configFile_, "",
                         "configuration in the YAML of ros_gz_bridge, named from the folder of the world");
   declaration.parameter("topic", &topics_, "",
                         "a topic or service as ros_gz's parameter_bridge takes it: NAME@ROS_TYPE@IGNITION_TYPE, with [ "
                         "in place of the second @ for to ROS only, ] for from ROS only");
   declaration.parameter("expand_gz_topic_names", &expandsIgnition_, "",
-                        "whether rules' names of the simulation's topics get the namespace, too");
+                        "whether the namespace is also put before the simulation's topic names in rules");
   declaration.parameter("override_timestamps_with_wall_time", &usesWallTime_, "",
-                        "whether messages to ROS are stamped with the time of the wall");
+                        "whether messages to ROS are stamped with wall time");
 }
 
 void SettingsElements::nameAfter(std::string_view world, const Element& plugin) {
@@ -76,7 +75,7 @@ std::optional<ParticipantOptions> SettingsElements::readParticipant(const Elemen
     if (!domain_) refuse(plugin.position, error.what());
   }
   if (domain_ && (*domain_ < 0 || *domain_ > kLastDomain || *domain_ != std::floor(*domain_))) {
-    refuse(positionOf(plugin, "domain"), "the domain of ROS must be an integer between 0 and 232");
+    refuse(positionOf(plugin, "domain"), "the ROS domain must be an integer between 0 and 232");
   } else if (domain_) {
     options.domain = static_cast<int>(*domain_);
   }
@@ -85,7 +84,7 @@ std::optional<ParticipantOptions> SettingsElements::readParticipant(const Elemen
       options.distro = *known;
     } else {
       const std::string hint = didYouMean(distro_, distroNames());
-      refuse(positionOf(plugin, "distro"), "'" + distro_ + "' is not a distribution of ROS 2",
+      refuse(positionOf(plugin, "distro"), "'" + distro_ + "' is not a ROS 2 distribution",
              hint.empty() ? "humble or jazzy, for example" : hint);
     }
   }

@@ -96,7 +96,7 @@ TEST_F(ElementsTest, NameAFileFromTheFolderOfTheWorld) {
   EXPECT_EQ(settings->rules.size(), 1U);
   add("topic", "/chatter@std_msgs/msg/Bool@gz.msgs.Boolean");
   EXPECT_FALSE(read().has_value());
-  EXPECT_NE(said_.find("2:7: topic '/chatter' of ROS can't be std_msgs/msg/Bool here"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("2:7: ROS topic '/chatter' can't be std_msgs/msg/Bool here"), std::string::npos) << said_;
 }
 
 TEST_F(ElementsTest, RefuseADomainThatIsNone) {
@@ -104,7 +104,7 @@ TEST_F(ElementsTest, RefuseADomainThatIsNone) {
     plugin_.children.clear();
     add("domain", domain);
     EXPECT_FALSE(read().has_value()) << domain;
-    EXPECT_EQ(said_, "1:7: the domain of ROS must be an integer between 0 and 232\n");
+    EXPECT_EQ(said_, "1:7: the ROS domain must be an integer between 0 and 232\n");
   }
 }
 
@@ -126,7 +126,7 @@ TEST_F(ElementsTest, SayAllErrorsAtOnce) {
   add("topic", "nonsense");
   add("config_file", "none.yaml");
   EXPECT_FALSE(read().has_value());
-  EXPECT_NE(said_.find("1:7: 'humbel' is not a distribution of ROS 2"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("1:7: 'humbel' is not a ROS 2 distribution"), std::string::npos) << said_;
   EXPECT_NE(said_.find("2:7: the name of the node, 'a/b', contains a slash"), std::string::npos) << said_;
   EXPECT_NE(said_.find("3:7: the namespace '/9lives' has a word that begins with the digit 9"), std::string::npos);
   EXPECT_NE(said_.find("4:7: 'nonsense' has no topic before the '@'"), std::string::npos) << said_;

@@ -30,9 +30,9 @@ constexpr ServiceKind kServices[] = {
     {"ros_gz_interfaces/srv/SetEntityPose", "set_pose", "ignition.msgs.Pose", "ignition.msgs.Boolean"},
 };
 
-/// @return "bridge.yaml:4:3"; "another option" if it has no line.
+/// @return "bridge.yaml:4:3"; "another place on the command line" if it has no line.
 std::string placeOf(const SourcePosition& position) {
-  if (position.line == 0) return "another option";
+  if (position.line == 0) return "another place on the command line";
   return *position.file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
 }
 
@@ -149,7 +149,7 @@ void Maker::addTopic(const RuleText& text) {
 bool Maker::isSaidBefore(const TopicRule& rule) {
   for (TopicRule& known : rules_.topics) {
     if (known.ros == rule.ros && known.pair->ros != rule.pair->ros) {
-      error(rule.position, "topic '" + rule.ros + "' of ROS can't be " + std::string(rule.pair->ros) + " here and " +
+      error(rule.position, "ROS topic '" + rule.ros + "' can't be " + std::string(rule.pair->ros) + " here and " +
                                std::string(known.pair->ros) + " at " + placeOf(known.position));
       return true;
     }
@@ -177,7 +177,7 @@ bool Maker::join(TopicRule& known, const TopicRule& rule) {
   const bool isSame = known.direction == rule.direction && (!bothToRos || known.toRos == rule.toRos) &&
                       (!bothFromRos || known.fromRos == rule.fromRos) && frames(known) == frames(rule);
   if (isSame) {
-    warning(rule.position, "it repeats " + placeOf(known.position) + " says");
+    warning(rule.position, "it repeats the rule at " + placeOf(known.position));
   } else {
     error(rule.position, "topic '" + rule.ros + "' is bridged differently at " + placeOf(known.position));
   }
@@ -238,9 +238,9 @@ void Maker::addService(const RuleText& text) {
   for (const ServiceRule& known : rules_.services) {
     if (known.ros != *ros) continue;
     if (known.ignition == *ignition) {
-      warning(text.position, "it repeats " + placeOf(known.position) + " says");
+      warning(text.position, "it repeats the rule at " + placeOf(known.position));
     } else {
-      error(text.position, "service '" + *ros + "' of ROS is '" + known.ignition + "' at " + placeOf(known.position));
+      error(text.position, "ROS service '" + *ros + "' is '" + known.ignition + "' at " + placeOf(known.position));
     }
     return;
   }

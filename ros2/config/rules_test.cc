@@ -100,7 +100,7 @@ TEST(Rules, RefuseNamesThatCanBeNone) {
 TEST(Rules, RefuseATopicThatTwoTypesClaim) {
   EXPECT_EQ(
       ofArguments({"/a@geometry_msgs/msg/Twist@gz.msgs.Twist", "/a@geometry_msgs/msg/TwistStamped@gz.msgs.Twist"}).said,
-      "w:2:1: error: topic '/a' of ROS can't be geometry_msgs/msg/TwistStamped here and geometry_msgs/msg/Twist "
+      "w:2:1: error: ROS topic '/a' can't be geometry_msgs/msg/TwistStamped here and geometry_msgs/msg/Twist "
       "at w:1:1\n");
   EXPECT_EQ(ofFile("- {ros_topic_name: a, gz_topic_name: c, ros_type_name: std_msgs/msg/Bool, gz_type_name: "
                    "gz.msgs.Boolean}\n"
@@ -137,7 +137,7 @@ TEST(Rules, JoinTheTwoWaysOfATopic) {
 }
 
 TEST(Rules, WarnOfWhatIsSaidTwiceAndRefuseWhatIsSaidInTwoWays) {
-  EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay).said, "f:5:3: warning: it repeats f:1:3 says\n");
+  EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay).said, "f:5:3: warning: it repeats the rule at f:1:3\n");
   EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay + "  publisher_queue: 3\n").said,
             "f:5:3: error: topic '/ros_chatter' is bridged differently at f:1:3\n");
   EXPECT_EQ(ofFile(std::string(kOneWay) + kOneWay + "  direction: GZ_TO_ROS\n").said,
@@ -198,7 +198,7 @@ TEST(Rules, RefuseServicesThatAreNone) {
                    "ros_gz_interfaces/srv/ControlWorld}\n"
                    "- {ros_service_name: a, gz_service_name: /world/w/control, ros_type_name: "
                    "ros_gz_interfaces/srv/ControlWorld}\n")
-                .said.find("f:2:3: error: service '/a' of ROS is '/world/v/control' at f:1:3"),
+                .said.find("f:2:3: error: ROS service '/a' is '/world/v/control' at f:1:3"),
             std::string::npos);
 }
 

@@ -122,10 +122,11 @@ std::string Ros2Encoder::takenBy(const TopicRule& rule) const {
   const auto said = std::ranges::find(rules_, rule.ros, &TopicRule::ros);
   // transforms of several robots share one topic
   const bool isShared = rule.ros == kTransformTopic && said != rules_.end() && said->pair->ros == rule.pair->ros;
-  if (said != rules_.end() && !isShared) return "in ROS '" + rule.ros + "' is '" + said->ignition + "', as configured";
+  if (said != rules_.end() && !isShared)
+    return "the configuration gives its ROS name, '" + rule.ros + "', to '" + said->ignition + "'";
   const auto other = taken_.find(rule.ros);
   if (other == taken_.end() || other->second.pair->ros == rule.pair->ros) return {};
-  return "'" + rule.ros + "' is " + std::string(other->second.pair->ros) + " in ROS already, of '" +
+  return "ROS topic '" + rule.ros + "' already has type " + std::string(other->second.pair->ros) + ", from '" +
          other->second.ignition + "'";
 }
 

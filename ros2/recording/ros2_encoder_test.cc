@@ -92,7 +92,7 @@ TEST_F(Ros2EncoderTest, SaysWhyATopicIsLeftOut) {
   EXPECT_EQ(refusal(plain_, "/x", "other.Type"), "other.Type has no counterpart in ROS");
   opened(plain_, "/a-b", kScan);
   EXPECT_EQ(refusal(plain_, "/a_b", "ignition.msgs.Twist"),
-            "'/a_b' is sensor_msgs/msg/LaserScan in ROS already, of '/a-b'");
+            "ROS topic '/a_b' already has type sensor_msgs/msg/LaserScan, from '/a-b'");
 }
 
 TEST_F(Ros2EncoderTest, RefusesBytesThatAreNoMessage) {
@@ -201,7 +201,7 @@ TEST_F(Ros2EncoderTest, FollowsAConfiguration) {
   EXPECT_NE(lidar->topics()[0].metadata.at("offered_qos_profiles").find("reliability: 2"), std::string::npos);
   EXPECT_EQ(read<sensor_msgs::LaserScan>(encoded(*lidar, "")[0]).header.frame_id, "laser");
   EXPECT_EQ(opened(*encoder, "/cmd_vel", "ignition.msgs.Twist")->topics()[0].type, "geometry_msgs/msg/TwistStamped");
-  EXPECT_EQ(refusal(*encoder, "/scan", kScan), "in ROS '/scan' is '/lidar', as configured");
+  EXPECT_EQ(refusal(*encoder, "/scan", kScan), "the configuration gives its ROS name, '/scan', to '/lidar'");
   // a topic with a rule has only that name; the transforms of others are unaffected
   EXPECT_EQ(opened(*encoder, "/model/a/tf", kPoses)->topics().size(), 1U);
   EXPECT_EQ(opened(*encoder, "/model/b/tf", kPoses)->topics().size(), 2U);

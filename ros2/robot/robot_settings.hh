@@ -40,18 +40,18 @@ struct RobotSettings {
         .otherwise("as bridge_all");
     declaration.parameter("tf", &tellsTransforms, "", "whether robots' frames are on /tf and /tf_static")
         .otherwise("as bridge_all");
-    declaration.parameter("tf_rate", &transformRate, "Hz", "messages on /tf a simulated second; 0: one every step")
+    declaration.parameter("tf_rate", &transformRate, "Hz", "messages on /tf per simulated second; 0: one per step")
         .atLeast(0);
     declaration.parameter("joint_states", &tellsJointStates, "", "whether robots' joints are on /joint_states")
         .otherwise("as bridge_all");
     declaration
         .parameter("joint_state_rate", &jointStateRate, "Hz",
-                   "messages on /joint_states a simulated second; 0: one every step")
+                   "messages on /joint_states per simulated second; 0: one per step")
         .atLeast(0);
     declaration.parameter("world_frame", &worldFrame, "", "name of the world's frame");
     declaration
         .parameter("ground_truth", &groundTruth, "",
-                   "when the world's frame is the parent of a robot's: where it has no odometry, always or never")
+                   "when the world frame is a robot's parent frame: auto (without odometry), always or never")
         .oneOf({"auto", "always", "never"});
   }
 };

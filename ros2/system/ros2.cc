@@ -21,13 +21,13 @@ namespace {
 class Ros2 final : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Makes the simulation a node of ROS 2: its topics are there under their own names.",
+    declaration.is("Makes the simulation a ROS 2 node, which bridges its topics under their own names.",
                    Declaration::Place::kWorld);
     elements_.declare(declaration);
     robotSettings_.declare(declaration);
     declaration.parameter(
         "service_prefix", &servicePrefix_, "",
-        "in front of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
+        "prefix of the services of simulation_interfaces: ~ for the node's own name, /gzserver, or /");
     declaration.serves("/world/W/ros2/topics", "ignition.msgs.Empty", "ignition.msgs.Param_V",
                        "what is bridged, for pongsim ros2 topics");
   }

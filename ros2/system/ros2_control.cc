@@ -35,26 +35,27 @@ class Ros2Control final : public System {
         "Offers the joints that a robot's <ros2_control> lists on topics, for controllers that run outside of the "
         "simulation.",
         Declaration::Place::kModel);
-    declaration.parameter("parameters", &files_, "",
-                          "file of the controller manager, of which the update rate and the position gain count");
-    declaration.element("ros2_control", "joints with their interfaces, for a model that did not come as URDF");
+    declaration.parameter(
+        "parameters", &files_, "",
+        "parameter file of the controller manager; only update rate, position gain and hold_joints are used");
+    declaration.element("ros2_control", "joints with their interfaces, for a model that is not from a URDF");
     declaration.parameter("joint_commands_topic", &commandsTopic_, "", "command topic")
         .otherwise("/robot_joint_commands");
-    declaration.parameter("joint_states_topic", &statesTopic_, "", "where states go").otherwise("/robot_joint_states");
-    declaration.parameter("update_rate", &updateRate_, "Hz", "of the controllers, and of the states")
+    declaration.parameter("joint_states_topic", &statesTopic_, "", "state topic").otherwise("/robot_joint_states");
+    declaration.parameter("update_rate", &updateRate_, "Hz", "rate of the controllers and of the states")
         .above(0)
         .otherwise("what <parameters> says, else 100");
     declaration
         .parameter("position_proportional_gain", &positionGain_, "",
-                   "share of the way left that a position command makes up for in a period")
+                   "fraction of the position error that a position command corrects per update")
         .above(0)
         .otherwise("what <parameters> says, else 0.1");
     declaration.parameter("hold_joints", &holdsJoints_, "",
                           "whether joints stay where they are before the first command");
-    declaration.element("ros", "of its namespace the topics are part, unless they are named");
+    declaration.element("ros", "its <namespace> is the prefix of topics that are not named here");
     for (const char* name :
          {"controller_manager_name", "controller_manager_prefix_node_name", "robot_param", "robot_param_node"}) {
-      declaration.element(name, "of the controller manager, which runs elsewhere: has no effect");
+      declaration.element(name, "for the controller manager, which runs elsewhere; no effect");
     }
     declaration.subscribes("<joint_commands_topic>", kModelType,
                            "positions, velocities and forces by joint; not a number where nothing is commanded");

@@ -210,7 +210,7 @@ def test_a_run_with_a_wrong_configuration_does_not_begin(tmp_path):
     assert "hint: did you mean 'GZ_TO_ROS'?" in said
     said = refused("--ros2-topic", "/a@geometry_msgs/msg/Twist@gz.msgs.Twist",
                    "--ros2-topic", "/a@geometry_msgs/msg/TwistStamped@gz.msgs.Twist")
-    assert "error: topic '/a' of ROS can't be geometry_msgs/msg/TwistStamped here and geometry_msgs/msg/Twist" in said
+    assert "error: ROS topic '/a' can't be geometry_msgs/msg/TwistStamped here and geometry_msgs/msg/Twist" in said
     assert "option '--ros2-domain' takes a whole number from 0 to 232, not '233'" in refused("--ros2-domain", "233", code=2)
     assert "ROS_DOMAIN_ID is '233', not an integer between 0 and 232" in refused(
         "--ros2", environment={"ROS_DOMAIN_ID": "233"})

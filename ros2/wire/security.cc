@@ -25,7 +25,7 @@ Security securityOfEnvironment(int domain) {
   const std::string enabled = variable("ROS_SECURITY_ENABLE");
   if (enabled.empty()) return {chosenIdentity(domain), ""};
   if (enabled != "true") {
-    return {std::nullopt, isSecured() ? "ROS_SECURITY_ENABLE is '" + enabled + "': nodes of ROS are not secured" : ""};
+    return {std::nullopt, isSecured() ? "ROS_SECURITY_ENABLE is '" + enabled + "': ROS nodes are not secured" : ""};
   }
   const std::string keystore = variable("ROS_SECURITY_KEYSTORE");
   if (keystore.empty()) {
@@ -42,7 +42,7 @@ Security securityOfEnvironment(int domain) {
   }
   const std::string missing = "keystore '" + keystore + "' has no enclave '" + name + "'";
   if (variable("ROS_SECURITY_STRATEGY") != "Enforce") {
-    return {std::nullopt, missing + ", and ROS_SECURITY_STRATEGY is not Enforce: nodes of ROS are not secured"};
+    return {std::nullopt, missing + ", and ROS_SECURITY_STRATEGY is not Enforce: ROS nodes are not secured"};
   }
   throw KeystoreError(missing + ", but " + listOf(identitiesOf(keystore)),
                       "set ROS_SECURITY_ENCLAVE_OVERRIDE to one of them");

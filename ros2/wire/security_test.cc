@@ -44,7 +44,7 @@ TEST_F(RosSecurity, IsOurOwnWhereRosSaysNothing) {
   setenv("PONGSIM_SECURITY", "/no/such/folder", 1);
   EXPECT_EQ(refusal(), "there is no keystore at '/no/such/folder'");
   setenv("ROS_SECURITY_ENABLE", "false", 1);
-  EXPECT_EQ(securityOfEnvironment(0).warning, "ROS_SECURITY_ENABLE is 'false': nodes of ROS are not secured");
+  EXPECT_EQ(securityOfEnvironment(0).warning, "ROS_SECURITY_ENABLE is 'false': ROS nodes are not secured");
 }
 
 TEST_F(RosSecurity, RefusesAnEnclaveThatIsNotThereWhereItIsEnforced) {
@@ -55,7 +55,7 @@ TEST_F(RosSecurity, RefusesAnEnclaveThatIsNotThereWhereItIsEnforced) {
   setenv("ROS_SECURITY_ENCLAVE_OVERRIDE", "/listener", 1);
   const std::string missing = "keystore '" + folder_.path().string() + "' has no enclave '/listener'";
   EXPECT_EQ(securityOfEnvironment(0).warning,
-            missing + ", and ROS_SECURITY_STRATEGY is not Enforce: nodes of ROS are not secured");
+            missing + ", and ROS_SECURITY_STRATEGY is not Enforce: ROS nodes are not secured");
   setenv("ROS_SECURITY_STRATEGY", "Enforce", 1);
   EXPECT_TRUE(refusal().starts_with(missing));
 }

@@ -83,7 +83,8 @@ class GeometryCheck {
   void check(const XMLElement& geometry) {
     const XMLElement* mesh = geometry.FirstChildElement("mesh");
     if (mesh == nullptr) return;
-    if (const XMLElement* second = mesh->NextSiblingElement("mesh")) refuseElement(*second, "is the second one here");
+    if (const XMLElement* second = mesh->NextSiblingElement("mesh"))
+      refuseElement(*second, "is the second <mesh> of its <geometry>");
     std::uint64_t corners = 0;
     std::size_t positionCount = 0;
     const XMLElement* primitives = nullptr;
@@ -112,7 +113,8 @@ class GeometryCheck {
     std::size_t inputCount = 0;
     std::size_t positionCount = 0;
     forEachChild(vertices, "input", [&](const XMLElement& input) {
-      if (++inputCount > kMostInputs) refuseElement(input, "is one too many");
+      if (++inputCount > kMostInputs)
+        refuseElement(input, "exceeds the limit of " + std::to_string(kMostInputs) + " inputs");
       if (attributeOf(input, "semantic") == "POSITION") ++positionCount;
     });
     return positionCount;
@@ -132,9 +134,11 @@ class GeometryCheck {
     forEachInside(primitives, [&](const XMLElement& element) {
       const std::string_view name = element.Name();
       if (name == "input") {
-        if (++inputCount > kMostInputs) refuseElement(element, "is one too many");
+        if (++inputCount > kMostInputs)
+          refuseElement(element, "exceeds the limit of " + std::to_string(kMostInputs) + " inputs");
         const std::uint64_t offset = numberIn(element, "offset", 0);
-        if (offset >= kMostInputs) refuseElement(element, "has an offset of more than " + std::to_string(kMostInputs));
+        if (offset >= kMostInputs)
+          refuseElement(element, "has an offset of more than " + std::to_string(kMostInputs - 1));
         width = std::max(width, offset + 1);
         hasVertex = hasVertex || attributeOf(element, "semantic") == "VERTEX";
       }
@@ -160,7 +164,7 @@ class GeometryCheck {
     // Assimp, as Debian builds it, ends the process where these differ
     const bool isOneList = kind == "triangles" || kind == "polylist";
     if ((isOneList && count > 0 && listCount != 1) || (kind == "polygons" && listCount != count)) {
-      refuseElement(primitives, "has another number of <p>");
+      refuseElement(primitives, "has the wrong number of <p>");
     }
     return corners;
   }
@@ -200,7 +204,7 @@ class SceneCheck {
     forEachChild(collada, libraries, [&](const XMLElement& library) {
       forEachChild(library, nodes, [&](const XMLElement& node) {
         const std::string_view id = attributeOf(node, "id");
-        if (!library_.emplace(id, &node).second && !id.empty()) refuseElement(node, "has the id of another one");
+        if (!library_.emplace(id, &node).second && !id.empty()) refuseElement(node, "has the same id as another one");
       });
     });
   }
@@ -293,7 +297,7 @@ void checkEffect(const XMLElement& effect) {
     for (auto at = references.find(sid); at != references.end(); at = references.find(at->second)) {
       if (leadToImages.contains(at->first)) break;
       if (!passed.insert(at->first).second)
-        refuseElement(effect, "has the parameter " + inQuotes(sid) + " in a circle");
+        refuseElement(effect, "has the parameter " + inQuotes(sid) + ", which refers back to itself");
     }
     leadToImages.merge(passed);
   }

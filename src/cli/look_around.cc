@@ -7,7 +7,8 @@ namespace pongsim::cli {
 namespace {
 
 void warnOfSilence(const Transport& transport) {
-  if (!transport.heardAll()) say("warning: some process of this domain does not answer; what it offers is not known");
+  if (!transport.heardAll())
+    say("warning: a process in this DDS domain does not answer; its topics and services may be missing");
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ void addNetworkOption(CLI::App& command) {
   };
   command
       .add_option_function<std::string>("--network", open,
-                                        "Also communicate over this network interface (name or address). Anybody on\n"
-                                        "that network can then take part")
+                                        "Also communicate over this network interface (name or address). Without\n"
+                                        "--secure, anybody on that network can take part")
       ->type_name("INTERFACE");
 }
 

@@ -12,7 +12,8 @@ namespace pongsim::cli {
 namespace {
 
 [[noreturn]] void refuse(std::string_view option, const std::string& wanted, std::string_view text) {
-  throw UsageError("option '" + std::string(option) + "' takes " + wanted + ", not '" + std::string(text) + "'");
+  throw UsageError((option.starts_with('-') ? "option '" : "'") + std::string(option) + "' takes " + wanted +
+                   ", not '" + std::string(text) + "'");
 }
 
 }  // namespace

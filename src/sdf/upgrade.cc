@@ -143,8 +143,8 @@ void separateNames(Element& holder, Context& context) {
       std::string name = old + "_" + child.name;
       for (int i = 0; !taken.insert(name).second; ++i) name = old + "_" + child.name + std::to_string(i);
       context.diagnostics.warning(attribute->position,
-                                  child.name + " '" + old + "' has the name of something else in its " + holder.name +
-                                      ": it is called '" + name + "'",
+                                  child.name + " '" + old + "' has the same name as another part of its " +
+                                      holder.name + ": it is renamed to '" + name + "'",
                                   "as in Fortress; from SDF 1.7 this is an error");
       attribute->value = name;
     }

@@ -36,7 +36,7 @@ SensorTopic::SensorTopic(const Sensor& sensor, std::string_view suffix, std::str
   } catch (const std::invalid_argument& error) {
     throw Error({Severity::kError,
                  sensor.sdf().position,
-                 "sensor '" + sensor.scopedName() + "' can't speak on '" + topic + "': " + error.what(),
+                 "sensor '" + sensor.scopedName() + "' can't publish on '" + topic + "': " + error.what(),
                  {}});
   }
 }

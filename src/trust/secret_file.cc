@@ -49,7 +49,8 @@ std::string contentsOf(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) {
-    const std::string why = fs::is_symlink(fs::symlink_status(file, error)) ? "is a link to nothing" : "is missing";
+    const std::string why =
+        fs::is_symlink(fs::symlink_status(file, error)) ? "is a broken symbolic link" : "is missing";
     throw KeystoreError(file.string() + " " + why, "'pongsim security add' creates all files of an identity");
   }
   if (!fs::is_regular_file(status)) throw KeystoreError(file.string() + " is not a file");

@@ -55,7 +55,7 @@ TEST_F(ColladaFileTest, RefusesCountsOfWhatIsNotThere) {
             "line 6: <float_array> has count=\"-1\", which is not a whole number");
   EXPECT_EQ(faultOf(with("triangles count=\"1\"", "triangles count=\"90000000\"")),
             "line 10: <p> has fewer indices than its <triangles> says");
-  EXPECT_EQ(faultOf(with("offset=\"0\"", "offset=\"300000000\"")), "line 10: <input> has an offset of more than 64");
+  EXPECT_EQ(faultOf(with("offset=\"0\"", "offset=\"300000000\"")), "line 10: <input> has an offset of more than 63");
   const std::string polygons = with("<triangles count=\"1\">", "<polylist count=\"1\">");
   const auto replaced = [&](std::string_view sizes) {
     std::string text = polygons;
@@ -70,11 +70,11 @@ TEST_F(ColladaFileTest, RefusesCountsOfWhatIsNotThere) {
 
 TEST_F(ColladaFileTest, RefusesAnotherNumberOfListsThanTheCount) {
   EXPECT_EQ(faultOf(with("<p>0 1 2</p>", "<p>0 1 2</p><p>0 1 2</p>")),
-            "line 10: <triangles> has another number of <p>");
-  EXPECT_EQ(faultOf(with("<p>0 1 2</p>", "")), "line 10: <triangles> has another number of <p>");
+            "line 10: <triangles> has the wrong number of <p>");
+  EXPECT_EQ(faultOf(with("<p>0 1 2</p>", "")), "line 10: <triangles> has the wrong number of <p>");
   std::string polygons = with("<triangles count=\"1\">", "<polygons count=\"2\">");
   polygons.replace(polygons.find("</triangles>"), 12, "</polygons>");
-  EXPECT_EQ(faultOf(polygons), "line 10: <polygons> has another number of <p>");
+  EXPECT_EQ(faultOf(polygons), "line 10: <polygons> has the wrong number of <p>");
   EXPECT_EQ(faultOf(with("url=\"#shape\"", "url=\"#\"")), "line 13: <instance_geometry> refers to no geometry");
 }
 
@@ -127,7 +127,8 @@ TEST_F(ColladaFileTest, RefusesParametersOfAnEffectInACircle) {
       "<newparam sid=\"a\"><surface><init_from>b</init_from></surface></newparam>"
       "<newparam sid=\"b\"><sampler2D><source>a</source></sampler2D></newparam>"
       "</profile_COMMON></effect></library_effects><library_geometries>";
-  EXPECT_EQ(faultOf(with("<library_geometries>", effects)), "line 5: <effect> has the parameter 'a' in a circle");
+  EXPECT_EQ(faultOf(with("<library_geometries>", effects)),
+            "line 5: <effect> has the parameter 'a', which refers back to itself");
 }
 
 TEST_F(ColladaFileTest, ReadsTheMeshOfASkinAndLeavesWhatIsNotUsed) {

@@ -19,7 +19,7 @@ TEST(LookAround, WarnsOfAProcessThatDoesNotAnswer) {
   for (int look = 0; look < 2; ++look) {
     testing::internal::CaptureStderr();
     const std::size_t found = look == 0 ? topicsAround(transport).size() : servicesAround(transport).size();
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("some process of this domain does not answer"),
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("a process in this DDS domain does not answer"),
               std::string::npos);
     EXPECT_EQ(found, 0);
   }

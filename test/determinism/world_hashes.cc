@@ -74,8 +74,8 @@ class Digest {
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-/// @return Whether everything published there is reproducible. Images depend on Mesa and the processor; scene messages
-/// (`/world/W/pose/info`, ...) and sensors' performance metrics follow wall time.
+/// @return Whether everything published there is reproducible. Images depend on Mesa and the processor; statistics,
+/// scene messages of a paused world and sensors' performance metrics follow wall time.
 bool repeats(const OwnTopic& topic) {
   const bool isTiming = topic.type == "ignition.msgs.PerformanceSensorMetrics";
   const bool isPicture = topic.type == "ignition.msgs.Image" || topic.type == "ignition.msgs.PointCloudPacked";

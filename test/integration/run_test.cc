@@ -220,7 +220,7 @@ TEST(Run, IsCalledAsIgnToo) {
   EXPECT_EQ(runs.wait(), 0) << runs.error();
   Process window({ign, "gazebo", "-g", "empty.sdf"});
   EXPECT_EQ(window.wait(), 2);
-  EXPECT_TRUE(window.error().starts_with("pongsim: error: '-g' has no effect: pongsim has no windows"))
+  EXPECT_TRUE(window.error().starts_with("pongsim: error: '-g' is not supported: pongsim has no GUI"))
       << window.error();
 }
 

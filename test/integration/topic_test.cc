@@ -56,7 +56,7 @@ TEST_F(Topic, DrawsScansAndImagesOnly) {
   const Outcome both = runToEnd({"topic", "-e", "-t", "/clock", "--plot", "--json"});
   EXPECT_EQ(both.exitCode, 2);
   EXPECT_EQ(both.error.substr(0, both.error.find('\n')),
-            "pongsim: error: options '--plot' and '--json' exclude each other");
+            "pongsim: error: options '--plot' and '--json' can't be used together");
 }
 
 TEST_F(Topic, ListsWhatIsPublishedSorted) {

@@ -111,7 +111,8 @@ TEST_F(SeveralWorlds, AreNamedWhereACommandMeansOne) {
   const Outcome models = runToEnd({"model", "--list", "--timeout", kTimeout});
   EXPECT_EQ(models.exitCode, 0);
   EXPECT_NE(models.output.find("- cart_fine\n"), std::string::npos) << models.output;
-  EXPECT_EQ(models.error, "pongsim: several worlds are running: coarse, fast, fine; this is fine (-w WORLD chooses)\n");
+  EXPECT_EQ(models.error,
+            "pongsim: several worlds are running: coarse, fast, fine; using fine (choose with -w WORLD)\n");
   const Outcome chosen = runToEnd({"model", "--list", "-w", "coarse", "--timeout", kTimeout});
   EXPECT_NE(chosen.output.find("- cart_coarse\n"), std::string::npos) << chosen.output;
 }

@@ -83,7 +83,7 @@ TEST(Upgrade, GivesNewNamesToPartsOfTheSameName) {
       "<frame name='b'/><frame name='b_joint'/>",
       "1.6");
   const std::string hint = " | as in Fortress; from SDF 1.7 this is an error";
-  const std::string is = "' has the name of something else in its model: it is called '";
+  const std::string is = "' has the same name as another part of its model: it is renamed to '";
   EXPECT_EQ(loaded.messages, (Messages{"t.sdf:4:8: warning: joint 'b" + is + "b_joint'" + hint,
                                        "t.sdf:6:8: warning: frame 'b" + is + "b_frame'" + hint,
                                        "t.sdf:6:25: warning: frame 'b_joint" + is + "b_joint_frame'" + hint}));

@@ -149,7 +149,7 @@ TEST_F(SensorTopicTest, NamesTheSensorWhoseTopicIsNone) {
   EXPECT_THROW(
       try { start("<topic>/</topic>"); } catch (const Error& error) {
         EXPECT_EQ(error.diagnostic().position.line, 1);
-        EXPECT_NE(error.diagnostic().message.find("sensor 'm::l::s' can't speak on '/'"), std::string::npos)
+        EXPECT_NE(error.diagnostic().message.find("sensor 'm::l::s' can't publish on '/'"), std::string::npos)
             << error.diagnostic().message;
         throw;
       },

@@ -104,7 +104,7 @@ void Calls::call(const ServiceCall& call) {
   if (!isJson && call.encoding != "protobuf") {
     return client_->sendText(
         failure(call.service, call.call,
-                "requests are protobuf or json, not '" + std::string(call.encoding.substr(0, 40)) + "'"));
+                "requests must be protobuf or json, not '" + std::string(call.encoding.substr(0, 40)) + "'"));
   }
   const MessageForm form = isJson ? MessageForm::kJson : MessageForm::kProtobuf;
   const OwnService& service = found->second.service;

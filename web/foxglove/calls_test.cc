@@ -70,7 +70,7 @@ TEST_F(CallsTest, SaysWhyThereIsNoAnswer) {
   EXPECT_NE(failure(callOf(id, "json", R"({"data": "no"})")).find("it says no"), std::string::npos);
   EXPECT_NE(failure(callOf(id, "json", "rubbish")).find("is not of type ignition.msgs.StringMsg"), std::string::npos);
   EXPECT_EQ(failure(callOf(id, "protobuf", "\xff")), "1 bytes are not of type ignition.msgs.StringMsg");
-  EXPECT_EQ(failure(callOf(id, "cdr", "")), "requests are protobuf or json, not 'cdr'");
+  EXPECT_EQ(failure(callOf(id, "cdr", "")), "requests must be protobuf or json, not 'cdr'");
   EXPECT_EQ(failure(callOf(999, "json", "{}")), "there is no service 999");
 }
 

@@ -36,7 +36,7 @@ std::optional<std::set<std::string>> namesIn(const json& message) {
 }
 
 std::string wrongNames(const char* operation) {
-  return "'" + std::string(operation) + "' has a list 'parameterNames' of up to " + std::to_string(kMostNames) +
+  return "'" + std::string(operation) + "' must have a list 'parameterNames' of up to " + std::to_string(kMostNames) +
          " texts";
 }
 
@@ -59,7 +59,7 @@ struct Wish {
 };
 
 std::string wishPaused(const json& value, Wish& wish) {
-  if (!value.is_boolean()) return "is true or false";
+  if (!value.is_boolean()) return "must be true or false";
   const auto control = std::make_shared<im::WorldControl>();
   control->set_pause(value.get<bool>());
   wish = {"control", control};
@@ -68,7 +68,7 @@ std::string wishPaused(const json& value, Wish& wish) {
 
 std::string wishFactor(const json& value, Wish& wish) {
   const auto factor = numberAboveZero(value);
-  if (!factor) return "is a number above 0, of simulated seconds a second";
+  if (!factor) return "must be a number above 0";
   const auto physics = std::make_shared<im::Physics>();
   physics->set_real_time_factor(*factor);
   wish.request = physics;
@@ -77,7 +77,7 @@ std::string wishFactor(const json& value, Wish& wish) {
 
 std::string wishStep(const json& value, Wish& wish) {
   const auto step = numberAboveZero(value);
-  if (!step) return "is a number above 0, in seconds";
+  if (!step) return "must be a number above 0, in seconds";
   const auto physics = std::make_shared<im::Physics>();
   physics->set_max_step_size(*step);
   wish.request = physics;
@@ -89,7 +89,7 @@ std::string wishGravity(const json& value, Wish& wish) {
   for (const json& each : value.is_array() && value.size() == 3 ? value : json::array()) {
     if (const auto number = numberOf(each)) numbers.push_back(*number);
   }
-  if (numbers.size() != 3) return "is a list of three numbers, in m/s^2";
+  if (numbers.size() != 3) return "must be a list of three numbers, in m/s^2";
   const auto physics = std::make_shared<im::Physics>();
   physics->mutable_gravity()->set_x(numbers[0]);
   physics->mutable_gravity()->set_y(numbers[1]);
@@ -162,7 +162,7 @@ std::string Parameters::get(const json& message) {
 std::string Parameters::set(const json& message) {
   const auto list = listField(message, "parameters");
   if (!list || list->size() > kMostNames) {
-    return "'setParameters' has a list 'parameters' of up to " + std::to_string(kMostNames) + " parameters";
+    return "'setParameters' must have a list 'parameters' of up to " + std::to_string(kMostNames) + " parameters";
   }
   // the response is sent when the last world has answered and the last owner is destroyed
   const std::shared_ptr<Setting> setting(new Setting{{}, textField(message, "id"), {}},
@@ -180,7 +180,7 @@ std::string Parameters::set(const json& message) {
 
 std::string Parameters::setOne(const json& parameter, const std::shared_ptr<Setting>& setting) {
   const auto name = textField(parameter, "name");
-  if (!name || !parameter.contains("value")) return "a parameter has a 'name' and a 'value'";
+  if (!name || !parameter.contains("value")) return "a parameter must have a 'name' and a 'value'";
   if (!client_->mayWrite()) return "this client is read-only: '" + *name + "' is not set";
   for (const auto& world : worlds_->all()) {
     const std::string prefix = std::string(kWorld) + world->world() + "/";

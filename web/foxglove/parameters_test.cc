@@ -98,7 +98,7 @@ TEST_F(ParametersTest, RefuseWhatTheyAreNot) {
     EXPECT_NE(status().find("'parameterNames'"), std::string::npos);
   }
   say({{"op", "setParameters"}, {"parameters", {1, {{"name", "x"}}}}});
-  EXPECT_EQ(status(), "a parameter has a 'name' and a 'value'; a parameter has a 'name' and a 'value'");
+  EXPECT_EQ(status(), "a parameter must have a 'name' and a 'value'; a parameter must have a 'name' and a 'value'");
 }
 
 TEST_F(ParametersTest, AreNotSetByWhoMayLookOnly) {

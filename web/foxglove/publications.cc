@@ -39,7 +39,7 @@ std::string Publications::fault(const nlohmann::json& channel) {
   const auto topic = textField(channel, "topic");
   const auto encoding = textField(channel, "encoding");
   const auto type = textField(channel, "schemaName");
-  if (!id || !topic || !encoding || !type) return "a channel has an id, a topic, an encoding and a schemaName";
+  if (!id || !topic || !encoding || !type) return "a channel must have an id, a topic, an encoding and a schemaName";
   if (!client_->mayWrite()) return "this client is read-only: '" + *topic + "' is not published on";
   if (channels_.contains(*id)) return "channel " + std::to_string(*id) + " already exists";
   if (channels_.size() >= kMostChannels) {

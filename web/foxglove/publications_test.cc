@@ -43,7 +43,7 @@ TEST_F(PublicationsTest, CarriesBothForms) {
 
 TEST_F(PublicationsTest, SaysWhatIsWrong) {
   open();
-  EXPECT_EQ(fault(3), "a channel has an id, a topic, an encoding and a schemaName");
+  EXPECT_EQ(fault(3), "a channel must have an id, a topic, an encoding and a schemaName");
   EXPECT_EQ(fault(channelOf(1, "/t", "cdr", "StringMsg")), "messages on '/t' can be protobuf or json, not 'cdr'");
   EXPECT_EQ(fault(channelOf(1, "/t", "json", "ignition.msgs.StringMgs")),
             "there is no message type 'ignition.msgs.StringMgs'; did you mean 'ignition.msgs.StringMsg'?");

@@ -131,11 +131,11 @@ void FoxgloveSession::Told::follow() {
 void FoxgloveSession::text(std::string_view text) {
   const json message = parseJson(text);
   const auto operation = textField(message, "op");
-  if (!operation) return complain("a text message is a JSON object with an 'op'");
+  if (!operation) return complain("a text message must be a JSON object with an 'op'");
   const auto withId = [](auto&& deal, const char* what) {
     return [deal, what](const json& value) {
       const auto id = idOf(value);
-      return id ? deal(*id) : "the id of a " + std::string(what) + " is a number";
+      return id ? deal(*id) : "the id of a " + std::string(what) + " must be a number";
     };
   };
   if (*operation == "subscribe") {
@@ -173,7 +173,7 @@ void FoxgloveSession::binary(std::span<const std::byte> message) {
 
 void FoxgloveSession::each(const json& message, const char* list, const std::function<std::string(const json&)>& deal) {
   const auto members = listField(message, list);
-  if (!members) return complain("'" + message.value("op", "") + "' has a list '" + list + "'");
+  if (!members) return complain("'" + message.value("op", "") + "' must have a list '" + list + "'");
   std::size_t faults = 0;
   for (const json& member : *members) {
     const std::string what = deal(member);
@@ -185,14 +185,14 @@ void FoxgloveSession::each(const json& message, const char* list, const std::fun
 std::string FoxgloveSession::subscribe(const json& subscription) {
   const auto id = idField(subscription, "id");
   const auto channel = idField(subscription, "channelId");
-  if (!id || !channel) return "a subscription has an 'id' and a 'channelId'";
+  if (!id || !channel) return "a subscription must have an 'id' and a 'channelId'";
   return told_->channels.subscribe(*id, *channel);
 }
 
 void FoxgloveSession::fetchAsset(const json& message) {
   const auto uri = textField(message, "uri");
   const auto id = idField(message, "requestId");
-  if (!uri || !id) return complain("'fetchAsset' has a 'uri' and a 'requestId'");
+  if (!uri || !id) return complain("'fetchAsset' must have a 'uri' and a 'requestId'");
   client_->sendBinary(assetFrame(*id, assets_.fetch(typed::sceneAddress(*uri))));
 }
 

@@ -81,7 +81,7 @@ TEST_F(SessionTest, AnswersRubbishWithAWord) {
   open();
   for (const char* text : {"", "{", "[]", "3", "null", R"({"op": 3})", R"({"operation": "subscribe"})"}) {
     session_->text(text);
-    EXPECT_EQ(status(), "a text message is a JSON object with an 'op'") << text;
+    EXPECT_EQ(status(), "a text message must be a JSON object with an 'op'") << text;
   }
   say({{"op", "dance"}});
   EXPECT_EQ(status(), "there is no operation 'dance'");
@@ -90,15 +90,15 @@ TEST_F(SessionTest, AnswersRubbishWithAWord) {
     EXPECT_NE(status().find(operation), std::string::npos);
   }
   say({{"op", "subscribe"}, {"subscriptions", {1, {{"id", -1}, {"channelId", 1}}, {{"id", "1"}, {"channelId", 1}}}}});
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(status(), "a subscription has an 'id' and a 'channelId'");
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(status(), "a subscription must have an 'id' and a 'channelId'");
   say({{"op", "unsubscribe"}, {"subscriptionIds", {"x"}}});
-  EXPECT_EQ(status(), "the id of a subscription is a number");
+  EXPECT_EQ(status(), "the id of a subscription must be a number");
   say({{"op", "unadvertise"}, {"channelIds", {nullptr}}});
-  EXPECT_EQ(status(), "the id of a channel is a number");
+  EXPECT_EQ(status(), "the id of a channel must be a number");
   say("\x09rubbish"s);
   EXPECT_EQ(status(), "there are no binary messages of kind 9");
   session_->text(std::string(1'000'000, '['));
-  EXPECT_EQ(status(), "a text message is a JSON object with an 'op'");
+  EXPECT_EQ(status(), "a text message must be a JSON object with an 'op'");
 }
 
 TEST_F(SessionTest, TellsTheTimeOfTheFirstWorldWhenItMovesOn) {

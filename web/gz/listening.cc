@@ -84,7 +84,8 @@ std::string Listening::open(const std::string& topic, Ear& ear, const std::optio
   ear.hearing.reset();
   ear.world = place->world;
   ear.type = place->topic.type;
-  if (ear.asPicture && ear.type != kImage) return "topic '" + topic + "' has no images but " + ear.type;
+  if (ear.asPicture && ear.type != kImage)
+    return "topic '" + topic + "' has messages of type " + ear.type + ", not images";
   if (const auto limit = settings_.subscriptionLimits.find(ear.type); limit != settings_.subscriptionLimits.end()) {
     const auto others = std::ranges::count_if(ears_, [&](const auto& each) {
       return &each.second != &ear && each.second.hearing && each.second.type == ear.type;

@@ -59,7 +59,7 @@ TEST_F(ListeningTest, MakesPicturesOfImages) {
 TEST_F(ListeningTest, RefusesWhatItCannotHear) {
   auto publisher = world_.node().advertise<im::StringMsg>("/t");
   ASSERT_TRUE(world_.stepUntil([&] { return !worlds_->topics().empty(); }));
-  EXPECT_EQ(listening_.add("/t", true), "topic '/t' has no images but ignition.msgs.StringMsg");
+  EXPECT_EQ(listening_.add("/t", true), "topic '/t' has messages of type ignition.msgs.StringMsg, not images");
   EXPECT_NE(listening_.add("a b", false), "");
   EXPECT_NE(listening_.limit("/t", 0), "");
   EXPECT_NE(listening_.limit("/t", -3), "");

@@ -79,7 +79,7 @@ void GzSession::text(std::string_view message) { binary(std::as_bytes(std::span(
 
 void GzSession::binary(std::span<const std::byte> message) {
   const auto call = readCall({reinterpret_cast<const char*>(message.data()), message.size()});
-  if (!call) return error("", "a message has four parts: operation,topic,type,payload");
+  if (!call) return error("", "a message must have four parts: operation,topic,type,payload");
   if (call->operation == "auth") return auth(*call);
   if (!isLetIn_) return error(call->topic, "say 'auth,,,KEY' first");
   const auto found = operations().find(call->operation);

@@ -183,7 +183,7 @@ TEST_F(GzSessionTest, LetsWhoMayOnlyLookChangeNothing) {
 }
 
 TEST_F(GzSessionTest, AnswersRubbishWithAWord) {
-  EXPECT_EQ(errorOf("", answer("")), "a message has four parts: operation,topic,type,payload");
+  EXPECT_EQ(errorOf("", answer("")), "a message must have four parts: operation,topic,type,payload");
   EXPECT_EQ(errorOf("/t", answer("dance,/t,,")), "there is no operation 'dance'");
   EXPECT_EQ(errorOf("/t", answer("pub,/t,Nonsense,")), "there is no message type 'Nonsense'");
   EXPECT_EQ(errorOf("/t", answer("adv,/t,Nonsense,")), "there is no message type 'Nonsense'");

@@ -65,7 +65,8 @@ bool isOwnHost(const AccessRules& rules, std::string_view host) {
 
 Permission judgePage(const AccessRules& rules, const Visit& visit) {
   if (isOwnHost(rules, visit.host)) return {Permission::Kind::kRead, 200, {}};
-  return {Permission::Kind::kRefused, 421, "this server is not called '" + shown(withoutPort(visit.host)) + "'"};
+  return {Permission::Kind::kRefused, 421,
+          "'" + shown(withoutPort(visit.host)) + "' is not a name of this server: use localhost or an IP address"};
 }
 
 Permission judgeClient(const AccessRules& rules, const Visit& visit) {
@@ -100,7 +101,7 @@ bool isSameSecret(std::string_view given, std::string_view expected) {
 std::string randomToken() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw std::runtime_error("the system gives no random numbers");
+    throw std::runtime_error("the system provides no random numbers");
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
   for (const unsigned byte : bytes) text += {kDigits[byte >> 4U], kDigits[byte & 15U]};
@@ -111,8 +112,7 @@ std::string originError(std::string_view origin) {
   const std::size_t scheme = origin.find("://");
   if (scheme == std::string_view::npos || scheme == 0) return "has no scheme, such as https:";
   const std::string_view rest = origin.substr(scheme + 3);
-  if (rest.find_first_of("/?#@ *") != std::string_view::npos)
-    return "is more than an origin: write scheme, host and port only";
+  if (rest.find_first_of("/?#@ *") != std::string_view::npos) return "has more than a scheme, host and port";
   if (rest.empty() && origin != "file://") return "has no host";
   if (origin != lower(origin)) return "has upper-case letters, which browsers never send";
   return {};

@@ -91,8 +91,9 @@ class MulticopterVelocityControl : public System {
     const Allocation allocation = allocationOf(rotors);
     if (const int rank = rankOf(allocation); rank < 4) {
       refuse(configuration,
-             std::to_string(rotors.size()) + " such rotors can't control a body: they do not make " +
-                 std::to_string(rank) + " of thrust and three torques independently",
+             std::to_string(rotors.size()) +
+                 " rotors like these can't control a body: of thrust and three torques, they can set only " +
+                 std::to_string(rank) + " independently",
              "use at least four rotors in different places, turning in both directions");
     }
     controller_.emplace(gains_, massOf(*model_), allocation);

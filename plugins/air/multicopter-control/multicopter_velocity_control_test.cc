@@ -274,8 +274,8 @@ TEST(MulticopterVelocityControl, SaysWhatIsWrongWithIt) {
   const auto complaints = RunningWorld::complaintsAbout(drone({.rest = text}));
   ASSERT_EQ(complaints.size(), 1U);
   EXPECT_EQ(complaints[0], left +
-                               "3 such rotors can't control a body: they do not make 3 of thrust and three torques "
-                               "independently");
+                               "3 rotors like these can't control a body: of thrust and three torques, they can set "
+                               "only 3 independently");
 }
 
 // As Fortress's test of the same name.

@@ -129,7 +129,8 @@ class TrackController : public System {
 
   void tell() const {
     std::ostringstream text;
-    text << "'" << linkName_ << "' is told " << wanted_ << " m/s and runs at " << motion_->speed << " m/s, ";
+    text << "'" << linkName_ << "' is commanded to run at " << wanted_ << " m/s and runs at " << motion_->speed
+         << " m/s, ";
     if (center_) {
       text << "about " << center_->x() << " " << center_->y() << " " << center_->z();
     } else {

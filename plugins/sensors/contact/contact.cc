@@ -71,8 +71,7 @@ class ContactSensor {
         watched_.push_back(found->id());
       } else {
         diagnostics.warning(sensor.sdf().position, "sensor '" + sensor.scopedName() + "' names collision '" + name +
-                                                       "', which is not in link '" + sensor.link().scopedName() +
-                                                       "' has not");
+                                                       "', which is not in link '" + sensor.link().scopedName() + "'");
       }
     }
     publisher_ = node.advertise<ignition::msgs::Contacts>(cleanTopic(sensor.topic(kSuffix)));

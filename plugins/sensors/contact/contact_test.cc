@@ -104,7 +104,7 @@ TEST_F(ContactTest, WarnsOfACollisionThatIsNotThere) {
   Simulation::fromText(worldWith("<collision>bottom</collision>", 0.5), "world.sdf", {}, diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(diagnostics.all()[0].message,
-            "sensor 'plate::slab::feeler' names collision 'bottom', which is not in link 'plate::slab' has not");
+            "sensor 'plate::slab::feeler' names collision 'bottom', which is not in link 'plate::slab'");
   EXPECT_GT(diagnostics.all()[0].position.line, 0);
 }
 

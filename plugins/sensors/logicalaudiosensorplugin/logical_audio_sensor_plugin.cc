@@ -171,7 +171,7 @@ class LogicalAudioSensorPlugin : public System {
   void addMicrophone(const Element& element, const SystemContext& context) {
     const Microphone microphone = readMicrophone(element, context.diagnostics);
     if (std::ranges::any_of(ears_, [&](const Ear& ear) { return ear.microphone.id == microphone.id; })) {
-      refuse(*element.child("id"), "there is already a microphone " + std::to_string(microphone.id) + " already");
+      refuse(*element.child("id"), "there is already a microphone " + std::to_string(microphone.id));
     }
     ears_.push_back({microphone, context.node.advertise<ignition::msgs::Double>(
                                      cleanTopic(prefix_ + "mic_" + std::to_string(microphone.id) + "/detection"))});

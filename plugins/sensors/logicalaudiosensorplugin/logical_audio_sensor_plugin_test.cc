@@ -165,7 +165,7 @@ TEST(LogicalAudioSensorPlugin, LeavesOutWhatItCantHaveAndKeepsTheRest) {
                                       left + "no <attenuation_function> is given",
                                       left + "<playing> is 'maybe', which is not 'true' or 'false'",
                                       left + "service '/world/w/sensor/source_3/play' is already offered",
-                                      "this <microphone> is left out: there is already a microphone 1 already",
+                                      "this <microphone> is left out: there is already a microphone 1",
                                       "this <microphone> has no <pose>: it is where its parent is",
                                       "this <microphone> has no <volume_threshold>: it detects everything"}));
   RunningWorld world(plugin(source("3", "true") + microphone("1")));

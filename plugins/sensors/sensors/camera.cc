@@ -122,10 +122,11 @@ CameraSensor::CameraSensor(const Sensor& sensor, const World&, NoiseSet& noises,
     throw errorOf(sensor, "has more than " + std::to_string(kMostPixels) + " pixels", {});
   }
   if (kind_ != Kind::kDepths && imageFormat(settings_.format) == nullptr) {
-    throw errorOf(sensor, "has an unsupported <format>", "R8G8B8, B8G8R8, L8 and L16 are");
+    throw errorOf(sensor, "has an unsupported <format>", "use R8G8B8, B8G8R8, L8 or L16");
   }
   if (!settings_.lens.has_value() && settings_.horizontalFov >= 3.1) {
-    throw errorOf(sensor, "has a field of view too wide for a pinhole camera", "it must be less than pi");
+    throw errorOf(sensor, "has a field of view too wide for a pinhole camera",
+                  "<horizontal_fov> must be less than 3.1 rad");
   }
   if (settings_.savesPictures && settings_.savePath.empty()) {
     throw errorOf(sensor, "saves images, but has no <path>", "write <save><path>FOLDER</path></save>");

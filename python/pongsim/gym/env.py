@@ -63,7 +63,7 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
         Returns the first observation, and an empty dict.
         """
         if options:
-            raise ValueError(f"there is no option '{next(iter(options))}' of a reset")
+            raise ValueError(f"reset has no option '{next(iter(options))}'")
         super().reset(seed=seed)
         self._has_begun = False
         self._worlds.begin(np.ones(1, np.bool_), [seed], [self.np_random])
@@ -80,7 +80,7 @@ class Env(gymnasium.Env[NDArray[Any], Any]):
         if not self._has_begun:
             if self._worlds.is_closed:
                 raise Gone("the environment is closed")
-            raise error.ResetNeeded("call reset before the first step, and after one that raised")
+            raise error.ResetNeeded("call reset before the first step, and after a step that raised an exception")
         action = np.asarray(action)
         if action.shape != self._action_shape:
             raise ValueError(f"an action has the shape {self._action_shape}, not {action.shape}")

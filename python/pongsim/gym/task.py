@@ -132,7 +132,7 @@ class Task:
                 raise ValueError(f"{name} must be above 0 s and finite, not {seconds}")
         for name, space in (("action", self.action_space), ("observation", self.observation_space)):
             if callable(getattr(self, name)) == (space is None):
-                raise ValueError(f"{name}_space and a function as {name} need each other")
+                raise ValueError(f"give {name}_space if, and only if, {name} is a function")
         functions = {"reward": self.reward, "terminated": self.terminated, "truncated": self.truncated, "start": self.start}
         for name, function in functions.items():
             if function is not None and not callable(function):

@@ -109,7 +109,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
             raise Gone("the environment is closed")
         chosen = self._mask(options)
         if not self._has_begun and not chosen.all():
-            raise error.ResetNeeded("the first reset, and one after a step that raised, must be of all worlds")
+            raise error.ResetNeeded("the first reset, and a reset after a step that raised an exception, must include all environments")
         seeds = self._one_each(seed)
         for i in np.flatnonzero(chosen).tolist():
             if (each := seeds[i]) is not None:
@@ -133,10 +133,10 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
         mask = np.ones(self.num_envs, np.bool_)
         for name, value in (options or {}).items():
             if name != "reset_mask":
-                raise ValueError(f"there is no option '{name}' of a reset; there is 'reset_mask'")
+                raise ValueError(f"reset has no option '{name}', only 'reset_mask'")
             mask = np.asarray(value)
             if mask.dtype != np.bool_ or mask.shape != (self.num_envs,) or not mask.any():
-                raise ValueError(f"'reset_mask' is an array of {self.num_envs} booleans, one of them true at least")
+                raise ValueError(f"'reset_mask' must be an array of {self.num_envs} booleans, at least one of them True")
         return mask
 
     def step(
@@ -152,7 +152,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[NDArray[Any], NDArray[Any], NDArray[A
         if not self._has_begun:
             if self._worlds.is_closed:
                 raise Gone("the environment is closed")
-            raise error.ResetNeeded("call reset before the first step, and after one that raised")
+            raise error.ResetNeeded("call reset before the first step, and after a step that raised an exception")
         batch = np.asarray(actions)
         if batch.shape != self.action_space.shape:
             raise ValueError(f"the actions have the shape {self.action_space.shape}, not {batch.shape}")

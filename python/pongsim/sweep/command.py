@@ -30,7 +30,7 @@ _EXAMPLES = """examples:
   pongsim sweep plot gains.sweep               plot the measures over the parameters
 
 Ctrl-C stops it; the same command resumes with the remaining runs. Exit code 1: a run failed, and its row says why.
-docs/sweeps.md describes the file."""
+pongsim sweep run --help lists the options. docs/sweeps.md describes the file."""
 
 
 class _Parser(argparse.ArgumentParser):

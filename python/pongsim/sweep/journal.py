@@ -83,7 +83,7 @@ class Journal:
         changed = sorted(name for name in known.keys() | digests.keys() if known.get(name) != digests.get(name))
         if changed or version != _FORMAT:
             raise SweepError(
-                f"the runs in {self.path.parent} were made with another {' and another '.join(changed) or 'format'}",
+                f"the runs in {self.path.parent} were made with a different {'version of ' + ' and '.join(changed) if changed else 'format'}",
                 hint="use --restart to discard them, or --output FOLDER to keep them")
 
     def _write(self, value: dict[str, Any]) -> None:

@@ -42,7 +42,7 @@ Extension::Option readOption(const Descriptor& json) {
   if (option.value.empty() && option.allowed.isLimited())
     throw std::runtime_error("option '" + option.name + "' has a type of value, but no value");
   if (option.isValueOptional && !option.allowed.isNumber())
-    throw std::runtime_error("option '" + option.name + "' has an optional value, which can't be a number");
+    throw std::runtime_error("option '" + option.name + "' has an optional value that is not a number");
   option.element = json.value("element", "");
   option.fixed = json.value("sets", "");
   option.isRepeated = json.value("repeated", false);
@@ -197,7 +197,7 @@ void checkExcluded(const CLI::App& command, const Extension& extension) {
     for (const std::string& other : option.excluded) {
       const CLI::Option* const found = command.get_option_no_throw(other);
       if (found == nullptr || found->count() == 0) continue;
-      throw UsageError("options '" + option.name + "' and '" + other + "' exclude each other");
+      throw UsageError("options '" + option.name + "' and '" + other + "' can't be used together");
     }
   }
 }

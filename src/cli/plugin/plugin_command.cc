@@ -156,6 +156,9 @@ void addPluginCommand(CLI::App& program, Work& work) {
       ->disable_flag_override();
   options->newCommand = command->add_subcommand("new", "Create a folder with a new system that builds");
   options->newCommand->set_help_flag("-h,--help", "Print this help and exit");
+  options->newCommand->footer(
+      "Examples:\n  pongsim plugin new my-system\n"
+      "  cd my-system && cmake -B build && cmake --build build && ctest --test-dir build");
   options->newCommand->add_option("NAME", options->newName, "Name of the folder and the system: my-system")
       ->type_name("")
       ->required();

@@ -21,7 +21,7 @@ constexpr std::string_view kPassword = "pongsim has no passwords for topics: use
 
 // A package may make use of the variables of ign-transport.
 constexpr std::string_view kHere = "here";
-constexpr std::string_view kOwnTopics = "for pongsim's own topics";
+constexpr std::string_view kOwnTopics = "on pongsim's own topics";
 
 constexpr Variable kVariables[] = {
     {"IGN_IP", kOwnTopics, kNetwork},

@@ -45,7 +45,7 @@ void FortressRunOptions::addTo(CLI::App& run) {
 std::vector<std::string> FortressRunOptions::check() const {
   // as in Fortress, -s takes precedence over -g
   if (isGui_ && !isServer_) {
-    throw UsageError("'-g' has no effect: pongsim has no windows", "'pongsim view' draws a running world");
+    throw UsageError("'-g' is not supported: pongsim has no GUI", "'pongsim view' draws a running world");
   }
   if (role_ || secondaries_) {
     throw UsageError("one process runs the whole world: there is no '" +
@@ -59,7 +59,7 @@ std::vector<std::string> FortressRunOptions::check() const {
   for (const auto& [option, isGiven] :
        {std::pair("--gui-config", guiConfig_.has_value()), std::pair("--render-engine-gui", guiEngine_.has_value())}) {
     if (isGiven && !isServer_) {
-      sentences.push_back("'" + std::string(option) + "' has no effect: pongsim has no windows");
+      sentences.push_back("'" + std::string(option) + "' has no effect: pongsim has no GUI");
     }
   }
   return sentences;

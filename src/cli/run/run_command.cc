@@ -196,13 +196,13 @@ void checkAndSchedule(const RunCommandOptions& options, Work& work) {
   if (options.hasFile && options.file.empty()) throw UsageError("no world file given", "pongsim run WORLD");
   const std::string& worldOption = options.additions.worldOption;
   if (options.hasFile && !worldOption.empty()) {
-    throw UsageError("a world file and option '" + worldOption + "' exclude each other",
+    throw UsageError("a world file and option '" + worldOption + "' can't be used together",
                      "the option names the world: leave out '" + options.file + "'");
   }
   if (!options.world.empty() && !options.hasFile) {
     throw UsageError("option '-w' needs a world file", "pongsim run FILE -w WORLD");
   }
-  if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' exclude each other");
+  if (options.runAtOnce && options.run.paused) throw UsageError("options '-r' and '--paused' can't be used together");
   options.fortress.check();
   work = [&options] { return runWorlds(options); };
 }
@@ -255,7 +255,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
   addFlag("--strict", options->strict,
           "Treat warnings about the file as errors, and exit with code 1 when a system fails");
   addFlag("--levels", options->levels,
-          "Load the contents of a <level> only while a <performer> is near (always all of it)");
+          "Load the contents of a <level> only while a <performer> is near (everything, always)");
   addFlag("--hash", options->hash, "Print a hash of the state's bits at the end");
   add("--hash-every", "N", "Print that hash every N steps, too",
       [options](const std::string& text) { options->hashPeriod = wholeNumber("--hash-every", text, 1); });

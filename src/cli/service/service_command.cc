@@ -53,7 +53,7 @@ Work workFor(const ServiceCommandLine& given) {
                        "use it with -r");
     }
   }
-  if (given.list && given.service) throw UsageError("option '-s' can't be used with '-l'", "use it with -i -r");
+  if (given.list && given.service) throw UsageError("option '-s' can't be used with '-l'", "use it with -i or -r");
   if (given.list) return [json = given.json] { return listServices(json); };
   if (!given.service) throw UsageError("'" + std::string(action) + "' needs a service", "-s SERVICE");
   if (given.text) return callWork(given);

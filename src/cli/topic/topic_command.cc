@@ -39,16 +39,16 @@ void refuseOthers(const TopicCommandLine& given, std::string_view action) {
     bool isGiven;
     std::string_view actions;
   } rules[] = {{"-v", given.verbose, "-l"},
-               {"-t", given.topic.has_value(), "-i -e -p --hz --bw --delay wait"},
-               {"-m", given.type.has_value(), "-e -p --hz --bw --delay wait"},
-               {"-n", given.count.has_value(), "-e -p --hz --bw --delay"},
-               {"-d", given.duration.has_value(), "-e --hz --bw --delay"},
+               {"-t", given.topic.has_value(), "-i, -e, -p, --hz, --bw, --delay or wait"},
+               {"-m", given.type.has_value(), "-e, -p, --hz, --bw, --delay or wait"},
+               {"-n", given.count.has_value(), "-e, -p, --hz, --bw or --delay"},
+               {"-d", given.duration.has_value(), "-e, --hz, --bw or --delay"},
                {"--rate", given.rate.has_value(), "-p"},
-               {"--field", !given.fields.empty(), "-e wait"},
-               {"--json", given.json, "-l -i -e --hz --bw --delay"},
+               {"--field", !given.fields.empty(), "-e or wait"},
+               {"--json", given.json, "-l, -i, -e, --hz, --bw or --delay"},
                {"--csv", given.csv, "-e"},
                {"--plot", given.plot, "-e"},
-               {"--timeout", given.timeout.has_value(), "-p wait"}};
+               {"--timeout", given.timeout.has_value(), "-p or wait"}};
   for (const auto& rule : rules) {
     if (!rule.isGiven || rule.actions.find(action) != std::string_view::npos) continue;
     throw UsageError("option '" + std::string(rule.option) + "' can't be used with '" + std::string(action) + "'",
@@ -66,7 +66,7 @@ std::chrono::nanoseconds seconds(std::string_view option, const std::string& tex
 ReadOptions readOptions(const TopicCommandLine& given) {
   ReadOptions options;
   options.topic = topicOption(*given.topic);
-  if (given.count && given.duration) throw UsageError("options '-n' and '-d' exclude each other");
+  if (given.count && given.duration) throw UsageError("options '-n' and '-d' can't be used together");
   if (given.type) options.type = messageTypeOption(*given.type);
   if (given.count) options.count = wholeNumber("-n", *given.count, 1);
   if (given.duration) options.duration = seconds("-d", *given.duration);
@@ -78,7 +78,7 @@ Work echoWork(const TopicCommandLine& given) {
   options.read = readOptions(given);
   if (given.json && (given.csv || !given.fields.empty())) {
     throw UsageError(std::string("options '--json' and '") + (given.csv ? "--csv" : "--field") +
-                     "' exclude each other");
+                     "' can't be used together");
   }
   if (given.plot) {
     if (given.json || given.csv || !given.fields.empty()) {
@@ -86,7 +86,7 @@ Work echoWork(const TopicCommandLine& given) {
                        (given.json  ? "--json"
                         : given.csv ? "--csv"
                                     : "--field") +
-                       "' exclude each other");
+                       "' can't be used together");
     }
     return [read = options.read] { return plotTopic(read); };
   }
@@ -105,7 +105,7 @@ std::string textOf(const std::string& file) {
 
 Work publishWork(const TopicCommandLine& given) {
   if (!given.type) throw UsageError("'-p' needs the message's type", "pongsim topic -t TOPIC -m TYPE -p TEXT");
-  if (given.text && given.file) throw UsageError("options '-p' and '--file' exclude each other");
+  if (given.text && given.file) throw UsageError("options '-p' and '--file' can't be used together");
   PublishOptions options;
   options.topic = topicOption(*given.topic);
   options.type = messageTypeOption(*given.type);
@@ -191,7 +191,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
   addFlag("--hz", given->hz, "Print the rate of messages once a second, by wall time");
   addFlag("--bw", given->bw, "Print the bandwidth once a second");
   addFlag("--delay", given->delay,
-          "Print the delay of messages since their step once a second; needs a header with a stamp");
+          "Print once a second how long messages take from their step to here; needs time stamps in headers");
   add("-t,--topic", "TOPIC", "The topic", given->topic);
   add("-m,--msgtype", "TYPE", "The message type: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->type);
   add("-n,--num,--count", "N", "Exit after N messages", given->count);
@@ -210,7 +210,8 @@ void addTopicCommand(CLI::App& program, Work& work) {
   addFlag("--plot", given->plot,
           "Echo lidar scans as drawings, seen from above, and images as blocks of colour;\n"
           "on a terminal each replaces the one before");
-  add("--timeout", "S", "Publish: give up after S seconds (1) without a subscriber; wait: without a message",
+  add("--timeout", "S",
+      "Publish: give up after S seconds (1) without a subscriber;\nwait: fail after S seconds (no limit)",
       given->timeout);
   addNetworkOption(*command);
   addSecureOption(*command);

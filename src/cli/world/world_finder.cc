@@ -76,7 +76,7 @@ std::optional<std::string> findWorld(Transport& transport, const StopSignal& sig
     std::string names;
     for (const std::string& world : worlds) names += (names.empty() ? "" : ", ") + world;
     if (const auto first = choice == WorldChoice::kFirst ? firstOf(transport, worlds, timeout) : std::nullopt) {
-      say("several worlds are running: " + names + "; this is " + *first + " (-w WORLD chooses)");
+      say("several worlds are running: " + names + "; using " + *first + " (choose with -w WORLD)");
       return first;
     }
     fail("several worlds are running: " + names, "choose with -w WORLD");

@@ -10,8 +10,9 @@ description::Plugin readPlugin(const Element& element, const std::string& owner,
   }
   // an empty name means the library's first class
   if (element.attribute("name") == nullptr) {
-    context.diagnostics.error(element.position, "a plugin of " + owner + " has no name",
-                              "its name is that of the class in the library, as 'ignition::gazebo::systems::Physics'");
+    context.diagnostics.error(
+        element.position, "a plugin of " + owner + " has no name",
+        "its name is that of the class in the library, such as 'ignition::gazebo::systems::Physics'");
   }
   return plugin;
 }

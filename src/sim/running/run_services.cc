@@ -45,7 +45,7 @@ ServiceAnswer RunServices::controlWorld(const msgs::WorldControl& asked) {
 
 ServiceAnswer RunServices::controlPlayback(const msgs::PlaybackControl& asked) {
   if (asked.forward) return ServiceAnswer::refused("'forward' is not supported: seek to a time");
-  if (asked.rewind && asked.seek) return ServiceAnswer::refused("rewind and seek exclude each other");
+  if (asked.rewind && asked.seek) return ServiceAnswer::refused("rewind and seek can't be used together");
   if (asked.seek) {
     if (const auto refusal = simulation_.setTime(*asked.seek)) return ServiceAnswer::refused(*refusal);
   }

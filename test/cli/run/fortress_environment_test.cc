@@ -22,8 +22,8 @@ TEST_F(FortressEnvironment, TellsWhatChangesNothing) {
   setenv("IGN_TRANSPORT_PASSWORD", "secret", 1);
   const std::vector<std::string> sentences = unheardVariables();
   ASSERT_EQ(sentences.size(), 2U);
-  EXPECT_EQ(sentences[0], "IGN_IP has no effect for pongsim's own topics: use PONGSIM_NETWORK to reach other machines");
-  EXPECT_TRUE(sentences[1].starts_with("IGN_TRANSPORT_PASSWORD has no effect for pongsim's own topics: "))
+  EXPECT_EQ(sentences[0], "IGN_IP has no effect on pongsim's own topics: use PONGSIM_NETWORK to reach other machines");
+  EXPECT_TRUE(sentences[1].starts_with("IGN_TRANSPORT_PASSWORD has no effect on pongsim's own topics: "))
       << sentences[1];
 }
 

@@ -29,9 +29,9 @@ TEST(FortressRunOptions, TakeWhatIsSoAnyway) {
 
 TEST(FortressRunOptions, SayWhatChangesNothing) {
   EXPECT_EQ(sentencesOn({"a.config", "--gui-config"}),
-            (std::vector<std::string>{"'--gui-config' has no effect: pongsim has no windows"}));
+            (std::vector<std::string>{"'--gui-config' has no effect: pongsim has no GUI"}));
   EXPECT_EQ(sentencesOn({"ogre", "--render-engine-gui"}),
-            (std::vector<std::string>{"'--render-engine-gui' has no effect: pongsim has no windows"}));
+            (std::vector<std::string>{"'--render-engine-gui' has no effect: pongsim has no GUI"}));
   EXPECT_EQ(sentencesOn({"ignition-physics-tpe-plugin", "--physics-engine"}),
             (std::vector<std::string>{"'--physics-engine' has no effect: pongsim has its own engine"}));
 }

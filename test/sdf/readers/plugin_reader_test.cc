@@ -21,7 +21,7 @@ TEST(Plugin, NeedsFilenameAndName) {
       loadWorld("<plugin/>").messages,
       (Messages{
           "t.sdf:2:1: error: a plugin of world 'w' has no filename | write <plugin filename=\"...\" name=\"...\">",
-          "t.sdf:2:1: error: a plugin of world 'w' has no name | its name is that of the class in the library, as "
+          "t.sdf:2:1: error: a plugin of world 'w' has no name | its name is that of the class in the library, such as "
           "'ignition::gazebo::systems::Physics'"}));
 }
 

@@ -149,7 +149,7 @@ test('it gets, sets and follows parameters', async () => {
   await answer('back');
   client.setParameters([{ name: '/world/clients/paused', value: 'yes' }], 'wrong');
   assert.deepEqual(await answer('wrong'), []);
-  assert.match(await until(() => complaints.splice(0)[0], 'a complaint'), /clients\/paused' is true or false/);
+  assert.match(await until(() => complaints.splice(0)[0], 'a complaint'), /clients\/paused' must be true or false/);
 });
 
 test('it is told who publishes and listens', async () => {

@@ -24,7 +24,7 @@ export const kShortcuts: readonly Shortcut[] = [
   { keys: 'delete', what: 'Remove the selected model or light', act: (context) => void removeChosen(context) },
   { keys: 'ctrl+c', what: 'Copy the selected model', act: copyChosen },
   { keys: 'ctrl+v', what: 'Paste it: click to place it', act: (context) => void paste(context) },
-  { keys: 'p', what: 'Picture of the view', act: (context) => void saveScreenshot(context) },
+  { keys: 'p', what: 'Screenshot', act: (context) => void saveScreenshot(context) },
   { keys: '/', what: 'Search the entity tree', act: () => document.querySelector<HTMLElement>('.entity-tree input')?.focus() },
 ];
 

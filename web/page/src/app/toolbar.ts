@@ -55,7 +55,7 @@ export function toolbar(context: Context, layout: Layout, themed: () => void): H
     ...toolButtons,
     menu('Add', kShapeNames.map((shape) => [shape, () => void spawnShape(context, shape)])),
     menu('Edit', [['Copy as SDF', () => void copyAsSdf(context)], ['Remove', () => void removeChosen(context)]]),
-    iconButton(icon('camera'), 'Picture of the view', () => void saveScreenshot(context), { disabled: !view }),
+    iconButton(icon('camera'), 'Screenshot', () => void saveScreenshot(context), { disabled: !view }),
     film,
     menu('Panels', kPanels.map(({ id, title }) => [title, () => openPanel(id)])),
     iconButton(icon('theme'), 'Dark or light', () => {

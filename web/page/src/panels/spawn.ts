@@ -24,7 +24,7 @@ export async function spawnFiles(context: Context, files: Iterable<File>): Promi
       continue;
     }
     // at the pose in the file
-    if (await context.attempt(`Spawn ${name}`, context.world.spawn(text, null))) context.log.add('info', `${name} of ${file.name} is there`);
+    if (await context.attempt(`Spawn ${name}`, context.world.spawn(text, null))) context.log.add('info', `Added ${name} from ${file.name}`);
   }
 }
 

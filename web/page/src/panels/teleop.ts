@@ -66,6 +66,6 @@ export function openTeleop(context: Context, settings: Settings): Panel {
     h('div', { class: 'pad' },
       button('↑', 'Forward', 1, 0), button('←', 'Turn left', 0, 1), button('■', 'Stop', 0, 0),
       button('→', 'Turn right', 0, -1), button('↓', 'Back', -1, 0)),
-    h('div', { class: 'row wrap' }, labelled('Most [m/s]', limits.forward), labelled('Most [rad/s]', limits.turn)));
+    h('div', { class: 'row wrap' }, labelled('Max [m/s]', limits.forward), labelled('Max [rad/s]', limits.turn)));
   return { element, close: ends.end };
 }
