@@ -6,6 +6,7 @@ first fault, which is said. `tools/soak --help` says the rest.
 """
 
 import argparse
+import collections
 import os
 import pathlib
 import signal
@@ -30,15 +31,19 @@ BEGIN = 42
 MEASURED = 21
 #: For so many rounds memory may grow: all kinds of listeners come to all topics, and the allocator's pools get their size.
 WARM_UP = 252
-#: And for this part of the run: what waits for slow listeners goes up and down by 5 MB within seconds, so that the most of
-#: the first minute is not the most of ten.
+#: And for this part of the run.
 WARM_UP_PART = 0.1
 #: The warm-up starts again when rounds come faster than ever before by this factor, since more messages then wait for
 #: listeners at once.
 FASTER = 1.25
-#: What a process may grow by from then on [bytes]. An allocator that several threads use keeps more in pieces with time; a
-#: leak of 1 kB a round is more after an hour of four rounds a second.
-GROWTH = 12 << 20
+#: So many measures are a window. What waits for slow listeners, and is kept for a while when they have gone, takes 20 MB at
+#: times; the least of a window is what stays.
+WINDOW = 120
+#: What the least may grow by from then on [bytes]. An allocator that several threads use keeps more in pieces with time; a
+#: leak of 1 kB a round is more after a quarter of an hour of seven rounds a second.
+GROWTH = 6 << 20
+#: What may be taken beyond the least at any time [bytes].
+WAITING = 64 << 20
 #: One in so many rounds may be given up, since the machine had no time for the daemon.
 MOST_LOST = 100
 
@@ -85,7 +90,8 @@ class WarmUp:
 
 
 class Bound:
-    """What a process may take: the most memory of the warm-up and GROWTH, and as many descriptors and threads as at first."""
+    """What a process may take: the least memory of the warm-up's last window and GROWTH, at any time WAITING more than that
+    least, and as many descriptors and threads as at first."""
 
     def __init__(self, what, footprint, patience=DEADLINE):
         """footprint: gives it. patience: how long others may take to leave nothing behind [s]."""
@@ -93,6 +99,8 @@ class Bound:
         self._footprint = footprint
         self._patience = patience
         self._first = None
+        self._least = None
+        self._window = collections.deque(maxlen=WINDOW)
 
     def measure(self, is_warm):
         """Waits until what others have left behind is gone, and raises Fault where it does not go or memory grows."""
@@ -112,10 +120,12 @@ class Bound:
                 raise Fault(f"{self._what} takes {now}, at first {first}")
             time.sleep(0.1)
             now = self._footprint()
+        self._window.append(now.memory)
+        least = min(self._window)
         if not is_warm:
-            self._first = max(first, now, key=lambda footprint: footprint.memory)
-        elif now.memory > first.memory + GROWTH:
-            raise Fault(f"the memory of {self._what} grows: {now}, at first {first}")
+            self._least = least
+        elif least > self._least + GROWTH or now.memory > self._least + WAITING:
+            raise Fault(f"the memory of {self._what} grows: {now}, of late at least {least}, at first {self._least} bytes")
 
 
 class Soak:

@@ -5,7 +5,7 @@ import types
 import unittest
 
 from daemon import Daemon, Fault, Footprint
-from soak import FASTER, GROWTH, WARM_UP, WARM_UP_PART, Bound, Record, WarmUp, go_on
+from soak import FASTER, GROWTH, WAITING, WARM_UP, WARM_UP_PART, WINDOW, Bound, Record, WarmUp, go_on
 
 
 class Hashes(unittest.TestCase):
@@ -41,14 +41,25 @@ class Bounds(unittest.TestCase):
         self.bound = Bound("it", lambda: self.now, patience=0)
         self.bound.measure(is_warm=False)
 
-    def test_are_of_the_most_memory_of_the_warm_up(self):
-        self.now = Footprint(200 << 20, 14, 15)
-        self.bound.measure(is_warm=False)
-        self.now = Footprint((200 << 20) + GROWTH, 14, 15)
-        self.bound.measure(is_warm=True)
-        self.now = Footprint((200 << 20) + GROWTH + 4096, 14, 15)
+    def measure(self, memory, is_warm=True, times=WINDOW):
+        self.now = Footprint(memory, 14, 15)
+        for _ in range(times):
+            self.bound.measure(is_warm)
+
+    def test_are_of_the_least_memory_of_the_warm_ups_last_window(self):
+        self.measure(200 << 20, is_warm=False)
+        self.measure((200 << 20) + GROWTH)
+        for _ in range(3):
+            self.measure((220 << 20) + GROWTH, times=WINDOW - 1)
+            self.measure((200 << 20) + GROWTH, times=1)
         with self.assertRaisesRegex(Fault, "memory of it grows"):
-            self.bound.measure(is_warm=True)
+            self.measure((200 << 20) + GROWTH + 4096)
+
+    def test_are_of_the_memory_at_any_time(self):
+        self.measure(200 << 20, is_warm=False)
+        self.measure((200 << 20) + WAITING, times=1)
+        with self.assertRaisesRegex(Fault, "memory of it grows"):
+            self.measure((200 << 20) + WAITING + 4096, times=1)
 
     def test_are_of_descriptors_and_threads(self):
         for now in Footprint(100 << 20, 15, 15), Footprint(100 << 20, 14, 14):
