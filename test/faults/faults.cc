@@ -5,14 +5,15 @@
 //   PONGSIM_FAULT_STACK=1    says who asked for the memory that fails
 //   PONGSIM_FAULT_DISK=N     after N bytes written to ordinary files the disk is full
 //   PONGSIM_FAULT_CLOCK=S:N  from the Nth look at the wall clock on it is S seconds later, which may be negative
-// Kinds: memory (operator new), file (open, read, write, rename, fsync, mkdir on ordinary files and folders), thread
-// (pthread_create), socket (socket, bind, setsockopt, sendto, sendmsg, recvfrom, recvmsg). Memory fails only where
-// pongsim asks for it, itself or through the C++ library: what other libraries make of it is theirs.
+// Kinds: memory (operator new, mmap without a file), file (open, read, write, rename, fsync, mkdir on ordinary files
+// and folders), thread (pthread_create), socket (socket, bind, setsockopt, sendto, sendmsg, recvfrom, recvmsg). Memory
+// fails only where pongsim asks for it, itself or through the C++ library: what other libraries make of it is theirs.
 
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -209,6 +210,15 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 extern "C" {
+
+void* mmap(void* address, std::size_t size, int protection, int flags, int file, off_t offset) {
+  PONGSIM_REAL(mmap);
+  if ((flags & MAP_ANONYMOUS) == 0 || !isReady || !mayBeOurs(__builtin_return_address(0)) || !fails(kMemory)) {
+    return next(address, size, protection, flags, file, offset);
+  }
+  errno = ENOMEM;
+  return MAP_FAILED;
+}
 
 int __libc_start_main(int (*main)(int, char**, char**), int count, char** texts, void (*init)(), void (*fini)(),
                       void (*loaderFini)(), void* stack) {
