@@ -117,6 +117,15 @@ void addElement(const std::string& name, const std::string& text, Element& plugi
   plugin.children.push_back(std::move(element));
 }
 
+/// @return A file's absolute path, since the world's own folder is not that of the command line.
+/// @throws UsageError if the path is empty.
+std::string fileOf(const Extension::Option& option, const std::string& path) {
+  if (path.empty()) throw UsageError("option '" + option.name + "' takes the name of a file, not ''");
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error);
+  return error ? path : whole.string();
+}
+
 /// Applies an option given by the user, with its values, if it takes any.
 /// @throws UsageError if a value is not of the option's type.
 void take(const Extension& extension, const Extension::Option& option, const std::vector<std::string>& values,
@@ -125,7 +134,7 @@ void take(const Extension& extension, const Extension::Option& option, const std
   if (option.value.empty() && !option.fixed.empty()) addElement(option.element, option.fixed, plugin);
   for (const std::string& value : values) {
     option.allowed.check(option.name, value);
-    const std::string text = option.isFile ? std::filesystem::absolute(value).string() : value;
+    const std::string text = option.isFile ? fileOf(option, value) : value;
     addElement(option.element, text, plugin);
     if (!option.world) continue;
     additions.world = option.world;

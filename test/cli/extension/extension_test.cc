@@ -126,6 +126,14 @@ TEST_F(ExtensionTest, AValueOfAnotherTypeIsAWrongCommandLine) {
   EXPECT_THROW(parse("--rate 2 --rate=-1"), UsageError);
 }
 
+TEST_F(ExtensionTest, AFileWithoutANameIsAWrongCommandLine) {
+  CLI::App command("", "run");
+  RunAdditions additions;
+  addRunOptions(command, read(kDescriptor), additions);
+  // last word first
+  EXPECT_THROW(command.parse(std::vector<std::string>{"", "--x-file"}), UsageError);
+}
+
 TEST_F(ExtensionTest, AnOptionMayBringTheWorldAndASystemOfItsOwn) {
   const Extension extension = read(R"({
     "run": {"system": {"filename": "x", "name": "X"},
