@@ -23,6 +23,9 @@ namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr const char* kLocalAddress = "127.0.0.1";
 
+// More than a participant opens.
+constexpr std::size_t kMostPorts = 64;
+
 /// @return Whether sending to the locator is that side's business.
 bool isOn(GatedUdp::Side side, const rtps::Locator_t& locator) {
   constexpr rtps::octet kLoopbackNet = 127;
@@ -102,7 +105,8 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
       rtps::IPLocator::setIPv4(local, kLocalAddress);
       if (isMulticast || !ChainingTransport::OpenInputChannel(local, receiver, size)) return false;
       const std::lock_guard lock(gate_->mutex);
-      gate_->ports.insert(locator.port);
+      // the library does not survive an exception while another port is open
+      if (gate_->ports.size() < gate_->ports.capacity()) gate_->ports.push_back(locator.port);
       if (discoveryPorts(domain_).contains(locator.port)) {
         gate_->receiver = receiver;
         gate_->discoveryPort = local;
@@ -111,7 +115,7 @@ class GatedUdpTransport : public dds_rtps::ChainingTransport {
     }
     {
       const std::lock_guard lock(gate_->mutex);
-      if (!isMulticast && !gate_->ports.contains(locator.port)) return false;
+      if (!isMulticast && std::ranges::count(gate_->ports, locator.port) == 0) return false;
     }
     return ChainingTransport::OpenInputChannel(locator, receiver, size);
   }
@@ -176,7 +180,9 @@ UdpGate::UdpGate(int domain)
                   },
                   [this](const RtpsAddress& address) {
                     return !tells() || isUdpOpen({address.address, address.port}).value_or(true);
-                  }}) {}
+                  }}) {
+  ports.reserve(kMostPorts);
+}
 
 std::optional<std::vector<std::uint32_t>> UdpGate::listeners(int domain) {
   const auto open = openDiscoveryPorts(domain);

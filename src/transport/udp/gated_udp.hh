@@ -11,7 +11,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "transport/udp/announcements.hh"
@@ -36,8 +35,8 @@ struct UdpGate {
   /// What is sent or received before is lost.
   std::atomic<bool> isOpen = false;
   std::mutex mutex;
-  /// Ports that are open on loopback.
-  std::set<std::uint32_t> ports;
+  /// Ports that are open on loopback. Its capacity does not change.
+  std::vector<std::uint32_t> ports;
   /// Who takes what comes in at the discovery port, and where that is.
   eprosima::fastdds::rtps::TransportReceiverInterface* receiver = nullptr;
   eprosima::fastrtps::rtps::Locator_t discoveryPort;
