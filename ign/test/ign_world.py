@@ -68,20 +68,38 @@ def client(name):
     return CLIENTS / f"ign-transport-{name}"
 
 
-def is_lost(result):
-    """Whether a client crashed at exit, or a request or its answer got lost (../README.md)."""
-    return result.returncode == -signal.SIGSEGV or "timed out" in result.stdout + result.stderr
+def has_crashed(result):
+    """Whether a client crashed at exit, when its work was done (../README.md)."""
+    return result.returncode == -signal.SIGSEGV
+
+
+def has_no_answer(result):
+    """Whether a client waited in vain, since its request or the answer got lost (../README.md)."""
+    return "timed out" in result.stdout + result.stderr
 
 
 def ign(name, *words):
-    """The output of Fortress's own client, which is run again if what it did is lost."""
+    """The output of Fortress's own client, which is run again if it crashes or waits in vain."""
     def result():
         client_ended = ended(client(name), *words)
-        return client_ended if not is_lost(client_ended) else None
+        return None if has_crashed(client_ended) or has_no_answer(client_ended) else client_ended
 
-    last = until(result, "a client that is not lost")
+    last = until(result, "a client that gets an answer, and does not crash")
     assert last.returncode == 0, f"{words}: {last.returncode}\n{last.stdout}{last.stderr}"
     return last.stdout
+
+
+def call_once(service, request_type, request, is_done):
+    """Calls a service that must not be called twice: again only if no answer came and it is not done."""
+    def is_called():
+        result = ended(client("service"), "-s", service, "--reqtype", request_type, "--reptype", "ignition.msgs.Boolean",
+                       *PATIENCE, "--req", request)
+        if has_no_answer(result):
+            return is_done()
+        assert has_crashed(result) or "data: true" in result.stdout, result.stdout + result.stderr
+        return True
+
+    until(is_called, f"an answer of {service}")
 
 
 def listed(what, names):

@@ -3,7 +3,7 @@
 import re
 import unittest
 
-from ign_world import (DRIVER, PATIENCE, PONGSIM, TUTORIAL, client, described, ended, ign, is_lost, listed, needs_ign,
+from ign_world import (DRIVER, PATIENCE, PONGSIM, TUTORIAL, call_once, client, described, ended, ign, listed, needs_ign,
                        needs_tutorial, run, running, until, world)
 
 ODOMETRY = "/model/vehicle_blue/odometry"
@@ -79,18 +79,6 @@ class MovingRobot(unittest.TestCase):
 
             until(said, words)
 
-    def create(self, name, request):
-        def exists():
-            answer = ended(client("service"), "-s", "/world/Moving_robot/create", "--reqtype", "ignition.msgs.EntityFactory",
-                           "--reptype", "ignition.msgs.Boolean", *PATIENCE, "--req", request)
-            # if the answer was lost, the name is taken when it is asked again
-            if "data: true" in answer.stdout or name in run(PONGSIM, "model", "--list"):
-                return True
-            self.assertTrue(is_lost(answer), answer.stdout + answer.stderr)
-            return False
-
-        until(exists, name)
-
     def test_the_world_obeys_services(self):
         def call(name, request_type, reply_type, request):
             return ign("service", "-s", f"/world/Moving_robot/{name}", "--reqtype", f"ignition.msgs.{request_type}",
@@ -99,8 +87,13 @@ class MovingRobot(unittest.TestCase):
         self.assertIn("data: true", call("control", "WorldControl", "Boolean", "pause: true"))
         # also while it is paused
         self.assertIn("data: true", call("control", "WorldControl", "Boolean", "pause: false"))
-        self.create("box", "sdf: \"<sdf version='1.9'><model name='box'><link name='link'/></model></sdf>\"")
-        until(lambda: "box" in run(PONGSIM, "model", "--list"), "the box")
+
+        def is_there():
+            return "box" in run(PONGSIM, "model", "--list")
+
+        call_once("/world/Moving_robot/create", "ignition.msgs.EntityFactory",
+                  "sdf: \"<sdf version='1.9'><model name='box'><link name='link'/></model></sdf>\"", is_there)
+        until(is_there, "the box")
         # what `ign model` asks for
         worlds = ign("service", "-s", "/gazebo/worlds", "--reqtype", "ignition.msgs.Empty", "--reptype",
                      "ignition.msgs.StringMsg_V", *PATIENCE, "--req", "")

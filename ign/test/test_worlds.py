@@ -3,8 +3,7 @@
 import re
 import unittest
 
-from ign_world import (DEADLINE, PATIENCE, PEER, PONGSIM, ROOT, Running, client, ended, ign, is_lost, listed, needs_ign, run,
-                       until, world)
+from ign_world import DEADLINE, PATIENCE, PEER, PONGSIM, ROOT, Running, call_once, ign, listed, needs_ign, run, until, world
 
 WORLD = ROOT / "worlds/three_worlds.sdf"
 WORLDS = ("fine", "coarse", "fast")
@@ -64,15 +63,8 @@ class Worlds(unittest.TestCase):
             self.assertEqual([services.count(name) for name in names], [1, 1])
             answer = ask("/gazebo/worlds", ("ignition.msgs.Empty", "ignition.msgs.StringMsg_V"), "")
             self.assertEqual(re.findall(r'data: "(\w+)"', answer), list(WORLDS))
-
-            def is_told():
-                stop = ended(client("service"), "-s", "/server_control", "--reqtype", "ignition.msgs.ServerControl",
-                             "--reptype", "ignition.msgs.Boolean", *PATIENCE, "--req", "stop: true")
-                if not is_lost(stop):
-                    self.assertIn("data: true", stop.stdout, stop.stderr)
-                return not is_lost(stop) or simulation.process.poll() is not None
-
-            until(is_told, "the end of the world")
+            call_once("/server_control", "ignition.msgs.ServerControl", "stop: true",
+                      lambda: simulation.process.poll() is not None)
             self.assertEqual(simulation.process.wait(DEADLINE), 0)
 
 
