@@ -58,10 +58,7 @@ Buffer* BufferPool::take(std::size_t size) {
     buffer = all_.back().get();
     buffer->index_ = all_.size() - 1;
   } else {
-    buffer = spare.buffers.back();
-    spare.buffers.pop_back();
-    spare.least = std::min(spare.least, spare.buffers.size());
-    spareBytes_ -= buffer->capacity();
+    buffer = takeFrom(spare);
   }
   buffer->users = 1;
   buffer->resize(size);
@@ -94,12 +91,15 @@ void BufferPool::freeOne() {
   Spare& spare = *std::ranges::find_if(spare_, [](const Spare& each) { return each.surplus > 0; });
   --spare.surplus;
   --surplus_;
-  if (spare.buffers.empty()) return;
+  if (!spare.buffers.empty()) free(takeFrom(spare));
+}
+
+Buffer* BufferPool::takeFrom(Spare& spare) {
   Buffer* buffer = spare.buffers.back();
   spare.buffers.pop_back();
   spare.least = std::min(spare.least, spare.buffers.size());
   spareBytes_ -= buffer->capacity();
-  free(buffer);
+  return buffer;
 }
 
 void BufferPool::free(Buffer* buffer) {

@@ -71,6 +71,7 @@ class BufferPool {
     std::size_t least = 0, surplus = 0;
   };
 
+  Buffer* takeFrom(Spare& spare);
   void beginPeriod();
   void freeOne();
   void free(Buffer* buffer);
