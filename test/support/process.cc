@@ -20,6 +20,9 @@ namespace pongsim::test {
 
 namespace {
 
+// All that a pipe holds: pipe(7).
+constexpr std::size_t kPipeSize = 65536;
+
 std::vector<std::string> environmentWith(const std::map<std::string, std::string>& added) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -37,9 +40,12 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return all;
 }
 
+/// Reading from it never waits.
 std::array<int, 2> makePipe() {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
+  if (pipe2(ends.data(), O_CLOEXEC) != 0 || fcntl(ends[0], F_SETFL, O_NONBLOCK) != 0) {
+    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
+  }
   return ends;
 }
 
@@ -109,6 +115,10 @@ std::optional<int> Process::wait(std::chrono::nanoseconds timeout) {
   // its own children may keep the pipes open for longer than it lives
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, std::chrono::seconds(1), [this] { return readAll_; });
+  lock.unlock();
+  // what it wrote itself is there, also where a busy machine has not run the reader for that long
+  takeFrom(output_);
+  takeFrom(error_);
   return exitCode_;
 }
 
@@ -127,10 +137,10 @@ void Process::read() {
 }
 
 bool Process::takeFrom(Stream& stream) {
-  std::array<char, 4096> buffer{};
-  const ssize_t size = ::read(stream.descriptor, buffer.data(), buffer.size());
-  if (size <= 0) return size < 0 && errno == EINTR;
   const std::lock_guard lock(mutex_);
+  std::array<char, kPipeSize> buffer;
+  const ssize_t size = ::read(stream.descriptor, buffer.data(), buffer.size());
+  if (size <= 0) return size < 0 && (errno == EINTR || errno == EAGAIN);
   stream.text.append(buffer.data(), static_cast<std::size_t>(size));
   changed_.notify_all();
   return true;

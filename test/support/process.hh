@@ -60,6 +60,7 @@ class Process {
   };
 
   void read();
+  /// @return Whether more can come.
   bool takeFrom(Stream& stream);
   bool waitFor(const Stream& stream, const std::string& pattern, std::chrono::nanoseconds timeout);
 
