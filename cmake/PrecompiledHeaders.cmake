@@ -6,14 +6,14 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cc CONTENT "")
 set(headers <algorithm> <chrono> <filesystem> <functional> <map> <memory> <optional> <string> <string_view>
             <unordered_map> <variant> <vector> <Eigen/Geometry>)
 
-# pongsim_precompile(NAME [LEVEL -O...] USES targets ... [HEADERS headers ...])
+# pongsim_precompile(NAME [LEVEL -O... ...] USES targets ... [HEADERS headers ...])
 # A precompiled header of its own, with HEADERS besides those that all share. GCC takes the optimization level from the
 # precompiled header, not from the command line, so each LEVEL needs one.
 function(pongsim_precompile name)
-  cmake_parse_arguments(arg "" "LEVEL" "USES;HEADERS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "LEVEL;USES;HEADERS" ${ARGN})
   add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cc)
   if(arg_LEVEL)
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${arg_LEVEL}>)
+    target_compile_options(${name} PRIVATE "$<$<CONFIG:Release>:${arg_LEVEL}>")
   endif()
   target_link_libraries(${name} PRIVATE ${arg_USES} Eigen3::Eigen)
   target_precompile_headers(${name} PRIVATE ${headers} ${arg_HEADERS})
@@ -23,8 +23,8 @@ pongsim_precompile(pongsim_precompiled USES pongsim_settings)
 # for the layers that compute
 pongsim_precompile(pongsim_computing_precompiled LEVEL -O3 USES pongsim_settings)
 # for code that parses the options of a command: see pongsim_parses_options
-pongsim_precompile(pongsim_options_precompiled USES pongsim_settings CLI11::CLI11 nlohmann_json::nlohmann_json
-                   HEADERS <CLI/App.hpp> <nlohmann/json.hpp>)
+pongsim_precompile(pongsim_options_precompiled LEVEL ${pongsim_quick_to_compile} USES pongsim_settings CLI11::CLI11
+                   nlohmann_json::nlohmann_json HEADERS <CLI/App.hpp> <nlohmann/json.hpp>)
 # what nearly every system uses; one message header brings those that all of them share
 pongsim_precompile(pongsim_plugin_precompiled USES pongsim_settings PkgConfig::ignition_msgs
                    HEADERS <ignition/msgs/header.pb.h> <pongsim/system.hh>)
@@ -34,10 +34,9 @@ target_include_directories(pongsim_plugin_precompiled PRIVATE ${CMAKE_SOURCE_DIR
 set_target_properties(pongsim_plugin_precompiled PROPERTIES CXX_COMPILER_LAUNCHER "")
 
 if(BUILD_TESTING)
-  # A test usually runs once per build: optimizing it costs more than it saves. Inlining small functions, as -Og does, costs
-  # less than generating code for each.
+  # A test usually runs once per build: optimizing it costs more than it saves.
   add_library(pongsim_test_settings INTERFACE)
-  target_compile_options(pongsim_test_settings INTERFACE $<$<CONFIG:Release>:-Og>)
+  target_compile_options(pongsim_test_settings INTERFACE "$<$<CONFIG:Release>:${pongsim_quick_to_compile}>")
   target_link_libraries(pongsim_test_settings INTERFACE pongsim_settings)
   if(PONGSIM_UNITY_BUILD)
     # A unity build includes the test's file, so GCC takes it for a header and warns about fixtures in anonymous

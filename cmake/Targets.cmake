@@ -1,6 +1,7 @@
 # pongsim_parses_options(TARGET)
 # Code that uses CLI11, to parse the options of a command.
 function(pongsim_parses_options target)
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${pongsim_quick_to_compile}>")
   target_precompile_headers(${target} REUSE_FROM pongsim_options_precompiled)
 endfunction()
 
