@@ -24,8 +24,10 @@ LeeVelocityController::LeeVelocityController(const LeeGains& gains, const Vehicl
   Eigen::Matrix4d inertia = Eigen::Matrix4d::Zero();
   inertia.topLeftCorner<3, 3>() = vehicle.inertia;
   inertia(3, 3) = 1;
-  // the least-squares solution: the pseudo-inverse
-  toSquares_ = allocation.transpose() * (allocation * allocation.transpose()).inverse() * inertia;
+  // The least-squares solution: the pseudo-inverse. `*` would instantiate Eigen's product of large matrices.
+  const Eigen::Matrix4d squares = allocation.lazyProduct(allocation.transpose());
+  const Eigen::Matrix<double, Eigen::Dynamic, 4> pseudoInverse = allocation.transpose().lazyProduct(squares.inverse());
+  toSquares_ = pseudoInverse.lazyProduct(inertia);
 }
 
 void LeeVelocityController::compute(const BodyMotion& motion, const VelocityCommand& command, const Vector3& gravity,
