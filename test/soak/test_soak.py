@@ -47,13 +47,27 @@ class Bounds(unittest.TestCase):
             self.bound.measure(is_warm)
 
     def test_are_of_the_least_memory_of_the_warm_ups_last_window(self):
-        self.measure(200 << 20, is_warm=False)
+        self.measure(200 << 20, is_warm=False, times=10 * WINDOW)
         self.measure((200 << 20) + GROWTH)
         for _ in range(3):
             self.measure((220 << 20) + GROWTH, times=WINDOW - 1)
             self.measure((200 << 20) + GROWTH, times=1)
         with self.assertRaisesRegex(Fault, "memory of it grows"):
             self.measure((200 << 20) + GROWTH + 4096)
+
+    def test_are_of_half_the_run_when_that_is_longer_than_the_warm_up(self):
+        self.measure(200 << 20, is_warm=False)
+        # until there is twice as much, and again
+        for times in WINDOW, 2 * WINDOW:
+            self.measure(self.now.memory + GROWTH, times=times + 1)
+        with self.assertRaisesRegex(Fault, "memory of it grows"):
+            self.measure(self.now.memory + GROWTH + 4096)
+
+    def test_find_what_grows_in_each_round(self):
+        self.measure(200 << 20, is_warm=False)
+        with self.assertRaisesRegex(Fault, "memory of it grows"):
+            for _ in range(30 * WINDOW):
+                self.measure(self.now.memory + GROWTH // (8 * WINDOW), times=1)
 
     def test_are_of_the_memory_at_any_time(self):
         self.measure(200 << 20, is_warm=False)
