@@ -20,7 +20,7 @@ endforeach()
 
 if(sources)
   add_library(pongsim_messages SHARED ${sources})
-  # generated files can't be compiled as one
+  # Generated files can't be compiled as one. A precompiled header would hide what they export: types in it are hidden.
   set_target_properties(pongsim_messages PROPERTIES UNITY_BUILD OFF)
   target_compile_options(pongsim_messages PRIVATE -w)
   set_target_properties(pongsim_messages PROPERTIES OUTPUT_NAME pongsim-messages CXX_VISIBILITY_PRESET default

@@ -91,8 +91,9 @@ class WarmUp:
 
 
 class Bound:
-    """What a process may take: the least memory of the last window of the warm-up, or of half the run, and GROWTH; at any
-    time WAITING more than that least; and as many descriptors and threads as at first."""
+    """What a process may take: GROWTH more than the least memory of the warm-up's last window or, later, of the window when
+    the run had last become twice as long; at any time WAITING more than that least; and as many descriptors and threads as
+    at first."""
 
     def __init__(self, what, footprint, patience=DEADLINE):
         """footprint: gives it. patience: how long others may take to leave nothing behind [s]."""

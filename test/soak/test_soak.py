@@ -55,9 +55,8 @@ class Bounds(unittest.TestCase):
         with self.assertRaisesRegex(Fault, "memory of it grows"):
             self.measure((200 << 20) + GROWTH + 4096)
 
-    def test_are_of_half_the_run_when_that_is_longer_than_the_warm_up(self):
+    def test_are_set_anew_whenever_the_run_is_twice_as_long(self):
         self.measure(200 << 20, is_warm=False)
-        # until there is twice as much, and again
         for times in WINDOW, 2 * WINDOW:
             self.measure(self.now.memory + GROWTH, times=times + 1)
         with self.assertRaisesRegex(Fault, "memory of it grows"):
