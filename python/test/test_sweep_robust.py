@@ -12,6 +12,7 @@ from sweeps import BALL, PACKAGES, WORLD, children, command, make, start, wait_f
 
 from pongsim import sweep
 from pongsim.sweep import runner
+from pongsim.sweep.journal import Journal
 from pongsim.sweep.local_pool import LocalPool
 
 #: A measure that reports that it is running, and waits until it is released or killed.
@@ -91,6 +92,22 @@ def test_ctrl_c_keeps_what_is_done_and_the_next_time_makes_the_rest(tmp_path):
     assert (code, err) == (0, "") and out.startswith("4 runs, 4 done, 0 failed")
     numbers = [json.loads(line).get("run") for line in journal.read_text().splitlines()]
     assert numbers[1:3] == [0, 1] and sorted(numbers[3:]) == [2, 3]
+
+
+def test_ctrl_c_right_after_a_row_is_written_keeps_it_in_the_tables(tmp_path, monkeypatch):
+    write_row = Journal._write
+
+    def interrupted(journal, value):
+        write_row(journal, value)
+        if value.get("run") == 1:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(Journal, "_write", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        make(tmp_path, options={"jobs": 1})
+    folder = tmp_path / "out"
+    written = len((folder / "journal.jsonl").read_text().splitlines()) - 1
+    assert written == 2 and (folder / "results.csv").read_text().count("done") == written
 
 
 def test_its_processes_end_with_a_sweep_that_is_killed(tmp_path):

@@ -43,6 +43,12 @@ class Journal:
         self._write(dataclasses.asdict(row))
         self.rows[row.run] = row
 
+    def reread(self) -> None:
+        """Takes the rows from the file again: a Ctrl-C can come after a row was written and before it was counted."""
+        self._file.seek(0)
+        # an incomplete last line does not count
+        self._take(self._file.read().split(b"\n")[:-1])
+
     def close(self) -> None:
         """Releases it for others."""
         self._file.close()
@@ -66,6 +72,9 @@ class Journal:
         if torn:
             self._file.truncate(os.fstat(self._file.fileno()).st_size - len(torn))
         self._check(lines[0], digests)
+        self._take(lines)
+
+    def _take(self, lines: list[bytes]) -> None:
         for number, line in enumerate(lines[1:], 2):
             try:
                 row = Row(**json.loads(line))

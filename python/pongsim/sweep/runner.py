@@ -71,6 +71,9 @@ def run(
                         # every process gives the same warnings, and so does every value of a parameter
                         told.update(row.warnings)
                         bar.update()
+        except KeyboardInterrupt:
+            journal.reread()
+            raise
         finally:
             rows = {**journal.rows, **unwritten}
             results = Results(place, list(sweep.runs[0].parameters), sweep.plan.measure_names,
