@@ -72,7 +72,7 @@ void addPermissions(CLI::App& command, const Given& given) {
     file->excludes(each);
   }
   command.footer(
-      "Without any of these it is allowed everything; with one or more, only what they allow, also in ROS 2.\n"
+      "Without any of these it may do everything; with one or more, only what they allow, also in ROS 2.\n"
       "Examples:\n"
       "  pongsim security add robot\n"
       "  pongsim security add driver --allow-publish /cmd_vel --days 30\n"
@@ -85,7 +85,7 @@ void addActions(CLI::App& program, programs::Work& work) {
   const auto given = std::make_shared<Options>();
   CLI::App* made =
       addAction(program, work, "init",
-                "Create a keystore: a certificate authority and the identity 'pongsim', which is allowed everything",
+                "Create a keystore: a certificate authority and the identity 'pongsim', which may do everything",
                 actions::init, given);
   made->add_option("FOLDER", given->keystore, "The new folder (keystore)")->type_name("");
   addDays(*made, given, "Validity of the authority in days (3650); the identity 'pongsim' is valid for at most 365");

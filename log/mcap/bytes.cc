@@ -11,7 +11,7 @@ std::string atByte(std::uint64_t offset, const std::string& why) {
 }
 
 void ByteWriter::text(std::string_view value) {
-  if (value.size() > std::numeric_limits<std::uint32_t>::max()) throw Failure("a text is larger than 4 GiB");
+  if (value.size() > std::numeric_limits<std::uint32_t>::max()) throw Failure("a string is larger than 4 GiB");
   number(static_cast<std::uint32_t>(value.size()));
   raw(value);
 }

@@ -52,7 +52,8 @@ void RecordSystem::declare(Declaration& declaration) {
   declaration.parameter(
       "record_topic", &topics_, "",
       "further topic to record; with any of * ? [ ] ( ) . it is a regular expression for whole names");
-  declaration.parameter("record_period", &period_, "s", "least time between two states; 0: each step").atLeast(0);
+  declaration.parameter("record_period", &period_, "s", "minimum simulated time between two states; 0: each step")
+      .atLeast(0);
   declaration.parameter("record_resources", &resources_, "", "copy meshes and textures into the folder");
   declaration.parameter("compress", &compress_, "", "pack the folder into a zip file at the end, and delete it");
   declaration.parameter("compress_path", &zipPath_, "", "that file").otherwise("PATH.zip");

@@ -1,4 +1,4 @@
-"""pongsim's MCAP files, read by the readers of PyPI, and theirs, read by pongsim."""
+"""pongsim's MCAP files, read by readers from PyPI, and theirs, read by pongsim."""
 
 import csv
 import io

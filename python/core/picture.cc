@@ -105,8 +105,8 @@ py::tuple lensOf(PySensor& sensor) {
 }  // namespace
 
 void bindPictures(py::module_& module) {
-  py::class_<Painter, std::shared_ptr<Painter>>(module, "Painter",
-                                                "Draws a world from any pose, without a camera in it. Changes nothing.")
+  py::class_<Painter, std::shared_ptr<Painter>>(
+      module, "Painter", "Renders a world from any pose, without a camera in it. Changes nothing.")
       .def(py::init(&make), py::arg("simulation"), py::arg("width"), py::arg("height"), py::arg("field_of_view"))
       .def("draw", &Painter::draw, py::arg("frame"), py::arg("eye"),
            "Red, green, blue of each pixel (8 bits each), row by row from the top.\n\n"

@@ -303,7 +303,7 @@ def test_what_functions_give_is_checked(changes, text):
         ({"action": [gym.Command("/x", {"linear": (0, 1)}, "Twist")]}, ValueError, "not a single number"),
         ({"action": [gym.Command("/x", {"linear.x": (0, np.inf)}, "Twist")]}, ValueError, "two finite numbers"),
         ({"action": [gym.Command("/x", {"linear.x": (0, 1)})]}, ValueError, "give it as type"),
-        ({"action": ["forward"]}, TypeError, "consist of Steerings"),
+        ({"action": ["forward"]}, TypeError, "be a list of actuators"),
         ({"observation": {"r": gym.Ranges("imu")}}, ValueError, "is not a lidar"),
         ({"observation": {"r": gym.Ranges("eye")}}, KeyError, "no sensor 'eye'"),
         ({"observation": {"r": 7}}, TypeError, "must be a Reading"),

@@ -14,7 +14,7 @@ void declareSpeedLimits(Declaration& declaration, SpeedLimitParameters& paramete
   const auto add = [&](const std::string& quantity, const std::string& unitOfValue, std::optional<double>& min,
                        std::optional<double>& max) {
     const std::string text = " " + prefix + quantity;
-    const std::string fallback = kind.empty() ? "no limit" : "that of both";
+    const std::string fallback = kind.empty() ? "no limit" : "the common limit";
     declaration.parameter("min" + middle + quantity, &min, unitOfValue, "minimum" + text)
         .mayBeInfinite()
         .otherwise(fallback);
@@ -44,7 +44,7 @@ SpeedLimits speedLimits(const SpeedLimitParameters& own, const SpeedLimitParamet
     if (min <= max) return;
     throw Error({Severity::kError,
                  plugin.position,
-                 "the smallest " + std::string(kind) + " " + quantity + " is above the largest",
+                 "the minimum " + std::string(kind) + " " + quantity + " is above the maximum",
                  {}});
   };
   check("velocity", limits.minVelocity, limits.maxVelocity);

@@ -106,8 +106,8 @@ std::string page(const CLI::App& command, const std::string& name, const std::st
          (commands.empty() ? argumentsOf(command) : " " + italic("COMMAND") + argumentsOf(command)) + "\n" +
          (commands.empty() ? "" : ".SH COMMANDS\n" + commands) + ".SH OPTIONS\n" + optionsOf(command) +
          sectionsOf(command.get_footer()) +
-         ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nThe work failed: errors in a file, no subscriber or no "
-         "response.\n.TP\n2\nThe command line was wrong.\n.SH SEE ALSO\n" +
+         ".SH EXIT STATUS\n.TP\n0\nSuccess.\n.TP\n1\nFailure, such as errors in a file, no subscriber or no "
+         "response.\n.TP\n2\nUsage error.\n.SH SEE ALSO\n" +
          seeAlso + "\n";
 }
 

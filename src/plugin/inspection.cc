@@ -24,7 +24,7 @@ std::variant<Inspection, std::string> Inspection::of(const std::filesystem::path
       found.system.reset(entry.create());
       found.system->declare(found.declaration);
     } catch (const std::exception& error) {
-      return "its class " + inspection.classes_.back().names.front() + " can't be made: " + error.what();
+      return "its class " + inspection.classes_.back().names.front() + " can't be instantiated: " + error.what();
     }
   }
   return inspection;

@@ -61,7 +61,7 @@ TEST(MessageOption, ShowsAPartOfALongLine) {
 }
 
 TEST(MessageOption, HasNoPlaceToShowForBrokenUtf8) {
-  EXPECT_EQ(complaint("ignition.msgs.StringMsg", "data: '\xff'"), "message text: a quoted text is not valid UTF-8");
+  EXPECT_EQ(complaint("ignition.msgs.StringMsg", "data: '\xff'"), "message text: a string is not valid UTF-8");
 }
 
 }  // namespace

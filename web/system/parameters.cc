@@ -80,17 +80,19 @@ void WebParameters::declare(Declaration& declaration) {
   declaration.element("ssl", "The same as in ign-launch: <cert_file> and <private_key_file>");
   declaration
       .parameter("publication_hz", &gz.publicationHz, "1/s",
-                 "Largest message rate of a topic for a client of ign-launch's protocol")
+                 "Maximum message rate of a topic for a client of ign-launch's protocol")
       .above(0);
   declaration.parameter("authorization_key", &gz.authorizationKey, "", "Key that such clients must send")
       .otherwise("none");
   declaration.parameter("admin_authorization_key", &gz.adminAuthorizationKey, "", "Another such key").otherwise("none");
-  declaration.parameter("max_connections", &gz.maxConnections, "", "Most such clients at a time; below 0: any number");
-  declaration.parameter("queue_size_per_connection", &gz.queueSizePerConnection, "",
-                        "Most messages of a topic that wait for such a client; below 0: depends on the type");
-  declaration.element(
-      "subscription_limit_per_connection",
-      "Most topics of a type that such a client may subscribe to: <subscription> with <msg_type> and <limit>");
+  declaration.parameter("max_connections", &gz.maxConnections, "",
+                        "Maximum number of such clients; below 0: unlimited");
+  declaration.parameter(
+      "queue_size_per_connection", &gz.queueSizePerConnection, "",
+      "Maximum number of messages of a topic that wait for such a client; below 0: depends on the type");
+  declaration.element("subscription_limit_per_connection",
+                      "Maximum number of topics of a type that such a client may subscribe to: <subscription> with "
+                      "<msg_type> and <limit>");
 }
 
 void WebParameters::readRest(const Element& plugin) {

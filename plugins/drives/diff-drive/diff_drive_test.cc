@@ -299,7 +299,7 @@ TEST(DiffDriveParameters, RefusesSizesAndLimitsThatMakeNoSense) {
            {"<wheel_radius>0.1", "<wheel_radius>-0.1", "<wheel_radius> must be above zero"},
            {"<wheel_separation>0.4", "<wheel_separation>wide", "<wheel_separation> is 'wide', which is not a number"},
            {"<max_linear_velocity>1", "<min_linear_velocity>2</min_linear_velocity><max_linear_velocity>1",
-            "the smallest linear velocity is above the largest"}}) {
+            "the minimum linear velocity is above the maximum"}}) {
     const std::vector<std::string> errors = errorsOf(replaced(exampleWorld(), from, to));
     ASSERT_EQ(errors.size(), 1U) << to;
     EXPECT_NE(errors[0].find(message), std::string::npos) << errors[0];

@@ -185,7 +185,7 @@ TEST(MecanumDriveParameters, SayWhatIsWrong) {
            {"<back_right_joint>back_right_joint</back_right_joint>", "", "<back_right_joint>"},
            {"<wheel_separation>0.4", "<wheel_separation>0", "<wheel_separation> must be above zero"},
            {"<wheelbase>0.5", "<wheelbase>-1", "<wheelbase> must be above zero"},
-           {"<max_acceleration>2", "<max_acceleration>-4", "the smallest linear acceleration is above the largest"}}) {
+           {"<max_acceleration>2", "<max_acceleration>-4", "the minimum linear acceleration is above the maximum"}}) {
     const std::vector<std::string> complaints = RunningWorld::complaintsAbout(replaced(crab(), from, to));
     ASSERT_EQ(complaints.size(), 1U) << to;
     EXPECT_NE(complaints[0].find(message), std::string::npos) << complaints[0];

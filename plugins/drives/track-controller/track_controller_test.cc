@@ -186,7 +186,7 @@ TEST(TrackControllerParameters, SayWhatIsWrong) {
   for (const auto& [from, to, message] : std::vector<std::array<std::string, 3>>{
            {"<link>belt", "<link>bell", "<link> 'bell' is not a link of model 'conveyor'"},
            {"<link>belt</link>", "", "<link>"},
-           {"<max_acceleration>1", "<max_acceleration>-3", "the smallest track acceleration is above the largest"},
+           {"<max_acceleration>1", "<max_acceleration>-3", "the minimum track acceleration is above the maximum"},
            {"<link>belt</link>", "<link>belt</link><max_command_age>-1</max_command_age>", "<max_command_age>"},
            {"<link>belt</link>", "<link>belt</link><track_orientation>0 0</track_orientation>",
             "<track_orientation>"}}) {

@@ -241,7 +241,7 @@ TEST(TrackedVehicleParameters, SayWhatIsWrong) {
            {"<left_track><link>left</link></left_track>", "", "<left_track>"},
            {"<tracks_separation>0.5", "<tracks_separation>0", "<tracks_separation> must be"},
            {"<steering_efficiency>0.53", "<steering_efficiency>0", "<steering_efficiency> must be"},
-           {"<max_acceleration>2", "<max_acceleration>-3", "the smallest linear acceleration is above the largest"},
+           {"<max_acceleration>2", "<max_acceleration>-3", "the minimum linear acceleration is above the maximum"},
            {"<track_height>", "<body_link>trunk</body_link><track_height>", "<body_link> 'trunk' is not a link"},
            {"<left_track><link>left", "<left_track><link>lift</link></left_track><left_track><link>left",
             "a <left_track> is left out: <link> 'lift' is not a link"}}) {

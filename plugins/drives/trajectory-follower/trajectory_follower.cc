@@ -18,11 +18,11 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Pushes a model along waypoints: turns it towards the next one, then ahead.
+/// Pushes a model along waypoints: turns it towards the next one, then pushes it ahead.
 class TrajectoryFollower : public System {
  public:
   void declare(Declaration& declaration) override {
-    declaration.is("Pushes a model along waypoints: turns it towards the next one, then ahead.",
+    declaration.is("Pushes a model along waypoints: turns it towards the next one, then pushes it ahead.",
                    Declaration::Place::kModel);
     declaration.parameter("link_name", &linkName_, "", "link that is pushed along x and turned about z").required();
     declaration.element("waypoints", "the points to visit: `<waypoint>` x y [m], world frame");

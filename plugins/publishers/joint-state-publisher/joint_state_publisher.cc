@@ -17,7 +17,7 @@ class JointStatePublisher : public System {
  public:
   void declare(Declaration& declaration) override {
     declaration.is("Publishes positions and velocities of a model's joints.", Declaration::Place::kModel);
-    declaration.parameter("joint_name", &jointNames_, "", "joints of the model").otherwise("all of its own");
+    declaration.parameter("joint_name", &jointNames_, "", "joints of the model").otherwise("all joints of the model");
     declaration.parameter("topic", &topic_, "", "topic of the messages").otherwise("/world/W/model/M/joint_state");
     declaration.parameter("update_rate", &rate_, "Hz", "messages per simulated second; 0: one per step");
     declaration.publishes("<topic>", "ignition.msgs.Model", "the joints with their axes");

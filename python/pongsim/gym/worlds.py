@@ -98,7 +98,7 @@ class Worlds:
         limits: list[Limits] = []
         for steering in task.action:
             if not isinstance(steering, Steering):
-                raise TypeError(f"an action must consist of Steerings, such as Command(...), not {type(steering).__name__}")
+                raise TypeError(f"an action must be a list of actuators, such as Command(...), not {type(steering).__name__}")
             for i, simulation in enumerate(self.simulations):
                 each = steering.attach(self._pool, i, simulation)
             limits += each

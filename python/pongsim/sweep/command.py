@@ -22,7 +22,7 @@ _TOLD = 10
 _ACTIONS = ("run", "world", "plot")
 
 _EXAMPLES = """examples:
-  pongsim sweep gains.yaml                     make the runs; results in gains.sweep/results.csv
+  pongsim sweep gains.yaml                     run the sweep; results in gains.sweep/results.csv
   pongsim sweep gains.yaml --dry-run           list them only
   pongsim sweep gains.yaml --jobs 8            eight in parallel
   pongsim sweep gains.yaml --ray auto          on the Ray cluster of this machine
@@ -46,16 +46,16 @@ def _parser() -> argparse.ArgumentParser:
                      usage="pongsim sweep FILE.yaml [OPTION...] | world FILE.yaml RUN | plot FOLDER")
     actions = parser.add_subparsers(dest="action", required=True, metavar="FILE.yaml", parser_class=_Parser)
 
-    each = actions.add_parser("run", help="make the runs of FILE.yaml, or the remaining ones", epilog=_EXAMPLES,
+    each = actions.add_parser("run", help="run the sweep in FILE.yaml, or what remains of it", epilog=_EXAMPLES,
                               formatter_class=argparse.RawDescriptionHelpFormatter, prog="pongsim sweep",
                               usage="pongsim sweep FILE.yaml [OPTION...]",
-                              description="Makes the runs of FILE.yaml, or the remaining ones.")
+                              description="Runs the sweep in FILE.yaml, or what remains of it.")
     each.add_argument("file", metavar="FILE.yaml", help="the sweep")
     each.add_argument("-o", "--output", metavar="FOLDER", help="folder of the results (FILE.sweep, beside the file)")
     each.add_argument("-j", "--jobs", metavar="N", type=int, help="parallel runs (one per core)")
     each.add_argument("--ray", metavar="ADDRESS", help="use a Ray cluster: HOST:PORT, ray://HOST:PORT, auto")
     each.add_argument("--restart", action="store_true", help="discard the results so far")
-    each.add_argument("--dry-run", action="store_true", help="check the file and list the runs, without making them")
+    each.add_argument("--dry-run", action="store_true", help="check the file and list the runs, without running them")
     each.add_argument("--parquet", action="store_true", help="fail at once if Parquet can't be written")
     each.add_argument("--quiet", action="store_true", help="no progress bar")
 

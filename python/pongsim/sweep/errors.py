@@ -33,12 +33,12 @@ def nearest(word: str, known: Iterable[str]) -> str:
 
 #: Names of modules' packages for pip and apt.
 _PACKAGES = {
-    "lxml.etree": "python3-lxml, or lxml of PyPI",
-    "matplotlib": "python3-matplotlib, or matplotlib of PyPI",
-    "pyarrow": "pyarrow of PyPI; not in Debian 12",
-    "ray": "ray of PyPI; not in Debian 12",
-    "tqdm": "python3-tqdm, or tqdm of PyPI",
-    "yaml": "python3-yaml, or PyYAML of PyPI",
+    "lxml.etree": "python3-lxml, or lxml from PyPI",
+    "matplotlib": "python3-matplotlib, or matplotlib from PyPI",
+    "pyarrow": "pyarrow from PyPI; not in Debian 12",
+    "ray": "ray from PyPI; not in Debian 12",
+    "tqdm": "python3-tqdm, or tqdm from PyPI",
+    "yaml": "python3-yaml, or PyYAML from PyPI",
 }
 
 

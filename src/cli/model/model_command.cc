@@ -73,7 +73,7 @@ void addModelCommand(CLI::App& program, Work& work) {
   add("-j,--joint", "NAME", "Its joints, or one: type, links, pose, axes", given->joint)->expected(0, 1);
   add("-s,--sensor", "NAME", "Its sensors with their links, or one: pose, settings", given->sensor)->expected(0, 1);
   addFlag("--follow", given->follow, "Print ten times a second, until Ctrl-C");
-  add("-n,--num", "N", "With --follow: exit after N times", given->count);
+  add("-n,--num", "N", "With --follow: exit after printing N times", given->count);
   addFlag("--json", given->json, "Print JSON: an array of all models, or one object per line");
   add("-w,--world", "WORLD", "The world's name, if several run (the first one of its process)", given->world);
   add("--timeout", "MS", "Give up after MS milliseconds (1000) without a world or its response", given->timeout);

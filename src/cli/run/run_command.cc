@@ -234,7 +234,7 @@ void addRunCommand(CLI::App& program, Work& work, std::span<const Extension> ext
     if (text.empty()) throw UsageError("option '-w' needs a world's name");
     options->world = text;
   });
-  add("--iterations", "N", "Exit when each world has made N steps; 0: never", [options](const std::string& text) {
+  add("--iterations", "N", "Exit when each world has run N steps; 0: never", [options](const std::string& text) {
     const std::uint64_t count = wholeNumber("--iterations", text);
     options->run.iterations = count == 0 ? std::nullopt : std::optional(count);
   });

@@ -99,7 +99,7 @@ Work echoWork(const TopicCommandLine& given) {
 std::string textOf(const std::string& file) {
   std::ifstream stream(file == "-" ? "/dev/stdin" : file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) throw UsageError("cannot read '" + file + "'");
+  if (!stream.is_open() || stream.bad()) throw UsageError("'" + file + "' can't be read");
   return text;
 }
 
@@ -191,7 +191,7 @@ void addTopicCommand(CLI::App& program, Work& work) {
   addFlag("--hz", given->hz, "Print the rate of messages once a second, by wall time");
   addFlag("--bw", given->bw, "Print the bandwidth once a second");
   addFlag("--delay", given->delay,
-          "Print once a second how long messages take from their step to here; needs time stamps in headers");
+          "Print once a second the delay from a message's time stamp to its arrival; needs stamps in headers");
   add("-t,--topic", "TOPIC", "The topic", given->topic);
   add("-m,--msgtype", "TYPE", "The message type: ignition.msgs.Twist, gz.msgs.Twist or Twist", given->type);
   add("-n,--num,--count", "N", "Exit after N messages", given->count);

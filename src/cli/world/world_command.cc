@@ -92,7 +92,7 @@ void addWorldCommand(CLI::App& program, Work& work) {
   };
   command
       ->add_option("ACTION", given->action,
-                   "pause, play, step (pause, make N steps and exit when they are done),\n"
+                   "pause, play, step (pause, run N steps and exit when they are done),\n"
                    "reset (back to the first instant; keeps running or paused),\n"
                    "stats (one line per update, ten times a second),\n"
                    "info (what the world contains)")

@@ -187,7 +187,7 @@ MessageError explain(std::string_view complaint, const TextContext& context, Tok
   if (says("Message is too deep")) {
     return saying("the messages are nested more than " + std::to_string(kDeepestNesting) + " deep");
   }
-  if (says("Unexpected end of string")) return saying("the quoted text has no closing quote");
+  if (says("Unexpected end of string")) return saying("the string has no closing quote");
 
   std::string message(complaint.substr(0, complaint.find_last_not_of('.') + 1));
   if (!message.empty() && message[0] >= 'A' && message[0] <= 'Z')
@@ -230,7 +230,7 @@ std::optional<MessageError> parseMessage(std::string_view text, Message& message
     const bool plain =
         std::all_of(text.begin(), text.end(), [](unsigned char letter) { return letter < 0x80 && letter != '\\'; });
     if (plain || survivesTheWire(message)) return std::nullopt;
-    return saying("a quoted text is not valid UTF-8");
+    return saying("a string is not valid UTF-8");
   }
 
   const TextContext context = msgs::contextOf(text, *message.GetDescriptor(), first.position);

@@ -91,7 +91,7 @@ JointAxis readAxis(const Element& element, const std::string& label, JointType t
   if (length > 0 && std::isfinite(length)) {
     axis.xyz = (axis.xyz / length).normalized();
   } else {
-    context.diagnostics.error(element.child("xyz")->position, "an axis of " + label + " has no direction");
+    context.diagnostics.error(element.child("xyz")->position, "an axis of " + label + " has length zero");
     axis.xyz = Vector3::UnitZ();
   }
   if (const Element* limit = element.child("limit")) readLimits(*limit, label, type, axis, context);

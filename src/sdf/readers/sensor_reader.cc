@@ -38,7 +38,7 @@ void readReferenceFrame(const Element& element, ImuSettings& settings, Context& 
   settings.localization.clear();
   if (rpy != nullptr) {
     context.diagnostics.warning(rpy->position, "<custom_rpy> is used only with parent_frame=\"world\"",
-                                "the orientation is measured from the one at the start instead");
+                                "the orientation is relative to the initial one instead");
   }
 }
 

@@ -27,7 +27,7 @@ constexpr NumberType kNumberTypes[] = {
     {"double", "a number", 1, 1},
     {"float", "a number", 1, 1},
     {"int", "an integer", 1, 1, true},
-    {"unsigned int", "an integer from zero up", 1, 1, true, true},
+    {"unsigned int", "a non-negative integer", 1, 1, true, true},
     {"vector2d", "two numbers", 2, 2},
     {"vector3", "three numbers", 3, 3},
     {"color", "three or four numbers, red green blue alpha", 3, 4},

@@ -105,7 +105,7 @@ bool isWithinReach(const std::vector<double>& values, const Element& element, Co
   if (std::all_of(values.begin(), values.begin() + 3, [](double x) { return std::abs(x) <= kLargestPosition; })) {
     return true;
   }
-  complain(element, "a place within 1e9 m", context);
+  complain(element, "a position within 1e9 m of the origin", context);
   return false;
 }
 
@@ -125,7 +125,7 @@ Pose readQuaternionPose(const Element& element, Context& context) {
   const Quaternion rotation(v[6], v[3], v[4], v[5]);
   const double norm = rotation.norm();
   if (!(norm > 0) || !std::isfinite(norm)) {
-    complain(element, "a pose: its quaternion has no direction", context);
+    complain(element, "a pose: its quaternion has length zero", context);
     return {};
   }
   return {{v[0], v[1], v[2]}, Quaternion(rotation.coeffs() / norm)};
@@ -156,8 +156,8 @@ double readPositive(const Element& parent, std::string_view child, double fallba
 }
 
 double readNotNegative(const Element& parent, std::string_view child, double fallback, Context& context) {
-  return readNumberThat([](double value) { return value >= 0 && std::isfinite(value); }, "a finite number from zero up",
-                        parent, child, fallback, context);
+  return readNumberThat([](double value) { return value >= 0 && std::isfinite(value); },
+                        "a finite, non-negative number", parent, child, fallback, context);
 }
 
 double readLimit(const Element& parent, std::string_view child, double fallback, Context& context) {
@@ -225,7 +225,7 @@ description::Color readColor(const Element& parent, std::string_view child, cons
   if (element == nullptr || !isReadable(*element, "color", context)) return fallback;
   const std::vector<double> values = leadingNumbers(element->text, 4);
   if (!std::ranges::all_of(values, [](double value) { return value >= 0 && std::isfinite(value); })) {
-    complain(*element, "three or four finite numbers from zero up, red green blue alpha", context);
+    complain(*element, "three or four finite, non-negative numbers, red green blue alpha", context);
     return fallback;
   }
   return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2]),

@@ -154,7 +154,7 @@ Participant::Participant(const Settings& settings, const std::optional<Participa
                                           participantAttributes(settings, textOf({getpid(), first}), gate_), this));
   if (participant_ == nullptr) {
     throw std::runtime_error(
-        "cannot open DDS domain " + std::to_string(settings.domain) + " on 127.0.0.1" +
+        "can't open DDS domain " + std::to_string(settings.domain) + " on 127.0.0.1" +
         (settings.interface ? " and " + settings.interface->address : "") +
         (settings.identity ? " as identity '" + settings.identity->name + "' of " + settings.identity->folder : ""));
   }

@@ -212,7 +212,7 @@ TEST(Joint, RefusesWhatCanNotBe) {
   EXPECT_EQ(loadJoint("<joint name='j'>" + kLinks + "</joint>").messages,
             Messages{"t.sdf:4:1: error: joint 'j' has no type | write type=\"revolute\", for example"});
   EXPECT_EQ(loadJoint("<joint name='j' type='revolute'>" + kLinks + "<axis><xyz>0 0 0</xyz></axis></joint>").messages,
-            Messages{"t.sdf:4:73: error: an axis of joint 'j' has no direction"});
+            Messages{"t.sdf:4:73: error: an axis of joint 'j' has length zero"});
   EXPECT_EQ(loadJoint("<joint name='j' type='revolute'>" + kLinks +
                       "<axis><limit><lower>1</lower><upper>0</upper></limit></axis></joint>")
                 .messages,

@@ -53,9 +53,10 @@ TEST(Light, SaysWhatIsWrong) {
             Messages{"t.sdf:2:17: error: attribute 'type' has the unknown value 'spt' | did you mean 'spot'?"});
   EXPECT_EQ(loadWorld("<light name='l' type='spot'>\n<direction>0 0 0</direction></light>").messages,
             Messages{"t.sdf:3:1: warning: <direction> of light 'l' has length zero: 0 0 -1 is used"});
-  EXPECT_EQ(loadWorld("<light name='l' type='spot'>\n<diffuse>1 -1 0</diffuse></light>").messages,
-            Messages{"t.sdf:3:1: error: <diffuse> is '1 -1 0', which is not three or four finite numbers from zero up, "
-                     "red green blue alpha"});
+  EXPECT_EQ(
+      loadWorld("<light name='l' type='spot'>\n<diffuse>1 -1 0</diffuse></light>").messages,
+      Messages{"t.sdf:3:1: error: <diffuse> is '1 -1 0', which is not three or four finite, non-negative numbers, "
+               "red green blue alpha"});
   EXPECT_EQ(loadWorld("<light name='l' type='spot'>\n<attenuation><range>far</range></attenuation></light>").messages,
             Messages{"t.sdf:3:14: error: <range> is 'far', which is not a number"});
 }

@@ -43,7 +43,7 @@ TEST(Noise, OfAnUnknownTypeIsAnError) {
 
 TEST(Noise, HasNoNegativeDeviation) {
   EXPECT_EQ(loadNoise("<noise type='gaussian'><stddev>-1</stddev></noise>").messages,
-            Messages{"t.sdf:5:24: error: <stddev> is '-1', which is not a finite number from zero up"});
+            Messages{"t.sdf:5:24: error: <stddev> is '-1', which is not a finite, non-negative number"});
 }
 
 }  // namespace

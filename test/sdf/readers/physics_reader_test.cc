@@ -75,7 +75,7 @@ TEST(Physics, RefusesStepsThatAreNone) {
   EXPECT_EQ(messages("<max_step_size>1e300</max_step_size>"),
             Messages{"t.sdf:2:10: error: a step of 1e300 s is out of range: 1e-9 to 1e6 s"});
   EXPECT_EQ(messages("<real_time_factor>-1</real_time_factor>"),
-            Messages{"t.sdf:2:10: error: <real_time_factor> is '-1', which is not a finite number from zero up"});
+            Messages{"t.sdf:2:10: error: <real_time_factor> is '-1', which is not a finite, non-negative number"});
 }
 
 TEST(Physics, ReadsGravity) { EXPECT_EQ(loadWorld("<gravity>1 2 3</gravity>").world().gravity, Vector3(1, 2, 3)); }

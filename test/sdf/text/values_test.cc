@@ -31,11 +31,13 @@ TEST(Values, RefusePosesThatAreNone) {
   EXPECT_EQ(message("<pose>1 2 nan 0 0 0</pose>"), Messages{"t.sdf:4:1: error: <pose> is '1 2 nan 0 0 0'" + six});
   EXPECT_EQ(
       message("<pose rotation_format='quat_xyzw'>0 0 0 0 0 0 0</pose>"),
-      Messages{"t.sdf:4:1: error: <pose> is '0 0 0 0 0 0 0', which is not a pose: its quaternion has no direction"});
-  EXPECT_EQ(message("<pose>0 1e308 0 0 0 0</pose>"),
-            Messages{"t.sdf:4:1: error: <pose> is '0 1e308 0 0 0 0', which is not a place within 1e9 m"});
-  EXPECT_EQ(message("<pose rotation_format='quat_xyzw'>0 0 -1e10 0 0 0 1</pose>"),
-            Messages{"t.sdf:4:1: error: <pose> is '0 0 -1e10 0 0 0 1', which is not a place within 1e9 m"});
+      Messages{"t.sdf:4:1: error: <pose> is '0 0 0 0 0 0 0', which is not a pose: its quaternion has length zero"});
+  EXPECT_EQ(
+      message("<pose>0 1e308 0 0 0 0</pose>"),
+      Messages{"t.sdf:4:1: error: <pose> is '0 1e308 0 0 0 0', which is not a position within 1e9 m of the origin"});
+  EXPECT_EQ(
+      message("<pose rotation_format='quat_xyzw'>0 0 -1e10 0 0 0 1</pose>"),
+      Messages{"t.sdf:4:1: error: <pose> is '0 0 -1e10 0 0 0 1', which is not a position within 1e9 m of the origin"});
   EXPECT_EQ(message("<pose rotation_format='quat'/>"), Messages());
   EXPECT_EQ(
       message("<pose rotation_format='quat'>0</pose>"),
