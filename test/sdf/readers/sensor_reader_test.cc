@@ -54,7 +54,7 @@ TEST(Sensor, WarnsOfAnImuWhoseFrameIsMeasuredElsewhere) {
       "<sensor name='s' type='imu'><imu><orientation_reference_frame>\n"
       "<custom_rpy>0 0 1</custom_rpy></orientation_reference_frame></imu></sensor>");
   EXPECT_EQ(loaded.messages, Messages{"t.sdf:5:1: warning: <custom_rpy> is used only with parent_frame=\"world\" | the "
-                                      "orientation is measured from the one at the start instead"});
+                                      "orientation is relative to the initial one instead"});
   EXPECT_EQ(std::get<ImuSettings>(sensorOf(loaded).settings).localization, "");
 }
 
