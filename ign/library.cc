@@ -32,7 +32,8 @@ template struct Opened<Unregistration, &Discovery::unregistrationCb>;
 
 /// The library's discovery threads run until the process ends. For each packet they copy two functions that are static
 /// members of their class, which `exit` has destroyed by then, with their heap memory. Functions that hold only a
-/// pointer can be copied and called after that.
+/// pointer can be copied and called after that. The threads run already, and copy under a mutex that cannot be reached
+/// from here: a packet within the nanoseconds of the two assignments below could meet half of one.
 void keepFunctionsThroughExit(NodeShared& shared) {
   NodeShared* const there = &shared;
   *memberOf(Registration()) = [there](const MessagePublisher& reader) { there->OnNewRegistration(reader); };

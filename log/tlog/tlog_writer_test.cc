@@ -122,22 +122,28 @@ TEST_F(TlogWriterTest, OfAKilledRecorderAllButTheLastSecondIsThere) {
   EXPECT_GE(next, static_cast<std::int64_t>(seen));
 }
 
+/// Writes until that fails.
+/// @return Whether the error says why.
+bool writesUntilFull(const std::filesystem::path& file) {
+  TlogWriter writer(file);
+  const std::string payload(10000, 'x');
+  try {
+    for (std::int64_t i = 0;; ++i) {
+      writer.write({i, "/a", kType, payload});
+      usleep(20000);
+    }
+  } catch (const Failure& why) {
+    return std::string(why.what()).find("can't be written") != std::string::npos;
+  }
+}
+
 TEST_F(TlogWriterTest, OnAFullDiskSaysSoAndKeepsWhatItHas) {
   const pid_t child = fork();
   if (child == 0) {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{1 << 20, 1 << 20};
     setrlimit(RLIMIT_FSIZE, &limit);
-    TlogWriter writer(file());
-    const std::string payload(10000, 'x');
-    try {
-      for (std::int64_t i = 0;; ++i) {
-        writer.write({i, "/a", kType, payload});
-        usleep(20000);
-      }
-    } catch (const Failure& why) {
-      _exit(std::string(why.what()).find("can't be written") != std::string::npos ? 0 : 1);
-    }
+    _exit(writesUntilFull(file()) ? 0 : 1);
   }
   int status = 0;
   waitpid(child, &status, 0);
