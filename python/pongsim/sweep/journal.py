@@ -45,9 +45,8 @@ class Journal:
 
     def reread(self) -> None:
         """Takes the rows from the file again: a Ctrl-C can come after a row was written and before it was counted."""
-        self._file.seek(0)
-        # an incomplete last line does not count
-        self._take(self._file.read().split(b"\n")[:-1])
+        lines, _ = self._lines()
+        self._take(lines)
 
     def close(self) -> None:
         """Releases it for others."""
@@ -58,10 +57,7 @@ class Journal:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             raise SweepError(f"{self.path.parent}: another pongsim sweep is running there") from None
-        self._file.seek(0)
-        lines = self._file.read().split(b"\n")
-        # an incomplete last line does not count
-        torn = lines.pop()
+        lines, torn = self._lines()
         if restart or not lines:
             self._file.truncate(0)
             try:
@@ -73,6 +69,13 @@ class Journal:
             self._file.truncate(os.fstat(self._file.fileno()).st_size - len(torn))
         self._check(lines[0], digests)
         self._take(lines)
+
+    def _lines(self) -> tuple[list[bytes], bytes]:
+        """Returns the complete lines, and an incomplete last one, which does not count."""
+        self._file.seek(0)
+        lines = self._file.read().split(b"\n")
+        torn = lines.pop()
+        return lines, torn
 
     def _take(self, lines: list[bytes]) -> None:
         for number, line in enumerate(lines[1:], 2):
