@@ -23,7 +23,6 @@ class Publisher;
 
 namespace transport {
 class Bus;
-class Channel;
 class DispatchQueue;
 class GatewayState;
 class Inbox;
@@ -327,7 +326,7 @@ class PONGSIM_API Node {
  private:
   friend class Transport;
   Node(transport::Bus& bus, transport::DispatchQueue& queue) : bus_(&bus), queue_(&queue) {}
-  Publisher advertiseOn(transport::Channel& channel, const PublisherOptions& options);
+  Publisher advertiseAs(const std::string& type, std::string_view topic, const PublisherOptions& options);
 
   std::string fullName(std::string_view name) const;
 

@@ -38,25 +38,46 @@ AnyType& Bus::addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedO
   // now, for the publisher may have gone when the first inbox is made
   any.except = Inbox::excepted(options);
   any.options.except = nullptr;
-  if (network_) {
-    // before the readers of types, so that others know that these are not all it takes
-    any.announcement = network_->makeReader(any.topic, std::string(kAnyType), [](const ParticipantId&, Buffer&) {});
-    network_->directory().addOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
-  }
-  {
+  std::vector<std::string> types;
+  try {
+    if (network_) {
+      // before the readers of types, so that others know that these are not all it takes
+      any.announcement = network_->makeReader(any.topic, std::string(kAnyType), [](const ParticipantId&, Buffer&) {});
+      network_->directory().addOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
+    }
+    {
+      const std::lock_guard anyTypesLock(mutex_);
+      anyTypes_.push_back(std::move(owned));
+    }
+    types = typesOn(any.topic);
+  } catch (...) {
+    endAnnouncement(any);
     const std::lock_guard anyTypesLock(mutex_);
-    anyTypes_.push_back(std::move(owned));
+    std::erase_if(anyTypes_, [&any](const auto& each) { return each.get() == &any; });
+    throw;
   }
   if (!options.relays) ++queue.ownTopicsVersion;
-  std::vector<std::string> types;
-  for (const auto& [key, channel] : channels_) {
-    if (channel->topic == any.topic && channel->users.publishers > 0) types.push_back(channel->type);
-  }
-  if (network_) {
-    for (const auto& publisher : network_->directory().topic(any.topic).publishers) types.push_back(publisher.type);
-  }
   for (const std::string& type : types) hear(any, type);
   return any;
+}
+
+/// @return The types of a topic's publishers, here and elsewhere. With the set-up mutex held.
+std::vector<std::string> Bus::typesOn(const std::string& topic) const {
+  std::vector<std::string> types;
+  for (const auto& [key, channel] : channels_) {
+    if (channel->topic == topic && channel->users.publishers > 0) types.push_back(channel->type);
+  }
+  if (network_) {
+    for (const auto& publisher : network_->directory().topic(topic).publishers) types.push_back(publisher.type);
+  }
+  return types;
+}
+
+/// With the set-up mutex held.
+void Bus::endAnnouncement(AnyType& any) {
+  if (!any.announcement) return;
+  network_->directory().removeOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
+  network_->end(std::move(any.announcement));
 }
 
 void Bus::endAnyType(AnyType& any) {
@@ -71,10 +92,8 @@ void Bus::endAnyType(AnyType& any) {
   }
   if (!any.options.relays) ++any.queue->ownTopicsVersion;
   for (Inbox* inbox : any.inboxes) endSubscription(*inbox);
-  if (!any.announcement) return;
   const std::lock_guard lock(setUp_);
-  network_->directory().removeOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
-  network_->end(std::move(any.announcement));
+  endAnnouncement(any);
 }
 
 /// Makes an inbox for a type, unless there is one. With the set-up mutex held.
@@ -88,16 +107,20 @@ void Bus::hear(AnyType& any, const std::string& type) {
                          " types are published; the others are not received, '" + type + "' first");
     return;
   }
-  Channel& channel = channelFor(any.topic, type);
-  Inbox::ReceivedBytes received = [call = any.received, type](auto bytes) { (*call)(type, bytes); };
-  auto inbox = std::make_unique<Inbox>(channel, std::move(received), any.options);
-  inbox->except = any.except;
   try {
+    {
+      // before there is an inbox, which would have to go if this failed
+      const std::lock_guard inboxesLock(mutex_);
+      any.inboxes.reserve(any.inboxes.size() + 1);
+    }
+    Channel& channel = channelFor(any.topic, type);
+    Inbox::ReceivedBytes received = [call = any.received, type](auto bytes) { (*call)(type, bytes); };
+    auto inbox = std::make_unique<Inbox>(channel, std::move(received), any.options);
+    inbox->except = any.except;
     Inbox& added = addInbox(*any.queue, channel, std::move(inbox));
     const std::lock_guard inboxesLock(mutex_);
     any.inboxes.push_back(&added);
   } catch (const std::exception& error) {
-    eraseIfUnused(channel);
     anyTypeLog().warning("topic '" + any.topic + "': messages of '" + type + "' are not received: " + error.what());
   }
 }

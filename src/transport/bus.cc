@@ -51,13 +51,26 @@ DispatchQueue& Bus::addQueue() {
 std::optional<NetworkInterface> Bus::interface() const { return network_ ? network_->interface() : std::nullopt; }
 
 Channel& Bus::channelFor(std::string_view topic, const std::string& type) {
-  auto& channel = channels_[{absoluteTopic(topic), type}];
-  if (!channel) channel = std::make_unique<Channel>(absoluteTopic(topic), type);
-  return *channel;
+  const std::pair name(absoluteTopic(topic), type);
+  if (const auto found = channels_.find(name); found != channels_.end()) return *found->second;
+  return *channels_.emplace(name, std::make_unique<Channel>(name.first, type)).first->second;
 }
 
-void Bus::eraseIfUnused(const Channel& channel) {
-  if (channel.users.publishers + channel.users.subscriptions == 0) channels_.erase({channel.topic, channel.type});
+/// Ends what no publisher or subscription of the channel needs any more, and the channel if it has none. With the
+/// set-up mutex held.
+void Bus::endUnused(Channel& channel) {
+  const Channel::Users& users = channel.users;
+  if (channel.writer && users.publishers == users.ownOnlyPublishers) {
+    network_->directory().removeOwn({channel.topic, channel.type, Role::kPublisher});
+    network_->end(std::move(channel.writer));
+  }
+  if (channel.reader && users.subscriptions == users.ownOnlySubscriptions) {
+    network_->directory().removeOwn({channel.topic, channel.type, Role::kSubscriber});
+    network_->end(std::move(channel.reader));
+    // from now on nobody would tell that what another process latched is out of date
+    forgetLatched(channel, [](const ParticipantId& sender) { return sender != kThisProcess; });
+  }
+  if (users.publishers + users.subscriptions == 0) channels_.erase({channel.topic, channel.type});
 }
 
 Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const std::string& type,
@@ -65,11 +78,16 @@ Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const s
   if (options.relays && options.latched) throw std::invalid_argument("a relaying publisher can't be latched");
   const std::lock_guard lock(setUp_);
   Channel& channel = channelFor(topic, type);
-  if (network_ && !channel.writer && !options.ownOnly) {
-    channel.writer = network_->makeWriter(channel.topic, channel.type, [this] { subscribersChanged(); });
-    network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
+  try {
+    if (network_ && !channel.writer && !options.ownOnly) {
+      channel.writer = network_->makeWriter(channel.topic, channel.type, [this] { subscribersChanged(); });
+      network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
+    }
+    channel.countPublisher(queue, options, 1);
+  } catch (...) {
+    endUnused(channel);
+    throw;
   }
-  channel.countPublisher(queue, options, 1);
   for (const auto& any : anyTypes_) {
     if (any->topic == channel.topic) hear(*any, channel.type);
   }
@@ -79,16 +97,11 @@ Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const s
 void Bus::endPublisher(DispatchQueue& queue, Channel& channel, const PublisherOptions& options) {
   const std::lock_guard lock(setUp_);
   channel.countPublisher(queue, options, -1);
-  const Channel::Users& users = channel.users;
-  if (options.latched && users.latchedPublishers == 0) {
+  if (options.latched && channel.users.latchedPublishers == 0) {
     forgetLatched(channel, [](const ParticipantId& sender) { return sender == kThisProcess; });
     if (channel.writer) channel.writer->forgetKept();
   }
-  if (channel.writer && users.publishers == users.ownOnlyPublishers) {
-    network_->directory().removeOwn({channel.topic, channel.type, Role::kPublisher});
-    network_->end(std::move(channel.writer));
-  }
-  eraseIfUnused(channel);
+  endUnused(channel);
 }
 
 Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
@@ -134,6 +147,11 @@ Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const 
 }
 
 Inbox& Bus::addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox) {
+  {
+    // before there is an inbox, which would have to go if this failed
+    const std::lock_guard hearing(channel.hearing);
+    channel.atOnce.reserve(channel.atOnce.size() + 1);
+  }
   Inbox& added = addInbox(queue, channel, std::move(inbox));
   const std::lock_guard hearing(channel.hearing);
   channel.atOnce.push_back(&added);
@@ -144,23 +162,28 @@ Inbox& Bus::addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<I
 Inbox& Bus::addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> owned) {
   Inbox& inbox = *owned;
   inbox.queue = &queue;
-  {
-    const std::lock_guard inboxesLock(mutex_);
-    inboxes_.emplace(&inbox, std::move(owned));
-    channel.inboxes.push_back(&inbox);
-    channel.countSubscription(inbox, 1);
-    ++channel.inboxesSoFar;
-    const bool isLatched = channel.latched != nullptr && (!inbox.ownOnly || channel.latched->sender == kThisProcess);
-    if (isLatched) putInto(inbox, channel.latched);
-  }
+  bool isCounted = false;
   try {
+    {
+      const std::lock_guard inboxesLock(mutex_);
+      inboxes_.emplace(&inbox, std::move(owned));
+      channel.inboxes.push_back(&inbox);
+      channel.countSubscription(inbox, 1);
+      isCounted = true;
+      ++channel.inboxesSoFar;
+      const bool isLatched = channel.latched != nullptr && (!inbox.ownOnly || channel.latched->sender == kThisProcess);
+      if (isLatched) putInto(inbox, channel.latched);
+    }
     if (!inbox.ownOnly) openReader(channel);
   } catch (...) {
-    const std::lock_guard inboxesLock(mutex_);
-    std::erase(channel.inboxes, &inbox);
-    std::erase(queue.inboxesWithArrivals, &inbox);
-    channel.countSubscription(inbox, -1);
-    inboxes_.erase(&inbox);
+    {
+      const std::lock_guard inboxesLock(mutex_);
+      std::erase(channel.inboxes, &inbox);
+      giveBackUnread(inbox);
+      if (isCounted) channel.countSubscription(inbox, -1);
+      inboxes_.erase(&inbox);
+    }
+    endUnused(channel);
     throw;
   }
   if (channel.reader) inbox.lostBefore = channel.reader->lost();
@@ -197,10 +220,7 @@ void Bus::endSubscription(Inbox& inbox) {
     const std::lock_guard inboxesLock(mutex_);
     std::erase(channel.inboxes, &inbox);
     channel.countSubscription(inbox, -1);
-    std::erase(queue.inboxesWithArrivals, &inbox);
-    std::vector<Arrival> unread;
-    inbox.moveTo(unread);
-    for (const Arrival& arrival : unread) buffers_.giveBack(arrival.buffer);
+    giveBackUnread(inbox);
     inbox.ended = true;
     if (queue.inDispatch) {
       queue.endedInboxes.push_back(&inbox);
@@ -208,13 +228,13 @@ void Bus::endSubscription(Inbox& inbox) {
       inboxes_.erase(&inbox);
     }
   }
-  if (channel.reader && channel.users.subscriptions == channel.users.ownOnlySubscriptions) {
-    network_->directory().removeOwn({channel.topic, channel.type, Role::kSubscriber});
-    network_->end(std::move(channel.reader));
-    // from now on nobody would tell that what another process latched is out of date
-    forgetLatched(channel, [](const ParticipantId& sender) { return sender != kThisProcess; });
-  }
-  eraseIfUnused(channel);
+  endUnused(channel);
+}
+
+/// With the mutex held.
+void Bus::giveBackUnread(Inbox& inbox) {
+  std::erase(inbox.queue->inboxesWithArrivals, &inbox);
+  inbox.forgetUnread([this](Buffer* buffer) { buffers_.giveBack(buffer); });
 }
 
 /// Takes the sample's bytes, and leaves as many of no meaning for the next one.
@@ -270,8 +290,8 @@ void Bus::deliver(Channel& channel, Buffer* buffer, bool latched, const Publishe
 /// With the mutex held.
 void Bus::putInto(Inbox& inbox, Buffer* buffer) {
   if (inbox.size() == 0) inbox.queue->inboxesWithArrivals.push_back(&inbox);
-  ++buffer->users;
   inbox.add(nextArrival_++, buffer, dropped_);
+  ++buffer->users;
   for (Buffer* each : dropped_) buffers_.giveBack(each);
   dropped_.clear();
   inbox.queue->waiting = true;

@@ -123,8 +123,11 @@ class Bus {
  private:
   Channel& channelFor(std::string_view topic, const std::string& type);
   Inbox& addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
+  void giveBackUnread(Inbox& inbox);
   Inbox& addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
   void openReader(Channel& channel);
+  std::vector<std::string> typesOn(const std::string& topic) const;
+  void endAnnouncement(AnyType& any);
   void hear(AnyType& any, const std::string& type);
   void publisherFound(const std::string& topic, const std::string& type);
   void hearFoundTypes();
@@ -143,7 +146,7 @@ class Bus {
   Buffer* takeBuffer(std::size_t size);
   void collectArrivals(DispatchQueue& queue);
   void releaseArrivals(DispatchQueue& queue);
-  void eraseIfUnused(const Channel& channel);
+  void endUnused(Channel& channel);
   void complain(Channel& channel, const ParticipantId& sender, std::string_view what);
   void subscribersChanged();
   void requestArrived(DispatchQueue& queue);
@@ -176,8 +179,10 @@ class Bus {
 /// State of a publisher.
 class PublisherState {
  public:
-  PublisherState(Bus& owner, DispatchQueue& asker, Channel& topic, const PublisherOptions& given)
-      : bus(owner), queue(asker), channel(topic), options(given) {}
+  /// Adds it.
+  PublisherState(Bus& owner, DispatchQueue& asker, std::string_view topic, const std::string& type,
+                 const PublisherOptions& given)
+      : bus(owner), queue(asker), channel(owner.addPublisher(asker, topic, type, given)), options(given) {}
   ~PublisherState() { bus.endPublisher(queue, channel, options); }
   PublisherState(const PublisherState&) = delete;
   PublisherState& operator=(const PublisherState&) = delete;
@@ -194,7 +199,10 @@ class PublisherState {
 /// State of a service.
 class ServiceState {
  public:
-  ServiceState(Bus& owner, Offer& service) : bus(owner), offer(service) {}
+  /// Adds it.
+  ServiceState(Bus& owner, DispatchQueue& queue, std::string_view service, std::string_view requestType,
+               std::string_view replyType, ServiceHandler handler)
+      : bus(owner), offer(owner.addService(queue, service, requestType, replyType, std::move(handler))) {}
   ~ServiceState() { bus.endService(offer); }
   ServiceState(const ServiceState&) = delete;
   ServiceState& operator=(const ServiceState&) = delete;
@@ -206,19 +214,22 @@ class ServiceState {
 /// State of a pending request.
 class RequestState {
  public:
-  RequestState(Bus& owner, std::uint64_t request) : bus(owner), number(request) {}
-  ~RequestState() { bus.forgetRequest(number); }
+  explicit RequestState(Bus& owner) : bus(owner) {}
+  ~RequestState() {
+    if (number) bus.forgetRequest(*number);
+  }
   RequestState(const RequestState&) = delete;
   RequestState& operator=(const RequestState&) = delete;
 
   Bus& bus;
-  const std::uint64_t number;
+  std::optional<std::uint64_t> number;
 };
 
 /// State of a gateway.
 class GatewayState {
  public:
-  GatewayState(Bus& owner, std::uint64_t gateway) : bus(owner), number(gateway) {}
+  /// Adds it.
+  GatewayState(Bus& owner, CallElsewhere call) : bus(owner), number(owner.addGateway(std::move(call))) {}
   ~GatewayState() { bus.endGateway(number); }
   GatewayState(const GatewayState&) = delete;
   GatewayState& operator=(const GatewayState&) = delete;
@@ -230,8 +241,14 @@ class GatewayState {
 /// State of a subscription: its inbox, or that of any type.
 class SubscriptionState {
  public:
-  SubscriptionState(Bus& bus, Inbox& inbox) : bus_(bus), place_(&inbox) {}
-  SubscriptionState(Bus& bus, AnyType& any) : bus_(bus), place_(&any) {}
+  /// Adds it.
+  template <class Received>
+  SubscriptionState(Bus& bus, DispatchQueue& queue, std::string_view topic, const std::string& type, Received received,
+                    const SubscriptionOptions& options)
+      : bus_(bus), place_(&bus.addSubscription(queue, topic, type, std::move(received), options)) {}
+  SubscriptionState(Bus& bus, DispatchQueue& queue, std::string_view topic, ReceivedOfAnyType received,
+                    const SubscriptionOptions& options)
+      : bus_(bus), place_(&bus.addAnyType(queue, topic, std::move(received), options)) {}
   ~SubscriptionState();
   SubscriptionState(const SubscriptionState&) = delete;
   SubscriptionState& operator=(const SubscriptionState&) = delete;

@@ -1,6 +1,6 @@
 #include "transport/channel.hh"
 
-#include <set>
+#include <algorithm>
 #include <utility>
 
 #include "transport/dispatch_queue.hh"
@@ -15,7 +15,9 @@ Channel::Channel(std::string topicName, std::string typeName)
 Channel::~Channel() = default;
 
 void Channel::countPublisher(DispatchQueue& queue, const PublisherOptions& publisher, int change) {
-  for (Users* each : {&users, &usersOf[&queue]}) {
+  // first what may fail
+  Users& usersOfQueue = usersOf[&queue];
+  for (Users* each : {&users, &usersOfQueue}) {
     each->publishers += change;
     if (publisher.latched) each->latchedPublishers += change;
     if (publisher.relays) each->relayingPublishers += change;
@@ -25,9 +27,11 @@ void Channel::countPublisher(DispatchQueue& queue, const PublisherOptions& publi
 }
 
 void Channel::countSubscription(const Inbox& inbox, int change) {
+  // first what may fail
+  Users& usersOfQueue = usersOf[inbox.queue];
   (inbox.isAtOnce() ? atOnceCount : inboxCount) += change;
   if (inbox.relays) relayingCount += change;
-  for (Users* each : {&users, &usersOf[inbox.queue]}) {
+  for (Users* each : {&users, &usersOfQueue}) {
     each->subscriptions += change;
     if (inbox.relays) each->relayingSubscriptions += change;
     if (inbox.ownOnly) each->ownOnlySubscriptions += change;
@@ -35,18 +39,17 @@ void Channel::countSubscription(const Inbox& inbox, int change) {
 }
 
 void Channel::countAtOnceQueues() {
-  std::set<const DispatchQueue*> queues;
-  for (const Inbox* inbox : atOnce) queues.insert(inbox->queue);
-  atOnceQueue = queues.empty() ? nullptr : *queues.begin();
-  atOnceQueues = static_cast<int>(queues.size());
+  const DispatchQueue* const first = atOnce.empty() ? nullptr : atOnce.front()->queue;
+  atOnceQueue = first;
+  isAtOnceInSeveral = std::ranges::any_of(atOnce, [first](const Inbox* inbox) { return inbox->queue != first; });
 }
 
 bool Channel::needsInboxes(const DispatchQueue& queue, const PublisherOptions& publisher) const {
   constexpr auto kRelaxed = std::memory_order_relaxed;
   if (publisher.latched || inboxCount.load(kRelaxed) > 0) return true;
   if (publisher.ownOnly) return false;
-  const int queues = atOnceQueues.load(kRelaxed);
-  return queues > 1 || (queues == 1 && atOnceQueue.load(kRelaxed) != &queue);
+  const DispatchQueue* const atOnceIn = atOnceQueue.load(kRelaxed);
+  return isAtOnceInSeveral.load(kRelaxed) || (atOnceIn != nullptr && atOnceIn != &queue);
 }
 
 }  // namespace pongsim::transport

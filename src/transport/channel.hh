@@ -33,7 +33,7 @@ class Channel {
   void countPublisher(DispatchQueue& queue, const PublisherOptions& publisher, int change);
   /// Counts a subscription in (1) or out (-1). Needs both mutexes of the bus.
   void countSubscription(const Inbox& inbox, int change);
-  /// Updates `atOnceQueues` and `atOnceQueue` after a change of `atOnce`. Needs `hearing`.
+  /// Updates `atOnceQueue` and `isAtOnceInSeveral` after a change of `atOnce`. Needs `hearing`.
   void countAtOnceQueues();
 
   /// @return Whether a publisher's messages go into inboxes: those of all ordinary subscriptions, and of subscriptions
@@ -70,9 +70,9 @@ class Channel {
   /// Subscriptions that receive messages within `publish`.
   std::vector<Inbox*> atOnce;
   std::atomic<int> atOnceCount = 0;
-  /// The number of transports with such subscriptions, and which transport if there is one.
-  std::atomic<int> atOnceQueues = 0;
+  /// The first transport with such subscriptions, null without any, and whether there are others.
   std::atomic<const DispatchQueue*> atOnceQueue = nullptr;
+  std::atomic<bool> isAtOnceInSeveral = false;
   /// Subscriptions of either kind that relay.
   std::atomic<int> relayingCount = 0;
   /// A message that published bytes are parsed into for them, or null.

@@ -100,6 +100,11 @@ Buffer* Inbox::removeOldest() {
 
 void Inbox::moveTo(std::vector<Arrival>& arrivals) {
   arrivals.insert(arrivals.end(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end());
+  forgetUnread([](Buffer*) {});
+}
+
+void Inbox::forgetUnread(const std::function<void(Buffer*)>& giveBack) {
+  for (std::size_t i = first_; i < waiting_.size(); ++i) giveBack(waiting_[i].buffer);
   waiting_.clear();
   first_ = 0;
   waitingBytes_ = 0;

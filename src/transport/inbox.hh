@@ -49,6 +49,8 @@ class Inbox {
 
   /// Moves all waiting messages to the end of `arrivals`.
   void moveTo(std::vector<Arrival>& arrivals);
+  /// Forgets all waiting messages. Takes no memory.
+  void forgetUnread(const std::function<void(Buffer*)>& giveBack);
 
   std::size_t size() const { return waiting_.size() - first_; }
   /// Without dropped ones.

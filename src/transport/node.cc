@@ -126,16 +126,16 @@ std::string Node::fullName(std::string_view name) const {
 void Node::wake() { bus_->wake(*queue_); }
 
 Publisher Node::advertise(std::string_view topic, std::string_view type, const PublisherOptions& options) {
-  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::knownType(type), options), options);
+  return advertiseAs(transport::knownType(type), topic, options);
 }
 
 Publisher Node::advertiseBytes(std::string_view topic, std::string_view type, const PublisherOptions& options) {
-  return advertiseOn(bus_->addPublisher(*queue_, fullName(topic), transport::anyType(type), options), options);
+  return advertiseAs(transport::anyType(type), topic, options);
 }
 
-Publisher Node::advertiseOn(transport::Channel& channel, const PublisherOptions& options) {
-  auto state = std::make_unique<transport::PublisherState>(*bus_, *queue_, channel, options);
-  if (guard_ != nullptr) guard_->advertised(channel.topic, channel.type);
+Publisher Node::advertiseAs(const std::string& type, std::string_view topic, const PublisherOptions& options) {
+  auto state = std::make_unique<transport::PublisherState>(*bus_, *queue_, fullName(topic), type, options);
+  if (guard_ != nullptr) guard_->advertised(state->channel.topic, state->channel.type);
   return Publisher(std::move(state));
 }
 
@@ -143,8 +143,8 @@ Subscription Node::subscribe(std::string_view topic, std::string_view type,
                              std::function<void(const Message&)> received, const SubscriptionOptions& options) {
   checkRate(options);
   const std::string name = transport::knownType(type);
-  return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, guarded(guard_, std::move(received)), options)));
+  return Subscription(std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name,
+                                                                     guarded(guard_, std::move(received)), options));
 }
 
 Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
@@ -152,15 +152,15 @@ Subscription Node::subscribeBytes(std::string_view topic, std::string_view type,
                                   const SubscriptionOptions& options) {
   checkRate(options);
   const std::string name = transport::anyType(type);
-  return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, guarded(guard_, std::move(received)), options)));
+  return Subscription(std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name,
+                                                                     guarded(guard_, std::move(received)), options));
 }
 
 Subscription Node::subscribeAnyType(std::string_view topic, ReceivedOfAnyType received,
                                     const SubscriptionOptions& options) {
   checkRate(options);
-  return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addAnyType(*queue_, fullName(topic), guarded(guard_, std::move(received)), options)));
+  return Subscription(std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic),
+                                                                     guarded(guard_, std::move(received)), options));
 }
 
 Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type, HeardAtOnce heard,
@@ -168,8 +168,8 @@ Subscription Node::subscribeAtOnce(std::string_view topic, std::string_view type
   checkRate(options);
   const std::string name = transport::knownType(type);
   if (guard_ != nullptr) heard = failingToItself(*guard_, std::move(heard));
-  return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, std::move(heard), options)));
+  return Subscription(
+      std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name, std::move(heard), options));
 }
 
 Subscription Node::subscribeBytesAtOnce(std::string_view topic, std::string_view type, HeardBytesAtOnce heard,
@@ -177,8 +177,8 @@ Subscription Node::subscribeBytesAtOnce(std::string_view topic, std::string_view
   checkRate(options);
   const std::string name = transport::anyType(type);
   if (guard_ != nullptr) heard = failingToItself(*guard_, std::move(heard));
-  return Subscription(std::make_unique<transport::SubscriptionState>(
-      *bus_, bus_->addSubscription(*queue_, fullName(topic), name, std::move(heard), options)));
+  return Subscription(
+      std::make_unique<transport::SubscriptionState>(*bus_, *queue_, fullName(topic), name, std::move(heard), options));
 }
 
 std::vector<OwnTopic> Node::ownTopics() const { return bus_->ownTopics(*queue_); }
@@ -196,7 +196,7 @@ Gateway& Gateway::operator=(Gateway&&) noexcept = default;
 Gateway::~Gateway() = default;
 
 Gateway Node::openGateway(CallElsewhere call) {
-  return Gateway(std::make_unique<transport::GatewayState>(*bus_, bus_->addGateway(std::move(call))));
+  return Gateway(std::make_unique<transport::GatewayState>(*bus_, std::move(call)));
 }
 
 Service::Service() = default;
@@ -221,8 +221,8 @@ Service Node::serve(std::string_view service, std::string_view requestType, std:
       return answer;
     };
   }
-  return Service(std::make_unique<transport::ServiceState>(
-      *bus_, bus_->addService(*queue_, fullName(service), requestType, replyType, std::move(handler))));
+  return Service(std::make_unique<transport::ServiceState>(*bus_, *queue_, fullName(service), requestType, replyType,
+                                                           std::move(handler)));
 }
 
 CallResult Node::call(std::string_view service, const Message& request, Message& reply,
@@ -249,10 +249,11 @@ PendingRequest Node::request(std::string_view service, const Message& request, s
       guard->leave();
     };
   }
-  const std::optional<std::uint64_t> number =
+  auto state = std::make_unique<transport::RequestState>(*bus_);
+  state->number =
       bus_->request(*queue_, fullName(service), request, transport::knownType(replyType), std::move(answered));
-  if (!number) return {};
-  return PendingRequest(std::make_unique<transport::RequestState>(*bus_, *number));
+  if (!state->number) return {};
+  return PendingRequest(std::move(state));
 }
 
 Transport::Transport(const TransportOptions& options)

@@ -139,9 +139,15 @@ ServiceClient::Line& ServiceClient::lineTo(const std::string& service, const std
                                       [this, to = line.get()](const ParticipantId& sender, const Buffer& sample) {
                                         receive(*to, sender, sample.bytes);
                                       });
-  line->writer = network_->makeWriter(
-      requestTopic(service), type, [this] { changed(); }, line->reader->participant(), Content::kCalls);
-  return *lines_.emplace(key, std::move(line)).first->second;
+  try {
+    line->writer = network_->makeWriter(
+        requestTopic(service), type, [this] { changed(); }, line->reader->participant(), Content::kCalls);
+    return *lines_.emplace(key, std::move(line)).first->second;
+  } catch (...) {
+    network_->end(std::move(line->reader));
+    if (line->writer) network_->end(std::move(line->writer));
+    throw;
+  }
 }
 
 /// @return A process that has the service; nothing at `deadline` or where the only ones have it with other types.

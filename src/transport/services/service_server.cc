@@ -60,22 +60,27 @@ Offer& ServiceServer::add(DispatchQueue& queue, std::string_view service, std::s
   bool isFirst = false;
   {
     const std::lock_guard lock(mutex_);
-    std::vector<std::unique_ptr<Offer>>& offers = offers_[offer.name];
-    if (std::ranges::any_of(offers, [&queue](const auto& other) { return &other->queue == &queue; })) {
+    const auto found = offers_.find(offer.name);
+    isFirst = found == offers_.end();
+    if (isFirst) {
+      std::vector<std::unique_ptr<Offer>> offers;
+      offers.push_back(std::move(owned));
+      offers_.emplace(offer.name, std::move(offers));
+    } else if (std::ranges::any_of(found->second, [&queue](const auto& other) { return &other->queue == &queue; })) {
       throw std::invalid_argument("service '" + std::string(service) + "' is already offered");
+    } else {
+      found->second.push_back(std::move(owned));
     }
-    offers.push_back(std::move(owned));
-    isFirst = offers.size() == 1;
     ++version_;
   }
-  if (!isFirst) {
-    serverLog().warning("service '" + offer.name +
-                        "' is also offered by another world of this process: callers in other processes get the "
-                        "reply of the first");
-    return offer;
-  }
   try {
-    open(offer);
+    if (isFirst) {
+      open(offer);
+    } else {
+      serverLog().warning("service '" + offer.name +
+                          "' is also offered by another world of this process: callers in other processes get the "
+                          "reply of the first");
+    }
   } catch (...) {
     end(offer, false);
     throw;
