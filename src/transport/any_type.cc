@@ -44,6 +44,7 @@ AnyType& Bus::addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedO
       // before the readers of types, so that others know that these are not all it takes
       any.announcement = network_->makeReader(any.topic, std::string(kAnyType), [](const ParticipantId&, Buffer&) {});
       network_->directory().addOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
+      any.isListed = true;
     }
     {
       const std::lock_guard anyTypesLock(mutex_);
@@ -51,9 +52,8 @@ AnyType& Bus::addAnyType(DispatchQueue& queue, std::string_view topic, ReceivedO
     }
     types = typesOn(any.topic);
   } catch (...) {
+    if (!owned) owned = takeAnyType(any);
     endAnnouncement(any);
-    const std::lock_guard anyTypesLock(mutex_);
-    std::erase_if(anyTypes_, [&any](const auto& each) { return each.get() == &any; });
     throw;
   }
   if (!options.relays) ++queue.ownTopicsVersion;
@@ -74,10 +74,18 @@ std::vector<std::string> Bus::typesOn(const std::string& topic) const {
 }
 
 /// With the set-up mutex held.
+std::unique_ptr<AnyType> Bus::takeAnyType(const AnyType& any) {
+  const std::lock_guard anyTypesLock(mutex_);
+  const auto found = std::ranges::find(anyTypes_, &any, &std::unique_ptr<AnyType>::get);
+  std::unique_ptr<AnyType> owned = std::move(*found);
+  anyTypes_.erase(found);
+  return owned;
+}
+
+/// With the set-up mutex held.
 void Bus::endAnnouncement(AnyType& any) {
-  if (!any.announcement) return;
-  network_->directory().removeOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
-  network_->end(std::move(any.announcement));
+  if (any.isListed) network_->directory().removeOwn({any.topic, std::string(kAnyType), Role::kSubscriber});
+  if (any.announcement) network_->end(std::move(any.announcement));
 }
 
 void Bus::endAnyType(AnyType& any) {
@@ -85,10 +93,7 @@ void Bus::endAnyType(AnyType& any) {
   std::unique_ptr<AnyType> owned;
   {
     const std::lock_guard lock(setUp_);
-    const std::lock_guard anyTypesLock(mutex_);
-    const auto found = std::ranges::find(anyTypes_, &any, &std::unique_ptr<AnyType>::get);
-    owned = std::move(*found);
-    anyTypes_.erase(found);
+    owned = takeAnyType(any);
   }
   if (!any.options.relays) ++any.queue->ownTopicsVersion;
   for (Inbox* inbox : any.inboxes) endSubscription(*inbox);
@@ -96,8 +101,21 @@ void Bus::endAnyType(AnyType& any) {
   endAnnouncement(any);
 }
 
-/// Makes an inbox for a type, unless there is one. With the set-up mutex held.
-void Bus::hear(AnyType& any, const std::string& type) {
+/// Makes an inbox for a type, unless there is one. Where that fails, there is a warning and nothing else: whoever
+/// advertises the type does not fail, too. With the set-up mutex held.
+void Bus::hear(AnyType& any, const std::string& type) noexcept {
+  try {
+    addInboxOf(any, type);
+  } catch (const std::exception& error) {
+    try {
+      anyTypeLog().warning("topic '" + any.topic + "': messages of '" + type + "' are not received: " + error.what());
+    } catch (const std::exception&) {
+      // no memory for the warning either
+    }
+  }
+}
+
+void Bus::addInboxOf(AnyType& any, const std::string& type) {
   if (type == kAnyType) return;
   const auto isOf = [&type](const Inbox* inbox) { return inbox->channel().type == type; };
   if (std::ranges::any_of(any.inboxes, isOf)) return;
@@ -107,22 +125,19 @@ void Bus::hear(AnyType& any, const std::string& type) {
                          " types are published; the others are not received, '" + type + "' first");
     return;
   }
-  try {
-    {
-      // before there is an inbox, which would have to go if this failed
-      const std::lock_guard inboxesLock(mutex_);
-      any.inboxes.reserve(any.inboxes.size() + 1);
-    }
-    Channel& channel = channelFor(any.topic, type);
+  {
+    // before there is an inbox, which would have to go if this failed
+    const std::lock_guard inboxesLock(mutex_);
+    any.inboxes.reserve(any.inboxes.size() + 1);
+  }
+  Inbox& added = inChannel(any.topic, type, [&](Channel& channel) -> Inbox& {
     Inbox::ReceivedBytes received = [call = any.received, type](auto bytes) { (*call)(type, bytes); };
     auto inbox = std::make_unique<Inbox>(channel, std::move(received), any.options);
     inbox->except = any.except;
-    Inbox& added = addInbox(*any.queue, channel, std::move(inbox));
-    const std::lock_guard inboxesLock(mutex_);
-    any.inboxes.push_back(&added);
-  } catch (const std::exception& error) {
-    anyTypeLog().warning("topic '" + any.topic + "': messages of '" + type + "' are not received: " + error.what());
-  }
+    return addInbox(*any.queue, channel, std::move(inbox));
+  });
+  const std::lock_guard inboxesLock(mutex_);
+  any.inboxes.push_back(&added);
 }
 
 /// Called by DDS.

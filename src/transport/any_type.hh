@@ -25,6 +25,8 @@ class AnyType {
   /// Whether a warning about too many types was given.
   bool isFull = false;
 
+  /// Whether the directory lists the announcement.
+  bool isListed = false;
   /// Announces the subscription to others, whatever they publish; receives nothing. Null without a network.
   std::unique_ptr<Reader> announcement;
 };

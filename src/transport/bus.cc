@@ -77,21 +77,18 @@ Channel& Bus::addPublisher(DispatchQueue& queue, std::string_view topic, const s
                            const PublisherOptions& options) {
   if (options.relays && options.latched) throw std::invalid_argument("a relaying publisher can't be latched");
   const std::lock_guard lock(setUp_);
-  Channel& channel = channelFor(topic, type);
-  try {
+  Channel& added = inChannel(topic, type, [&](Channel& channel) -> Channel& {
     if (network_ && !channel.writer && !options.ownOnly) {
       channel.writer = network_->makeWriter(channel.topic, channel.type, [this] { subscribersChanged(); });
       network_->directory().addOwn({channel.topic, channel.type, Role::kPublisher});
     }
     channel.countPublisher(queue, options, 1);
-  } catch (...) {
-    endUnused(channel);
-    throw;
-  }
+    return channel;
+  });
   for (const auto& any : anyTypes_) {
-    if (any->topic == channel.topic) hear(*any, channel.type);
+    if (any->topic == added.topic) hear(*any, added.type);
   }
-  return channel;
+  return added;
 }
 
 void Bus::endPublisher(DispatchQueue& queue, Channel& channel, const PublisherOptions& options) {
@@ -107,43 +104,45 @@ void Bus::endPublisher(DispatchQueue& queue, Channel& channel, const PublisherOp
 Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
                             Inbox::Received received, const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
-  Channel& channel = channelFor(topic, type);
-  return addInbox(queue, channel, std::make_unique<Inbox>(channel, newMessage(type), std::move(received), options));
+  return inChannel(topic, type, [&](Channel& channel) -> Inbox& {
+    return addInbox(queue, channel, std::make_unique<Inbox>(channel, newMessage(type), std::move(received), options));
+  });
 }
 
 Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
                             Inbox::ReceivedBytes received, const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
-  Channel& channel = channelFor(topic, type);
-  return addInbox(queue, channel, std::make_unique<Inbox>(channel, std::move(received), options));
+  return inChannel(topic, type, [&](Channel& channel) -> Inbox& {
+    return addInbox(queue, channel, std::make_unique<Inbox>(channel, std::move(received), options));
+  });
 }
 
 Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type, HeardAtOnce heard,
                             const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
-  Channel& channel = channelFor(topic, type);
-  auto inbox = std::make_unique<Inbox>(
-      channel, newMessage(type),
-      [&channel, heard](const Message& message) {
-        const std::lock_guard hearing(channel.hearing);
-        heard(message, nullptr);
-      },
-      options);
-  inbox->heardAtOnce = std::move(heard);
-  return addHearing(queue, channel, std::move(inbox));
+  return inChannel(topic, type, [&](Channel& channel) -> Inbox& {
+    Inbox::Received later = [&channel, heard](const Message& message) {
+      const std::lock_guard hearing(channel.hearing);
+      heard(message, nullptr);
+    };
+    auto inbox = std::make_unique<Inbox>(channel, newMessage(type), std::move(later), options);
+    inbox->heardAtOnce = std::move(heard);
+    return addHearing(queue, channel, std::move(inbox));
+  });
 }
 
 Inbox& Bus::addSubscription(DispatchQueue& queue, std::string_view topic, const std::string& type,
                             HeardBytesAtOnce heard, const SubscriptionOptions& options) {
   const std::lock_guard lock(setUp_);
-  Channel& channel = channelFor(topic, type);
-  Inbox::ReceivedBytes later = [&channel, heard](std::span<const std::byte> bytes) {
-    const std::lock_guard hearing(channel.hearing);
-    heard(bytes.size(), [bytes](std::span<std::byte> place) { std::copy(bytes.begin(), bytes.end(), place.begin()); });
-  };
-  auto inbox = std::make_unique<Inbox>(channel, std::move(later), options);
-  inbox->heardBytesAtOnce = std::move(heard);
-  return addHearing(queue, channel, std::move(inbox));
+  return inChannel(topic, type, [&](Channel& channel) -> Inbox& {
+    Inbox::ReceivedBytes later = [&channel, heard](std::span<const std::byte> bytes) {
+      const std::lock_guard hearing(channel.hearing);
+      heard(bytes.size(), [bytes](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
+    };
+    auto inbox = std::make_unique<Inbox>(channel, std::move(later), options);
+    inbox->heardBytesAtOnce = std::move(heard);
+    return addHearing(queue, channel, std::move(inbox));
+  });
 }
 
 Inbox& Bus::addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox) {
@@ -170,22 +169,19 @@ Inbox& Bus::addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inb
       channel.inboxes.push_back(&inbox);
       channel.countSubscription(inbox, 1);
       isCounted = true;
-      ++channel.inboxesSoFar;
       const bool isLatched = channel.latched != nullptr && (!inbox.ownOnly || channel.latched->sender == kThisProcess);
       if (isLatched) putInto(inbox, channel.latched);
     }
     if (!inbox.ownOnly) openReader(channel);
   } catch (...) {
-    {
-      const std::lock_guard inboxesLock(mutex_);
-      std::erase(channel.inboxes, &inbox);
-      giveBackUnread(inbox);
-      if (isCounted) channel.countSubscription(inbox, -1);
-      inboxes_.erase(&inbox);
-    }
-    endUnused(channel);
+    const std::lock_guard inboxesLock(mutex_);
+    std::erase(channel.inboxes, &inbox);
+    giveBackUnread(inbox);
+    if (isCounted) channel.countSubscription(inbox, -1);
+    inboxes_.erase(&inbox);
     throw;
   }
+  ++channel.inboxesSoFar;
   if (channel.reader) inbox.lostBefore = channel.reader->lost();
   if (!inbox.relays) ++queue.ownTopicsVersion;
   subscribersChanged_.notify_all();

@@ -122,13 +122,17 @@ class Bus {
 
  private:
   Channel& channelFor(std::string_view topic, const std::string& type);
+  template <class Add>
+  auto& inChannel(std::string_view topic, const std::string& type, const Add& add);
   Inbox& addInbox(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
   void giveBackUnread(Inbox& inbox);
   Inbox& addHearing(DispatchQueue& queue, Channel& channel, std::unique_ptr<Inbox> inbox);
   void openReader(Channel& channel);
   std::vector<std::string> typesOn(const std::string& topic) const;
   void endAnnouncement(AnyType& any);
-  void hear(AnyType& any, const std::string& type);
+  std::unique_ptr<AnyType> takeAnyType(const AnyType& any);
+  void hear(AnyType& any, const std::string& type) noexcept;
+  void addInboxOf(AnyType& any, const std::string& type);
   void publisherFound(const std::string& topic, const std::string& type);
   void hearFoundTypes();
   bool isAwaited(const PublisherState& publisher) const;
@@ -175,6 +179,19 @@ class Bus {
   ServiceServer server_;
   ServiceClient client_;
 };
+
+/// @return What `add` has added to the channel of a topic; if it throws, the channel goes too, unless it is used. With
+/// the set-up mutex held.
+template <class Add>
+auto& Bus::inChannel(std::string_view topic, const std::string& type, const Add& add) {
+  Channel& channel = channelFor(topic, type);
+  try {
+    return add(channel);
+  } catch (...) {
+    endUnused(channel);
+    throw;
+  }
+}
 
 /// State of a publisher.
 class PublisherState {

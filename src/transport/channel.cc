@@ -48,8 +48,10 @@ bool Channel::needsInboxes(const DispatchQueue& queue, const PublisherOptions& p
   constexpr auto kRelaxed = std::memory_order_relaxed;
   if (publisher.latched || inboxCount.load(kRelaxed) > 0) return true;
   if (publisher.ownOnly) return false;
+  // in this order: when the first of several has gone, the next one is there before there are no longer several
+  if (isAtOnceInSeveral.load(std::memory_order_acquire)) return true;
   const DispatchQueue* const atOnceIn = atOnceQueue.load(kRelaxed);
-  return isAtOnceInSeveral.load(kRelaxed) || (atOnceIn != nullptr && atOnceIn != &queue);
+  return atOnceIn != nullptr && atOnceIn != &queue;
 }
 
 }  // namespace pongsim::transport

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <vector>
 
 #include "transport/dispatch_queue.hh"
 #include "transport/inbox.hh"
@@ -95,6 +96,11 @@ TEST_F(ChannelTest, NeedsInboxesForSubscriptionsAtOnceOfOtherTransportsOnly) {
   const auto second = inboxAtOnce(others_);
   add(*second);
   EXPECT_TRUE(channel_.needsInboxes(own_, {}));
+  // without the first one, the other's is left
+  std::erase(channel_.atOnce, atOnce.get());
+  channel_.countAtOnceQueues();
+  EXPECT_TRUE(channel_.needsInboxes(own_, {}));
+  EXPECT_FALSE(channel_.needsInboxes(others_, {}));
 }
 
 }  // namespace pongsim::transport

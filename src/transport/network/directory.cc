@@ -99,9 +99,14 @@ void Directory::forgetTraffic() {
 
 void Directory::addOwn(const Endpoint& endpoint) {
   const std::lock_guard lock(mutex_);
-  own_.emplace(endpoint.topic, endpoint);
-  for (const auto& [id, other] : endpoints_) {
-    if (other.topic == endpoint.topic) warnOfType(endpoint, id, other);
+  const auto added = own_.emplace(endpoint.topic, endpoint);
+  try {
+    for (const auto& [id, other] : endpoints_) {
+      if (other.topic == endpoint.topic) warnOfType(endpoint, id, other);
+    }
+  } catch (...) {
+    own_.erase(added);
+    throw;
   }
 }
 

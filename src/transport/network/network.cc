@@ -132,9 +132,10 @@ void Network::end(std::unique_ptr<Reader> reader) { remove(std::move(reader)); }
 template <class Each>
 void Network::remove(std::unique_ptr<Each> endpoint) {
   const ParticipantId at = endpoint->participant();
+  // first what can't fail
+  leave(at);
   changeCensus(-1);
   endpoint.reset();
-  leave(at);
 }
 
 /// @return That participant, or one that has few endpoints. It counts one more.
@@ -179,7 +180,13 @@ void Network::changeCensus(int endpoints) {
   const std::lock_guard lock(censusMutex_);
   endpoints_ += static_cast<std::uint32_t>(endpoints);
   const auto bytes = std::as_bytes(std::span(&endpoints_, 1));
-  censusWriter_->write(bytes.size(), [&](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
+  try {
+    censusWriter_->write(bytes.size(), [&](std::span<std::byte> place) { std::ranges::copy(bytes, place.begin()); });
+  } catch (...) {
+    // an endpoint that is told of nobody does not stay; one that ends has gone all the same
+    if (endpoints > 0) endpoints_ -= static_cast<std::uint32_t>(endpoints);
+    throw;
+  }
 }
 
 bool Network::discover(std::chrono::nanoseconds timeout) {

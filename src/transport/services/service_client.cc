@@ -261,7 +261,14 @@ std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::stri
     number = nextCall_++;
     if (answered) posted_[number] = {&asker, name, newMessage(replyType), std::move(answered)};
   }
-  if (own_.post(asker, name, number, std::move(message))) return number;
+  bool isPosted = false;
+  try {
+    isPosted = own_.post(asker, name, number, std::move(message));
+  } catch (...) {
+    forget(number);
+    throw;
+  }
+  if (isPosted) return number;
   forget(number);
   return std::nullopt;
 }

@@ -195,8 +195,9 @@ bool ServiceServer::enqueue(Offer& offer, Offer::Request request) {
   if (offer.ended || offer.waiting.size() >= kMaximumRequests) return false;
   if (!offer.waiting.empty() && offer.waitingBytes + request.message.size() > kMaximumBytes) return false;
   request.number = nextNumber_++;
-  offer.waitingBytes += request.message.size();
+  const std::size_t bytes = request.message.size();
   offer.waiting.push_back(std::move(request));
+  offer.waitingBytes += bytes;
   return true;
 }
 
@@ -207,8 +208,9 @@ bool ServiceServer::post(const DispatchQueue& asker, const std::string& service,
     const std::lock_guard lock(mutex_);
     Offer* offer = find(asker, service);
     if (offer == nullptr || offer->waiting.size() >= kMaximumRequests) return false;
-    offer->waitingBytes += message.size();
+    const std::size_t bytes = message.size();
     offer->waiting.push_back({nextNumber_++, kOwn, call, std::chrono::steady_clock::now(), std::move(message)});
+    offer->waitingBytes += bytes;
     queue = &offer->queue;
   }
   wake(*queue);
