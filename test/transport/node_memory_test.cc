@@ -21,16 +21,23 @@ namespace {
 // Of this thread's allocations; counts down to the one that fails.
 thread_local long untilFailure = 0;
 
-void* failing(std::size_t size) {
-  if (untilFailure > 0 && --untilFailure == 0) throw std::bad_alloc();
-  if (void* memory = std::malloc(size)) return memory;
+void* failing(std::size_t size) noexcept {
+  if (untilFailure > 0 && --untilFailure == 0) return nullptr;
+  return std::malloc(size);
+}
+
+void* throwing(std::size_t size) {
+  if (void* memory = failing(size)) return memory;
   throw std::bad_alloc();
 }
 
 }  // namespace
 
-void* operator new(std::size_t size) { return failing(size); }
-void* operator new[](std::size_t size) { return failing(size); }
+void* operator new(std::size_t size) { return throwing(size); }
+void* operator new[](std::size_t size) { return throwing(size); }
+// a sanitizer's would not be freed with free
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return failing(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return failing(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
