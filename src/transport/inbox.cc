@@ -100,11 +100,15 @@ Buffer* Inbox::removeOldest() {
 
 void Inbox::moveTo(std::vector<Arrival>& arrivals) {
   arrivals.insert(arrivals.end(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_), waiting_.end());
-  forgetUnread([](Buffer*) {});
+  clear();
 }
 
 void Inbox::forgetUnread(const std::function<void(Buffer*)>& giveBack) {
   for (std::size_t i = first_; i < waiting_.size(); ++i) giveBack(waiting_[i].buffer);
+  clear();
+}
+
+void Inbox::clear() {
   waiting_.clear();
   first_ = 0;
   waitingBytes_ = 0;

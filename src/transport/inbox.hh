@@ -89,6 +89,7 @@ class Inbox {
   using Clock = std::chrono::steady_clock;
 
   Inbox(Channel& channel, const SubscriptionOptions& options);
+  void clear();
   Buffer* removeOldest();
 
   Channel& channel_;

@@ -261,14 +261,12 @@ std::optional<std::uint64_t> ServiceClient::post(DispatchQueue& asker, std::stri
     number = nextCall_++;
     if (answered) posted_[number] = {&asker, name, newMessage(replyType), std::move(answered)};
   }
-  bool isPosted = false;
   try {
-    isPosted = own_.post(asker, name, number, std::move(message));
+    if (own_.post(asker, name, number, std::move(message))) return number;
   } catch (...) {
     forget(number);
     throw;
   }
-  if (isPosted) return number;
   forget(number);
   return std::nullopt;
 }
