@@ -159,9 +159,9 @@ void SystemSet::add(const description::Plugin& plugin, std::size_t number, const
   }
   const std::string& nameSpace = access_.entities.nameSpace(holder.model);
   const Node node = nameSpace.empty() ? transport_.node() : transport_.node().below(nameSpace);
-  start({model ? model->id() : ModelId(), number, name, plugin.sdf.position, node,
-         stream(SystemSlot::streamOf(name, number)), std::move(system), actor ? actor->id() : ActorId(), where()},
-        plugin.sdf, model, actor, diagnostics);
+  start({model ? model->id() : ModelId(), number, name, plugin.sdf, node, stream(SystemSlot::streamOf(name, number)),
+         std::move(system), actor ? actor->id() : ActorId(), where()},
+        model, actor, diagnostics);
 }
 
 bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostics& diagnostics) {
@@ -176,19 +176,20 @@ bool SystemSet::add(std::string name, std::unique_ptr<System> system, Diagnostic
   plugin.name = "plugin";
   const Random random = stream(SystemSlot::streamOf(name, number));
   const bool isUsed =
-      start({{}, number, std::move(name), {}, transport_.node(), random, std::move(system), {}, where(), true}, plugin,
+      start({{}, number, std::move(name), std::move(plugin), transport_.node(), random, std::move(system), {}, where(),
+             true},
             {}, {}, diagnostics);
   collect();
   return isUsed;
 }
 
-bool SystemSet::start(SystemSlot::Parts parts, const Element& plugin, const std::optional<Model>& model,
-                      const std::optional<Actor>& actor, Diagnostics& diagnostics) {
+bool SystemSet::start(SystemSlot::Parts parts, const std::optional<Model>& model, const std::optional<Actor>& actor,
+                      Diagnostics& diagnostics) {
   SystemSlot& slot = slots_.emplace_back(
       std::move(parts), access_, queue_,
       [this](const SystemSlot& each, const std::string& what) { noteFailure(each, what); },
       [this](const SystemSlot& each, const std::string& topic) { noteTopic(each, topic); });
-  if (!slot.start(plugin, world_, model, actor, systems_, diagnostics)) {
+  if (!slot.start(world_, model, actor, systems_, diagnostics)) {
     forgetTopics(slot);
     slots_.pop_back();
     return false;

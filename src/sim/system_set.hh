@@ -99,8 +99,8 @@ class SystemSet {
   };
   void add(const description::Plugin& plugin, std::size_t number, const Holder& holder, Diagnostics& diagnostics);
   /// @return Whether it can be used.
-  bool start(SystemSlot::Parts parts, const Element& plugin, const std::optional<Model>& model,
-             const std::optional<Actor>& actor, Diagnostics& diagnostics);
+  bool start(SystemSlot::Parts parts, const std::optional<Model>& model, const std::optional<Actor>& actor,
+             Diagnostics& diagnostics);
   void putInOrder();
   void collect();
   /// Takes out all that one says yes to.

@@ -34,8 +34,9 @@ SystemSlot::~SystemSlot() {
   queue_.forget(*this);
 }
 
-bool SystemSlot::start(const Element& plugin, World& world, const std::optional<Model>& model,
-                       const std::optional<Actor>& actor, std::span<System* const> before, Diagnostics& diagnostics) {
+bool SystemSlot::start(World& world, const std::optional<Model>& model, const std::optional<Actor>& actor,
+                       std::span<System* const> before, Diagnostics& diagnostics) {
+  const Element& plugin = parts_.plugin;
   const std::string left = parts_.name + " is left out: ";
   const base::RunningPart running(crashName_.c_str(), "in configure");
   try {

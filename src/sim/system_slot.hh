@@ -12,6 +12,7 @@
 #include "base/crash_report.hh"
 #include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
+#include "pongsim/element.hh"
 #include "pongsim/system.hh"
 #include "sim/api/access.hh"
 #include "sim/edits/edit_queue.hh"
@@ -29,8 +30,8 @@ class SystemSlot final : public CallGuard {
     std::size_t number;
     /// "diff-drive of rover".
     std::string name;
-    /// Position of its `<plugin>`.
-    SourcePosition position;
+    /// Its `<plugin>`, which systems may refer to for as long as they live.
+    Element plugin;
     Node node;
     Random random;
     std::unique_ptr<System> system;
@@ -57,7 +58,7 @@ class SystemSlot final : public CallGuard {
   bool isAdded() const { return parts_.isAdded; }
   /// @return Its name in log messages.
   std::string label() const { return parts_.name + parts_.where; }
-  const SourcePosition& position() const { return parts_.position; }
+  const SourcePosition& position() const { return parts_.plugin.position; }
   /// @return The name of a system's random stream. The number distinguishes several systems of a kind in one place.
   static std::string streamOf(const std::string& name, std::size_t number) {
     return name + "#" + std::to_string(number);
@@ -69,7 +70,7 @@ class SystemSlot final : public CallGuard {
   /// @param world, model, actor Parent of the `<plugin>`; neither model nor actor for the world itself.
   /// @param before The systems before this one.
   /// @return Whether it can be used; otherwise `diagnostics` has the reason.
-  bool start(const Element& plugin, World& world, const std::optional<Model>& model, const std::optional<Actor>& actor,
+  bool start(World& world, const std::optional<Model>& model, const std::optional<Actor>& actor,
              std::span<System* const> before, Diagnostics& diagnostics);
   System& system() { return *parts_.system; }
   /// @return Its advertised topics.

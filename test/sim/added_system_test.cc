@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -86,6 +87,29 @@ TEST_F(AddedSystemTest, IsThereWithoutTheSystemsOfTheFile) {
   simulation_->step(1000);
   EXPECT_NEAR(simulation_->world().model("ball")->pose().position.z(), 95.1, 0.01);
   EXPECT_EQ(takeCalls().size(), 2001U);
+}
+
+/// Keeps what it is given for as long as it lives, as `SystemContext` allows.
+class KeepingSystem : public System {
+ public:
+  void configure(const SystemContext& context) override { context_.emplace(context); }
+  void preUpdate(const StepInfo&) override {
+    seen += context_->sdf.name + " of " + std::string(context_->world.name());
+  }
+  std::string seen;
+
+ private:
+  std::optional<SystemContext> context_;
+};
+
+TEST_F(AddedSystemTest, MayKeepItsElement) {
+  start();
+  auto system = std::make_unique<KeepingSystem>();
+  const KeepingSystem& keeper = *system;
+  Diagnostics diagnostics;
+  ASSERT_TRUE(simulation_->addSystem("keeper", std::move(system), diagnostics));
+  simulation_->step();
+  EXPECT_EQ(keeper.seen, "plugin of w");
 }
 
 TEST_F(AddedSystemTest, ThatHasNoNameOrATakenOneIsRefused) {

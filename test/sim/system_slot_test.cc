@@ -49,7 +49,7 @@ class SystemSlotTest : public testing::Test {
         access_, queue_,
         [this](const SystemSlot& slot, const std::string& what) { said_.push_back(slot.name() + " " + what); });
     Diagnostics diagnostics;
-    EXPECT_TRUE(slot_->start({}, world_, std::nullopt, std::nullopt, {}, diagnostics));
+    EXPECT_TRUE(slot_->start(world_, std::nullopt, std::nullopt, {}, diagnostics));
     EXPECT_TRUE(diagnostics.all().empty());
   }
 

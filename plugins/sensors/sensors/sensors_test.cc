@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,29 @@ TEST(Sensors, MeasureAlongEachBeamFromTheLowestRowOn) {
   for (int i = 0; i < 6; ++i) {
     EXPECT_NEAR(scan.ranges(i), 4 / std::cos(rows[i / 3]) / std::cos(columns[i % 3]), 1e-9) << i;
   }
+}
+
+TEST(Sensors, InAWorldThatHadNoneWorkAfterTheFirstIsInserted) {
+  RunningWorld world(kSystem + box("wall", "5 0 1 0 0 0"));
+  std::vector<LaserScan> scans;
+  world.listen("/scan", scans);
+  world.step(2);
+  const std::string sensor = beams("<samples>3</samples><min_angle>-0.6</min_angle><max_angle>0.6</max_angle>");
+  const std::string model = "<sdf version='1.9'><model name='m'><static>true</static><pose>0 0 1 0 0 0</pose><link "
+                            "name='l'><sensor name='s' type='gpu_lidar'>" +
+                            sensor + "</sensor></link></model></sdf>";
+  Diagnostics diagnostics;
+  for (int time = 0; time < 2; ++time) {
+    ASSERT_TRUE(world.simulation().insertText(model, "lidar.sdf", {}, diagnostics));
+    world.step(2);
+    ASSERT_FALSE(scans.empty());
+    EXPECT_NEAR(scans.back().ranges(1), 4, 1e-9);
+    scans.clear();
+    ASSERT_EQ(world.simulation().remove(world.model("m")), std::nullopt);
+    world.step(2);
+    EXPECT_TRUE(scans.empty());
+  }
+  EXPECT_TRUE(diagnostics.all().empty());
 }
 
 TEST(Sensors, TellWhatTheirBeamsAre) {
