@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shared/program/command_line.hh"
+
+namespace pongsim::fuel {
+
+/// Adds the actions of `pongsim fuel`. They are also listed in share/fuel.json, for help and completion.
+void addActions(CLI::App& program, programs::Work& work);
+
+/// @return The words of a command line.
+/// @throws UsageError for features of `ign fuel` that are not supported.
+std::vector<std::string> checkedWords(std::vector<std::string> words);
+
+}  // namespace pongsim::fuel

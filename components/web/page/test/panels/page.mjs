@@ -1,0 +1,115 @@
+// A pongsim with the page in a browser, for tests.
+import { chromium } from 'playwright-core';
+import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdtempSync, realpathSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+// node sees this file through a link in the build tree
+export const repository = fileURLToPath(new URL('../../../../../', pathToFileURL(realpathSync(fileURLToPath(import.meta.url)))));
+const program = process.env.PONGSIM;
+
+/// Longer than anything takes on a busy machine.
+export const patience = 60_000;
+
+/// Runs a world with the page.
+/// @return Its address, and how to end it.
+async function run(world, options) {
+  const home = mkdtempSync(join(tmpdir(), 'pongsim-page-'));
+  const child = spawn(program, ['run', world, '--web', '0', ...options], {
+    stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, HOME: home, PONGSIM_OFFLINE: '1' },
+  });
+  let said = '';
+  const ended = once(child, 'exit');
+  const address = await new Promise((resolve, reject) => {
+    const hear = (text) => {
+      said += text;
+      const found = /http:\/\/[^\s]+/.exec(said);
+      if (found) resolve(found[0]);
+    };
+    child.stdout.on('data', hear);
+    child.stderr.on('data', hear);
+    child.on('exit', (code) => reject(new Error(`pongsim ended with ${code}: ${said}`)));
+  });
+  let isEnded = false;
+  const end = async () => {
+    if (isEnded) return;
+    isEnded = true;
+    child.kill('SIGINT');
+    await ended;
+    rmSync(home, { recursive: true });
+  };
+  return { address, end };
+}
+
+/// Opens the page of a world and waits until the world is there.
+/// @param options More of `pongsim run`.
+/// @param flags More of the browser's.
+export async function openPage(world, { options = ['--paused'], flags = [], viewport = { width: 1280, height: 800 } } = {}) {
+  const simulator = await run(world, options);
+  const browser = await chromium.launch({
+    executablePath: process.env.PONGSIM_CHROMIUM,
+    timeout: 2 * patience,
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...flags],
+  });
+  const context = await browser.newContext({ viewport, colorScheme: 'dark', acceptDownloads: true });
+  const tab = await context.newPage();
+  tab.setDefaultTimeout(patience);
+  const errors = [];
+  tab.on('pageerror', (error) => errors.push(error.stack ?? String(error)));
+  tab.on('console', (line) => {
+    if (line.type() === 'error') errors.push(line.text());
+  });
+  await tab.goto(simulator.address);
+  await tab.locator('.panel').first().waitFor();
+  const close = async () => {
+    await browser.close();
+    await simulator.end();
+  };
+  return { tab, errors, close, endServer: simulator.end };
+}
+
+/// Opens one more panel.
+export async function openPanel(tab, title) {
+  await tab.locator('summary', { hasText: 'Panels' }).click();
+  await tab.locator('.menu .items button', { hasText: new RegExp(`^${title}$`) }).click();
+  return panel(tab, title);
+}
+
+export function panel(tab, title) {
+  return tab.locator('section.panel', { has: tab.locator('h2', { hasText: new RegExp(`^${title}$`) }) });
+}
+
+/// Chooses an entity by its name in the tree.
+export async function choose(tab, name) {
+  const tree = panel(tab, 'Entity tree');
+  await tree.getByRole('treeitem', { name: new RegExp(`^${name} \\w+$`) }).locator('> .row .name').click();
+}
+
+/// Position [m] and angles [rad] that the inspector shows of what is chosen.
+export async function shownPose(tab) {
+  const text = await tab.locator('#inspector-pose').textContent();
+  return text.replace('in the world', '').trim().split(/\s+/).map(Number);
+}
+
+/// Waits until the condition holds of what `look` finds.
+/// @return What was found.
+export async function until(look, holds, what) {
+  const end = Date.now() + patience;
+  for (;;) {
+    const found = await look();
+    if (holds(found)) return found;
+    if (Date.now() > end) throw new Error(`${what}: the last was ${JSON.stringify(found)}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
+
+/// Runs pongsim once.
+/// @return What it has printed.
+export function pongsim(...words) {
+  const { stdout, stderr, status } = spawnSync(program, words, { encoding: 'utf8', timeout: patience });
+  if (status !== 0) throw new Error(`pongsim ${words.join(' ')}: ${stderr}`);
+  return stdout;
+}
