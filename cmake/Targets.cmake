@@ -5,11 +5,25 @@ function(pongsim_parses_options target)
   target_precompile_headers(${target} REUSE_FROM pongsim_options_precompiled)
 endfunction()
 
-# pongsim_layer(NAME SOURCES ... [USES third-party targets ...] [COMPUTES | PARSES_OPTIONS])
-# A folder under src/, as object files for the library and for the layer's tests. COMPUTES: most of a run's time is spent
-# here, so it is optimized more. PARSES_OPTIONS: see pongsim_parses_options.
+# pongsim_sources(SOURCES TESTS)
+# The C++ files below the current folder: sources, and their tests, which are beside them and end in _test.cc.
+function(pongsim_sources sources tests)
+  file(GLOB_RECURSE all RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *.cc)
+  set(found ${all})
+  list(FILTER found INCLUDE REGEX "_test\\.cc$")
+  list(FILTER all EXCLUDE REGEX "_test\\.cc$")
+  set(${sources} ${all} PARENT_SCOPE)
+  set(${tests} ${found} PARENT_SCOPE)
+endfunction()
+
+# pongsim_layer(NAME [SOURCES ...] [USES third-party targets ...] [COMPUTES | PARSES_OPTIONS])
+# A folder under src/, as object files for the library and for the layer's tests. Without SOURCES all of the folder's.
+# COMPUTES: most of a run's time is spent here, so it is optimized more. PARSES_OPTIONS: see pongsim_parses_options.
 function(pongsim_layer name)
   cmake_parse_arguments(arg "COMPUTES;PARSES_OPTIONS" "" "SOURCES;USES" ${ARGN})
+  if(NOT arg_SOURCES)
+    pongsim_sources(arg_SOURCES tests)
+  endif()
   add_library(pongsim_${name} OBJECT ${arg_SOURCES})
   if(arg_PARSES_OPTIONS)
     pongsim_parses_options(pongsim_${name})
@@ -71,11 +85,19 @@ function(pongsim_extension name)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endfunction()
 
-# pongsim_test(NAME SOURCES ... [LINKS ...] [LABELS ...])
-# A GoogleTest program; each of its tests is a ctest test. Links the layers, including hidden parts, unless LINKS names the
-# library itself (`pongsim`), for a test that sees only the installed API.
+# pongsim_test(NAME [SOURCES ... | EXCEPT ...] [LINKS ...] [USES third-party targets ...] [TIMEOUT seconds])
+# A GoogleTest program; each of its tests is a ctest test. Without SOURCES it has all tests of the folder, but those of
+# EXCEPT. Links the layers, including hidden parts, unless LINKS names the library itself (`pongsim`), for a test that sees
+# only the installed API. Nothing where no tests are built.
 function(pongsim_test name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINKS;USES" ${ARGN})
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;EXCEPT;LINKS;USES" ${ARGN})
+  if(NOT arg_SOURCES)
+    pongsim_sources(sources arg_SOURCES)
+    list(REMOVE_ITEM arg_SOURCES ${arg_EXCEPT})
+  endif()
   if(NOT arg_LINKS)
     set(arg_LINKS pongsim_layers)
   endif()
@@ -122,4 +144,15 @@ function(pongsim_plugin_test name)
   list(TRANSFORM arg_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGIN_TESTS ${arg_SOURCES})
   set_property(GLOBAL APPEND PROPERTY PONGSIM_PLUGIN_TESTS_USE ${arg_USES})
+endfunction()
+
+# pongsim_allocation_test(NAME SOURCE [USES third-party targets ...])
+# A test that counts allocations or lets them fail: a program of its own, because it replaces operator new.
+function(pongsim_allocation_test name source)
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  pongsim_test(${name} SOURCES ${source} ${ARGN})
+  # GCC warns because the replacement uses malloc
+  target_compile_options(${name} PRIVATE -Wno-mismatched-new-delete)
 endfunction()

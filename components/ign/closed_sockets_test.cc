@@ -7,7 +7,7 @@
 
 #include "ign/heartbeats.hh"
 #include "ign/library.hh"
-#include "ign/test/discovery_packet.hh"
+#include "support/ign/discovery_packet.hh"
 #include "support/wait_until.hh"
 
 namespace pongsim::ign {

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "ign/test/discovery_packet.hh"
+#include "support/ign/discovery_packet.hh"
 #include "support/process.hh"
 
 namespace pongsim::ign {

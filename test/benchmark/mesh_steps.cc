@@ -11,7 +11,7 @@
 
 #include "physics/engine.hh"
 #include "physics/hulls/hull_store.hh"
-#include "physics/rig.hh"
+#include "support/physics/rig.hh"
 #include "support/solids.hh"
 #include "support/temp_folder.hh"
 

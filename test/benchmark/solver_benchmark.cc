@@ -15,7 +15,7 @@
 #include "benchmark/multi_body.hh"
 #include "golden/corridor.hh"
 #include "physics/engine.hh"
-#include "physics/rig.hh"
+#include "support/physics/rig.hh"
 #include "sdf/loader.hh"
 #include "support/fortress_worlds.hh"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "log/mcap/mcap_samples.hh"
+#include "support/log/mcap_samples.hh"
 #include "log/store/failure.hh"
 #include "log/tlog/tlog_writer.hh"
 #include "shared/program/failure.hh"

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "log/mcap/mcap_samples.hh"
+#include "support/log/mcap_samples.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {

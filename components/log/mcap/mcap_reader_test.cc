@@ -6,7 +6,7 @@
 #include <random>
 #include <span>
 
-#include "log/mcap/mcap_samples.hh"
+#include "support/log/mcap_samples.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {

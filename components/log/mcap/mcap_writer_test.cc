@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-#include "log/mcap/mcap_samples.hh"
+#include "support/log/mcap_samples.hh"
 #include "support/temp_folder.hh"
 #include "support/wait_until.hh"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "log/mcap/mcap_samples.hh"
+#include "support/log/mcap_samples.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "log/mcap/compression.hh"
-#include "log/mcap/mcap_samples.hh"
+#include "support/log/mcap_samples.hh"
 #include "log/mcap/record_archive.hh"
 #include "support/temp_folder.hh"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "log/playback/recorded_state.hh"
-#include "log/system/log_support.hh"
+#include "support/log/log_support.hh"
 #include "log/tlog/tlog_reader.hh"
 #include "support/fortress_worlds.hh"
 #include "support/temp_folder.hh"

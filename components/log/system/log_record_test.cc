@@ -13,7 +13,7 @@
 
 #include "log/playback/recorded_state.hh"
 #include "log/store/zip.hh"
-#include "log/system/log_support.hh"
+#include "support/log/log_support.hh"
 #include "log/tlog/tlog_reader.hh"
 #include "support/fortress_worlds.hh"
 #include "support/temp_folder.hh"

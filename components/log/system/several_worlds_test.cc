@@ -9,7 +9,7 @@
 
 #include "log/playback/played_files.hh"
 #include "log/store/failure.hh"
-#include "log/system/log_support.hh"
+#include "support/log/log_support.hh"
 #include "log/tlog/tlog_reader.hh"
 #include "support/process.hh"
 #include "support/temp_folder.hh"

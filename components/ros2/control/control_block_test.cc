@@ -1,7 +1,7 @@
 #include "ros2/control/control_block.hh"
 
 #include "pongsim/files/urdf_source.hh"
-#include "ros2/robot/robot_world.hh"
+#include "support/ros2/robot_world.hh"
 
 namespace pongsim::ros2 {
 namespace {

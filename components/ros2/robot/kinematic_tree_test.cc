@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ros2/robot/robot_world.hh"
+#include "support/ros2/robot_world.hh"
 
 namespace pongsim::ros2 {
 namespace {

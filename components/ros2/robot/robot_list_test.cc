@@ -1,6 +1,6 @@
 #include "ros2/robot/robot_list.hh"
 
-#include "ros2/robot/robot_world.hh"
+#include "support/ros2/robot_world.hh"
 
 namespace pongsim::ros2 {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "ros2/pairs/pairs.hh"
-#include "ros2/robot/robot_world.hh"
+#include "support/ros2/robot_world.hh"
 #include "support/process.hh"
 #include "support/test_domain.hh"
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "ros2/services/served_world.hh"
+#include "support/ros2/served_world.hh"
 
 namespace pongsim::ros2::entity_services_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ros2/services/served_world.hh"
+#include "support/ros2/served_world.hh"
 #include "ros2/types/ros_gz_interfaces.hh"
 #include "ros2/types/simulation_entity_services.hh"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <future>
 
-#include "ros2/services/served_world.hh"
+#include "support/ros2/served_world.hh"
 #include "ros2/types/simulation_entity_services.hh"
 
 namespace pongsim::ros2::run_services_test {

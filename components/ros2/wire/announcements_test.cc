@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "ros2/wire/announced.hh"
+#include "support/ros2/announced.hh"
 
 namespace pongsim::ros2 {
 namespace {

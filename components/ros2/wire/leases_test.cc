@@ -5,7 +5,7 @@
 #include <atomic>
 #include <thread>
 
-#include "ros2/wire/announced.hh"
+#include "support/ros2/announced.hh"
 
 namespace pongsim::ros2 {
 namespace {

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "ros2/wire/announced.hh"
+#include "support/ros2/announced.hh"
 #include "ros2/wire/local_sockets.hh"
 #include "support/process.hh"
 #include "support/temp_folder.hh"

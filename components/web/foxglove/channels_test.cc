@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "web/foxglove/wire.hh"
-#include "web/world/recorded_client.hh"
+#include "support/web/recorded_client.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

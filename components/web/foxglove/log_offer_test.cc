@@ -3,7 +3,7 @@
 #include <foxglove/log.pb.h>
 #include <gtest/gtest.h>
 
-#include "web/foxglove/session_of_a_world.hh"
+#include "support/web/session_of_a_world.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

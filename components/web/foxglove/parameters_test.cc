@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "web/foxglove/session_of_a_world.hh"
+#include "support/web/session_of_a_world.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

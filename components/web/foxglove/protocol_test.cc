@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "web/foxglove/session_of_a_world.hh"
+#include "support/web/session_of_a_world.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/stringmsg.pb.h>
 
-#include "web/foxglove/session_of_a_world.hh"
+#include "support/web/session_of_a_world.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "web/world/recorded_client.hh"
+#include "support/web/recorded_client.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

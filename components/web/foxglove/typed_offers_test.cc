@@ -8,7 +8,7 @@
 #include <ignition/msgs/laserscan.pb.h>
 #include <ignition/msgs/pose_v.pb.h>
 
-#include "web/foxglove/session_of_a_world.hh"
+#include "support/web/session_of_a_world.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

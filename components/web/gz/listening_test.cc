@@ -4,8 +4,8 @@
 #include <ignition/msgs/image.pb.h>
 #include <ignition/msgs/stringmsg.pb.h>
 
-#include "web/world/recorded_client.hh"
-#include "web/world/stepped_world.hh"
+#include "support/web/recorded_client.hh"
+#include "support/web/stepped_world.hh"
 
 namespace pongsim::web::gz {
 namespace {

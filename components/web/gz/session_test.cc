@@ -11,8 +11,8 @@
 
 #include <optional>
 
-#include "web/world/recorded_client.hh"
-#include "web/world/stepped_world.hh"
+#include "support/web/recorded_client.hh"
+#include "support/web/stepped_world.hh"
 
 namespace pongsim::web::gz {
 namespace {

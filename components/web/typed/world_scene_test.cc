@@ -4,7 +4,7 @@
 #include <ignition/msgs/empty.pb.h>
 #include <ignition/msgs/uint32_v.pb.h>
 
-#include "web/world/stepped_world.hh"
+#include "support/web/stepped_world.hh"
 
 namespace pongsim::web::typed {
 namespace {

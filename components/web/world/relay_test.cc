@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "web/world/stepped_world.hh"
+#include "support/web/stepped_world.hh"
 
 namespace pongsim::web {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "web/world/stepped_world.hh"
+#include "support/web/stepped_world.hh"
 
 namespace pongsim::web {
 namespace {

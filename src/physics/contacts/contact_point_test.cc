@@ -1,0 +1,85 @@
+#include "physics/contacts/contact_point.hh"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "physics/hulls/hull_store.hh"
+#include "support/physics/rig.hh"
+#include "physics/shapes/shape.hh"
+#include "physics/shapes/shared_shapes.hh"
+
+namespace pongsim::physics {
+namespace {
+
+/// A box and a slab that touch at one point, their normal up.
+class ContactPoint : public testing::Test {
+ protected:
+  ContactPoint() {
+    for (description::Link* link : {&box_, &slab_}) test::addCollision(*link, description::Box{{1, 1, 1}});
+    point_.m_normalWorldOnB = btVector3(0, 0, 1);
+    point_.m_index0 = point_.m_index1 = 0;
+    point_.m_combinedFriction = 1;
+  }
+
+  PointFriction settle() {
+    HullStore hulls("");
+    SharedShapes shared;
+    const LinkShape one(box_, Pose(), true, hulls, shared), other(slab_, Pose(), false, hulls, shared);
+    btRigidBody a(1, nullptr, one.root()), b(0, nullptr, other.root());
+    a.setUserPointer(const_cast<LinkShape*>(&one));
+    b.setUserPointer(const_cast<LinkShape*>(&other));
+    const btPersistentManifold manifold(&a, &b, 0, 0.02, 0.02);
+    return settlePoint(point_, manifold);
+  }
+  description::Surface& surface() { return box_.collisions[0].surface; }
+  bool has(int flag) const { return (point_.m_contactPointFlags & flag) != 0; }
+
+  description::Link box_ = test::makeLink("box", {0, 0, 0}, 1, {1, 1, 1});
+  description::Link slab_ = test::makeLink("slab", {0, 0, -1}, 1, {1, 1, 1});
+  btManifoldPoint point_;
+};
+
+TEST_F(ContactPoint, IsOrdinaryWhereTheSurfacesSayNothing) {
+  point_.m_contactPointFlags = BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+  const PointFriction found = settle();
+  EXPECT_FALSE(found.isDirected);
+  EXPECT_EQ(found.torsion, 0);
+  EXPECT_EQ(point_.m_contactPointFlags, 0) << "flags of the step before are cleared";
+}
+
+TEST_F(ContactPoint, TakesDirectionsSlipsAndTheSmallerCoefficients) {
+  surface().mu = 0.5;
+  surface().mu2 = 0.25;
+  surface().fdir1 = {0, 1, 0};
+  surface().slip2 = 0.01;
+  const PointFriction found = settle();
+  EXPECT_TRUE(found.isDirected);
+  EXPECT_EQ(point_.m_combinedFriction, 0.5);
+  EXPECT_EQ(found.mu2, 0.25);
+  EXPECT_EQ(found.slip1, 0);
+  EXPECT_EQ(found.slip2, 0.01);
+  EXPECT_EQ(point_.m_lateralFrictionDir1.y(), 1);
+  EXPECT_EQ(point_.m_lateralFrictionDir2.x(), -1);
+  EXPECT_FALSE(has(BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED)) << "that is for who hands it to Bullet";
+}
+
+TEST_F(ContactPoint, TakesSpringsAndTorsion) {
+  surface().stiffness = 1000;
+  surface().damping = 5;
+  for (description::Link* link : {&box_, &slab_}) {
+    link->collisions[0].surface.torsion.coefficient = 1;
+    link->collisions[0].surface.torsion.patchRadius = 0.1;
+  }
+  const PointFriction found = settle();
+  EXPECT_TRUE(has(BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING));
+  EXPECT_EQ(point_.m_combinedContactStiffness1, 1000);
+  EXPECT_EQ(point_.m_combinedContactDamping1, 5);
+  EXPECT_DOUBLE_EQ(found.torsion, 3 * std::numbers::pi / 16 * 0.1);
+  EXPECT_FALSE(found.isDirected);
+}
+
+}  // namespace
+}  // namespace pongsim::physics

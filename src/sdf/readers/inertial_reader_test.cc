@@ -1,0 +1,73 @@
+#include "support/sdf/load_support.hh"
+
+namespace pongsim::sdf::test {
+namespace {
+
+std::string inertia(double xx, double yy, double zz, double xy = 0) {
+  const auto tag = [](const char* name, double value) {
+    return "<" + std::string(name) + ">" + std::to_string(value) + "</" + name + ">";
+  };
+  return "<inertial><inertia>" + tag("ixx", xx) + tag("iyy", yy) + tag("izz", zz) + tag("ixy", xy) +
+         "</inertia></inertial>";
+}
+
+TEST(Inertial, IsReadInFull) {
+  const Loaded loaded = loadLink(
+      "<inertial><mass>2.5</mass><pose>1 2 3 0 0 0</pose><inertia><ixx>4</ixx><iyy>5</iyy><izz>6</izz>"
+      "<ixy>0.1</ixy><ixz>0.2</ixz><iyz>0.3</iyz></inertia></inertial>");
+  EXPECT_EQ(loaded.messages, Messages());
+  const description::Inertial& inertial = loaded.model().links.at(0).inertial;
+  EXPECT_EQ(inertial.mass, 2.5);
+  expectPose(inertial.X_LinkCom, {1, 2, 3});
+  Matrix3 expected;
+  expected << 4, 0.1, 0.2, 0.1, 5, 0.3, 0.2, 0.3, 6;
+  EXPECT_EQ(inertial.moments, expected);
+}
+
+TEST(Inertial, IsAUnitWhereThereIsNone) {
+  const Loaded loaded = loadLink("");
+  const description::Inertial& inertial = loaded.model().links.at(0).inertial;
+  EXPECT_EQ(inertial.mass, 1);
+  EXPECT_EQ(inertial.moments, Matrix3(Matrix3::Identity()));
+}
+
+TEST(Inertial, RefusesAMassBeyondAllStars) {
+  const Messages messages = loadLink("<inertial><mass>1e31</mass></inertial>").messages;
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("is beyond 1e30 kg"), std::string::npos) << messages[0];
+}
+
+TEST(Inertial, NeedsAMass) {
+  EXPECT_EQ(loadLink("<inertial><mass>0</mass></inertial>").messages,
+            Messages{"t.sdf:4:11: error: <mass> is '0', which is not a finite number above zero"});
+  EXPECT_EQ(loadLink("<inertial><mass>two</mass></inertial>").messages,
+            Messages{"t.sdf:4:11: error: <mass> is 'two', which is not a number"});
+}
+
+TEST(Inertial, MustBePositiveDefinite) {
+  const Messages refused{
+      "t.sdf:4:11: error: the inertia of link 'l' of model 'm' is not positive definite | ixx, iyy and izz must be "
+      "above zero, and ixy, ixz and iyz small enough"};
+  EXPECT_EQ(loadLink(inertia(1, 0, 1)).messages, refused);
+  EXPECT_EQ(loadLink(inertia(-1, 1, 1)).messages, refused);
+  EXPECT_EQ(loadLink(inertia(1, 1, 1, 1.5)).messages, refused);
+  EXPECT_EQ(loadLink(inertia(0, 0, 0)).messages, refused);
+}
+
+TEST(Inertial, ShouldBeThatOfABody) {
+  EXPECT_EQ(loadLink(inertia(1, 1, 3)).messages,
+            Messages{"t.sdf:4:11: warning: the inertia of link 'l' of model 'm' is impossible | no principal moment "
+                     "can exceed the sum of the other two"});
+  EXPECT_EQ(loadLink(inertia(1, 1, 2)).messages, Messages());
+  EXPECT_EQ(loadLink(inertia(1, 1, 1, 0.3)).messages, Messages());
+}
+
+TEST(Inertial, MeansNothingInAStaticModel) {
+  EXPECT_EQ(loadModel("<static>true</static><link name='l'><inertial><mass>0</mass><inertia><ixx>0</ixx></inertia>"
+                      "</inertial></link>")
+                .messages,
+            Messages());
+}
+
+}  // namespace
+}  // namespace pongsim::sdf::test
