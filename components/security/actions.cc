@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "pongsim/program/keystore.hh"
-#include "shared/program/console.hh"
-#include "shared/program/failure.hh"
 #include "security/authority.hh"
 #include "security/new_folder.hh"
+#include "shared/program/console.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::security {
 

@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "pongsim/program/keystore.hh"
-#include "shared/program/failure.hh"
 #include "security/authority.hh"
+#include "shared/program/failure.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::security {

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <vector>
 
-#include "shared/program/failure.hh"
 #include "security/actions.hh"
+#include "shared/program/failure.hh"
 
 namespace pongsim::security {
 

@@ -1,6 +1,6 @@
 // pongsim-security, which `pongsim security` runs.
-#include "shared/program/command_line.hh"
 #include "security/command.hh"
+#include "shared/program/command_line.hh"
 
 namespace {
 

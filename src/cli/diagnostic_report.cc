@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/log_sinks.hh"
+#include "base/report/log_sinks.hh"
 #include "cli/console.hh"
 
 namespace pongsim::cli {

@@ -2,7 +2,7 @@
 #include <string>
 #include <variant>
 
-#include "base/last_words.hh"
+#include "base/report/last_words.hh"
 #include "base/shared_library.hh"
 #include "cli/own_folder.hh"
 #include "cli/talk.hh"

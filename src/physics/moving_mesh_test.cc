@@ -7,8 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "sdf/readers/shapes/extrusion.hh"
 #include "support/physics/rig.hh"
-#include "sdf/readers/extrusion.hh"
 #include "support/solids.hh"
 
 namespace pongsim::physics {

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/crash_report.hh"
+#include "base/report/crash_report.hh"
 #include "plugin/system_name.hh"
 
 namespace pongsim::plugin {

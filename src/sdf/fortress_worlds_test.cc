@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "support/sdf/load_support.hh"
 #include "support/fortress_worlds.hh"
+#include "support/sdf/load_support.hh"
 
 namespace pongsim::sdf::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "sdf/includes/includes.hh"
 #include "sdf/includes/model_document.hh"
-#include "sdf/readers/world_reader.hh"
+#include "sdf/readers/worlds/world_reader.hh"
 #include "sdf/schema/element_check.hh"
 #include "sdf/text/file_text.hh"
 #include "sdf/text/names.hh"

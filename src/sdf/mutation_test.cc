@@ -4,8 +4,8 @@
 #include <iterator>
 #include <random>
 
-#include "support/sdf/load_support.hh"
 #include "support/fortress_worlds.hh"
+#include "support/sdf/load_support.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::sdf::test {

@@ -1,8 +1,8 @@
 #include "sdf/upgrade.hh"
 
 #include "sdf/includes/includes.hh"
-#include "support/sdf/load_support.hh"
 #include "sdf/text/document.hh"
+#include "support/sdf/load_support.hh"
 
 namespace pongsim::sdf::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/crash_report.hh"
+#include "base/report/crash_report.hh"
 #include "pongsim/declaration.hh"
 #include "pongsim/diagnostic.hh"
 #include "pongsim/element.hh"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "world/entities.hh"
 #include "support/world/nested_world.hh"
+#include "world/entities.hh"
 
 namespace pongsim::world {
 namespace {

@@ -15,9 +15,9 @@
 #include "benchmark/multi_body.hh"
 #include "golden/corridor.hh"
 #include "physics/engine.hh"
-#include "support/physics/rig.hh"
 #include "sdf/loader.hh"
 #include "support/fortress_worlds.hh"
+#include "support/physics/rig.hh"
 
 namespace pongsim::benchmark {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "description/triangle_mesh.hh"
-#include "sdf/readers/extrusion.hh"
+#include "sdf/readers/shapes/extrusion.hh"
 
 namespace pongsim::test {
 

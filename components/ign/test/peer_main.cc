@@ -112,8 +112,8 @@ int call(Node& node, const std::string& name, const std::string& text) {
   StringMsg request, reply;
   request.set_data(text);
   bool isDone = false;
-  // A server of ign-transport waits 0.1 s for its connection to a new client. On a busy machine that is not enough, and the
-  // first reply is lost.
+  // A server of ign-transport waits 0.1 s for its connection to a new client. On a busy machine that is not enough, and
+  // the first reply is lost.
   for (int attempt = 0; attempt < 5; ++attempt) {
     if (!node.Request(name, request, 10'000, reply, isDone)) continue;
     say(isDone ? reply.data() : "refused");

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "support/log/mcap_samples.hh"
 #include "log/store/failure.hh"
 #include "log/tlog/tlog_writer.hh"
 #include "shared/program/failure.hh"
+#include "support/log/mcap_samples.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/log/mcap_samples.hh"
 #include "log/store/failure.hh"
+#include "support/log/mcap_samples.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {

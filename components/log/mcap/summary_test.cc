@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "log/mcap/compression.hh"
-#include "support/log/mcap_samples.hh"
 #include "log/mcap/record_archive.hh"
+#include "support/log/mcap_samples.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {

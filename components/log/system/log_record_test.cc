@@ -13,9 +13,9 @@
 
 #include "log/playback/recorded_state.hh"
 #include "log/store/zip.hh"
-#include "support/log/log_support.hh"
 #include "log/tlog/tlog_reader.hh"
 #include "support/fortress_worlds.hh"
+#include "support/log/log_support.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::log {

@@ -9,8 +9,8 @@
 
 #include "log/playback/played_files.hh"
 #include "log/store/failure.hh"
-#include "support/log/log_support.hh"
 #include "log/tlog/tlog_reader.hh"
+#include "support/log/log_support.hh"
 #include "support/process.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"

@@ -152,7 +152,8 @@ struct TlogWriter::Parts {
   bool take(Batch& batch) {
     batch.clear();
     std::unique_lock lock(mutex);
-    given.wait_for(lock, kTransactionTime, [this] { return isClosing || waiting.bytes.size() >= kMostWaitingBytes / 2; });
+    given.wait_for(lock, kTransactionTime,
+                   [this] { return isClosing || waiting.bytes.size() >= kMostWaitingBytes / 2; });
     std::swap(batch, waiting);
     taken.notify_all();
     return !isClosing || !batch.entries.empty();

@@ -51,7 +51,7 @@ TEST_F(CheckTest, SaysWhatAConfigurationDoes) {
 
 TEST_F(CheckTest, SaysWhatIsWrongWithTheLine) {
   EXPECT_EQ(check(std::string(kScanPair) + "- topic_name: /a\n  ros_type_name: std_msgs/msg/Strin\n"
-                                       "  gz_type_name: gz.msgs.StringMsg\n"),
+                                           "  gz_type_name: gz.msgs.StringMsg\n"),
             kFailed);
   EXPECT_EQ(said_, file_ +
                        ":4:18: error: 'std_msgs/msg/Strin' is not a ROS type that can be bridged\n"

@@ -100,16 +100,12 @@ enum class Choice { kDefault, kOnRequest };
 /// type with `BulkBytes` in a member `data`, and converts to that instead of `Ros`; the message's field is also named
 /// `data`.
 template <class P>
-concept HasBulk = requires {
-  typename P::RosOut;
-};
+concept HasBulk = requires { typename P::RosOut; };
 
 namespace detail {
 
 template <class Ros>
-concept HasHeader = requires(Ros message) {
-  message.header.frame_id;
-};
+concept HasHeader = requires(Ros message) { message.header.frame_id; };
 
 template <class Ros>
 void setFrame(Ros& message, const Frames& frames) {

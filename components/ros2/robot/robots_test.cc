@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "ros2/pairs/pairs.hh"
-#include "support/ros2/robot_world.hh"
 #include "support/process.hh"
+#include "support/ros2/robot_world.hh"
 #include "support/test_domain.hh"
 
 namespace pongsim::ros2 {

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "ros2/robot/robot_list.hh"
-#include "support/ros2/robot_world.hh"
 #include "ros2/robot/xml_writer.hh"
+#include "support/ros2/robot_world.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::ros2 {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "support/ros2/served_world.hh"
 #include "ros2/types/ros_gz_interfaces.hh"
 #include "ros2/types/simulation_entity_services.hh"
+#include "support/ros2/served_world.hh"
 
 namespace pongsim::ros2::ros_gz_services_test {
 namespace {
@@ -35,8 +35,8 @@ class RosGzServicesTest : public testing::Test {
   std::vector<std::string> entities() { return world_.call<GetEntities>("/pongsim/get_entities").entities; }
   static gz::Entity named(const std::string& name) { return {0, name, gz::Entity::kModel}; }
 
-  ServedWorld world_{
-      "<gravity>0 0 0</gravity><model name='ball'><pose>1 0 0 0 0 0</pose><link name='l'/></model>", {"--paused"}};
+  ServedWorld world_{"<gravity>0 0 0</gravity><model name='ball'><pose>1 0 0 0 0 0</pose><link name='l'/></model>",
+                     {"--paused"}};
 };
 
 using Names = std::vector<std::string>;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <future>
 
-#include "support/ros2/served_world.hh"
 #include "ros2/types/simulation_entity_services.hh"
+#include "support/ros2/served_world.hh"
 
 namespace pongsim::ros2::run_services_test {
 namespace {

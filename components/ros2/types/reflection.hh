@@ -22,10 +22,10 @@
 ///       bool operator==(const Quaternion&) const = default;
 ///     };
 ///
-/// Reading and writing in CDR (cdr.hh) and a description of the type (type_description.hh) follow from that. Field types
-/// are bool, the fixed-width integers, float, double, `std::byte` for `byte`, `std::uint8_t` for `char`, `std::string`,
-/// `std::vector` for `T[]`, `std::array` for `T[N]`, `Bounded` for `T[<=N]` and `string<=N`, and other such structs. A type
-/// with a composed name has `static std::string name()` instead of `kName`.
+/// Reading and writing in CDR (cdr.hh) and a description of the type (type_description.hh) follow from that. Field
+/// types are bool, the fixed-width integers, float, double, `std::byte` for `byte`, `std::uint8_t` for `char`,
+/// `std::string`, `std::vector` for `T[]`, `std::array` for `T[N]`, `Bounded` for `T[<=N]` and `string<=N`, and other
+/// such structs. A type with a composed name has `static std::string name()` instead of `kName`.
 namespace pongsim::ros2 {
 
 /// A string or list of at most N characters or elements.
@@ -99,7 +99,7 @@ concept Primitive = (std::is_arithmetic_v<Type> && !std::is_same_v<Type, bool>) 
 template <class Type>
 concept Text = std::is_base_of_v<std::string, Type>;
 template <class Type>
-concept List = !Text<Type> && requires(Type & list) {
+concept List = !Text<Type> && requires(Type& list) {
   typename Type::value_type;
   list.resize(1);
 };

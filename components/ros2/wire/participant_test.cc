@@ -15,9 +15,9 @@
 #include <thread>
 #include <vector>
 
-#include "support/ros2/announced.hh"
 #include "ros2/wire/local_sockets.hh"
 #include "support/process.hh"
+#include "support/ros2/announced.hh"
 #include "support/temp_folder.hh"
 #include "support/test_domain.hh"
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "web/foxglove/wire.hh"
 #include "support/web/recorded_client.hh"
+#include "web/foxglove/wire.hh"
 
 namespace pongsim::web::foxglove {
 namespace {

@@ -136,7 +136,7 @@ void PoseFeed::take(const StepInfo& step) {
 std::shared_ptr<PoseSnapshot> PoseFeed::freeSnapshot() {
   for (const std::shared_ptr<PoseSnapshot>& each : pool_) {
     if (each.use_count() > 1) continue;
-    // its last reader finished before this
+      // its last reader finished before this
 #ifndef __SANITIZE_THREAD__  // which knows no fences, and takes the copy of the pointer for one
     std::atomic_thread_fence(std::memory_order_acquire);
 #endif

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "support/base/last_places.hh"
 #include "pongsim/math.hh"
+#include "support/base/last_places.hh"
 
 namespace pongsim::math {
 namespace {

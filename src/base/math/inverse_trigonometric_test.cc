@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/base/last_places.hh"
 #include "pongsim/math.hh"
+#include "support/base/last_places.hh"
 
 namespace pongsim::math {
 namespace {

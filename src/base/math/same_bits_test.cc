@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/hash.hh"
-#include "support/base/last_places.hh"
 #include "pongsim/math.hh"
+#include "support/base/last_places.hh"
 
 namespace pongsim::math {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/base/last_places.hh"
 #include "pongsim/math.hh"
+#include "support/base/last_places.hh"
 
 namespace pongsim::math {
 namespace {

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/crash_report.hh"
 #include "base/nearest_word.hh"
+#include "base/report/crash_report.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/plugin/plugin_page.hh"

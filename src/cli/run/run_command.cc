@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/crash_report.hh"
+#include "base/report/crash_report.hh"
 #include "cli/command.hh"
 #include "cli/console.hh"
 #include "cli/diagnostic_report.hh"

@@ -5,8 +5,8 @@
 
 #include <chrono>
 
-#include "support/msgs/scene_support.hh"
 #include "msgs/state/state_message.hh"
+#include "support/msgs/scene_support.hh"
 
 namespace pongsim::cli {
 namespace {

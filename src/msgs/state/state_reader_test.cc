@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <ignition/msgs/serialized_map.pb.h>
 
-#include "support/msgs/scene_support.hh"
 #include "msgs/state/component.hh"
 #include "msgs/state/state_message.hh"
+#include "support/msgs/scene_support.hh"
 
 namespace pongsim::msgs {
 namespace {

@@ -24,7 +24,7 @@
 #include "msgs/scene/material_message.hh"
 #include "msgs/scene/surroundings_message.hh"
 #include "msgs/state/component_reader.hh"
-#include "sdf/readers/extrusion.hh"
+#include "sdf/readers/shapes/extrusion.hh"
 
 namespace pongsim::msgs {
 

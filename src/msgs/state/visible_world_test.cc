@@ -9,9 +9,9 @@
 #include <utility>
 #include <variant>
 
-#include "support/msgs/scene_support.hh"
 #include "msgs/state/component.hh"
 #include "msgs/state/state_message.hh"
+#include "support/msgs/scene_support.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::msgs {

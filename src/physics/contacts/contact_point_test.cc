@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "physics/hulls/hull_store.hh"
-#include "support/physics/rig.hh"
 #include "physics/shapes/shape.hh"
 #include "physics/shapes/shared_shapes.hh"
+#include "support/physics/rig.hh"
 
 namespace pongsim::physics {
 namespace {

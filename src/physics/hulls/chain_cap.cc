@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/triangulation.hh"
+#include "base/geometry/triangulation.hh"
 
 namespace pongsim::physics {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "physics/hulls/hull.hh"
-#include "sdf/readers/extrusion.hh"
+#include "sdf/readers/shapes/extrusion.hh"
 #include "support/solids.hh"
 
 namespace pongsim::physics {

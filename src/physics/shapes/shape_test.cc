@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sdf/readers/shapes/extrusion.hh"
 #include "support/physics/rig.hh"
-#include "sdf/readers/extrusion.hh"
 
 namespace pongsim::physics {
 namespace {

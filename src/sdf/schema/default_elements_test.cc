@@ -1,8 +1,8 @@
 #include "sdf/schema/default_elements.hh"
 
-#include "support/sdf/load_support.hh"
 #include "sdf/text/document.hh"
 #include "sdf/text/print.hh"
+#include "support/sdf/load_support.hh"
 
 namespace pongsim::sdf::test {
 namespace {

@@ -1,8 +1,8 @@
 #include "sdf/text/print.hh"
 
+#include "support/fortress_worlds.hh"
 #include "support/sdf/load_support.hh"
 #include "support/sdf/same_description.hh"
-#include "support/fortress_worlds.hh"
 #include "support/temp_folder.hh"
 
 namespace pongsim::sdf::test {

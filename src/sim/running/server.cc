@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "base/crash_report.hh"
+#include "base/report/crash_report.hh"
 
 namespace pongsim::sim {
 

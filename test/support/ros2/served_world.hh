@@ -35,9 +35,9 @@ class ServedWorld {
     arguments.insert(arguments.end(), options.begin(), options.end());
     const std::string resources = folder_.path() / "models";
     process_.emplace(arguments, test::Process::Options{{{"ROS_DOMAIN_ID", std::to_string(domain_)},
-                                                  {"ROS_DISTRO", "humble"},
-                                                  {"PONGSIM_RESOURCE_PATH", resources}},
-                                                 folder_.path()});
+                                                        {"ROS_DISTRO", "humble"},
+                                                        {"PONGSIM_RESOURCE_PATH", resources}},
+                                                       folder_.path()});
   }
 
   const std::filesystem::path& file() const { return file_; }

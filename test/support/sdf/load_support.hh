@@ -24,7 +24,9 @@ struct Loaded {
 
 /// @param read Loads what is asked for.
 template <class Read>
-Loaded load(Read read) requires std::invocable<Read, Diagnostics&> {
+Loaded load(Read read)
+  requires std::invocable<Read, Diagnostics&>
+{
   Loaded loaded;
   Diagnostics diagnostics;
   loaded.root = read(diagnostics);

@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "web/foxglove/protocol.hh"
 #include "support/web/recorded_client.hh"
 #include "support/web/stepped_world.hh"
+#include "web/foxglove/protocol.hh"
 
 namespace pongsim::web::foxglove {
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/link.hh"
+#include "pongsim/element.hh"
+#include "sdf/context.hh"
+#include "sdf/frames/scope.hh"
+#include "sdf/readers/sensors/sensor_reader.hh"
+#include "sdf/readers/worlds/light_reader.hh"
+#include "sdf/text/values.hh"
+
+namespace pongsim::sdf {
+
+/// A link whose frames are still to be resolved.
+struct LinkDraft {
+  description::Link link;
+  PoseText pose;
+  /// A collision or visual whose pose is relative to a frame other than the link's.
+  struct Part {
+    bool isVisual;
+    std::size_t index;
+    PoseText pose;
+  };
+  std::vector<Part> parts;
+  std::vector<SensorDraft> sensors;
+  std::vector<LightDraft> lights;
+};
+
+/// @param owner "model 'robot'"
+/// @param isStatic The model never moves, so masses don't matter.
+LinkDraft readLink(const Element& element, const std::string& owner, bool isStatic, Context& context);
+
+/// Resolves the link's poses.
+/// @param entry Index of the link in the resolved scope.
+description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t entry, Context& context);
+
+}  // namespace pongsim::sdf
