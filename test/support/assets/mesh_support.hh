@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace pongsim::assets::test {
+namespace pongsim::test {
 
 /// A tetrahedron with corners in the origin and at 1 m on each axis.
 inline constexpr std::string_view kStl = R"(solid t
@@ -93,4 +93,4 @@ inline std::string glb() {
   return file;
 }
 
-}  // namespace pongsim::assets::test
+}  // namespace pongsim::test
