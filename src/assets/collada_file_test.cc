@@ -8,14 +8,14 @@
 #include "support/assets/mesh_support.hh"
 #include "support/temp_folder.hh"
 
-namespace pongsim::assets::test {
+namespace pongsim::assets {
 namespace {
 
 class ColladaFileTest : public ::testing::Test {
  protected:
   /// @return The example with one piece replaced.
   static std::string with(std::string_view old, std::string_view now) {
-    std::string text(kCollada);
+    std::string text(test::kCollada);
     const std::size_t at = text.find(old);
     EXPECT_NE(at, std::string::npos) << old;
     return text.replace(at, old.size(), now);
@@ -33,7 +33,7 @@ class ColladaFileTest : public ::testing::Test {
     if (const auto* problem = std::get_if<Problem>(&found)) ADD_FAILURE() << problem->text << " " << problem->hint;
     return found.index() == 0 ? std::get<0>(found) : std::vector<MeshPart>();
   }
-  pongsim::test::TempFolder folder_;
+  test::TempFolder folder_;
 };
 
 TEST_F(ColladaFileTest, RefusesTextAmongIndices) {
@@ -159,4 +159,4 @@ TEST_F(ColladaFileTest, SaysWhereTheXmlIsNotWellFormed) {
 }
 
 }  // namespace
-}  // namespace pongsim::assets::test
+}  // namespace pongsim::assets

@@ -7,7 +7,7 @@
 #include "support/assets/mesh_support.hh"
 #include "support/temp_folder.hh"
 
-namespace pongsim::assets::test {
+namespace pongsim::assets {
 namespace {
 
 class MeshFileTest : public ::testing::Test {
@@ -25,7 +25,7 @@ class MeshFileTest : public ::testing::Test {
     const auto* problem = std::get_if<Problem>(&found);
     return problem != nullptr ? problem->text : "(none)";
   }
-  pongsim::test::TempFolder folder_;
+  test::TempFolder folder_;
 };
 
 Eigen::AlignedBox3d boxOf(const description::TriangleMesh& mesh) {
@@ -35,7 +35,7 @@ Eigen::AlignedBox3d boxOf(const description::TriangleMesh& mesh) {
 }
 
 TEST_F(MeshFileTest, ReadsStl) {
-  const auto parts = read("a.STL", kStl);
+  const auto parts = read("a.STL", test::kStl);
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0].mesh.triangles.size(), 4U);
   // shared vertices are merged
@@ -44,7 +44,7 @@ TEST_F(MeshFileTest, ReadsStl) {
 }
 
 TEST_F(MeshFileTest, ReadsTheObjectsOfAnObj) {
-  const auto parts = read("a.obj", kObj);
+  const auto parts = read("a.obj", test::kObj);
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].nodeName, "square");
   EXPECT_EQ(parts[0].mesh.triangles.size(), 2U);
@@ -53,7 +53,7 @@ TEST_F(MeshFileTest, ReadsTheObjectsOfAnObj) {
 }
 
 TEST_F(MeshFileTest, ReadsColladaInMetresAndLeavesItsAxesAlone) {
-  const auto parts = read("a.dae", kCollada);
+  const auto parts = read("a.dae", test::kCollada);
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].nodeName, "left");
   EXPECT_EQ(parts[1].nodeName, "right");
@@ -62,7 +62,7 @@ TEST_F(MeshFileTest, ReadsColladaInMetresAndLeavesItsAxesAlone) {
 }
 
 TEST_F(MeshFileTest, ReadsGlb) {
-  const auto parts = read("a.glb", glb());
+  const auto parts = read("a.glb", test::glb());
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0].nodeName, "n");
   EXPECT_EQ(boxOf(parts[0].mesh).max(), Vector3(1, 2, 3));
@@ -79,8 +79,10 @@ TEST_F(MeshFileTest, SaysWhyAFileIsNotRead) {
 
 TEST_F(MeshFileTest, BearsBrokenFiles) {
   std::mt19937 random(1);
-  const std::pair<const char*, std::string> files[] = {
-      {"m.stl", std::string(kStl)}, {"m.obj", std::string(kObj)}, {"m.dae", std::string(kCollada)}, {"m.glb", glb()}};
+  const std::pair<const char*, std::string> files[] = {{"m.stl", std::string(test::kStl)},
+                                                       {"m.obj", std::string(test::kObj)},
+                                                       {"m.dae", std::string(test::kCollada)},
+                                                       {"m.glb", test::glb()}};
   for (const auto& [name, content] : files) {
     for (int i = 0; i < 100; ++i) {
       std::string broken = content;
@@ -100,4 +102,4 @@ TEST_F(MeshFileTest, BearsBrokenFiles) {
 }
 
 }  // namespace
-}  // namespace pongsim::assets::test
+}  // namespace pongsim::assets

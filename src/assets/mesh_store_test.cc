@@ -5,13 +5,13 @@
 #include "support/assets/mesh_support.hh"
 #include "support/temp_folder.hh"
 
-namespace pongsim::assets::test {
+namespace pongsim::assets {
 namespace {
 
 class MeshStoreTest : public ::testing::Test {
  protected:
-  const pongsim::test::TempFolder folder_;
-  const std::filesystem::path file_ = folder_.write("a.obj", kObj);
+  const test::TempFolder folder_;
+  const std::filesystem::path file_ = folder_.write("a.obj", test::kObj);
   MeshStore store_;
 };
 
@@ -51,4 +51,4 @@ TEST_F(MeshStoreTest, NamesAPartThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace pongsim::assets::test
+}  // namespace pongsim::assets
