@@ -15,7 +15,7 @@ import pongsim
 
 tomllib = pytest.importorskip("tomllib", reason="Python 3.11 reads it")
 PYPROJECT = tomllib.loads((PROJECT / "pyproject.toml").read_text())
-SOURCES = PROJECT / "python/pongsim"
+SOURCES = PROJECT / "components/python/pongsim"
 #: Names of modules that differ from PyPI's.
 NAMES = {"yaml": "PyYAML", "google": "protobuf"}
 

@@ -12,7 +12,7 @@ import sys
 import peers
 import pytest
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 HERE, THERE = "198.51.100.1", "198.51.100.2"
 GROUP = "239.255.0.1"
 

@@ -10,7 +10,7 @@ from cyclonedds.util import duration
 
 import peers
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 CHATTER = "/chatter@std_msgs/msg/String@ignition.msgs.StringMsg"
 TRANSIENT = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.Durability.TransientLocal,
                 Policy.History.KeepLast(10))

@@ -10,7 +10,7 @@ ros_messages.install()
 from geometry_msgs.msg import Twist, Vector3  # noqa: E402
 from sensor_msgs.msg import LaserScan  # noqa: E402
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 NODES = 20
 DEEP = peers.Qos(peers.Policy.Reliability.Reliable(peers.duration(seconds=1)), peers.Policy.History.KeepLast(1000))
 

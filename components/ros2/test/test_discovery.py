@@ -8,7 +8,7 @@ import textwrap
 
 import peers
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 
 # How a node may be set up: as it comes; on 127.0.0.1 alone, where it meets others by their ports; on one interface.
 LOOPBACK = ("<CycloneDDS><Domain><General><Interfaces><NetworkInterface address='127.0.0.1'/></Interfaces>"
@@ -35,7 +35,7 @@ class Listener:
         environment = dict(os.environ)
         if uri is not None:
             environment["CYCLONEDDS_URI"] = uri
-        self.process = subprocess.Popen([sys.executable, "-c", self.PROGRAM, str(peers.ROOT / "ros2/test")],
+        self.process = subprocess.Popen([sys.executable, "-c", self.PROGRAM, str(peers.ROOT / "components/ros2/test")],
                                         stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
 
     def seconds(self):

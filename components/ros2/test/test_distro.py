@@ -11,7 +11,7 @@ from rosbags.typesys import Stores, get_typestore
 
 import peers
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 
 
 @dataclass

@@ -11,7 +11,7 @@ from rosbags.typesys import Stores, get_typestore
 
 import peers
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 PROGRAM = os.environ.get("PONGSIM_FAST_PEER", str(peers.ROOT / "build/release/test/ros2_fast_peer"))
 TYPES = get_typestore(Stores.ROS2_HUMBLE)
 CAMERA = """

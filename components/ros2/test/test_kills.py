@@ -15,7 +15,7 @@ from cyclonedds.idl.types import array, uint8
 
 import peers
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 ROUNDS, NODES = 20, 20
 
 # The address sanitizer keeps up to 256 MB of what was freed, which is no growth of the simulation's.
@@ -69,7 +69,7 @@ def readers_of_the_clock():
 
 def round_of_nodes():
     """Starts the nodes, waits until each has received the clock, and kills them."""
-    nodes = subprocess.Popen([sys.executable, "-c", PROGRAM, str(peers.ROOT / "ros2/test"), str(NODES)],
+    nodes = subprocess.Popen([sys.executable, "-c", PROGRAM, str(peers.ROOT / "components/ros2/test"), str(NODES)],
                              stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     heard = b""
     while len(heard) < NODES:

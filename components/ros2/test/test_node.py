@@ -15,7 +15,7 @@ from cyclonedds.util import duration
 RCL = "rcl_interfaces::msg::dds_::"
 SRV = "rcl_interfaces::srv::dds_::"
 STEPS = "simulation_interfaces::action::dds_::SimulateSteps_"
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 ROSOUT = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.Durability.TransientLocal,
              Policy.History.KeepLast(1000))
 EVENTS = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(1000))

@@ -12,7 +12,7 @@ from cyclonedds.util import duration
 
 import peers
 
-WORLD = peers.ROOT / "ros2/test/drive.sdf"
+WORLD = peers.ROOT / "components/ros2/test/drive.sdf"
 TRANSIENT = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.Durability.TransientLocal,
                 Policy.History.KeepLast(1))
 

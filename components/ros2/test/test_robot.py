@@ -14,9 +14,9 @@ from cyclonedds.util import duration
 
 import peers
 
-DRIVE = peers.ROOT / "ros2/test/drive.sdf"
-ARM = peers.ROOT / "ros2/test/arm.sdf"
-URDF = peers.ROOT / "ros2/test/arm.urdf"
+DRIVE = peers.ROOT / "components/ros2/test/drive.sdf"
+ARM = peers.ROOT / "components/ros2/test/arm.sdf"
+URDF = peers.ROOT / "components/ros2/test/arm.urdf"
 TRANSFORMS = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(100))
 
 

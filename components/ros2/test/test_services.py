@@ -146,7 +146,7 @@ BOX = "<sdf version='1.9'><model name='box'><static>true</static><link name='l'/
 
 
 def test_another_middleware_spawns_steps_and_deletes():
-    world = peers.ROOT / "ros2/test/drive.sdf"
+    world = peers.ROOT / "components/ros2/test/drive.sdf"
     with peers.running(world, "--paused"):
         peer = peers.Peer()
         features = Client(peer, "/pongsim/get_simulator_features", GetSimulatorFeaturesRequest,
@@ -185,7 +185,7 @@ def test_another_middleware_spawns_steps_and_deletes():
 def test_a_repeated_run_with_the_same_steps_has_the_same_bits():
     """Requests come at no simulated time of their own while paused, so that what is asked in between two steps repeats."""
     def drive():
-        with peers.running(peers.ROOT / "ros2/test/drive.sdf", "--paused"):
+        with peers.running(peers.ROOT / "components/ros2/test/drive.sdf", "--paused"):
             peer = peers.Peer()
             spawn = Client(peer, "/pongsim/spawn_entity", SpawnEntityRequest, SpawnEntityResponse)
             step = Client(peer, "/pongsim/step_simulation", StepSimulationRequest, StepSimulationResponse)

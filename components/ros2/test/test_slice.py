@@ -4,7 +4,7 @@ import peers
 
 
 def test_a_node_drives_at_the_wall_and_sees_it_come_nearer():
-    with peers.running(peers.ROOT / "ros2/test/drive.sdf"):
+    with peers.running(peers.ROOT / "components/ros2/test/drive.sdf"):
         peer = peers.Peer()
         clock = peer.reader("/clock", peers.Clock, peers.BEST_EFFORT)
         scans = peer.reader("/lidar", peers.LaserScan)
@@ -26,7 +26,7 @@ def test_a_node_drives_at_the_wall_and_sees_it_come_nearer():
 
 
 def test_it_is_listed_as_a_node():
-    with peers.running(peers.ROOT / "ros2/test/drive.sdf"):
+    with peers.running(peers.ROOT / "components/ros2/test/drive.sdf"):
         peer = peers.Peer()
         infos = peer.reader("ros_discovery_info", peers.ParticipantEntitiesInfo, peers.LATCHED)
 
