@@ -17,16 +17,14 @@ Schema::Schema() {
 }
 
 void Schema::addRows() {
-  for (const std::span<const SchemaRow> table : schemaTables()) {
-    for (const SchemaRow& row : table) {
-      const std::size_t mark = row.path.find_last_of(".@");
-      if (mark == std::string_view::npos) {
-        shared_.push_back({row.path, row});
-        continue;
-      }
-      ElementType& parent = typeAt(row.path.substr(0, mark));
-      (row.path[mark] == '@' ? parent.attributes : parent.children).push_back({row.path.substr(mark + 1), row});
+  for (const SchemaRow& row : schemaTable()) {
+    const std::size_t mark = row.path.find_last_of(".@");
+    if (mark == std::string_view::npos) {
+      shared_.push_back({row.path, row});
+      continue;
     }
+    ElementType& parent = typeAt(row.path.substr(0, mark));
+    (row.path[mark] == '@' ? parent.attributes : parent.children).push_back({row.path.substr(mark + 1), row});
   }
 }
 

@@ -33,15 +33,13 @@ std::string_view holderOf(std::string_view tablePath) {
 template <class Take>
 void forEachPart(Take take) {
   const Schema& schema = Schema::instance();
-  for (const std::span<const SchemaRow> table : schemaTables()) {
-    for (const SchemaRow& row : table) {
-      const std::string_view holder = holderOf(row.path);
-      if (holder.empty() || row.path.ends_with('*')) continue;
-      const Schema::ElementType* type = schema.typeOf(holder);
-      const bool isAttribute = row.path[holder.size()] == '@';
-      take(*Schema::find(isAttribute ? type->attributes : type->children, row.path.substr(holder.size() + 1)),
-           isAttribute, holder);
-    }
+  for (const SchemaRow& row : schemaTable()) {
+    const std::string_view holder = holderOf(row.path);
+    if (holder.empty() || row.path.ends_with('*')) continue;
+    const Schema::ElementType* type = schema.typeOf(holder);
+    const bool isAttribute = row.path[holder.size()] == '@';
+    take(*Schema::find(isAttribute ? type->attributes : type->children, row.path.substr(holder.size() + 1)),
+         isAttribute, holder);
   }
 }
 
@@ -111,11 +109,9 @@ NoPart ambiguous(const std::string& name, const std::vector<Candidate>& candidat
 /// @return All elements that contain the shared element with this name.
 std::vector<std::string_view> holdersOfShared(std::string_view name) {
   std::vector<std::string_view> holders;
-  for (const std::span<const SchemaRow> table : schemaTables()) {
-    for (const SchemaRow& row : table) {
-      if (row.removedIn == 0 && row.type.starts_with('+') && row.type.substr(1) == name) {
-        holders.push_back(holderOf(row.path));
-      }
+  for (const SchemaRow& row : schemaTable()) {
+    if (row.removedIn == 0 && row.type.starts_with('+') && row.type.substr(1) == name) {
+      holders.push_back(holderOf(row.path));
     }
   }
   std::ranges::sort(holders);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
-#include <span>
 #include <string_view>
+#include <vector>
 
 namespace pongsim::sdf {
 
@@ -15,7 +14,8 @@ enum class Use {
   kPassed,
 };
 
-/// A row of the table: an element or attribute of SDF 1.4 to 1.9, or of a later version if it is read in any.
+/// A row of the table in `tables/`: an element or attribute of SDF 1.4 to 1.9, or of a later version if it is read in
+/// any.
 struct SchemaRow {
   /// Starts at the outermost element that means the same everywhere: "joint", "joint.axis",
   /// "joint.axis.xyz@expressed_in". "plugin.*" is any child.
@@ -35,16 +35,7 @@ struct SchemaRow {
   std::string_view description;
 };
 
-// The parts of the table, each sorted by path.
-std::span<const SchemaRow> worldRows();
-std::span<const SchemaRow> modelRows();
-std::span<const SchemaRow> shapeRows();
-std::span<const SchemaRow> sensorRows();
-std::span<const SchemaRow> cameraRows();
-
-/// @return The whole table.
-inline std::array<std::span<const SchemaRow>, 5> schemaTables() {
-  return {worldRows(), modelRows(), shapeRows(), sensorRows(), cameraRows()};
-}
+/// @return The whole table: the files in the order world, model, shape, sensor, camera, each sorted by path.
+const std::vector<SchemaRow>& schemaTable();
 
 }  // namespace pongsim::sdf
