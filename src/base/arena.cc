@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <cassert>
 #include <cstdint>
 #include <new>
 
@@ -13,7 +14,7 @@ constexpr std::size_t kBlock = std::size_t{2} << 20U;
 
 std::size_t unitsOf(std::size_t bytes) { return (bytes + Arena::kAlignment - 1) / Arena::kAlignment; }
 
-// the kernel gives large pages only to what begins at their multiples
+// aligned to its size, because the kernel uses a large page only where 2 MiB of memory begin at a multiple of 2 MiB
 void* mapBlock() {
   void* const memory = mmap(nullptr, 2 * kBlock, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::bad_alloc();
@@ -43,6 +44,7 @@ void* Arena::allocate(std::size_t bytes) {
 }
 
 void Arena::free(void* memory, std::size_t bytes) noexcept {
+  assert(memory != nullptr && bytes > 0 && bytes <= kLargest);
   Free*& first = free_[unitsOf(bytes)];
   first = ::new (memory) Free{first};
 }
@@ -50,7 +52,7 @@ void Arena::free(void* memory, std::size_t bytes) noexcept {
 void Arena::addBlock() {
   blocks_.reserve(blocks_.size() + 1);
   void* const block = mapBlock();
-  // a small world does not fill the first one, and so does not get all of it
+  // the first block has small pages: a small world does not fill it, and a large page would be allocated whole
   if (!blocks_.empty()) madvise(block, kBlock, MADV_HUGEPAGE);
   blocks_.push_back(block);
   next_ = static_cast<std::byte*>(block);

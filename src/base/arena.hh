@@ -8,26 +8,26 @@
 
 namespace pongsim::base {
 
-/// Memory for objects that are gone through thousands of times a second: close together, in the order in which they are
-/// made, and in pages of 2 MiB where the kernel has them, so that the processor looks up few addresses. Memory that is
-/// freed is used again for objects of the same size. Not for several threads at once.
+/// Memory for objects that loops visit thousands of times a second. They lie close together in the order in which they
+/// are made, in pages of 2 MiB where the kernel has them: few cache lines and few page table look-ups. Freed memory is
+/// reused for objects of the same size. Not thread-safe.
 class Arena {
  public:
-  /// Of all memory that it gives: objects of two threads share no cache line.
+  /// Alignment of each object [bytes]: a cache line, so that threads that work on different objects share none.
   static constexpr std::size_t kAlignment = 64;
-  /// Larger objects can't be had.
+  /// Size of the largest object [bytes].
   static constexpr std::size_t kLargest = 8192;
 
   Arena() = default;
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
-  /// All objects must be gone.
+  /// All objects must have been freed.
   ~Arena();
 
   /// @param bytes At most `kLargest`.
   /// @throws std::bad_alloc
   void* allocate(std::size_t bytes);
-  /// @param bytes As many as were asked for.
+  /// @param bytes The size with which the memory was allocated.
   void free(void* memory, std::size_t bytes) noexcept;
 
   template <class T>
@@ -64,7 +64,7 @@ class Arena {
   std::vector<void*> blocks_;
   std::byte* next_ = nullptr;
   std::byte* end_ = nullptr;
-  /// What was freed, by size in units of `kAlignment`.
+  /// Lists of freed memory, by size in units of `kAlignment`.
   std::array<Free*, kLargest / kAlignment + 1> free_ = {};
 };
 

@@ -10,7 +10,8 @@ namespace pongsim {
 
 namespace {
 
-// Limit for forces [N] and torques [N m]; the same as for messages (`kLargestForce` in pongsim/commands.hh).
+// Limit for forces [N] and torques [N m]: that of messages in pongsim/commands.hh, whose header needs message types. A
+// test compares the two.
 constexpr double kLargestForce = 1e8;
 
 std::string textOf(double value) {
@@ -22,7 +23,7 @@ std::string textOf(double value) {
 
 /// @return The target's initial value as text; empty if there is none.
 std::string defaultOf(const Parameter::Target& target) {
-  struct Tell {
+  struct ToText {
     std::string operator()(const double* value) const { return textOf(*value); }
     std::string operator()(const int* value) const { return std::to_string(*value); }
     std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
@@ -35,7 +36,7 @@ std::string defaultOf(const Parameter::Target& target) {
     std::string operator()(const std::vector<std::string>*) const { return {}; }
     std::string operator()(std::monostate) const { return {}; }
   };
-  return std::visit(Tell{}, target);
+  return std::visit(ToText{}, target);
 }
 
 [[noreturn]] void refuseValue(const Element& element, const std::string& rule) {
@@ -218,10 +219,10 @@ bool Declaration::read(const Element& plugin, std::string_view system, Diagnosti
 }
 
 void Declaration::warnOfUnknown(const Element& plugin, std::string_view system, Diagnostics& diagnostics) const {
-  // a system without a declaration may read what it likes
+  // without a declaration it is not known which parameters a system reads
   if (text_.empty() && parameters_.empty()) return;
   for (const Element& element : plugin.children) {
-    // a name with a prefix is somebody else's extension
+    // names with a prefix, such as "my:speed", are extensions for other programs
     if (std::ranges::find(parameters_, element.name, &Parameter::name) != parameters_.end() ||
         element.name.find(':') != std::string::npos) {
       continue;

@@ -9,7 +9,7 @@ namespace pongsim {
 
 namespace {
 
-// In thirds of a letter, so that wrong case counts less than a wrong letter.
+// In thirds of a letter: the wrong case costs a third of a wrong letter.
 constexpr int kLetterCost = 3;
 constexpr int kCaseCost = 1;
 // Longer words are not typing errors, and would take long to compare.
@@ -42,7 +42,7 @@ int distance(std::string_view a, std::string_view b) {
 }
 
 /// @return The length of the common prefix.
-std::ptrdiff_t sharedStart(std::string_view a, std::string_view b) {
+std::ptrdiff_t commonPrefix(std::string_view a, std::string_view b) {
   return std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
 }
 
@@ -51,15 +51,16 @@ std::ptrdiff_t sharedStart(std::string_view a, std::string_view b) {
 std::string_view nearestWord(std::string_view word, std::span<const std::string_view> known) {
   if (word.empty() || word.size() > kLongestWord) return {};
   std::string_view nearest;
-  // a third of the letters, at least one, but never all of them
+  // a third of the letters may be wrong, at least one, but never all of them
   const int letters = static_cast<int>(word.size());
   int nearestDistance = std::min(std::max(letters, 3) * kLetterCost / 3 + 1, letters * kLetterCost);
   for (std::string_view candidate : known) {
     if (candidate.size() > 2 * kLongestWord) continue;
     const int candidateDistance = distance(word, candidate);
     // of two equally near words, prefer the one with the longer common prefix: "Twst" means "Twist" rather than "Test"
-    const bool asNear = candidateDistance == nearestDistance && !nearest.empty();
-    if (candidateDistance < nearestDistance || (asNear && sharedStart(word, candidate) > sharedStart(word, nearest))) {
+    const bool isAsNear = candidateDistance == nearestDistance && !nearest.empty();
+    if (candidateDistance < nearestDistance ||
+        (isAsNear && commonPrefix(word, candidate) > commonPrefix(word, nearest))) {
       nearest = candidate;
       nearestDistance = candidateDistance;
     }

@@ -5,8 +5,8 @@
 
 namespace pongsim::base {
 
-/// Prefetches an object's memory, without waiting: for loops over more objects than fit in the processor's nearest
-/// caches.
+/// Starts loading an object's memory into the processor's caches and does not wait for it. Pays in loops over more
+/// objects than fit there.
 /// @param most Maximum size to prefetch [bytes].
 template <class T>
 void prefetch(const T& object, std::size_t most = sizeof(T)) {

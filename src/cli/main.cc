@@ -2,7 +2,7 @@
 #include <string>
 #include <variant>
 
-#include "base/report/last_words.hh"
+#include "base/report/terminate_handler.hh"
 #include "base/shared_library.hh"
 #include "cli/own_folder.hh"
 #include "cli/talk.hh"
@@ -39,6 +39,6 @@ int runWhole(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  pongsim::base::sayLastWords();
+  pongsim::base::installTerminateHandler();
   return pongsim::cli::isTalk(argc, argv) ? pongsim::cli::talk(argc, argv) : runWhole(argc, argv);
 }

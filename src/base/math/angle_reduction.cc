@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
@@ -26,7 +27,7 @@ constexpr double kHalfPi2 = 0x1.0b4611a6p-34, kHalfPi2Rest = 0x1.3198a2e037073p-
 constexpr double kHalfPi3 = 0x1.3198a2ep-69, kHalfPi3Rest = 0x1.b839a252049c1p-104;
 constexpr double kTwoByPi = 0x1.45f306dc9c883p-1;
 constexpr double kHalfPiHigh = 0x1.921fb54442d18p+0, kHalfPiLow = 0x1.1a62633145c07p-54;
-// adding and subtracting it rounds to an integer
+// adding it and subtracting it again rounds to an integer
 constexpr double kRounder = 0x1.8p52;
 constexpr double kLargestMedium = 0x1p20;
 
@@ -82,6 +83,7 @@ constexpr std::array<std::uint64_t, 21> kBitsOfTwoByPi = {0,
 /// @return The 64 bits starting at bit `first`.
 std::uint64_t bitsFrom(std::size_t first) {
   const std::size_t word = first / 64, shift = first % 64;
+  assert(word + 1 < kBitsOfTwoByPi.size());
   if (shift == 0) return kBitsOfTwoByPi[word];
   return (kBitsOfTwoByPi[word] << shift) | (kBitsOfTwoByPi[word + 1] >> (64 - shift));
 }

@@ -3,6 +3,7 @@
 // distribute this software is freely granted, provided that this notice is preserved.
 
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -20,7 +21,10 @@ constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.908214929270
 constexpr double kHalfLn2 = 0.34657359027997264;
 
 /// @return 2^exponent, exponent in [-1022, 1023].
-double powerOf2(int exponent) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U); }
+double powerOf2(int exponent) {
+  assert(exponent >= -1022 && exponent <= 1023);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+}
 
 /// @return number * 2^exponent, number near 1.
 double scaled(double number, int exponent) {
@@ -29,7 +33,7 @@ double scaled(double number, int exponent) {
   return number * powerOf2(exponent);
 }
 
-/// A power of e as a power of 2 and a remainder, high - low.
+/// A number as exponent * ln 2 + high - low, where high - low is at most ln 2 / 2 in magnitude.
 struct ReducedPower {
   explicit ReducedPower(double power) {
     if (std::abs(power) <= kHalfLn2) {
@@ -78,14 +82,14 @@ double expm1(double power) {
   const double t = 3 - r * half;
   const double e = z * ((r - t) / (6 - x * t));
   if (exponent == 0) return x - (x * e - z);
-  // e^x is 1 + x - less
-  const double less = x * (e - lost) - lost - z;
-  if (exponent == -1) return 0.5 * (x - less) - 0.5;
-  if (exponent == 1) return x < -0.25 ? -2 * (less - (x + 0.5)) : 1 + 2 * (x - less);
+  // e^x = 1 + x - correction
+  const double correction = x * (e - lost) - lost - z;
+  if (exponent == -1) return 0.5 * (x - correction) - 0.5;
+  if (exponent == 1) return x < -0.25 ? -2 * (correction - (x + 0.5)) : 1 + 2 * (x - correction);
   // subtract 1 where that loses no digits
-  if (exponent < 0 || exponent > 56) return scaled(x - less + 1, exponent) - 1;
+  if (exponent < 0 || exponent > 56) return scaled(x - correction + 1, exponent) - 1;
   const double one = powerOf2(-exponent);
-  return (exponent < 20 ? x - less + (1 - one) : x - (less + one) + 1) * powerOf2(exponent);
+  return (exponent < 20 ? x - correction + (1 - one) : x - (correction + one) + 1) * powerOf2(exponent);
 }
 
 }  // namespace pongsim::math

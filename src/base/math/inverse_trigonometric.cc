@@ -46,19 +46,19 @@ double arcTangentShort(double x) {
   return even + odd;
 }
 
-/// @return The angle whose tangent is x = tan(a + b), given a and tan(b).
-double arcBeside(const Arc& arc, double rest) { return arc.high - (rest * arcTangentShort(rest) - arc.low - rest); }
+/// @return a + b, given a and tan(b).
+double arcPlus(const Arc& arc, double rest) { return arc.high - (rest * arcTangentShort(rest) - arc.low - rest); }
 
 double atanOfPositive(double x) {
   if (x < 0.4375) return x < 0x1p-27 ? x : x - x * arcTangentShort(x);
-  if (x < 0.6875) return arcBeside(kArcOfHalf, (2 * x - 1) / (2 + x));
-  if (x < 1.1875) return arcBeside(kArcOf1, (x - 1) / (x + 1));
-  if (x < 2.4375) return arcBeside(kArcOf3Halves, (x - 1.5) / (1 + 1.5 * x));
-  return arcBeside(kArcOfInfinity, -1 / x);
+  if (x < 0.6875) return arcPlus(kArcOfHalf, (2 * x - 1) / (2 + x));
+  if (x < 1.1875) return arcPlus(kArcOf1, (x - 1) / (x + 1));
+  if (x < 2.4375) return arcPlus(kArcOf3Halves, (x - 1.5) / (1 + 1.5 * x));
+  return arcPlus(kArcOfInfinity, -1 / x);
 }
 
 /// @return (asin(x) - x) / x as a function of x squared, up to 1/4.
-double arcSineBeyond(double z) {
+double arcSineExcess(double z) {
   const double above = z * (1.66666666666666657415e-01 +
                             z * (-3.25565818622400915405e-01 +
                                  z * (2.01212532134862925881e-01 +
@@ -84,14 +84,14 @@ struct Root {
 /// @return asin(x), x in [1/2, 1): pi/2 - 2 asin(sqrt((1 - x) / 2)).
 double asinOfLarge(double x) {
   const double square = (1 - x) * 0.5;
-  const double beyond = arcSineBeyond(square);
+  const double excess = arcSineExcess(square);
   if (x > 0.975) {
     const double root = std::sqrt(square);
-    return kRightAngle - (2 * (root + root * beyond) - kRightAngleLow);
+    return kRightAngle - (2 * (root + root * excess) - kRightAngleLow);
   }
   const Root root(square);
   constexpr double kHalf = kRightAngle / 2;
-  return kHalf - (2 * root.whole * beyond - (kRightAngleLow - 2 * root.low) - (kHalf - 2 * root.high));
+  return kHalf - (2 * root.whole * excess - (kRightAngleLow - 2 * root.low) - (kHalf - 2 * root.high));
 }
 
 }  // namespace
@@ -116,30 +116,30 @@ double atan2(double y, double x) {
     if (steepness >= 0x1p66) return std::copysign(kRightAngle, y);
     arc = atanOfPositive(steepness);
   }
-  // also for -0
+  // by the sign bit, because x can be -0: atan2(0, -0) is pi
   if (!std::signbit(x)) return std::copysign(arc, y);
   return std::copysign(kPi - (arc - kPiLow), y);
 }
 
 double asin(double sine) {
   const double size = std::abs(sine);
-  if (size < 0.5) return size < 0x1p-26 ? sine : sine + sine * arcSineBeyond(sine * sine);
+  if (size < 0.5) return size < 0x1p-26 ? sine : sine + sine * arcSineExcess(sine * sine);
   if (size < 1) return std::copysign(asinOfLarge(size), sine);
   return size == 1 ? std::copysign(kRightAngle, sine) : kNoArc;
 }
 
 double acos(double cosine) {
   const double size = std::abs(cosine);
-  if (size < 0.5) return kRightAngle - (cosine - (kRightAngleLow - cosine * arcSineBeyond(cosine * cosine)));
+  if (size < 0.5) return kRightAngle - (cosine - (kRightAngleLow - cosine * arcSineExcess(cosine * cosine)));
   if (size == 1) return cosine < 0 ? kPi : 0;
   if (!(size < 1)) return kNoArc;
   if (cosine < 0) {
     const double square = (1 + cosine) * 0.5, root = std::sqrt(square);
-    return 2 * (kRightAngle - (root + (arcSineBeyond(square) * root - kRightAngleLow)));
+    return 2 * (kRightAngle - (root + (arcSineExcess(square) * root - kRightAngleLow)));
   }
   const double square = (1 - cosine) * 0.5;
   const Root root(square);
-  return 2 * (root.high + (arcSineBeyond(square) * root.whole + root.low));
+  return 2 * (root.high + (arcSineExcess(square) * root.whole + root.low));
 }
 
 }  // namespace pongsim::math

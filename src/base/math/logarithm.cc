@@ -33,15 +33,15 @@ struct Split {
   double fraction;
 };
 
-/// @return exponent * ln 2 + log(1 + fraction) + more, where `more` is small in comparison.
-double logarithmOf(int exponent, double fraction, double more) {
+/// @return exponent * ln 2 + log(1 + fraction) + correction, where the correction is small in comparison.
+double logarithmOf(int exponent, double fraction, double correction) {
   const double square = 0.5 * fraction * fraction;
   const double s = fraction / (2 + fraction), z = s * s, w = z * z;
   const double odd = w * (3.999999999940941908e-01 + w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01));
   const double even =
       z * (6.666666666666735130e-01 +
            w * (2.857142874366239149e-01 + w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
-  return s * (square + (even + odd)) + (exponent * kLn2Rest + more) - square + fraction + exponent * kLn2Most;
+  return s * (square + (even + odd)) + (exponent * kLn2Rest + correction) - square + fraction + exponent * kLn2Most;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the elementary functions give was written down once; every machine must come to it.
+// The expected hashes were recorded once. They must be the same on every machine.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace pongsim::math {
 namespace {
 
-/// @return A number that stands for all bits of a function's results.
+/// @return A hash of all bits of a function's results.
 template <class Function>
 std::uint64_t bitsOf(Function function, const std::vector<test::Range>& ranges) {
   base::Hash hash;
@@ -23,7 +23,7 @@ std::uint64_t bitsOf(Function function, const std::vector<test::Range>& ranges) 
   return hash.value();
 }
 
-// powers of 2 are those of the exponents' fractions by the C library, which may differ: none of these ranges has them
+// no range has `isOfPowers`, whose numbers come from the C library's exp2, which differs between machines
 TEST(SameBits, AreThoseThatWereWrittenDown) {
   const std::vector<test::Range> angles = {{-0.8, 0.8}, {-10, 10}, {-1e6, 1e6}, {-1e18, 1e18}, {-1e300, 1e300}};
   EXPECT_EQ(bitsOf(sin, angles), 0x48e5f217f875e984ULL);

@@ -40,13 +40,13 @@ double cosineNear0(double x, double tail) {
   return one + (((1 - one) - half) + (z * r - x * tail));
 }
 
-/// @return The number without the lower half of its digits.
+/// @return The number with the lower 32 of its 52 fraction bits cleared.
 double upperHalf(double number) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & 0xffffffff00000000U);
 }
 
 /// @return tan(x + tail) - x for x below kSteep, by an odd polynomial.
-double tangentBeyond(double x, double tail) {
+double tangentExcess(double x, double tail) {
   const double z = x * x, w = z * z;
   const double odd =
       1.33333333333201242699e-01 +
@@ -68,15 +68,15 @@ double tangentNear0(double x, double tail, bool isTurned) {
   if (std::abs(x) >= kSteep) {
     const double sign = x < 0 ? -1 : 1;
     const double rest = (kQuarterPi - sign * x) + (kQuarterPiLow - sign * tail);
-    const double more = tangentBeyond(rest, 0);
-    const double tangent = rest + more, side = isTurned ? -1 : 1;
-    return sign * (side - 2 * (rest + (more - tangent * tangent / (tangent + side))));
+    const double excess = tangentExcess(rest, 0);
+    const double tangent = rest + excess, side = isTurned ? -1 : 1;
+    return sign * (side - 2 * (rest + (excess - tangent * tangent / (tangent + side))));
   }
-  const double more = tangentBeyond(x, tail);
-  const double tangent = x + more;
+  const double excess = tangentExcess(x, tail);
+  const double tangent = x + excess;
   if (!isTurned) return tangent;
   // -1 / tangent alone has an error of up to two units in the last place
-  const double high = upperHalf(tangent), low = more - (high - x);
+  const double high = upperHalf(tangent), low = excess - (high - x);
   const double inverse = -1 / tangent, roughly = upperHalf(inverse);
   return roughly + inverse * (1 + roughly * high + roughly * low);
 }

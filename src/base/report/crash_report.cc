@@ -16,49 +16,49 @@ namespace pongsim::base {
 
 namespace {
 
-/// What runs on a thread.
-struct Running {
-  /// 0: the entry is free.
+/// The part that runs on a thread.
+struct RunningThread {
+  /// The kernel's thread id; 0: this element of the table is free.
   std::atomic<long> thread = 0;
   std::atomic<const char*> name = nullptr;
   std::atomic<const char*> doing = nullptr;
 };
 
-// Global, because a signal handler has access to nothing else, and a process has one set of handlers. If more threads
-// than this are running, a crash on one of the others names no part.
+// Global, because a signal handler has access to nothing else, and a process has one set of handlers. A crash on a
+// thread beyond this number names no part.
 constexpr std::size_t kMostThreads = 256;
-std::array<Running, kMostThreads> running;
+std::array<RunningThread, kMostThreads> running;
 
-/// A thread's entry in the table, for the lifetime of this object.
-class Place {
+/// This thread's element of the table while this object lives; a spare one if the table is full.
+class TableSlot {
  public:
-  Place() {
+  TableSlot() {
     const long thread = syscall(SYS_gettid);
-    for (Running& each : running) {
+    for (RunningThread& each : running) {
       long none = 0;
       if (!each.thread.compare_exchange_strong(none, thread)) continue;
-      place_ = &each;
+      slot_ = &each;
       return;
     }
   }
-  ~Place() {
-    if (place_ == &spare_) return;
-    place_->name = nullptr;
-    place_->thread = 0;
+  ~TableSlot() {
+    if (slot_ == &spare_) return;
+    slot_->name = nullptr;
+    slot_->thread = 0;
   }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+  TableSlot(const TableSlot&) = delete;
+  TableSlot& operator=(const TableSlot&) = delete;
 
-  Running& operator*() const { return *place_; }
+  RunningThread& operator*() const { return *slot_; }
 
  private:
-  Running spare_;
-  Running* place_ = &spare_;
+  RunningThread spare_;
+  RunningThread* slot_ = &spare_;
 };
 
-Running& runningHere() {
-  thread_local const Place place;
-  return *place;
+RunningThread& runningHere() {
+  thread_local const TableSlot slot;
+  return *slot;
 }
 
 struct Crash {
@@ -73,9 +73,9 @@ std::array<Crash, 5> crashes = {{{SIGSEGV, "SIGSEGV", {}},
                                  {SIGABRT, "SIGABRT", {}}}};
 
 /// A line of output, assembled and written using only calls allowed in signal handlers.
-class Line {
+class SignalSafeLine {
  public:
-  Line& operator<<(const char* text) {
+  SignalSafeLine& operator<<(const char* text) {
     const std::size_t length = std::min(std::strlen(text), text_.size() - size_);
     std::memcpy(text_.data() + size_, text, length);
     size_ += length;
@@ -93,10 +93,10 @@ class Line {
 void report(int signal) {
   for (Crash& crash : crashes) {
     if (crash.signal != signal) continue;
-    Line line;
+    SignalSafeLine line;
     line << "pongsim: error: crashed with " << crash.text;
     const long thread = syscall(SYS_gettid);
-    for (const Running& each : running) {
+    for (const RunningThread& each : running) {
       const char* const name = each.name;
       if (name != nullptr && each.thread == thread) line << " in " << name << ", " << each.doing;
     }
@@ -104,14 +104,14 @@ void report(int signal) {
     line.write();
     sigaction(signal, &crash.before, nullptr);
   }
-  // delivered after this function returns, to whatever handled it before
+  // the signal is blocked until this handler returns, and then goes to the handler before this one
   raise(signal);
 }
 
 }  // namespace
 
 RunningPart::RunningPart(const char* name, const char* doing) {
-  Running& here = runningHere();
+  RunningThread& here = runningHere();
   name_ = here.name.load(std::memory_order_relaxed);
   doing_ = here.doing.load(std::memory_order_relaxed);
   here.doing.store(doing, std::memory_order_relaxed);
@@ -119,14 +119,14 @@ RunningPart::RunningPart(const char* name, const char* doing) {
 }
 
 RunningPart::~RunningPart() {
-  Running& here = runningHere();
+  RunningThread& here = runningHere();
   here.doing.store(doing_, std::memory_order_relaxed);
   here.name.store(name_, std::memory_order_relaxed);
 }
 
 CrashStack::CrashStack() {
   stack_t there{};
-  // a sanitizer has its own
+  // a stack is already set, such as a sanitizer's
   if (sigaltstack(nullptr, &there) != 0 || (there.ss_flags & SS_DISABLE) == 0) return;
   constexpr std::size_t kSize = 64 * 1024;
   memory_ = std::make_unique<std::byte[]>(kSize);
@@ -144,7 +144,7 @@ CrashStack::~CrashStack() {
 }
 
 void reportCrashes() {
-  // for the main thread, until the process ends: in static memory, which a sanitizer takes for no leak
+  // for the main thread, never destroyed; in static memory, so that leak sanitizers do not report it
   alignas(CrashStack) static std::byte place[sizeof(CrashStack)];
   static const CrashStack* const stack = new (place) CrashStack;
   static_cast<void>(stack);

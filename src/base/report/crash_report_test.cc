@@ -9,7 +9,7 @@ namespace pongsim::base {
 namespace {
 
 void crash() {
-  // a sanitizer's report would only make it longer
+  // without a sanitizer's handler, whose report would come after ours
   std::signal(SIGABRT, SIG_DFL);
   reportCrashes();
   std::raise(SIGABRT);

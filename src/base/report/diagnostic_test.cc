@@ -32,7 +32,7 @@ TEST(Diagnostic, NamesTheFilesThatIncludeItsOwn) {
 TEST(Diagnostic, ShowsTheLineWithAMark) {
   EXPECT_EQ(format({Severity::kError, at(1, 3), "wrong", "do it right"}, {"\t<link/>"}),
             "world.sdf:1:3: error: wrong\n     <link/>\n      ^\n  hint: do it right");
-  // a letter takes one place, whatever the number of its bytes
+  // columns count characters, not bytes
   EXPECT_EQ(format({Severity::kError, at(1, 4), "wrong", {}}, {"äöü<"}),
             "world.sdf:1:4: error: wrong\n    äöü<\n       ^");
 }

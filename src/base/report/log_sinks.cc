@@ -16,8 +16,8 @@ struct LogSink::State {
 
 namespace {
 
-/// A sink's data in a form that this file can name; the sink's own type is private.
-struct Entry {
+/// What `tellSinks` needs of a sink, whose own state is private.
+struct RegisteredSink {
   const void* owner;
   LogLevel level;
   const LogSink::Heard* heard;
@@ -26,13 +26,13 @@ struct Entry {
 /// All registered sinks; global, because loggers serve the whole process.
 struct Sinks {
   std::shared_mutex mutex;
-  std::vector<Entry> entries;
+  std::vector<RegisteredSink> registered;
   /// The most verbose level of all sinks, so that a message nobody listens to costs only a check.
   std::atomic<LogLevel> level = LogLevel::kNone;
 
   void findLevel() {
     LogLevel most = LogLevel::kNone;
-    for (const Entry& entry : entries) most = std::max(most, entry.level);
+    for (const RegisteredSink& sink : registered) most = std::max(most, sink.level);
     level = most;
   }
 };
@@ -48,14 +48,14 @@ Sinks& sinks() {
 LogSink::LogSink(LogLevel level, Heard heard) : state_(std::make_unique<State>(State{level, std::move(heard)})) {
   Sinks& all = sinks();
   const std::unique_lock lock(all.mutex);
-  all.entries.push_back({this, level, &state_->heard});
+  all.registered.push_back({this, level, &state_->heard});
   all.findLevel();
 }
 
 LogSink::~LogSink() {
   Sinks& all = sinks();
   const std::unique_lock lock(all.mutex);
-  std::erase_if(all.entries, [this](const Entry& entry) { return entry.owner == this; });
+  std::erase_if(all.registered, [this](const RegisteredSink& sink) { return sink.owner == this; });
   all.findLevel();
 }
 
@@ -65,10 +65,10 @@ void tellSinks(const LogRecord& record) {
   if (record.level > all.level.load(std::memory_order_relaxed) || isTelling) return;
   isTelling = true;
   const std::shared_lock lock(all.mutex);
-  for (const Entry& entry : all.entries) {
-    if (record.level > entry.level) continue;
+  for (const RegisteredSink& sink : all.registered) {
+    if (record.level > sink.level) continue;
     try {
-      (*entry.heard)(record);
+      (*sink.heard)(record);
     } catch (...) {
       // a failing listener must not make the logging code fail, and logging the failure would reach the listener again
     }

@@ -11,15 +11,15 @@ namespace pongsim::math::test {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Numbers that tests ask functions for.
+/// Range of the arguments with which a test calls a function.
 struct Range {
   double low;
   double high;
-  /// The numbers are 2 to the power of what is in the range, with either sign.
+  /// The arguments are 2^x and -2^x for x in the range.
   bool isOfPowers = false;
 };
 
-/// @return By how many units in the last place a number is off.
+/// @return The error of `found` in units in the last place.
 inline double lastPlaces(double found, long double exact) {
   const double size = std::max(std::abs(static_cast<double>(exact)), std::numeric_limits<double>::min());
   const double unit = std::nextafter(size, kInfinity) - size;
@@ -33,7 +33,7 @@ inline double drawn(Random& random, const Range& range) {
 }
 
 /// @param exact The same function in long double, which has eleven bits more.
-/// @return The largest error in units in the last place, of many numbers of the range.
+/// @return The largest error for 100,000 random arguments, in units in the last place.
 template <class Function, class Exact>
 double worstError(Function function, Exact exact, const Range& range) {
   Random random(1, "numbers");

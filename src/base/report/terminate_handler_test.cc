@@ -1,4 +1,4 @@
-#include "base/report/last_words.hh"
+#include "base/report/terminate_handler.hh"
 
 #include <gtest/gtest.h>
 
@@ -12,27 +12,27 @@
 namespace pongsim::base {
 namespace {
 
-void failWithoutAWayOut(const auto& failure) noexcept { failure(); }
+void failUncaught(const auto& failure) noexcept { failure(); }
 
-TEST(LastWords, AreThatMemoryHasRunOut) {
+TEST(TerminateHandler, SaysThatMemoryHasRunOut) {
   const auto fail = [] {
-    sayLastWords();
-    failWithoutAWayOut([] { throw std::bad_alloc(); });
+    installTerminateHandler();
+    failUncaught([] { throw std::bad_alloc(); });
   };
   EXPECT_EXIT(fail(), testing::ExitedWithCode(1), "^pongsim: error: can't go on: not enough memory\n$");
 }
 
-TEST(LastWords, AreOfAResource) {
+TEST(TerminateHandler, NamesTheResource) {
   const auto fail = [] {
-    sayLastWords();
-    failWithoutAWayOut([] { throw std::system_error(EAGAIN, std::generic_category(), "thread"); });
+    installTerminateHandler();
+    failUncaught([] { throw std::system_error(EAGAIN, std::generic_category(), "thread"); });
   };
   EXPECT_EXIT(fail(), testing::ExitedWithCode(1), "^pongsim: error: can't go on: thread: Resource temporarily unavail");
 }
 
-TEST(LastWords, AreOfMemoryWhereTheExceptionIsGone) {
+TEST(TerminateHandler, RemembersMemoryWhereTheExceptionIsGone) {
   const auto fail = [] {
-    sayLastWords();
+    installTerminateHandler();
     try {
       std::get_new_handler()();
     } catch (const std::bad_alloc&) {
@@ -42,10 +42,10 @@ TEST(LastWords, AreOfMemoryWhereTheExceptionIsGone) {
   EXPECT_EXIT(fail(), testing::ExitedWithCode(1), "not enough memory");
 }
 
-TEST(LastWords, AreNoneOfAMistakeInTheProgram) {
+TEST(TerminateHandler, AbortsAfterAMistakeInTheProgram) {
   const auto fail = [] {
-    sayLastWords();
-    failWithoutAWayOut([] { throw std::logic_error("a mistake"); });
+    installTerminateHandler();
+    failUncaught([] { throw std::logic_error("a mistake"); });
   };
   EXPECT_EXIT(fail(), testing::KilledBySignal(SIGABRT), "a mistake");
 }

@@ -1,4 +1,4 @@
-#include "base/report/last_words.hh"
+#include "base/report/terminate_handler.hh"
 
 #include <unistd.h>
 
@@ -13,18 +13,18 @@ namespace pongsim::base {
 
 namespace {
 
-// In some cases no exception is left that would tell.
+// Set when an allocation fails, because std::terminate may be called without a current exception.
 std::atomic<bool> hasMemoryFailed = false;
 
-// The library's handler, which prints the exception and aborts with SIGABRT.
-std::terminate_handler endAsBefore = std::abort;
+// The handler before ours: the standard library's prints the exception and aborts with SIGABRT.
+std::terminate_handler previousHandler = std::abort;
 
 void write(const char* text) {
   if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;
 }
 
-/// Allocates no memory.
-[[noreturn]] void endFor(const char* what) {
+/// Prints the error and exits, without allocating memory.
+[[noreturn]] void exitWithError(const char* what) {
   write("pongsim: error: can't go on: ");
   write(what);
   write("\n");
@@ -35,25 +35,25 @@ void terminate() {
   try {
     if (std::current_exception()) throw;
   } catch (const std::bad_alloc&) {
-    endFor("not enough memory");
+    exitWithError("not enough memory");
   } catch (const std::system_error& error) {
-    if (!hasMemoryFailed) endFor(error.what());
+    if (!hasMemoryFailed) exitWithError(error.what());
   } catch (...) {
-    endAsBefore();
+    previousHandler();
   }
-  if (hasMemoryFailed) endFor("not enough memory");
-  endAsBefore();
+  if (hasMemoryFailed) exitWithError("not enough memory");
+  previousHandler();
 }
 
 }  // namespace
 
-void sayLastWords() {
+void installTerminateHandler() {
   std::set_new_handler([] {
     hasMemoryFailed = true;
     throw std::bad_alloc();
   });
   if (const std::terminate_handler before = std::set_terminate(terminate); before != nullptr && before != terminate) {
-    endAsBefore = before;
+    previousHandler = before;
   }
 }
 
