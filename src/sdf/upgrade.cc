@@ -8,33 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "base/element_edit.hh"
 #include "sdf/includes/unflatten.hh"
 #include "sdf/schema/schema.hh"
+#include "sdf/text/names.hh"
 #include "sdf/text/values.hh"
 #include "sdf/version.hh"
 
 namespace pongsim::sdf {
 
 namespace {
-
-Element* childOf(Element& element, std::string_view name) {
-  const auto found = std::ranges::find(element.children, name, &Element::name);
-  return found != element.children.end() ? &*found : nullptr;
-}
-
-Element newElement(std::string_view name, const SourcePosition& position, std::string text = {}) {
-  Element element;
-  element.name = name;
-  element.text = std::move(text);
-  element.position = position;
-  return element;
-}
-
-/// @return The child with this name, created if missing.
-Element& childMade(Element& element, std::string_view name) {
-  if (Element* child = childOf(element, name)) return *child;
-  return element.children.emplace_back(newElement(name, element.position));
-}
 
 /// Calls `take` with each element with this name, except in plugins.
 template <class Take>
@@ -59,14 +42,14 @@ void forEachAxis(Element& root, const Take& take) {
 void flagAxes(Element& root) {
   forEachAxis(root, [](Element& axis) {
     constexpr std::string_view kFlag = "use_parent_model_frame";
-    if (axis.child(kFlag) == nullptr) axis.children.push_back(newElement(kFlag, axis.position, "true"));
+    if (axis.child(kFlag) == nullptr) base::addChild(axis, kFlag, axis.position, "true");
   });
 }
 
 /// To SDF 1.6, where gravity and the magnetic field belong to the world.
 void movePhysics(Element& root) {
   for (Element& world : root.children) {
-    Element* physics = world.name == "world" ? childOf(world, "physics") : nullptr;
+    Element* physics = world.name == "world" ? base::childOf(world, "physics") : nullptr;
     if (physics == nullptr) continue;
     std::vector<Element> moved;
     for (const std::string_view name : {"gravity", "magnetic_field"}) {
@@ -90,7 +73,9 @@ void splitImuNoise(Element& root) {
     for (const auto& [from, to] : kParts) {
       const Element* parameters = noise.child(from);
       for (const std::string_view axis : {"x", "y", "z"}) {
-        Element& target = childMade(childMade(childMade(imu, to), axis), "noise");
+        Element& vector = base::childOrNew(imu, to, imu.position);
+        Element& component = base::childOrNew(vector, axis, vector.position);
+        Element& target = base::childOrNew(component, "noise", component.position);
         target.attributes.push_back({"type", std::string(childText(noise, "type")), noise.position});
         if (parameters != nullptr) target.children = parameters->children;
       }
@@ -119,9 +104,9 @@ void nameAxisFrames(Element& root, Context& context) {
     const bool isInModel = readFlag(axis, kFlag, false, context);
     std::erase_if(axis.children, [kFlag](const Element& child) { return child.name == kFlag; });
     if (!isInModel) return;
-    Element& xyz = childMade(axis, "xyz");
+    Element& xyz = base::childOrNew(axis, "xyz", axis.position);
     if (xyz.attribute("expressed_in") == nullptr) {
-      xyz.attributes.push_back({"expressed_in", "__model__", position});
+      xyz.attributes.push_back({"expressed_in", std::string(kModelFrame), position});
     }
   });
 }
@@ -135,8 +120,8 @@ void separateNames(Element& holder, Context& context) {
   for (const std::string_view kind : {"model", "link", "joint", "frame"}) {
     for (Element& child : holder.children) {
       if (child.name != kind) continue;
-      const auto attribute = std::ranges::find(child.attributes, "name", &Element::Attribute::name);
-      if (attribute == child.attributes.end() || attribute->value.empty()) continue;
+      Element::Attribute* const attribute = base::attributeOf(child, "name");
+      if (attribute == nullptr || attribute->value.empty()) continue;
       const std::string old = attribute->value;
       // two of the same kind with one name are an error in any version
       if (!kindAndName.emplace(child.name, old).second || taken.insert(old).second) continue;

@@ -4,12 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "urdf/build.hh"
+#include "base/element_edit.hh"
 #include "urdf/extensions.hh"
 #include "urdf/joint_elements.hh"
 #include "urdf/link_elements.hh"
 #include "urdf/lumping.hh"
 #include "urdf/origin.hh"
+#include "urdf/pose_element.hh"
 #include "urdf/robot.hh"
 #include "urdf/robot_check.hh"
 #include "urdf/structure_check.hh"
@@ -47,8 +48,8 @@ void addRobotPose(const Element& robot, Element& model) {
 }
 
 Element modelOf(const Robot& robot, const Extensions& extensions, Diagnostics& diagnostics) {
-  Element model = makeElement("model", robot.xml->position);
-  setAttribute(model, "name", robot.xml->attributeOr("name", ""), robot.xml->attribute("name")->position);
+  Element model = base::makeElement("model", robot.xml->position);
+  base::setAttribute(model, "name", robot.xml->attributeOr("name", ""), robot.xml->attribute("name")->position);
   const std::vector<bool> isMade = findMade(robot, diagnostics);
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const Link& link = robot.links[i];
@@ -76,8 +77,8 @@ std::optional<Element> toSdf(const Element& robot, Diagnostics& diagnostics) {
   extensions.check(diagnostics);
   Robot values = robotFrom(*model, robot);
   lumpFixedJoints(values, extensions);
-  Element sdf = makeElement("sdf", robot.position);
-  setAttribute(sdf, "version", "1.7", robot.position);
+  Element sdf = base::makeElement("sdf", robot.position);
+  base::setAttribute(sdf, "version", "1.7", robot.position);
   sdf.children.push_back(modelOf(values, extensions, diagnostics));
   return sdf;
 }

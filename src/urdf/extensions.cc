@@ -4,8 +4,9 @@
 #include <cctype>
 #include <span>
 
+#include "base/element_edit.hh"
 #include "base/nearest_word.hh"
-#include "urdf/build.hh"
+#include "urdf/pose_element.hh"
 
 namespace pongsim::urdf {
 
@@ -68,10 +69,10 @@ bool isSet(const Element& field) {
 void put(const Element& field, std::string_view path, std::string value, Element& target) {
   Element* parent = &target;
   for (std::size_t slash = path.find('/'); slash != path.npos; slash = path.find('/')) {
-    parent = &childOrNew(*parent, path.substr(0, slash), field.position);
+    parent = &base::childOrNew(*parent, path.substr(0, slash), field.position);
     path.remove_prefix(slash + 1);
   }
-  setChild(*parent, path, field.position, std::move(value));
+  base::setChild(*parent, path, field.position, std::move(value));
 }
 
 void putFields(const Element& gazebo, std::span<const Field> fields, Element& target) {
@@ -96,8 +97,8 @@ void copyContents(const Element& gazebo, std::string_view kind, std::string_view
 void keepInFrame(const std::string& link, Element& part) {
   constexpr std::string_view kKinds[] = {"sensor", "light", "projector"};
   if (!isOneOf(part.name, kKinds)) return;
-  Element& pose = childOrNew(part, "pose", part.position);
-  if (pose.attribute("relative_to") == nullptr) setAttribute(pose, "relative_to", link, pose.position);
+  Element& pose = base::childOrNew(part, "pose", part.position);
+  if (pose.attribute("relative_to") == nullptr) base::setAttribute(pose, "relative_to", link, pose.position);
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "urdf/build.hh"
+#include "base/element_edit.hh"
+#include "urdf/pose_element.hh"
 
 namespace pongsim::urdf {
 
@@ -26,7 +27,7 @@ std::string typeOf(const ::urdf::Joint& joint) {
 void addLimits(const Joint& joint, Element& axis, Diagnostics& diagnostics) {
   const ::urdf::Joint& urdf = *joint.urdf;
   const SourcePosition& position = positionIn(*joint.xml, "limit");
-  Element& limit = addChild(axis, "limit", position);
+  Element& limit = base::addChild(axis, "limit", position);
   if (urdf.limits == nullptr) return;
   if (urdf.type != ::urdf::Joint::CONTINUOUS) {
     double lower = urdf.limits->lower, upper = urdf.limits->upper;
@@ -35,33 +36,33 @@ void addLimits(const Joint& joint, Element& axis, Diagnostics& diagnostics) {
                           "they are swapped, as in Fortress");
       std::swap(lower, upper);
     }
-    addChild(limit, "lower", position, textOf(lower));
-    addChild(limit, "upper", position, textOf(upper));
+    base::addChild(limit, "lower", position, textOf(lower));
+    base::addChild(limit, "upper", position, textOf(upper));
   }
-  addChild(limit, "effort", position, textOf(urdf.limits->effort));
-  addChild(limit, "velocity", position, textOf(urdf.limits->velocity));
+  base::addChild(limit, "effort", position, textOf(urdf.limits->effort));
+  base::addChild(limit, "velocity", position, textOf(urdf.limits->velocity));
 }
 
 void addAxis(const Joint& joint, Element& element, Diagnostics& diagnostics) {
   const ::urdf::Joint& urdf = *joint.urdf;
   const SourcePosition& position = positionIn(*joint.xml, "axis");
-  Element& axis = addChild(element, "axis", position);
-  addChild(axis, "xyz", position, textOf(Vector3(urdf.axis.x, urdf.axis.y, urdf.axis.z)));
+  Element& axis = base::addChild(element, "axis", position);
+  base::addChild(axis, "xyz", position, textOf(Vector3(urdf.axis.x, urdf.axis.y, urdf.axis.z)));
   addLimits(joint, axis, diagnostics);
   const SourcePosition& dynamicsPosition = positionIn(*joint.xml, "dynamics");
-  Element& dynamics = addChild(axis, "dynamics", dynamicsPosition);
+  Element& dynamics = base::addChild(axis, "dynamics", dynamicsPosition);
   if (urdf.dynamics == nullptr) return;
-  addChild(dynamics, "damping", dynamicsPosition, textOf(urdf.dynamics->damping));
-  addChild(dynamics, "friction", dynamicsPosition, textOf(urdf.dynamics->friction));
+  base::addChild(dynamics, "damping", dynamicsPosition, textOf(urdf.dynamics->damping));
+  base::addChild(dynamics, "friction", dynamicsPosition, textOf(urdf.dynamics->friction));
 }
 
 /// For a fixed joint kept by an old extension: a revolute joint that can't turn.
 void addLockedAxis(const SourcePosition& position, Element& element) {
-  Element& axis = addChild(element, "axis", position);
-  addChild(axis, "xyz", position, "0 0 1");
-  Element& limit = addChild(axis, "limit", position);
-  addChild(limit, "lower", position, "0");
-  addChild(limit, "upper", position, "0");
+  Element& axis = base::addChild(element, "axis", position);
+  base::addChild(axis, "xyz", position, "0 0 1");
+  Element& limit = base::addChild(axis, "limit", position);
+  base::addChild(limit, "lower", position, "0");
+  base::addChild(limit, "upper", position, "0");
 }
 
 void warnOfWhatIsNotSimulated(const Joint& joint, Diagnostics& diagnostics) {
@@ -89,13 +90,13 @@ void addJoint(const Robot& robot, const Link& link, const Extensions& extensions
   if (isLocked) type = "revolute";
 
   const SourcePosition& position = joint.xml->position;
-  Element& element = addChild(model, "joint", position);
-  setAttribute(element, "name", name, position);
-  setAttribute(element, "type", type, position);
+  Element& element = base::addChild(model, "joint", position);
+  base::setAttribute(element, "name", name, position);
+  base::setAttribute(element, "type", type, position);
   const std::string& parent = robot.links[joint.parent].name;
   addPose(element, joint.X_ParentJoint, positionIn(*joint.xml, "origin"), parent == "world" ? "__model__" : parent);
-  addChild(element, "parent", positionIn(*joint.xml, "parent"), parent);
-  addChild(element, "child", positionIn(*joint.xml, "child"), link.name);
+  base::addChild(element, "parent", positionIn(*joint.xml, "parent"), parent);
+  base::addChild(element, "child", positionIn(*joint.xml, "child"), link.name);
   if (isLocked) {
     addLockedAxis(position, element);
   } else if (type != "fixed") {

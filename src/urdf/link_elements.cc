@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "urdf/build.hh"
+#include "base/element_edit.hh"
+#include "urdf/pose_element.hh"
 
 namespace pongsim::urdf {
 
@@ -26,20 +27,20 @@ std::string addressOf(const std::string& file) {
 
 void addGeometry(const Part& part, Element& parent) {
   const SourcePosition& position = positionIn(*part.xml, "geometry");
-  Element& geometry = addChild(parent, "geometry", position);
+  Element& geometry = base::addChild(parent, "geometry", position);
   if (const auto* box = dynamic_cast<const ::urdf::Box*>(part.geometry.get())) {
-    addChild(addChild(geometry, "box", position), "size", position,
-             textOf(Vector3(box->dim.x, box->dim.y, box->dim.z)));
+    base::addChild(base::addChild(geometry, "box", position), "size", position,
+                   textOf(Vector3(box->dim.x, box->dim.y, box->dim.z)));
   } else if (const auto* cylinder = dynamic_cast<const ::urdf::Cylinder*>(part.geometry.get())) {
-    Element& shape = addChild(geometry, "cylinder", position);
-    addChild(shape, "length", position, textOf(cylinder->length));
-    addChild(shape, "radius", position, textOf(cylinder->radius));
+    Element& shape = base::addChild(geometry, "cylinder", position);
+    base::addChild(shape, "length", position, textOf(cylinder->length));
+    base::addChild(shape, "radius", position, textOf(cylinder->radius));
   } else if (const auto* sphere = dynamic_cast<const ::urdf::Sphere*>(part.geometry.get())) {
-    addChild(addChild(geometry, "sphere", position), "radius", position, textOf(sphere->radius));
+    base::addChild(base::addChild(geometry, "sphere", position), "radius", position, textOf(sphere->radius));
   } else if (const auto* mesh = dynamic_cast<const ::urdf::Mesh*>(part.geometry.get())) {
-    Element& shape = addChild(geometry, "mesh", position);
-    addChild(shape, "scale", position, textOf(Vector3(mesh->scale.x, mesh->scale.y, mesh->scale.z)));
-    addChild(shape, "uri", position, addressOf(mesh->filename));
+    Element& shape = base::addChild(geometry, "mesh", position);
+    base::addChild(shape, "scale", position, textOf(Vector3(mesh->scale.x, mesh->scale.y, mesh->scale.z)));
+    base::addChild(shape, "uri", position, addressOf(mesh->filename));
   }
 }
 
@@ -48,14 +49,14 @@ double rounded(double channel) { return std::round(channel * 1e6) / 1e6; }
 
 /// Adds the colour of a material, with Fortress's brightness, unless an extension sets another one.
 void addColor(const ::urdf::Color& color, const SourcePosition& position, Element& visual) {
-  Element& material = childOrNew(visual, "material", position);
+  Element& material = base::childOrNew(visual, "material", position);
   if (material.child("diffuse") != nullptr || material.child("ambient") != nullptr) return;
   std::string text;
   for (const float channel : {color.r, color.g, color.b})
     text += textOf(rounded(std::clamp(channel / 0.8, 0.0, 1.0))) + ' ';
   text += textOf(rounded(color.a));
-  addChild(material, "diffuse", position, text);
-  addChild(material, "ambient", position, text);
+  base::addChild(material, "diffuse", position, text);
+  base::addChild(material, "ambient", position, text);
 }
 
 /// Adds the collisions and visuals of one link.
@@ -80,8 +81,8 @@ class PartsWriter {
 
  private:
   Element& addPart(const Part& part, std::string_view kind, std::size_t number, const Pose& X_TargetSource) {
-    Element& element = addChild(element_, kind, part.xml->position);
-    setAttribute(element, "name", nameOf(part, target_, kind, number), part.xml->position);
+    Element& element = base::addChild(element_, kind, part.xml->position);
+    base::setAttribute(element, "name", nameOf(part, target_, kind, number), part.xml->position);
     addPose(element, X_TargetSource * part.X_LinkPart, positionIn(*part.xml, "origin"));
     addGeometry(part, element);
     return element;
@@ -96,24 +97,24 @@ class PartsWriter {
 
 void addInertial(const Inertial& inertial, Element& link) {
   const SourcePosition& position = inertial.position;
-  Element& element = addChild(link, "inertial", position);
+  Element& element = base::addChild(link, "inertial", position);
   addPose(element, {inertial.com, Quaternion::Identity()}, position);
-  addChild(element, "mass", position, textOf(inertial.mass));
-  Element& inertia = addChild(element, "inertia", position);
+  base::addChild(element, "mass", position, textOf(inertial.mass));
+  Element& inertia = base::addChild(element, "inertia", position);
   const Matrix3& m = inertial.moments;
-  addChild(inertia, "ixx", position, textOf(m(0, 0)));
-  addChild(inertia, "ixy", position, textOf(m(0, 1)));
-  addChild(inertia, "ixz", position, textOf(m(0, 2)));
-  addChild(inertia, "iyy", position, textOf(m(1, 1)));
-  addChild(inertia, "iyz", position, textOf(m(1, 2)));
-  addChild(inertia, "izz", position, textOf(m(2, 2)));
+  base::addChild(inertia, "ixx", position, textOf(m(0, 0)));
+  base::addChild(inertia, "ixy", position, textOf(m(0, 1)));
+  base::addChild(inertia, "ixz", position, textOf(m(0, 2)));
+  base::addChild(inertia, "iyy", position, textOf(m(1, 1)));
+  base::addChild(inertia, "iyz", position, textOf(m(1, 2)));
+  base::addChild(inertia, "izz", position, textOf(m(2, 2)));
 }
 
 }  // namespace
 
 void addLink(const Robot& robot, const Link& link, const Extensions& extensions, Element& model) {
-  Element& element = addChild(model, "link", link.xml->position);
-  setAttribute(element, "name", link.name, link.xml->position);
+  Element& element = base::addChild(model, "link", link.xml->position);
+  base::setAttribute(element, "name", link.name, link.xml->position);
   if (link.joint) {
     const SourcePosition& position = positionIn(*link.joint->xml, "origin");
     const auto type = link.joint->urdf->type;
@@ -137,13 +138,13 @@ void addLink(const Robot& robot, const Link& link, const Extensions& extensions,
 
 void addFrames(const Robot& robot, const Link& link, Element& model) {
   const std::string& joint = link.joint->urdf->name;
-  Element& jointFrame = addChild(model, "frame", link.joint->xml->position);
-  setAttribute(jointFrame, "name", joint, link.joint->xml->position);
-  setAttribute(jointFrame, "attached_to", robot.links[link.joint->parent].name, link.joint->xml->position);
+  Element& jointFrame = base::addChild(model, "frame", link.joint->xml->position);
+  base::setAttribute(jointFrame, "name", joint, link.joint->xml->position);
+  base::setAttribute(jointFrame, "attached_to", robot.links[link.joint->parent].name, link.joint->xml->position);
   addPose(jointFrame, link.joint->X_ParentJoint, positionIn(*link.joint->xml, "origin"));
-  Element& linkFrame = addChild(model, "frame", link.xml->position);
-  setAttribute(linkFrame, "name", link.name, link.xml->position);
-  setAttribute(linkFrame, "attached_to", joint, link.xml->position);
+  Element& linkFrame = base::addChild(model, "frame", link.xml->position);
+  base::setAttribute(linkFrame, "name", link.name, link.xml->position);
+  base::setAttribute(linkFrame, "attached_to", joint, link.xml->position);
 }
 
 }  // namespace pongsim::urdf

@@ -1,29 +1,14 @@
 #include "sdf/includes/include_overrides.hh"
 
-#include <algorithm>
+#include "base/element_edit.hh"
 
 namespace pongsim::sdf {
 
 namespace {
 
-void setAttribute(Element& element, std::string_view name, const Element& source) {
-  const auto attribute = std::ranges::find(element.attributes, name, &Element::Attribute::name);
-  if (attribute != element.attributes.end()) {
-    attribute->value = source.text;
-    attribute->position = source.position;
-  } else {
-    element.attributes.push_back({std::string(name), source.text, source.position});
-  }
-}
-
 /// Replaces the first child with the same name, the only one that counts; appends it if there is none.
-void setChild(Element& element, const Element& source) {
-  const auto found = std::ranges::find(element.children, source.name, &Element::name);
-  if (found != element.children.end()) {
-    *found = source;
-  } else {
-    element.children.push_back(source);
-  }
+void replaceChild(Element& element, const Element& source) {
+  base::childOrNew(element, source.name, source.position) = source;
 }
 
 }  // namespace
@@ -36,13 +21,13 @@ void applyOverrides(const Element& include, Element& included, Context& context)
       context.diagnostics.warning(child.position, "<" + child.name + "> has no effect: the included element is <" +
                                                       included.name + ">, not <model>");
     } else if (child.name == "name" && !child.text.empty()) {
-      setAttribute(included, "name", child);
+      base::setAttribute(included, "name", child.text, child.position);
     } else if (child.name == "pose" || child.name == "static") {
-      setChild(included, child);
+      replaceChild(included, child);
     } else if (child.name == "plugin") {
       included.children.push_back(child);
     } else if (child.name == "placement_frame") {
-      setAttribute(included, "placement_frame", child);
+      base::setAttribute(included, "placement_frame", child.text, child.position);
       // without this, the model's own pose would place another frame
       if (include.child("pose") == nullptr) {
         context.diagnostics.error(child.position, "<include> has a <placement_frame> but no <pose>",

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
-#include "sdf/includes/attribute.hh"
+#include "base/element_edit.hh"
+#include "sdf/text/names.hh"
 
 namespace pongsim::sdf {
 
@@ -14,13 +14,13 @@ namespace {
 
 /// Replaces the model frame by `frame` in an attribute that names a frame.
 void rename(Element& element, std::string_view attributeName, const std::string& frame) {
-  Element::Attribute* attribute = attributeOf(element, attributeName);
+  Element::Attribute* attribute = base::attributeOf(element, attributeName);
   if (attribute != nullptr && attribute->value == kModelFrame) attribute->value = frame;
 }
 
 /// Like `rename`, but a missing or empty name also means the model frame.
 void renameDefault(Element& element, std::string_view attributeName, const std::string& frame) {
-  Element::Attribute* attribute = attributeOf(element, attributeName);
+  Element::Attribute* attribute = base::attributeOf(element, attributeName);
   if (attribute == nullptr) {
     element.attributes.push_back({std::string(attributeName), frame, element.position});
   } else if (attribute->value.empty() || attribute->value == kModelFrame) {
@@ -45,20 +45,12 @@ bool isMerged(const Element& part) {
   return std::ranges::find(kMerged, part.name) != kMerged.end() || part.name.find(':') != std::string::npos;
 }
 
-/// @return The shortest text that reads as the same number.
-std::string textOf(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 Element poseElement(const MergedModel& model) {
   const Vector3& p = model.X_ReferenceModel.position;
   const Quaternion& q = model.X_ReferenceModel.rotation;
-  Element pose;
-  pose.name = "pose";
-  pose.position = model.includedFrom;
+  Element pose = base::makeElement("pose", model.includedFrom);
   for (const double value : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()}) {
-    pose.text += (pose.text.empty() ? "" : " ") + textOf(value);
+    pose.text += (pose.text.empty() ? "" : " ") + base::shortestText(value);
   }
   pose.attributes.push_back({"relative_to", model.relativeTo, model.includedFrom});
   pose.attributes.push_back({"rotation_format", "quat_xyzw", model.includedFrom});
@@ -76,23 +68,15 @@ void setModelFrame(Element& part, const std::string& frame) {
   if (part.name != "model") renameInside(part, frame);
   // by default, frames are relative to what they are attached to, and joints to their child
   if (isFrame || part.name == "joint") return;
-  auto pose = std::ranges::find(part.children, "pose", &Element::name);
-  if (pose == part.children.end()) {
-    Element& added = part.children.emplace_back();
-    added.name = "pose";
-    added.text = "0 0 0 0 0 0";
-    added.position = part.position;
-    pose = std::prev(part.children.end());
-  }
+  Element* pose = base::childOf(part, "pose");
+  if (pose == nullptr) pose = &base::addChild(part, "pose", part.position, "0 0 0 0 0 0");
   renameDefault(*pose, "relative_to", frame);
 }
 
 std::vector<Element> mergedParts(const MergedModel& model) {
   const std::string frameName = mergedFrameName(model.name);
-  std::vector<Element> parts(1);
+  std::vector<Element> parts = {base::makeElement("frame", model.includedFrom)};
   Element& frame = parts.front();
-  frame.name = "frame";
-  frame.position = model.includedFrom;
   frame.attributes.push_back({"name", frameName, model.includedFrom});
   frame.attributes.push_back({"attached_to", model.canonicalLink, model.includedFrom});
   frame.children.push_back(poseElement(model));

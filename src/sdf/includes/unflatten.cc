@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sdf/includes/attribute.hh"
+#include "base/element_edit.hh"
 #include "sdf/includes/includes.hh"
 #include "sdf/text/names.hh"
 
@@ -57,7 +57,7 @@ class PrefixRemover {
   }
 
   void removeFromAttribute(Element& element, std::string_view name) const {
-    if (Element::Attribute* attribute = attributeOf(element, name)) remove(attribute->value);
+    if (Element::Attribute* attribute = base::attributeOf(element, name)) remove(attribute->value);
   }
 
   void remove(std::string& text) const {
@@ -94,10 +94,8 @@ void unflatten(Element& model, Context& context) {
     }
     const auto [found, isNew] = indexOfName.try_emplace(name, inner.size());
     if (isNew) {
-      Element& added = inner.emplace_back();
-      added.name = "model";
-      added.attributes.push_back({"name", name, part.attribute("name")->position});
-      added.position = part.position;
+      Element& added = inner.emplace_back(base::makeElement("model", part.position));
+      base::setAttribute(added, "name", name, part.attribute("name")->position);
     }
     PrefixRemover(name).removeFrom(part);
     Element& target = inner[found->second];

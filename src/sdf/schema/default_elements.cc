@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/element_edit.hh"
 #include "sdf/schema/schema.hh"
 #include "sdf/version.hh"
 
@@ -99,9 +100,7 @@ std::vector<const Schema::Part*> requiredChildren(const Schema::ElementType& typ
 }
 
 Element defaultElement(const Schema::Part& part, const SourcePosition& position) {
-  Element element;
-  element.name = part.name;
-  element.position = position;
+  Element element = base::makeElement(part.name, position);
   if (!part.row.type.empty()) element.text = defaultText(part.row);
   if (part.type == nullptr) return element;
   for (const Schema::Part& attribute : part.type->attributes) {

@@ -13,6 +13,9 @@ namespace pongsim::sdf {
 /// Separates a nested model from its part, as in `arm::hand::finger`.
 inline constexpr std::string_view kNameSeparator = "::";
 
+/// Name, inside a model, of the model's own frame.
+inline constexpr std::string_view kModelFrame = "__model__";
+
 /// Reads the attribute `name`.
 /// @param owner What the element is part of, for the message: "model 'robot'"; may be empty.
 /// @return An empty text, with an error, if there is none or the format reserves the name.

@@ -65,7 +65,7 @@ ModelDraft readModel(const Element& element, const std::string& owner, bool isIn
   draft.placementFrame = element.attributeOr("placement_frame", "");
 
   const std::string label = model.name.empty() ? "a model" : "model '" + model.name + "'";
-  draft.scope = std::make_unique<Scope>("__model__", label);
+  draft.scope = std::make_unique<Scope>(std::string(kModelFrame), label);
   if (model.isStatic) draft.scope->setStatic();
   PartsReader parts(*draft.scope, model.isStatic || isInStatic, context);
   parts.read(element);

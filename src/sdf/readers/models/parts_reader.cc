@@ -154,7 +154,7 @@ void PartsReader::readMerged(const Element& element, const Element& include, Con
         draft.placementFrame, "model '" + draft.model.name + "' is placed by its frame", includedFrom, context);
     if (frame) pose.value = pose.value * frame->X_ScopeFrame.inverse();
   }
-  if (pose.relativeTo.empty()) pose.relativeTo = "__model__";
+  if (pose.relativeTo.empty()) pose.relativeTo = kModelFrame;
 
   // then read its parts, with a frame that replaces its own
   std::vector<Element> parts = mergedParts({.element = element,

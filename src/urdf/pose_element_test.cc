@@ -1,18 +1,18 @@
-#include "urdf/build.hh"
+#include "urdf/pose_element.hh"
 
 #include <gtest/gtest.h>
 
 namespace pongsim::urdf {
 namespace {
 
-TEST(Build, WritesNumbersThatReadAsTheSame) {
+TEST(PoseElement, WritesNumbersThatReadAsTheSame) {
   EXPECT_EQ(textOf(0.1), "0.1");
   EXPECT_EQ(textOf(-0.0), "0");
   EXPECT_EQ(std::stod(textOf(1.0 / 3)), 1.0 / 3);
   EXPECT_EQ(textOf(Vector3(1, -2.5, 1e-20)), "1 -2.5 1e-20");
 }
 
-TEST(Build, WritesAPoseWithAnglesOnlyWhereItDoesNotTurn) {
+TEST(PoseElement, WritesAPoseWithAnglesOnlyWhereItDoesNotTurn) {
   Element parent;
   addPose(parent, {{1, 2, 3}, Quaternion::Identity()}, {}, "frame");
   EXPECT_EQ(parent.children[0].text, "1 2 3 0 0 0");
@@ -21,17 +21,6 @@ TEST(Build, WritesAPoseWithAnglesOnlyWhereItDoesNotTurn) {
   EXPECT_EQ(parent.children[1].text, "0 0 0 1 0 0 0");
   EXPECT_EQ(parent.children[1].attributeOr("rotation_format", ""), "quat_xyzw");
   EXPECT_EQ(parent.children[1].attribute("relative_to"), nullptr);
-}
-
-TEST(Build, FindsOrMakesChildren) {
-  Element parent;
-  EXPECT_EQ(&childOrNew(parent, "a", {}), &childOrNew(parent, "a", {}));
-  EXPECT_EQ(parent.children.size(), 1U);
-  setChild(parent, "a", {nullptr, 7, 1}, "text");
-  setChild(parent, "b", {}, "more");
-  ASSERT_EQ(parent.children.size(), 2U);
-  EXPECT_EQ(parent.children[0].text, "text");
-  EXPECT_EQ(parent.children[0].position.line, 7);
 }
 
 }  // namespace
