@@ -28,9 +28,9 @@ struct Context {
   std::shared_ptr<const UrdfSource> urdf = nullptr;
   /// Whether the parent is a world or the root, not a model.
   bool isInWorld = false;
-  /// Subjects of warnings given once per file.
+  /// Subjects of the warnings given so far that are given once per file.
   std::set<std::string> said = {};
-  /// Remaining searches for names similar to unknown ones, which are slow.
+  /// How many more times a name similar to an unknown one is looked for, which is slow.
   int searchesLeft = 50;
 
   /// @return Whether this is the first time for `subject`.

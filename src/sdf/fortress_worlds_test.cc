@@ -22,7 +22,7 @@ class FortressWorlds : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-/// What some worlds do not load for, and why Fortress does not load them either.
+/// Errors that some worlds cause, and why Fortress does not load these worlds either.
 const std::map<std::string_view, std::string_view> kReasons = {
     {"' is not in the local Fuel cache", "Fortress downloads it, and without a network says that it can't"},
 };

@@ -60,8 +60,8 @@ Reading readRoot(Element& element, const std::shared_ptr<const UrdfSource>& urdf
   return reading;
 }
 
-/// Adds `found` to `diagnostics` in the order of the file, because some checks run late. Faults of a file that is
-/// included several times are reported once.
+/// Adds `found` to `diagnostics`, sorted by position, because some checks run late. Faults of a file that is included
+/// several times are reported once.
 void addSorted(const Diagnostics& found, const Includes& includes, Diagnostics& diagnostics) {
   std::vector<Diagnostic> all = found.all();
   for (Diagnostic& diagnostic : all) diagnostic.includedFrom = includes.chainOf(diagnostic.position);

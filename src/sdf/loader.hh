@@ -17,12 +17,12 @@ namespace pongsim::sdf {
 /// Content of an SDF file.
 struct Root {
   std::vector<description::World> worlds;
-  /// Those outside of any world, treated as if they were in a world of their own.
+  /// Models, lights and actors outside of any world, read as if they were in a world of their own.
   std::vector<description::Model> models;
   std::vector<description::Light> lights;
   std::vector<description::Actor> actors;
-  /// Warnings about valid content that pongsim does not simulate, and errors if it can't be left out. Irrelevant
-  /// without a simulation.
+  /// Warnings about valid content that pongsim does not simulate, and errors if it can't be left out. They matter only
+  /// if the content is simulated.
   Diagnostics unsimulated;
 };
 

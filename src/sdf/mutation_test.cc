@@ -11,7 +11,7 @@
 namespace pongsim::sdf::test {
 namespace {
 
-/// Not a file of anybody, but with a bit of everything.
+/// A made-up world with elements of each kind.
 constexpr std::string_view kSample = R"(<?xml version="1.0"?>
 <!-- a -- comment --><sdf version="1.8"><world name="w"><physics name="p" default="1">
 <max_step_size>0.001</max_step_size></physics><gravity>0 0 -9.8</gravity><light name="sun" type="directional">
@@ -28,7 +28,7 @@ constexpr std::string_view kSample = R"(<?xml version="1.0"?>
 <upper>1.79769e+308</upper></limit></axis></joint><plugin filename="f.so" name="n"><![CDATA[<x>]]> a &amp; b</plugin>
 </model></world></sdf>)";
 
-/// A robot in URDF, likewise.
+/// The same as a URDF robot.
 constexpr std::string_view kMutatedRobot =
     R"(<robot name="r"><origin xyz="0 0 1"/><material name="m"><color rgba="1 0 0 1"/>
 </material><link name="a"><inertial><origin xyz="1 0 0" rpy="0 1 0"/><mass value="2"/>
@@ -73,7 +73,7 @@ std::string mutated(std::string text, std::mt19937& random) {
   return text;
 }
 
-/// Loads mutations of `text`; each must load or be refused with an error that has a place.
+/// Loads mutations of `text`. Each must load, or cause an error with a position.
 void loadMutations(const std::string& text, int count, std::mt19937& random) {
   for (int i = 0; i < count; ++i) {
     const std::string mutation = mutated(text, random);

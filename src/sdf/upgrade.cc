@@ -38,7 +38,7 @@ void forEachAxis(Element& root, const Take& take) {
   });
 }
 
-/// To SDF 1.5, with a flag for what was always so: axes are given in the model's frame.
+/// To SDF 1.5, which has a flag for axes in the model's frame. In older versions all of them are.
 void flagAxes(Element& root) {
   forEachAxis(root, [](Element& axis) {
     constexpr std::string_view kFlag = "use_parent_model_frame";
@@ -155,7 +155,7 @@ bool isRemoved(const Schema::Part& part) { return part.row.removedIn != 0; }
 
 /// Removes, or only reports, what SDF 1.9 no longer has.
 void dropRemoved(Element& element, const Schema::ElementType& type, RemovedUse use, Context& context) {
-  // most elements have none, so this check comes first
+  // most elements have no attribute that was removed, so this check saves time
   if (std::ranges::any_of(type.attributes, isRemoved)) {
     std::erase_if(element.attributes, [&](const Element::Attribute& attribute) {
       const Schema::Part* part = Schema::find(type.attributes, attribute.name);

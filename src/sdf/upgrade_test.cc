@@ -7,7 +7,7 @@
 namespace pongsim::sdf::test {
 namespace {
 
-/// Two links, the second one of which is turned by a right angle, and a joint with that axis.
+/// @return Two links, the second one turned by a right angle, and a joint with this axis.
 std::string turnedJoint(const std::string& axis) {
   return "<link name='a'/><link name='b'><pose>0 0 0 0 0 1.5707963267948966</pose></link>"
          "<joint name='j' type='revolute'><parent>a</parent><child>b</child>\n<axis>" +
@@ -36,7 +36,7 @@ TEST(Upgrade, ReadsTheFlagOfAxes) {
   EXPECT_LT((load("false").model().joints.at(0).axes.at(0).xyz - Vector3(0, 1, 0)).norm(), 1e-15);
   EXPECT_EQ(load("x").messages,
             Messages{"t.sdf:4:7: error: <use_parent_model_frame> is 'x', which is not 'true' or 'false'"});
-  // where no vector is given, the default one is meant
+  // without a vector, the default one is in the model's frame
   const Loaded loaded = loadModel(turnedJoint("<use_parent_model_frame>1</use_parent_model_frame>"), "1.6");
   EXPECT_LT((loaded.model().joints.at(0).axes.at(0).xyz - Vector3(0, 0, 1)).norm(), 1e-15);
 }
@@ -69,7 +69,7 @@ TEST(Upgrade, MovesGravityAndTheMagneticFieldToTheWorld) {
   EXPECT_EQ(loaded.world().gravity, Vector3(1, 2, 3));
   EXPECT_EQ(loaded.world().environment.magneticField, Vector3(4, 5, 6));
   EXPECT_EQ(loadWorld(physics, "1.6").world().gravity, Vector3(0, 0, -9.8));
-  // the first profile's counts, and what the world says itself
+  // the first profile counts, and the world's own <gravity> before it
   const Loaded second =
       loadWorld("<physics/><physics><gravity>1 2 3</gravity></physics><gravity>7 8 9</gravity>", "1.5");
   EXPECT_EQ(second.world().gravity, Vector3(7, 8, 9));
@@ -89,7 +89,7 @@ TEST(Upgrade, GivesNewNamesToPartsOfTheSameName) {
                                        "t.sdf:6:25: warning: frame 'b_joint" + is + "b_joint_frame'" + hint}));
   EXPECT_EQ(loaded.model().joints.at(0).name, "b_joint");
   EXPECT_EQ(loaded.model().joints.at(0).child, "b");
-  // two of one kind can't be told apart
+  // two parts of the same kind are not renamed
   EXPECT_EQ(loadModel("<link name='a'/><link name='a'/>", "1.6").messages.size(), 1U);
   EXPECT_TRUE(loadModel("<link name='a'/><frame name='a'/>", "1.7").messages.at(0).find("error") != std::string::npos);
 }

@@ -45,7 +45,7 @@ class DotWriter {
   explicit DotWriter(FrameGraphKind kind) : kind_(kind) {}
 
   std::string write(const Scope& scope) {
-    const std::string& root = scope.entries().front().name;
+    const std::string& root = scope.frames().front().name;
     if (kind_ == FrameGraphKind::kPose && root != kRoot) {
       addNode(std::string(kRoot));
       addEdge(std::string(kRoot), root, Pose());
@@ -75,40 +75,41 @@ class DotWriter {
     nodes_.push_back(id + " [label=" + inQuotes(name) + "];");
   }
 
-  /// @param X_FromTo Printed for poses only.
+  /// @param X_FromTo The label; printed in graphs of poses only.
   void addEdge(std::string from, std::string to, const std::optional<Pose>& X_FromTo) {
-    const bool isTold = kind_ == FrameGraphKind::kPose && X_FromTo;
-    edges_.push_back({std::move(from), std::move(to), isTold ? " [label=" + inQuotes(poseText(*X_FromTo)) + "]" : ""});
+    const bool isLabelled = kind_ == FrameGraphKind::kPose && X_FromTo;
+    edges_.push_back(
+        {std::move(from), std::move(to), isLabelled ? " [label=" + inQuotes(poseText(*X_FromTo)) + "]" : ""});
   }
 
-  /// @param prefix "model::" for entries of a model.
+  /// @param prefix "model::" for frames of a model.
   void addNodes(const Scope& scope, const std::string& prefix) {
-    for (const Scope::Entry& entry : scope.entries()) {
-      addNode(prefix + entry.name);
-      if (entry.inside != nullptr) addNodes(*entry.inside, prefix + entry.name + "::");
+    for (const Scope::Frame& frame : scope.frames()) {
+      addNode(prefix + frame.name);
+      if (frame.inside != nullptr) addNodes(*frame.inside, prefix + frame.name + "::");
     }
   }
 
   void addEdges(const Scope& scope, const std::string& prefix) {
-    const std::string& root = scope.entries().front().name;
+    const std::string& root = scope.frames().front().name;
     if (kind_ == FrameGraphKind::kFrame && !prefix.empty() && !scope.isStatic() && !scope.link(0).empty()) {
       addEdge(prefix + root, prefix + scope.link(0), std::nullopt);
     }
-    for (std::size_t i = 1; i < scope.entries().size(); ++i) {
-      const Scope::Entry& entry = scope.entries()[i];
-      const std::string name = prefix + entry.name;
-      if (entry.inside != nullptr) {
-        addEdge(name, name + "::" + entry.inside->entries().front().name, Pose());
-        addEdges(*entry.inside, name + "::");
+    for (std::size_t i = 1; i < scope.frames().size(); ++i) {
+      const Scope::Frame& frame = scope.frames()[i];
+      const std::string name = prefix + frame.name;
+      if (frame.inside != nullptr) {
+        addEdge(name, name + "::" + frame.inside->frames().front().name, Pose());
+        addEdges(*frame.inside, name + "::");
       }
-      const bool isAttached = entry.kind == FrameKind::kFrame || entry.kind == FrameKind::kJoint;
-      std::string target = isAttached && !entry.attachedTo.empty() ? entry.attachedTo : root;
+      const bool isAttached = frame.kind == FrameKind::kFrame || frame.kind == FrameKind::kJoint;
+      std::string target = isAttached && !frame.attachedTo.empty() ? frame.attachedTo : root;
       if (kind_ == FrameGraphKind::kFrame) {
         if (isAttached) addEdge(name, prefix + target, std::nullopt);
         continue;
       }
-      if (!entry.pose.relativeTo.empty()) target = entry.pose.relativeTo;
-      const std::optional<Scope::Found> from = scope.find(target);
+      if (!frame.pose.relativeTo.empty()) target = frame.pose.relativeTo;
+      const std::optional<Scope::ResolvedFrame> from = scope.find(target);
       if (from) addEdge(prefix + target, name, from->X_ScopeFrame.inverse() * scope.pose(i));
     }
   }

@@ -1,6 +1,7 @@
 #include "sdf/frames/frame_graph.hh"
 
 #include <algorithm>
+#include <cassert>
 
 namespace pongsim::sdf {
 
@@ -19,6 +20,7 @@ FrameOrder orderFrames(std::span<const std::size_t> next) {
       marks[node] = Mark::kOnPath;
       path.push_back(node);
       node = next[node];
+      assert(node == kNoNode || node < next.size());
     }
     const bool isCycle = node != kNoNode && marks[node] == Mark::kOnPath;
     const bool isLost = isCycle || (node != kNoNode && marks[node] == Mark::kLost);

@@ -28,7 +28,8 @@ class Scope {
   /// @param label For errors: "model 'robot'".
   Scope(std::string rootName, std::string label);
 
-  struct Entry {
+  /// A frame to add: that of a link, joint, model or `<frame>`.
+  struct Frame {
     FrameKind kind = FrameKind::kFrame;
     std::string name;
     SourcePosition position;
@@ -43,7 +44,7 @@ class Scope {
   };
 
   /// @return The index for looking it up.
-  std::size_t add(Entry entry);
+  std::size_t add(Frame frame);
 
   /// Call if part of this scope could not be read: names that are missing are then no further errors.
   void setIncomplete() { isIncomplete_ = true; }
@@ -62,8 +63,7 @@ class Scope {
   /// Computes all poses and attachments. Each fault adds an error, and the pose becomes the identity.
   void resolve(Context& context);
 
-  /// The result of looking up a name.
-  struct Found {
+  struct ResolvedFrame {
     FrameKind kind = FrameKind::kFrame;
     Pose X_ScopeFrame;
     /// The link that it moves with, named as in this scope; empty if unknown.
@@ -71,28 +71,25 @@ class Scope {
   };
 
   /// @param path "frame", "__model__", "inner::frame".
-  std::optional<Found> find(std::string_view path) const;
+  std::optional<ResolvedFrame> find(std::string_view path) const;
 
   /// Like `find`, but adds the error "`what` 'path', which is not in model 'robot'" if nothing is found.
-  std::optional<Found> findOrComplain(std::string_view path, const std::string& what, const SourcePosition& position,
-                                      Context& context) const;
+  std::optional<ResolvedFrame> findOrComplain(std::string_view path, const std::string& what,
+                                              const SourcePosition& position, Context& context) const;
 
-  /// @return All entries, the scope's own frame first.
-  const std::vector<Entry>& entries() const { return entries_; }
+  /// @return All frames, the scope's own first.
+  const std::vector<Frame>& frames() const { return frames_; }
 
-  const Pose& pose(std::size_t entry) const { return resolved_[entry].X_ScopeFrame; }
-  const std::string& link(std::size_t entry) const { return resolved_[entry].link; }
+  const Pose& pose(std::size_t frame) const { return resolved_[frame].X_ScopeFrame; }
+  const std::string& link(std::size_t frame) const { return resolved_[frame].link; }
   const std::string& label() const { return label_; }
 
  private:
-  struct Resolved {
-    Pose X_ScopeFrame;
-    std::string link;
-  };
-  /// An entry of this scope, or something inside the model of an entry.
+  /// A frame of this scope, or a frame inside a model of this scope.
   struct Reference {
-    std::size_t entry = 0;
-    std::optional<Found> inside;
+    /// Index of the frame or model.
+    std::size_t frame = 0;
+    std::optional<ResolvedFrame> inside;
   };
 
   std::optional<Reference> lookUp(std::string_view path) const;
@@ -103,15 +100,16 @@ class Scope {
   void resolveLinks(Context& context);
   void resolvePoses(Context& context);
   void complainOfCycle(const std::vector<std::size_t>& cycle, const std::string& relation, Context& context) const;
-  Pose placementOf(const Entry& entry, Context& context) const;
-  std::string labelOf(const Entry& entry) const;
+  Pose placementOf(const Frame& frame, Context& context) const;
+  std::string labelOf(const Frame& frame) const;
 
   std::string label_;
-  std::vector<Entry> entries_;
-  std::vector<Resolved> resolved_;
-  /// What each entry is attached to, if known.
+  std::vector<Frame> frames_;
+  /// As many as `frames_`, in the same order.
+  std::vector<ResolvedFrame> resolved_;
+  /// What each frame is attached to, if known.
   std::vector<std::optional<Reference>> attachments_;
-  std::unordered_map<std::string, std::size_t> entryOfName_;
+  std::unordered_map<std::string, std::size_t> frameOfName_;
   bool isIncomplete_ = false;
   bool isStatic_ = false;
 };

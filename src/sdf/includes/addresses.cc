@@ -16,7 +16,7 @@ namespace {
 
 /// @return Whether elements with this name may contain a file's address.
 bool isAddress(std::string_view name) {
-  // the last two are a heightmap's textures; in a material they are colours, which are no addresses
+  // the last two are textures of a heightmap; in a material they are colours, whose text names no file
   constexpr std::array<std::string_view, 4> kNames{"uri", "filename", "diffuse", "normal"};
   return std::ranges::find(kNames, name) != kNames.end() || name.ends_with("_map");
 }

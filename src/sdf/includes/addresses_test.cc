@@ -20,7 +20,7 @@ TEST(Addresses, OfFuelServersAreFoundWhereverTheyStand) {
                 {elementOf("include", "", {elementOf("uri", model + "a"), elementOf("name", model + "no")}),
                  elementOf("mesh", "", {elementOf("uri", "model://b/c.dae")}),
                  elementOf("metal", "", {elementOf("albedo_map", model + "d/1/files/e.png")}),
-                 // what a system inserts later
+                 // a system may insert this one later
                  elementOf("plugin", "", {elementOf("include", "", {elementOf("uri", model + "f")})})});
   EXPECT_EQ(fuelAddressesIn(world), (std::vector<std::string>{model + "a", model + "d/1/files/e.png", model + "f"}));
   EXPECT_TRUE(fuelAddressesIn(elementOf("world", "")).empty());

@@ -59,7 +59,7 @@ Includes::Includes(assets::Finder finder, Diagnostics& diagnostics, Diagnostics&
 
 void Includes::begin(const fs::path& file) { open_.assign(1, withoutLinks(file)); }
 
-bool Includes::follow(const Element& include, Context& context, const Read& read) {
+bool Includes::follow(const Element& include, Context& context, const ReadIncluded& read) {
   const std::optional<fs::path> path = find(include, context);
   if (!path) return false;
   File& file = fileAt(*path, include.position);
@@ -94,7 +94,7 @@ void Includes::resolve(Element& element) {
       children.push_back(std::move(child));
       continue;
     }
-    // swapped, because the includes among them are identified by their addresses, which must not change
+    // swap, do not copy: includes among them are looked up by their addresses in memory
     Element holder;
     holder.children.swap(replacement->second);
     resolve(holder);
@@ -154,9 +154,8 @@ bool Includes::isWithinBounds(const Element& include, const File& file) {
     diagnostics_.error(include.position, std::move(message));
     return false;
   };
-  // reported once: a file that includes too much does so many times
-  const bool wasWithin = count_ <= kMostIncludes && size_ <= kLargestFile;
-  if (!wasWithin) return false;
+  // only the first excess is reported
+  if (count_ > kMostIncludes || size_ > kLargestFile) return false;
   ++count_;
   size_ += file.size;
   if (count_ > kMostIncludes) return refuse("there are more than " + std::to_string(kMostIncludes) + " includes");

@@ -29,20 +29,20 @@ class Includes {
   /// @param unsimulated As in the files' contexts.
   Includes(assets::Finder finder, Diagnostics& diagnostics, Diagnostics& unsimulated);
 
-  /// Starts the load: a file that includes this one includes itself.
+  /// Starts the load of this file, so that a file that includes it again is found to be a cycle.
   void begin(const std::filesystem::path& file);
 
   /// Downloads everything that a file names on Fuel servers, all at once.
   void bring(const Element& root) const { finder_.bring(fuelAddressesIn(root)); }
 
-  /// Called with the element that an `<include>` stands for (a `<model>`, `<light>` or `<actor>`, with the overrides
-  /// applied), to keep or change, and with the context of its file.
-  using Read = std::function<void(Element& included, Context& context)>;
+  /// Receives the element that an `<include>` stands for (a `<model>`, `<light>` or `<actor>`, with the overrides
+  /// applied), which it may move from, and the context of its file.
+  using ReadIncluded = std::function<void(Element& included, Context& context)>;
 
   /// Opens the file named by an `<include>` and calls `read` with its element.
   /// @param context Context of the file with the `<include>`.
   /// @return False if it can't be opened; at least the first such `<include>` adds an error.
-  bool follow(const Element& include, Context& context, const Read& read);
+  bool follow(const Element& include, Context& context, const ReadIncluded& read);
 
   /// Prepares for printing the result: from now on elements get those that Fortress adds.
   /// @param keepsReplacements Whether the elements that replace each `<include>` are kept, with relative addresses made

@@ -6,7 +6,7 @@
 namespace pongsim::sdf::test {
 namespace {
 
-/// Files in a folder of their own, where includes find them by model://.
+/// Files in a temporary folder, where includes find them by model://.
 class IncludesTest : public ::testing::Test {
  protected:
   /// Writes a file with an `<sdf>` element around `content`, which begins in line 2, column 1.
@@ -14,13 +14,13 @@ class IncludesTest : public ::testing::Test {
     folder_.write(name, "<sdf version='" + version + "'>\n" + content + "</sdf>");
   }
 
-  /// Writes a model's folder, whose model is named as it and has this in line 3.
+  /// Writes the folder of a model with the folder's name and this content, which begins in line 3.
   void writeModel(const std::string& name, const std::string& content, const std::string& version = "1.9") {
     folder_.write(name + "/model.config", "<model><sdf version='1.9'>model.sdf</sdf></model>");
     write(name + "/model.sdf", "<model name='" + name + "'>\n" + content + "</model>", version);
   }
 
-  /// Loads the file; in the messages the folder's name is "DIR".
+  /// Loads the file; in the messages, "DIR" replaces the folder's name.
   Loaded loadNamed(const std::string& name) {
     const std::string folder = std::filesystem::canonical(folder_.path()).string();
     Loaded loaded = test::load([&](Diagnostics& diagnostics) {
@@ -33,13 +33,13 @@ class IncludesTest : public ::testing::Test {
     return loaded;
   }
 
-  /// Loads a world with this in line 3.
+  /// Loads a world with this content, which begins in line 3.
   Loaded loadWorldWith(const std::string& content) {
     write("w.sdf", "<world name='w'>\n" + content + "\n</world>");
     return loadNamed("w.sdf");
   }
 
-  /// Loads a world with a model 'm' with this in line 3.
+  /// Loads a world with a model 'm' with this content, which begins in line 3.
   Loaded loadModelWith(const std::string& content) {
     write("w.sdf", "<world name='w'><model name='m'>\n" + content + "\n</model></world>");
     return loadNamed("w.sdf");
@@ -211,7 +211,7 @@ TEST_F(IncludesTest, BoundTheDepthOfModelsAcrossFiles) {
 }
 
 TEST_F(IncludesTest, AreBoundedInNumber) {
-  // 50^4 of them
+  // 50^4 includes
   for (int i = 0; i < 4; ++i) {
     std::string content = "<link name='l'/>";
     for (int k = 0; k < 50; ++k) {

@@ -24,11 +24,11 @@ struct MergedModel {
 /// @return Fortress's name for the frame that replaces a merged model's own.
 std::string mergedFrameName(const std::string& model);
 
-/// @return That frame, and the model's parts with its name wherever they named the model frame or were relative to it.
-/// Includes are unchanged: pass their content to `setModelFrame`.
+/// @return The frame that replaces the model's own, and the model's parts. Parts that named the model frame, or were
+/// relative to it, name the new frame. Includes are unchanged: pass their content to `setModelFrame`.
 std::vector<Element> mergedParts(const MergedModel& model);
 
-/// Makes a part of a merged model, of any kind, relative to that frame if it is relative to the model's own.
+/// Replaces the model frame by `frame` in a part of a merged model, which may be relative to it by default.
 void setModelFrame(Element& part, const std::string& frame);
 
 }  // namespace pongsim::sdf

@@ -7,7 +7,7 @@
 namespace pongsim::sdf {
 namespace {
 
-/// @return The file's name, or what was said instead.
+/// @return The file's name, or the messages if there is none.
 std::string chosen(const std::string& content) {
   const pongsim::test::TempFolder folder;
   const std::filesystem::path file = folder.write("model.config", content);

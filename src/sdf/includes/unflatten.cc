@@ -17,7 +17,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// @return The model that the part came from; "" if it always was in this one.
+/// @return Name of the included model that the part came from; empty if it belongs to this model.
 std::string_view innerModel(const Element& part) {
   constexpr std::array<std::string_view, 5> kKinds{"model", "link", "joint", "frame", "gripper"};
   if (std::ranges::find(kKinds, part.name) == kKinds.end()) return {};
@@ -104,7 +104,7 @@ void unflatten(Element& model, Context& context) {
     } else {
       target.children.push_back(std::move(part));
     }
-    // marks it as moved
+    // mark it as moved; erased below
     part.name.clear();
   }
   std::erase_if(model.children, [](const Element& part) { return part.name.empty(); });

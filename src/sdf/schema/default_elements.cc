@@ -61,9 +61,9 @@ std::size_t rankOf(const Schema::Part* part) {
 }
 
 bool isInNewest(const Schema::Part& part) {
-  // Fortress reads these although the format lacks them
-  const bool isBeside = part.row.path == "sensor.ignition_frame_id" || part.row.path == "sensor.gz_frame_id";
-  return part.row.removedIn == 0 && part.row.since <= kNewestVersion && !isBeside;
+  // not in the format, although Fortress reads them
+  const bool isOutsideFormat = part.row.path == "sensor.ignition_frame_id" || part.row.path == "sensor.gz_frame_id";
+  return part.row.removedIn == 0 && part.row.since <= kNewestVersion && !isOutsideFormat;
 }
 
 /// @return The part with this name in SDF 1.9, or null.
@@ -88,8 +88,8 @@ char presenceOf(const Schema::Part& part) {
   return isAnyNumber ? '*' : part.row.presence;
 }
 
-/// @param presences The wanted ones.
-/// @return The required children of an element, in the format's order.
+/// @param presences Values of `SchemaRow::presence`: "1", "1+".
+/// @return The children with one of these presences, in the format's order.
 std::vector<const Schema::Part*> requiredChildren(const Schema::ElementType& type, std::string_view presences) {
   std::vector<const Schema::Part*> parts;
   for (const Schema::Part& part : type.children) {

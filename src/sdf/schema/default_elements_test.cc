@@ -55,7 +55,7 @@ TEST(DefaultElements, HavePlaceholdersForNamesThatTheFormatCannotGive) {
 }
 
 TEST(DefaultElements, OfPartsWithAFileOfTheirOwnAreWhatThatSays) {
-  // the format asks an actor for a link, and an axis for no noise
+  // although the format requires a link in an actor, and no noise in an axis
   EXPECT_EQ(completed("<actor name='a'/>"), "<actor name=\"a\"><script/></actor>");
   const std::string begin = "<model name=\"m\"><link name=\"l\"><sensor name=\"s\" type=\"imu\"><imu>";
   EXPECT_EQ(completed("<model name='m'><link name='l'><sensor name='s' type='imu'><imu><angular_velocity><x/>"

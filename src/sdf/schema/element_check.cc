@@ -69,8 +69,8 @@ void checkRequired(const Element& element, const Schema::ElementType& type, Cont
   }
 }
 
-/// @param isPassed No reader handles the element, so its values are checked here.
-/// @param isActorLink It is an actor's link, of which only the pose and the visuals are read.
+/// @param isPassed Whether no reader handles the element: then its values are checked here.
+/// @param isActorLink Whether it is an actor's link, of which only the pose and the visuals are read.
 void check(const Element& element, const Schema::ElementType* type, bool isPassed, bool isActorLink, Context& context) {
   static const Schema::ElementType kNothing;
   if (type == nullptr) type = &kNothing;

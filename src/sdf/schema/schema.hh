@@ -15,14 +15,14 @@ class Schema {
  public:
   struct ElementType;
 
-  /// An element or attribute as part of an element.
+  /// An element or attribute, as a child of one parent element.
   struct Part {
     std::string_view name;
     /// The table's row; its empty fields are filled from the row that it refers to.
     SchemaRow row;
-    /// What it can contain; null: neither elements nor attributes.
+    /// Its possible children and attributes; null: none.
     const ElementType* type = nullptr;
-    /// Whether it can contain anything.
+    /// Whether it can have any children.
     bool isFreeForm = false;
   };
 
@@ -37,10 +37,10 @@ class Schema {
   /// @return `<sdf>`.
   const Part& root() const { return *shared("sdf"); }
 
-  /// @return An element that means the same everywhere, or null.
+  /// @return The element with this name if it is defined once for all parents ("joint", "pose"), or null.
   const Part* shared(std::string_view name) const;
 
-  /// @return All of those, sorted by name.
+  /// @return All elements that are defined once for all parents, sorted by name.
   std::span<const Part> allShared() const { return shared_; }
 
   /// @return What the element with this path in the table ("joint.axis") can contain, or null.

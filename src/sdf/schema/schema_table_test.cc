@@ -1,5 +1,5 @@
-// The table says of each element and attribute of the format whether the description holds what it says. Here each of
-// them is put into a file in two ways, which must make two descriptions, or one where the table says that it is passed.
+// The table's column "use" says whether an element or attribute is part of the description. For each one, this loads
+// two files that differ only in its value: their descriptions must differ too, or be the same if its use is "passed".
 
 #include "sdf/schema/schema_table.hh"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Values = std::pair<std::string, std::string>;
 
-/// Of texts that are one of some words, or name another part.
+/// Two valid values for texts that must be one of some words, or name another part.
 const std::map<std::string_view, Values> kSpecial = {
     {"axis.xyz@expressed_in", {"", "f"}},
     {"camera.box_type", {"2d", "3d"}},
@@ -67,13 +67,13 @@ Root described(const std::string& text) {
   return root;
 }
 
-/// @param folder Holds the files "one" and "two".
+/// @param folder Contains the files "one" and "two".
 Values valuesFor(const Place& place, const std::string& folder) {
   const Schema::Part& part = place.part();
   const auto special = kSpecial.find(part.row.path);
   Values values = special != kSpecial.end() ? special->second : valuesOfType(part.row.type);
   if (part.name == "uri" && part.row.type == "string") values = {folder + "/one", folder + "/two"};
-  // links of a model, seen from the world
+  // in the world, links of the model 'm' have its name as prefix
   const std::size_t depth = place.chain.size() - (place.attribute != nullptr ? 1 : 2);
   const bool isInWorld = depth > 0 && place.chain[depth - 1]->name == "world";
   const std::string_view row = part.row.path;
@@ -86,8 +86,9 @@ Values valuesFor(const Place& place, const std::string& folder) {
   return values;
 }
 
-/// The table of links is that of actors' links, too, of which visuals are read only, with no frames; that the poses of
-/// links are, too, shows where they have visuals.
+/// @return Whether the place is in a link of an actor and is not read there. The table has the same rows for these
+/// links as for those of models, but of theirs only visuals are read, without frames, and the links' poses, which only
+/// show in visuals.
 bool isPassedInAnActor(const Place& place) {
   for (std::size_t i = 0; i + 1 < place.chain.size(); ++i) {
     if (place.chain[i]->name != "actor" || place.chain[i + 1]->name != "link") continue;

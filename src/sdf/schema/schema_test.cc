@@ -72,10 +72,10 @@ Files readFiles(int version) {
   return files;
 }
 
-/// Walks through a description of sdformat's and our table side by side.
+/// Visits sdformat's description of the format and our table side by side.
 class Walk {
  public:
-  /// @param part Null where the table has no such part, which `compare` is to tell.
+  /// @param part Null where the table has no such part; `compare` must report that.
   using Compare = std::function<void(const std::string& path, const Element& theirs, const Schema::Part* part)>;
 
   Walk(const Files& files, Compare compare) : files_(files), compare_(std::move(compare)) {}
@@ -104,7 +104,7 @@ class Walk {
 
   void visitChild(const Element& theirs, const Element& content, const Schema::Part* part, const std::string& path) {
     compare_(path, theirs, part);
-    // a reference stands for all of what it refers to, though some of it is told again
+    // a reference includes all that it refers to, so what sdformat repeats below it need not be visited
     if (part != nullptr && theirs.attribute("ref") == nullptr) visit(content, *part, path);
   }
 
@@ -151,8 +151,8 @@ TEST_F(SchemaAgainstSdformat, SaysTheSameOfSdf19) {
     }
   }).from("root.sdf", Schema::instance().root());
 
-  // what Debian's package lacks: later releases of sdformat 12 added it to SDF 1.9, or take it unsaid (world.joint), or
-  // Fortress reads it (frame ids)
+  // not in Debian's package: later releases of sdformat 12 added these to SDF 1.9, accept them although the format does
+  // not list them (world.joint), or Fortress reads them (frame ids)
   const std::set<std::string_view> added{"camera.camera_info_topic",
                                          "camera.triggered",
                                          "camera.trigger_topic",
@@ -180,7 +180,7 @@ TEST_F(SchemaAgainstSdformat, KnowsSinceWhenAndUntilWhen) {
     const Files files = readFiles(version);
     if (files.empty()) continue;
     Walk(files, [version](const std::string& path, const Element&, const Schema::Part* part) {
-      // versions before 1.4 are not supported: what they had and no later one has is not in the table
+      // elements that only versions before 1.4 have are not in the table: these versions are not supported
       if (part == nullptr) {
         EXPECT_LT(version, 4) << path;
         return;

@@ -35,7 +35,7 @@ TEST(ValueCheck, TakesWhatIsOfItsType) {
   EXPECT_EQ(verdict("double", ""), "good");
 }
 
-// Each of these was given to libsdformat 12.3, too: it refuses the errors and takes the warnings.
+// libsdformat 12.3 does the same with each of these: it refuses the errors, and reads the warnings in part.
 TEST(ValueCheck, TellsWhatFortressRefusesFromWhatItTakesInPart) {
   EXPECT_EQ(verdict("double", "x"), "error");
   EXPECT_EQ(verdict("double", "1abc"), "warning");

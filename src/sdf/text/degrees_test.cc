@@ -11,7 +11,7 @@ namespace {
 
 using Attributes = std::initializer_list<std::pair<const char*, const char*>>;
 
-/// @return A model with that pose.
+/// @return A model with this pose.
 Element modelWith(const std::string& text, Attributes attributes = {}, const char* holder = "model") {
   Element pose;
   pose.name = "pose";

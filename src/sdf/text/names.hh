@@ -18,7 +18,7 @@ inline constexpr std::string_view kModelFrame = "__model__";
 
 /// Reads the attribute `name`.
 /// @param owner What the element is part of, for the message: "model 'robot'"; may be empty.
-/// @return An empty text, with an error, if there is none or the format reserves the name.
+/// @return The name; empty, with an error, if there is none or the format reserves it.
 std::string readName(const Element& element, std::string_view owner, Context& context);
 
 /// @return "link 'l' of model 'm'", or "a link of model 'm'" if it has no name.

@@ -28,7 +28,7 @@ TEST(Names, HaveNoSeparator) {
   EXPECT_EQ(loadModel("<link name='a::b'/>").messages,
             Messages{"t.sdf:3:7: error: link can't be named 'a::b' in model 'm' | '::' separates the name of a model "
                      "from that of a part"});
-  // but for those of a world's parts, and in old files without a word
+  // names of a world's parts may have it: with a warning from SDF 1.8 on, without one in older files
   const std::string parts =
       "<model name='a::b'><link name='l'/></model><joint name='c::d' type='fixed'><parent>world</parent>"
       "<child>a::b::l</child></joint>";

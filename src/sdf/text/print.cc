@@ -36,7 +36,7 @@ std::string printDocument(const Element& root) {
 std::string printChildren(const Element& element) {
   std::string text;
   for (const Element& child : element.children) {
-    // one printer for each, because a single one would put empty lines between top-level elements
+    // a printer for each, because one for all would put empty lines between top-level elements
     Printer printer;
     print(child, printer);
     text += printer.CStr();

@@ -8,8 +8,8 @@
 namespace pongsim::sdf::test {
 namespace {
 
-/// Forgets what is told twice: the one profile of physics that each world has, and elements that are kept as they
-/// stand, which are what was read of them and what was added.
+/// Clears what printing may add without changing the world: the default profile of physics, and elements that are kept
+/// as written, whose values are also in the description.
 void forgetAdded(Root& root) {
   forgetSensorElements(root);
   for (description::World& world : root.worlds) {
@@ -18,8 +18,8 @@ void forgetAdded(Root& root) {
   }
 }
 
-/// Expects that what is printed of a file loads to what the file itself loads to.
-/// @return Whether it could be loaded at all.
+/// Expects that a printed file loads to the same description as the file itself.
+/// @return Whether the file could be loaded.
 bool printsAsItLoads(const std::filesystem::path& file, const assets::Finder& finder) {
   Diagnostics diagnostics;
   Root original = loadFile(file, diagnostics, finder);

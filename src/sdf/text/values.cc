@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kUnlimited = 1e16;
 
-/// Adds "<mass> is 'x', which is not a number".
+/// Adds the error "<mass> is 'x', which is not a number".
 void complain(const Element& element, std::string_view expected, Context& context, std::string hint = {}) {
   context.diagnostics.error(
       element.position,
@@ -100,7 +100,7 @@ std::optional<std::vector<double>> readEulerNumbers(const Element& element, Cont
   return values;
 }
 
-/// @return Whether the first three are a position that the physics can handle; if not, adds an error.
+/// @return Whether the first three are a position within the limits of the physics; if not, adds an error.
 bool isWithinReach(const std::vector<double>& values, const Element& element, Context& context) {
   if (std::all_of(values.begin(), values.begin() + 3, [](double x) { return std::abs(x) <= kLargestPosition; })) {
     return true;

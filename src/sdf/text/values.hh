@@ -15,7 +15,7 @@
 
 namespace pongsim::sdf {
 
-/// The physics lets nothing be further away than this [m], or turned further [rad].
+/// Limit of the physics for positions [m] and joint angles [rad].
 inline constexpr double kLargestPosition = 1e9;
 
 /// A pose as written in the file, not resolved yet.

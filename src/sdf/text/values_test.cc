@@ -5,7 +5,7 @@
 namespace pongsim::sdf::test {
 namespace {
 
-/// Loads a link with that pose, in line 4.
+/// Loads a link with this pose, which begins in line 4.
 Loaded loadPose(const std::string& pose) { return loadModel("<link name='l'>\n" + pose + "</link>"); }
 
 Pose poseOf(const std::string& pose) {

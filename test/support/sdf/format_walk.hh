@@ -25,8 +25,8 @@ inline std::pair<std::string, std::string> valuesOfType(std::string_view type) {
   return {"one", "two"};
 }
 
-/// What must stand beside a part for it to have a meaning.
-struct Company {
+/// What an element needs besides the part under test, so that a file with it is valid.
+struct NeededContent {
   std::string attributes;
   std::string children;
 };
@@ -49,20 +49,20 @@ inline const std::map<std::string_view, std::string_view> kTypeOfSensorPart = {
     {"transceiver", "wireless_receiver"},
 };
 
-/// @param holder Name of what holds the element.
-/// @param next Name of the child that is looked at; empty: an attribute is, or the text.
-/// @param attribute Name of the attribute that is looked at, if it is one of this element.
-inline Company companyOf(std::string_view name, std::string_view holder, std::string_view next,
-                         std::string_view attribute) {
-  Company company;
+/// @param parent Name of the element's parent.
+/// @param next Name of the child that is or contains the part under test; empty if that is an attribute or the text.
+/// @param attribute Name of the attribute under test, if it is one of this element.
+inline NeededContent neededIn(std::string_view name, std::string_view parent, std::string_view next,
+                              std::string_view attribute) {
+  NeededContent needed;
   constexpr std::string_view kLinks =
       "<link name='a'/><link name='b'><pose>0 0 1 0 0 0</pose></link>"
       "<frame name='f'><pose>1 0 0 0.5 0 0</pose></frame>";
-  const bool isInWorld = holder == "world";
+  const bool isInWorld = parent == "world";
   const std::string scope = isInWorld ? "m::" : "";
-  if (name == "model") company.children = kLinks;
+  if (name == "model") needed.children = kLinks;
   if (name == "world") {
-    company.children =
+    needed.children =
         "<frame name='f'><pose>1 0 0 0.5 0 0</pose></frame><model name='m'>" + std::string(kLinks) + "</model>";
   }
   if (name == "joint") {
@@ -70,49 +70,49 @@ inline Company companyOf(std::string_view name, std::string_view holder, std::st
                                   : next == "thread_pitch"      ? "screw"
                                   : next.starts_with("gearbox") ? "gearbox"
                                                                 : "revolute";
-    if (attribute != "type") company.attributes = " type='" + std::string(type) + "'";
+    if (attribute != "type") needed.attributes = " type='" + std::string(type) + "'";
     if (next != "parent")
-      company.children += next == "child" ? "<parent>world</parent>" : "<parent>" + scope + "a</parent>";
-    if (next != "child") company.children += "<child>" + scope + "b</child>";
+      needed.children += next == "child" ? "<parent>world</parent>" : "<parent>" + scope + "a</parent>";
+    if (next != "child") needed.children += "<child>" + scope + "b</child>";
   }
   if (name == "sensor" && attribute != "type") {
     const auto type = kTypeOfSensorPart.find(next);
-    company.attributes = " type='" + std::string(type != kTypeOfSensorPart.end() ? type->second : "camera") + "'";
+    needed.attributes = " type='" + std::string(type != kTypeOfSensorPart.end() ? type->second : "camera") + "'";
   }
   if ((name == "collision" || name == "visual") && next != "geometry") {
-    company.children = "<geometry><box/></geometry>";
+    needed.children = "<geometry><box/></geometry>";
   }
-  if (name == "polyline") company.children = "<point>0 0</point><point>1 0</point><point>1 1</point>";
+  if (name == "polyline") needed.children = "<point>0 0</point><point>1 0</point><point>1 1</point>";
   if (name == "custom_rpy") {
-    company.children = "0 0 1";
-    if (attribute != "parent_frame") company.attributes = " parent_frame='world'";
+    needed.children = "0 0 1";
+    if (attribute != "parent_frame") needed.attributes = " parent_frame='world'";
   }
   if (name == "pose" && !attribute.empty()) {
-    company.children = attribute == "rotation_format" ? "0 0 0 0 0 1 0" : "0 0 0 0 0 1";
+    needed.children = attribute == "rotation_format" ? "0 0 0 0 0 1 0" : "0 0 0 0 0 1";
   }
-  if (name == "model" && attribute == "placement_frame") company.children += "<pose>0 0 0 0 0 0</pose>";
-  if (name == "xyz" && !attribute.empty()) company.children = "0 1 1";
-  return company;
+  if (name == "model" && attribute == "placement_frame") needed.children += "<pose>0 0 0 0 0 0</pose>";
+  if (name == "xyz" && !attribute.empty()) needed.children = "0 1 1";
+  return needed;
 }
 
-/// An element or an attribute of SDF 1.9 in a place where it may stand.
+/// A place of an element or attribute in SDF 1.9.
 struct Place {
-  /// The elements from `<sdf>` down to it, or to the one that it is an attribute of.
+  /// The elements from `<sdf>` down to the element, or to the one with the attribute.
   std::vector<const Schema::Part*> chain;
-  /// Null: the last element of the chain is meant.
+  /// Null: the place is that of the chain's last element.
   const Schema::Part* attribute = nullptr;
-  /// What the table says of it and of all that it stands in.
+  /// Its use by the table; if one of the elements around it is not read, that one's.
   Use use = Use::kRead;
 
   const Schema::Part& part() const { return attribute != nullptr ? *attribute : *chain.back(); }
 };
 
 inline std::string requiredAttributes(const Schema::ElementType& type, const std::string& given,
-                                      std::string_view asked) {
+                                      std::string_view tested) {
   std::string text;
   for (const Schema::Part& part : type.attributes) {
     const std::string name(part.name);
-    const bool isGiven = part.name == asked || given.find(" " + name + "=") != given.npos;
+    const bool isGiven = part.name == tested || given.find(" " + name + "=") != given.npos;
     if (part.row.presence != '1' || part.row.removedIn != 0 || isGiven) continue;
     const std::string value = part.name == "version"       ? "1.9"
                               : !part.row.fallback.empty() ? std::string(part.row.fallback)
@@ -122,28 +122,28 @@ inline std::string requiredAttributes(const Schema::ElementType& type, const std
   return text;
 }
 
-/// @return A file with that value there, in line 2, and what else is needed for it to be read.
+/// @return A valid file with this value at the place, which is in line 2.
 inline std::string documentWith(const Place& place, const std::string& value) {
   std::string before, behind;
   for (std::size_t i = 0; i < place.chain.size(); ++i) {
     const Schema::Part& part = *place.chain[i];
     const bool isLast = i + 1 == place.chain.size();
     const std::string_view next = isLast ? "" : place.chain[i + 1]->name;
-    const std::string_view asked = isLast && place.attribute != nullptr ? place.attribute->name : "";
+    const std::string_view tested = isLast && place.attribute != nullptr ? place.attribute->name : "";
     const std::string name(part.name == "*" ? "anything" : part.name);
-    const Company company = companyOf(name, i > 0 ? place.chain[i - 1]->name : "", next, asked);
-    before += (isLast ? "\n<" : "<") + name + company.attributes;
-    if (part.type != nullptr) before += requiredAttributes(*part.type, company.attributes, asked);
-    if (!asked.empty()) before += " " + std::string(asked) + "='" + value + "'";
+    const NeededContent needed = neededIn(name, i > 0 ? place.chain[i - 1]->name : "", next, tested);
+    before += (isLast ? "\n<" : "<") + name + needed.attributes;
+    if (part.type != nullptr) before += requiredAttributes(*part.type, needed.attributes, tested);
+    if (!tested.empty()) before += " " + std::string(tested) + "='" + value + "'";
     before += ">";
-    if (!isLast || place.attribute != nullptr) before += company.children;
+    if (!isLast || place.attribute != nullptr) before += needed.children;
     behind = "</" + name + ">" + behind;
   }
   return before + (place.attribute == nullptr ? value : "") + behind;
 }
 
-/// Calls `visit` with every place of SDF 1.9, but for what stands within an element of its own kind, elements that hold
-/// no value, and includes.
+/// Calls `visit` with every place of SDF 1.9 except elements without a value, elements inside one of their own type,
+/// and includes.
 class FormatWalk {
  public:
   using Visit = std::function<void(const Place&)>;
@@ -160,17 +160,17 @@ class FormatWalk {
     for (const Schema::Part& attribute : type->attributes) {
       if (attribute.row.removedIn != 0) continue;
       place_.attribute = &attribute;
-      tell(combined(use, attribute.row.use));
+      visitAs(combined(use, attribute.row.use));
       place_.attribute = nullptr;
     }
     for (const Schema::Part& child : type->children) {
       const bool isWithinItself = child.type != nullptr && std::ranges::find(place_.chain, child.type,
                                                                              &Schema::Part::type) != place_.chain.end();
-      // what an include says is read where there is a file to include
+      // an include needs another file
       if (child.row.removedIn != 0 || isWithinItself || child.name == "include") continue;
       place_.chain.push_back(&child);
       const Use childUse = combined(use, child.row.use);
-      if (!child.row.type.empty() || child.name == "*") tell(childUse);
+      if (!child.row.type.empty() || child.name == "*") visitAs(childUse);
       descend(childUse);
       place_.chain.pop_back();
     }
@@ -178,7 +178,7 @@ class FormatWalk {
 
   static Use combined(Use outer, Use inner) { return outer == Use::kRead ? inner : outer; }
 
-  void tell(Use use) {
+  void visitAs(Use use) {
     place_.use = use;
     visit_(place_);
   }

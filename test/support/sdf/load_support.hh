@@ -11,18 +11,18 @@
 
 namespace pongsim::sdf::test {
 
-/// What was loaded, and what was said about it.
+/// A loaded file and the messages about it.
 struct Loaded {
   Root root;
-  /// What is wrong, then what is not simulated, as `format` writes them, with the hint on the same line behind " | "
-  /// and the places of includes in brackets.
+  /// Errors and warnings, then those about content that is not simulated, as `format` writes them, but each on one
+  /// line: the hint after " | ", the positions of includes in brackets.
   std::vector<std::string> messages;
 
   const description::World& world() const { return root.worlds.at(0); }
   const description::Model& model() const { return world().models.at(0); }
 };
 
-/// @param read Loads what is asked for.
+/// @param read Loads it, adding messages to the `Diagnostics` that it is given.
 template <class Read>
 Loaded load(Read read)
   requires std::invocable<Read, Diagnostics&>
@@ -43,23 +43,23 @@ Loaded load(Read read)
   return loaded;
 }
 
-/// Loads a text under the name "t.sdf"; nothing that it includes is found.
+/// Loads a text under the name "t.sdf". Files that it includes are not found.
 inline Loaded load(std::string_view text) {
   return load([text](Diagnostics& diagnostics) { return loadText(text, "t.sdf", diagnostics, assets::finderIn({})); });
 }
 
-/// Loads what stands in a world, its first character in line 2, column 1.
+/// Loads the content of a world, which begins in line 2, column 1.
 inline Loaded loadWorld(std::string_view content, std::string_view version = "1.9") {
   return load("<sdf version='" + std::string(version) + "'><world name='w'>\n" + std::string(content) +
               "\n</world></sdf>");
 }
 
-/// Loads what stands in a model 'm', its first character in line 3, column 1.
+/// Loads the content of a model 'm', which begins in line 3, column 1.
 inline Loaded loadModel(std::string_view content, std::string_view version = "1.9") {
   return loadWorld("<model name='m'>\n" + std::string(content) + "\n</model>", version);
 }
 
-/// Loads what stands in a link 'l' of a model 'm', its first character in line 4, column 1.
+/// Loads the content of a link 'l' of a model 'm', which begins in line 4, column 1.
 inline Loaded loadLink(std::string_view content) {
   return loadModel("<link name='l'>\n" + std::string(content) + "\n</link>");
 }

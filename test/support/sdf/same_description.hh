@@ -4,7 +4,7 @@
 
 namespace pongsim::sdf::test {
 
-/// Forgets where the parts of a description stand.
+/// Clears the source positions in a description.
 class PositionEraser {
  public:
   void erase(Root& root) {
@@ -85,7 +85,7 @@ class PositionEraser {
   }
 };
 
-/// Forgets the elements of sensors, which hold all that is in them, be it read or not.
+/// Clears the XML elements of sensors, which contain everything as written, whether it is read or not.
 template <class Holder>
 void forgetSensorElementsOf(std::vector<Holder>& holders) {
   for (Holder& holder : holders) {
@@ -109,7 +109,7 @@ inline void forgetSensorElements(Root& root) {
   forgetSensorElements(root.models);
 }
 
-/// @return Whether both say the same, wherever it stands.
+/// @return Whether both describe the same, apart from source positions.
 inline bool isSame(Root a, Root b) {
   PositionEraser eraser;
   eraser.erase(a);

@@ -96,7 +96,7 @@ description::Actor finishActor(ActorDraft&& draft, const Scope& scope, Context& 
   description::Actor actor = std::move(draft.actor);
   actor.X_WorldActor = draft.pose.value;
   if (draft.pose.relativeTo.empty()) return actor;
-  const std::optional<Scope::Found> frame = scope.findOrComplain(
+  const std::optional<Scope::ResolvedFrame> frame = scope.findOrComplain(
       draft.pose.relativeTo, "the pose of actor '" + actor.name + "' is relative to", draft.pose.position, context);
   if (frame) actor.X_WorldActor = frame->X_ScopeFrame * draft.pose.value;
   return actor;

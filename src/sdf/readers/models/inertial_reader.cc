@@ -6,10 +6,10 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// Mass of the sun [kg]. Squares of much larger masses are infinite.
+/// Mass of the sun [kg]. The limit keeps squares and products of masses finite.
 constexpr double kLargestMass = 1e30;
 
-/// Allowed error of a tensor relative to its trace, because files round.
+/// Allowed error of a tensor relative to its trace, for files with rounded numbers.
 constexpr double kTolerance = 1e-4;
 
 bool isPositiveDefinite(const Matrix3& m) {
@@ -51,7 +51,7 @@ description::Inertial readInertial(const Element& link, const std::string& owner
   if (inertia == nullptr) return inertial;
   inertial.moments = readMoments(*inertia, context);
   if (isStatic) return inertial;
-  // Scaled, so that the tolerance suits small and large bodies and nothing overflows.
+  // scaled by the largest moment, so that the tolerance is relative and nothing overflows
   const double largest = inertial.moments.cwiseAbs().maxCoeff();
   const Matrix3 scaled = largest > 0 ? Matrix3(inertial.moments / largest) : inertial.moments;
   if (!isPositiveDefinite(scaled)) {

@@ -73,7 +73,7 @@ void readLimits(const Element& element, const std::string& label, JointType type
   axis.effort = readMaximum(element, "effort", context);
   axis.velocity = readMaximum(element, "velocity", context);
   for (const auto& [name, value] : {std::pair("lower", axis.lower), std::pair("upper", axis.upper)}) {
-    // "no limit" is infinite in the opposite direction
+    // a lower limit of -inf or an upper one of +inf means no limit; the opposite would be out of reach
     const bool isOut = name[0] == 'l' ? value > kLargestPosition : value < -kLargestPosition;
     if (!isOut) continue;
     context.diagnostics.error(element.child(name)->position, "the " + std::string(name) + " limit of " + label +
@@ -143,7 +143,7 @@ JointDraft::FrameName readLinkName(const Element& joint, std::string_view child,
   return {"", joint.position};
 }
 
-// the hinges of a gearbox's gears are separate joints
+// the limits and friction of a gearbox's axes have no effect: its gears turn about hinges that are separate joints
 void warnOfIdleAxis(const JointAxis& axis, const std::string& label, SourcePosition position, Context& context) {
   constexpr double kNoLimit = 1e16;
   const bool isIdle = axis.lower <= -kNoLimit && axis.upper >= kNoLimit && std::isinf(axis.effort) &&
@@ -210,7 +210,7 @@ void finishGearbox(description::Joint& joint, const JointDraft& draft, const Sco
   joint.X_ReferenceJoint = X_ScopeJoint;
   if (given.name.empty() || given.name == "world") return;
   const std::string label = labelOf(joint);
-  const std::optional<Scope::Found> reference =
+  const std::optional<Scope::ResolvedFrame> reference =
       scope.findOrComplain(given.name, label + " names reference body", given.position, context);
   if (!reference) return;
   joint.gearboxReference = reference->link;
@@ -218,7 +218,7 @@ void finishGearbox(description::Joint& joint, const JointDraft& draft, const Sco
     context.diagnostics.error(given.position, label + " names reference body '" + given.name + "', which has no link");
     return;
   }
-  const std::optional<Scope::Found> link = scope.find(reference->link);
+  const std::optional<Scope::ResolvedFrame> link = scope.find(reference->link);
   if (link) joint.X_ReferenceJoint = link->X_ScopeFrame.inverse() * X_ScopeJoint;
   if (joint.gearboxReference == joint.parent || joint.gearboxReference == joint.child) {
     context.diagnostics.error(given.position,
@@ -229,17 +229,17 @@ void finishGearbox(description::Joint& joint, const JointDraft& draft, const Sco
 
 }  // namespace
 
-std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry,
+std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t frameIndex,
                                               Context& context) {
   description::Joint joint = std::move(draft.joint);
   const std::string label = labelOf(joint);
-  const Pose& X_ScopeJoint = scope.pose(entry);
+  const Pose& X_ScopeJoint = scope.pose(frameIndex);
   const auto poseOf = [&](const std::string& link) {
-    const std::optional<Scope::Found> found = scope.find(link);
+    const std::optional<Scope::ResolvedFrame> found = scope.find(link);
     return found ? found->X_ScopeFrame : Pose();
   };
 
-  joint.child = scope.link(entry);
+  joint.child = scope.link(frameIndex);
   joint.X_ChildJoint = poseOf(joint.child).inverse() * X_ScopeJoint;
   if (joint.child == "world") {
     context.diagnostics.error(draft.child.position,
@@ -253,7 +253,7 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
     joint.parent = "world";
     joint.X_ParentJoint = X_ScopeJoint;
   } else if (!draft.parent.name.empty()) {
-    const std::optional<Scope::Found> parent =
+    const std::optional<Scope::ResolvedFrame> parent =
         scope.findOrComplain(draft.parent.name, label + " names parent link", draft.parent.position, context);
     if (parent && parent->link.empty()) {
       context.diagnostics.error(draft.parent.position,
@@ -274,7 +274,7 @@ std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& s
   for (std::size_t i = 0; i < joint.axes.size(); ++i) {
     const JointDraft::FrameName& given = draft.axisFrames[i];
     if (given.name.empty()) continue;
-    const std::optional<Scope::Found> frame =
+    const std::optional<Scope::ResolvedFrame> frame =
         scope.findOrComplain(given.name, "an axis of " + label + " is expressed in", given.position, context);
     if (!frame) continue;
     joint.axes[i].xyz = X_ScopeJoint.rotation.conjugate() * (frame->X_ScopeFrame.rotation * joint.axes[i].xyz);

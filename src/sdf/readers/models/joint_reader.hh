@@ -36,9 +36,9 @@ JointDraft readJoint(const Element& element, const std::string& owner, Context& 
 
 /// Resolves the joint's links, poses and axes. If the parent is the world and the scope is a model's, `X_ParentJoint`
 /// is the pose in the model frame, because the model's pose in the world is not known yet.
-/// @param entry Index of the joint in the resolved scope.
+/// @param frameIndex Index of the joint's frame in the resolved scope.
 /// @return Nothing, with a warning, if it connects a link to itself.
-std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t entry,
+std::optional<description::Joint> finishJoint(JointDraft&& draft, const Scope& scope, std::size_t frameIndex,
                                               Context& context);
 
 }  // namespace pongsim::sdf

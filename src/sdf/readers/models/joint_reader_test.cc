@@ -41,7 +41,7 @@ TEST(Joint, TurnsItsAxisIntoItsOwnFrame) {
   EXPECT_LT((axis("<xyz>0 3 4</xyz>") - Vector3(0, 0.6, 0.8)).norm(), 1e-15);
   EXPECT_LT((axis("<xyz expressed_in='__model__'>0 1 0</xyz>") - Vector3(1, 0, 0)).norm(), 1e-15);
   EXPECT_LT((axis("<xyz expressed_in='b'>0 1 0</xyz>") - Vector3(0, 1, 0)).norm(), 1e-15);
-  // the way of the older versions
+  // in older versions
   EXPECT_LT(
       (axis("<xyz>0 1 0</xyz>", "1.6", "<use_parent_model_frame>1</use_parent_model_frame>") - Vector3(1, 0, 0)).norm(),
       1e-15);

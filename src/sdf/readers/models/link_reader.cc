@@ -17,7 +17,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-/// 16 bits; of larger numbers the lowest 16, as in Fortress.
+/// Reads a mask of 16 bits; higher bits are ignored, as in Fortress.
 std::uint16_t readMask(const Element& parent, std::string_view child, std::uint16_t fallback, Context& context) {
   const std::string_view text = childText(parent, child);
   std::uint64_t bits = 0;
@@ -39,7 +39,7 @@ description::Torsion readTorsion(const Element& element, Context& context) {
   return torsion;
 }
 
-// the format's default and larger values mean "rigid"
+// the format's default, 1e12 N/m, and larger values mean "rigid"
 void readStiffness(const Element& ode, description::Surface& surface, Context& context) {
   constexpr double kRigid = 1e12;
   const double stiffness = readNotNegative(ode, "kp", kRigid, context);
@@ -149,7 +149,7 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
       link.collisions.back().X_LinkCollision = pose.value;
       names.claim(link.collisions.back().name, child.name, child, context);
     }
-    if (!pose.relativeTo.empty()) draft.parts.push_back({isVisual, index, pose});
+    if (!pose.relativeTo.empty()) draft.shapes.push_back({isVisual, index, pose});
   }
   for (const Element* sensor : element.childrenNamed("sensor")) {
     draft.sensors.push_back(readSensor(*sensor, label, context));
@@ -162,17 +162,18 @@ LinkDraft readLink(const Element& element, const std::string& owner, bool isStat
   return draft;
 }
 
-description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t entry, Context& context) {
+description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t frameIndex, Context& context) {
   description::Link link = std::move(draft.link);
-  link.X_ModelLink = scope.pose(entry);
-  for (const LinkDraft::Part& part : draft.parts) {
-    const std::string& name = part.isVisual ? link.visuals[part.index].name : link.collisions[part.index].name;
-    const std::string label = (part.isVisual ? "visual '" : "collision '") + name + "'";
-    const std::optional<Scope::Found> frame = scope.findOrComplain(
-        part.pose.relativeTo, "the pose of " + label + " is relative to", part.pose.position, context);
+  link.X_ModelLink = scope.pose(frameIndex);
+  for (const LinkDraft::PlacedShape& shape : draft.shapes) {
+    const std::string& name = shape.isVisual ? link.visuals[shape.index].name : link.collisions[shape.index].name;
+    const std::string label = (shape.isVisual ? "visual '" : "collision '") + name + "'";
+    const std::optional<Scope::ResolvedFrame> frame = scope.findOrComplain(
+        shape.pose.relativeTo, "the pose of " + label + " is relative to", shape.pose.position, context);
     if (!frame) continue;
-    const Pose X_LinkPart = link.X_ModelLink.inverse() * frame->X_ScopeFrame * part.pose.value;
-    (part.isVisual ? link.visuals[part.index].X_LinkVisual : link.collisions[part.index].X_LinkCollision) = X_LinkPart;
+    const Pose X_LinkShape = link.X_ModelLink.inverse() * frame->X_ScopeFrame * shape.pose.value;
+    (shape.isVisual ? link.visuals[shape.index].X_LinkVisual : link.collisions[shape.index].X_LinkCollision) =
+        X_LinkShape;
   }
   for (SensorDraft& sensor : draft.sensors) {
     link.sensors.push_back(finishSensor(std::move(sensor), scope, link.X_ModelLink, context));

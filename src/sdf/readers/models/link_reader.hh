@@ -18,22 +18,22 @@ struct LinkDraft {
   description::Link link;
   PoseText pose;
   /// A collision or visual whose pose is relative to a frame other than the link's.
-  struct Part {
+  struct PlacedShape {
     bool isVisual;
     std::size_t index;
     PoseText pose;
   };
-  std::vector<Part> parts;
+  std::vector<PlacedShape> shapes;
   std::vector<SensorDraft> sensors;
   std::vector<LightDraft> lights;
 };
 
 /// @param owner "model 'robot'"
-/// @param isStatic The model never moves, so masses don't matter.
+/// @param isStatic Whether the model never moves: then any mass is valid.
 LinkDraft readLink(const Element& element, const std::string& owner, bool isStatic, Context& context);
 
 /// Resolves the link's poses.
-/// @param entry Index of the link in the resolved scope.
-description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t entry, Context& context);
+/// @param frameIndex Index of the link's frame in the resolved scope.
+description::Link finishLink(LinkDraft&& draft, const Scope& scope, std::size_t frameIndex, Context& context);
 
 }  // namespace pongsim::sdf

@@ -80,7 +80,7 @@ TEST(Link, ReadsWhatASurfaceDoesBesideRubbing) {
   EXPECT_EQ(surface.damping, 20);
   EXPECT_EQ(surface.bounceThreshold, 0.5);
   EXPECT_EQ(surface.maxContacts, 3);
-  // what the format has where a file says nothing is rigid
+  // the format's defaults are those of a rigid surface
   EXPECT_EQ(collisions.at(1).surface, description::Surface());
   EXPECT_EQ(loadLink("<collision name='c'><geometry><box/></geometry><surface><contact><ode><kp>0</kp></ode></contact>"
                      "</surface></collision>")

@@ -18,7 +18,7 @@ namespace {
 void readCanonicalLink(const Element& element, Scope& scope, Context& context) {
   const Element::Attribute* attribute = element.attribute("canonical_link");
   if (attribute == nullptr || attribute->value.empty()) return;
-  const std::optional<Scope::Found> found =
+  const std::optional<Scope::ResolvedFrame> found =
       scope.findOrComplain(attribute->value, scope.label() + " has the canonical link", attribute->position, context);
   if (!found) return;
   if (found->kind == FrameKind::kLink) {

@@ -13,7 +13,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-// Links, joints, frames and models are frames, so their names must differ.
+// Group of names: links, joints, frames and models share one, because each of them is a frame.
 constexpr std::string_view kFrames = "frame";
 
 }  // namespace
@@ -50,39 +50,39 @@ void PartsReader::readModelPart(const Element& element, const Source& source) {
   description::Model& model = draft.model;
   const SourcePosition& position = source.includedFrom != nullptr ? *source.includedFrom : element.position;
   names_.claim(model.name, kFrames, element.name, position, context_);
-  const std::size_t entry = scope_.add({.kind = FrameKind::kModel,
-                                        .name = model.name,
-                                        .position = position,
-                                        .pose = std::move(draft.pose),
-                                        .attachedTo = {},
-                                        .attachedToPosition = {},
-                                        .inside = std::move(draft.scope),
-                                        .placementFrame = std::move(draft.placementFrame)});
-  models_.push_back({std::move(model), entry, &source.context});
+  const std::size_t frameIndex = scope_.add({.kind = FrameKind::kModel,
+                                             .name = model.name,
+                                             .position = position,
+                                             .pose = std::move(draft.pose),
+                                             .attachedTo = {},
+                                             .attachedToPosition = {},
+                                             .inside = std::move(draft.scope),
+                                             .placementFrame = std::move(draft.placementFrame)});
+  models_.push_back({std::move(model), frameIndex, &source.context});
 }
 
 void PartsReader::readLinkPart(const Element& element, const Source& source) {
   LinkDraft draft = readLink(element, scope_.label(), isStatic_, source.context);
   names_.claim(draft.link.name, kFrames, element, source.context);
-  const std::size_t entry = scope_.add({.kind = FrameKind::kLink,
-                                        .name = draft.link.name,
-                                        .position = draft.link.position,
-                                        .pose = draft.pose,
-                                        .attachedTo = {},
-                                        .attachedToPosition = {}});
-  links_.push_back({std::move(draft), entry, &source.context});
+  const std::size_t frameIndex = scope_.add({.kind = FrameKind::kLink,
+                                             .name = draft.link.name,
+                                             .position = draft.link.position,
+                                             .pose = draft.pose,
+                                             .attachedTo = {},
+                                             .attachedToPosition = {}});
+  links_.push_back({std::move(draft), frameIndex, &source.context});
 }
 
 void PartsReader::readJointPart(const Element& element, const Source& source) {
   JointDraft draft = readJoint(element, scope_.label(), source.context);
   names_.claim(draft.joint.name, kFrames, element, source.context);
-  const std::size_t entry = scope_.add({.kind = FrameKind::kJoint,
-                                        .name = draft.joint.name,
-                                        .position = draft.joint.position,
-                                        .pose = draft.pose,
-                                        .attachedTo = draft.child.name,
-                                        .attachedToPosition = draft.child.position});
-  joints_.push_back({std::move(draft), entry, &source.context});
+  const std::size_t frameIndex = scope_.add({.kind = FrameKind::kJoint,
+                                             .name = draft.joint.name,
+                                             .position = draft.joint.position,
+                                             .pose = draft.pose,
+                                             .attachedTo = draft.child.name,
+                                             .attachedToPosition = draft.child.position});
+  joints_.push_back({std::move(draft), frameIndex, &source.context});
 }
 
 void PartsReader::readFramePart(const Element& element, const Source& source) {
@@ -92,14 +92,14 @@ void PartsReader::readFramePart(const Element& element, const Source& source) {
   names_.claim(frame.name, kFrames, element, source.context);
   PoseText pose = readPose(element, source.context);
   const Element::Attribute* attribute = element.attribute("attached_to");
-  const std::size_t entry =
+  const std::size_t frameIndex =
       scope_.add({.kind = FrameKind::kFrame,
                   .name = frame.name,
                   .position = frame.position,
                   .pose = std::move(pose),
                   .attachedTo = attribute != nullptr ? attribute->value : "",
                   .attachedToPosition = attribute != nullptr ? attribute->position : frame.position});
-  frames_.push_back({std::move(frame), entry, &source.context});
+  frames_.push_back({std::move(frame), frameIndex, &source.context});
 }
 
 void PartsReader::readLightPart(const Element& element, const Source& source) {
@@ -150,7 +150,7 @@ void PartsReader::readMerged(const Element& element, const Element& include, Con
   }
   PoseText pose = std::move(draft.pose);
   if (!draft.placementFrame.empty()) {
-    const std::optional<Scope::Found> frame = draft.scope->findOrComplain(
+    const std::optional<Scope::ResolvedFrame> frame = draft.scope->findOrComplain(
         draft.placementFrame, "model '" + draft.model.name + "' is placed by its frame", includedFrom, context);
     if (frame) pose.value = pose.value * frame->X_ScopeFrame.inverse();
   }
@@ -170,8 +170,8 @@ void PartsReader::readMerged(const Element& element, const Element& include, Con
 std::vector<description::Model> PartsReader::takeModels() {
   std::vector<description::Model> models;
   models.reserve(models_.size());
-  for (auto& [model, entry, context] : models_) {
-    model.X_ParentModel = scope_.pose(entry);
+  for (auto& [model, frameIndex, context] : models_) {
+    model.X_ParentModel = scope_.pose(frameIndex);
     models.push_back(std::move(model));
   }
   return models;
@@ -180,15 +180,16 @@ std::vector<description::Model> PartsReader::takeModels() {
 std::vector<description::Link> PartsReader::takeLinks() {
   std::vector<description::Link> links;
   links.reserve(links_.size());
-  for (auto& [draft, entry, context] : links_) links.push_back(finishLink(std::move(draft), scope_, entry, *context));
+  for (auto& [draft, frameIndex, context] : links_)
+    links.push_back(finishLink(std::move(draft), scope_, frameIndex, *context));
   return links;
 }
 
 std::vector<description::Joint> PartsReader::takeJoints() {
   std::vector<description::Joint> joints;
   joints.reserve(joints_.size());
-  for (auto& [draft, entry, context] : joints_) {
-    std::optional<description::Joint> joint = finishJoint(std::move(draft), scope_, entry, *context);
+  for (auto& [draft, frameIndex, context] : joints_) {
+    std::optional<description::Joint> joint = finishJoint(std::move(draft), scope_, frameIndex, *context);
     if (joint) joints.push_back(std::move(*joint));
   }
   return joints;
@@ -197,9 +198,9 @@ std::vector<description::Joint> PartsReader::takeJoints() {
 std::vector<description::Frame> PartsReader::takeFrames() {
   std::vector<description::Frame> frames;
   frames.reserve(frames_.size());
-  for (auto& [frame, entry, context] : frames_) {
-    frame.X_ModelFrame = scope_.pose(entry);
-    frame.attachedLink = scope_.link(entry);
+  for (auto& [frame, frameIndex, context] : frames_) {
+    frame.X_ModelFrame = scope_.pose(frameIndex);
+    frame.attachedLink = scope_.link(frameIndex);
     frames.push_back(std::move(frame));
   }
   return frames;
@@ -208,7 +209,7 @@ std::vector<description::Frame> PartsReader::takeFrames() {
 std::vector<description::Light> PartsReader::takeLights() {
   std::vector<description::Light> lights;
   lights.reserve(lights_.size());
-  for (auto& [draft, entry, context] : lights_) {
+  for (auto& [draft, frameIndex, context] : lights_) {
     lights.push_back(finishLight(std::move(draft), scope_, Pose(), *context));
   }
   return lights;
@@ -217,7 +218,7 @@ std::vector<description::Light> PartsReader::takeLights() {
 std::vector<description::Actor> PartsReader::takeActors() {
   std::vector<description::Actor> actors;
   actors.reserve(actors_.size());
-  for (auto& [draft, entry, context] : actors_) actors.push_back(finishActor(std::move(draft), scope_, *context));
+  for (auto& [draft, frameIndex, context] : actors_) actors.push_back(finishActor(std::move(draft), scope_, *context));
   return actors;
 }
 

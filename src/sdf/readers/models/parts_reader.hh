@@ -58,10 +58,10 @@ class PartsReader {
   void readMerged(const Element& model, const Element& include, Context& context);
 
   template <class Part>
-  struct Read {
+  struct InScope {
     Part part;
-    /// Index in the scope.
-    std::size_t entry;
+    /// Index of its frame in the scope; 0 for lights and actors, which have none.
+    std::size_t frameIndex;
     /// Context of its file.
     Context* context;
   };
@@ -71,12 +71,12 @@ class PartsReader {
   Context& context_;
   bool isModel_ = false;
   SiblingNames names_;
-  std::vector<Read<description::Model>> models_;
-  std::vector<Read<LinkDraft>> links_;
-  std::vector<Read<JointDraft>> joints_;
-  std::vector<Read<description::Frame>> frames_;
-  std::vector<Read<LightDraft>> lights_;
-  std::vector<Read<ActorDraft>> actors_;
+  std::vector<InScope<description::Model>> models_;
+  std::vector<InScope<LinkDraft>> links_;
+  std::vector<InScope<JointDraft>> joints_;
+  std::vector<InScope<description::Frame>> frames_;
+  std::vector<InScope<LightDraft>> lights_;
+  std::vector<InScope<ActorDraft>> actors_;
   std::vector<description::Plugin> plugins_;
 };
 

@@ -11,12 +11,12 @@ namespace pongsim::sdf {
 
 namespace {
 
-// Edge length of the largest textures there are.
+// Edge length of the largest textures that graphics cards support.
 constexpr long long kLongestEdge = 65'536;
 
 PixelFormat readFormat(const Element& image, Context& context) {
   using enum PixelFormat;
-  // each also under the name that libsdformat writes
+  // the names in the format, and those that libsdformat writes for the same
   constexpr std::array<std::string_view, 14> kNames{
       "L8",          "L16",         "R8G8B8",      "B8G8R8", "R_FLOAT16", "R_FLOAT32", "BAYER_RGGB8",
       "BAYER_BGGR8", "BAYER_GBRG8", "BAYER_GRBG8", "L_INT8", "L_INT16",   "RGB_INT8",  "BGR_INT8"};

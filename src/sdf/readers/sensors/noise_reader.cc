@@ -12,7 +12,7 @@ namespace {
 
 NoiseSettings::Type readType(const Element& noise, NoiseSettings::Type fallback, Context& context) {
   using Type = NoiseSettings::Type;
-  // an element up to SDF 1.6
+  // up to SDF 1.6 the type is a child element, later an attribute
   const Element::Attribute* attribute = noise.attribute("type");
   const Element* child = noise.child("type");
   const std::string type = attribute != nullptr ? attribute->value : child != nullptr ? child->text : "";

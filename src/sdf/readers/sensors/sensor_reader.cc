@@ -161,14 +161,14 @@ TransceiverSettings readTransceiver(const Element* element, Context& context) {
 }
 
 /// A type of sensor and the name of its settings element, which may have an older name too.
-struct TypeRow {
+struct SensorType {
   std::string_view type;
   std::string_view element;
   std::string_view olderElement;
   bool isSimulated;
 };
 
-constexpr auto kSensorTypes = std::to_array<TypeRow>({
+constexpr auto kSensorTypes = std::to_array<SensorType>({
     {"air_pressure", "air_pressure", "", true},
     {"altimeter", "altimeter", "", true},
     {"boundingbox", "camera", "", false},
@@ -204,8 +204,8 @@ constexpr auto kSensorTypes = std::to_array<TypeRow>({
     {"wireless_transmitter", "transceiver", "", false},
 });
 
-/// Warns about a sensor that will not publish, once for each type.
-void warnIfSilent(const TypeRow* row, const description::Sensor& sensor, Context& context) {
+/// Warns about a sensor that publishes nothing because its type is not simulated; once for each type.
+void warnIfSilent(const SensorType* row, const description::Sensor& sensor, Context& context) {
   if (row != nullptr && row->isSimulated) return;
   if (!context.firstTime("sensor type " + sensor.type)) return;
   if (row != nullptr) {
@@ -213,16 +213,16 @@ void warnIfSilent(const TypeRow* row, const description::Sensor& sensor, Context
     return;
   }
   std::vector<std::string_view> known;
-  for (const TypeRow& each : kSensorTypes) known.push_back(each.type);
+  for (const SensorType& each : kSensorTypes) known.push_back(each.type);
   context.diagnostics.warning(sensor.position, "sensor type '" + sensor.type + "' is unknown",
                               base::didYouMean(sensor.type, known));
 }
 
 /// Warns about settings for other types of sensor.
-void warnOfOtherTypes(const Element& element, const TypeRow& row, Context& context) {
+void warnOfOtherTypes(const Element& element, const SensorType& row, Context& context) {
   for (const Element& child : element.children) {
     if (child.name == row.element || child.name == row.olderElement) continue;
-    const bool isOfOther = std::ranges::any_of(kSensorTypes, [&](const TypeRow& each) {
+    const bool isOfOther = std::ranges::any_of(kSensorTypes, [&](const SensorType& each) {
       return child.name == each.element || child.name == each.olderElement;
     });
     if (!isOfOther || !context.firstTime("<" + child.name + "> in a sensor of type " + std::string(row.type))) continue;
@@ -233,7 +233,7 @@ void warnOfOtherTypes(const Element& element, const TypeRow& row, Context& conte
 
 /// Reads the settings element of the sensor's own type.
 SensorSettings readSettings(const Element& element, description::Sensor& sensor, Context& context) {
-  const auto row = std::ranges::find(kSensorTypes, sensor.type, &TypeRow::type);
+  const auto row = std::ranges::find(kSensorTypes, sensor.type, &SensorType::type);
   warnIfSilent(row != kSensorTypes.end() ? &*row : nullptr, sensor, context);
   if (row == kSensorTypes.end()) return {};
   warnOfOtherTypes(element, *row, context);
@@ -294,7 +294,7 @@ description::Sensor finishSensor(SensorDraft&& draft, const Scope& scope, const 
   const auto resolve = [&](const PoseText& pose, const Pose& X_ScopeHolder, const std::string& what,
                            const std::string& holder) {
     if (pose.relativeTo.empty()) return pose.value;
-    if (const std::optional<Scope::Found> frame = scope.find(pose.relativeTo)) {
+    if (const std::optional<Scope::ResolvedFrame> frame = scope.find(pose.relativeTo)) {
       return X_ScopeHolder.inverse() * frame->X_ScopeFrame * pose.value;
     }
     // Fortress also complains, and still runs the world

@@ -1,6 +1,7 @@
 #include "sdf/readers/shapes/extrusion.hh"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -18,7 +19,7 @@ using base::twiceArea;
 using Point = Eigen::Vector2d;
 using Index = std::uint32_t;
 
-/// @return For each line, how many of the others it lies within.
+/// @return For each line, how many of the others enclose it.
 std::vector<std::size_t> depthsOf(const Outline& outline) {
   std::vector<std::size_t> depths(outline.size(), 0);
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -51,7 +52,7 @@ bool crosses(const Outline& outline) {
       const auto [a, b] = edges[i];
       const auto [c, d] = edges[j];
       if (b == c || d == a) {
-        // consecutive edges must not run back along each other
+        // edges that share a point must not overlap beyond it
         const Point &common = b == c ? *b : *a, &one = b == c ? *a : *b, &other = b == c ? *d : *c;
         const bool areBoth = b == c && d == a;
         if (areBoth || (twiceArea(one, common, other) == 0 && (one - common).dot(other - common) > 0)) return true;
@@ -64,6 +65,7 @@ bool crosses(const Outline& outline) {
 }
 
 std::shared_ptr<const description::TriangleMesh> extrude(const Outline& outline, double height) {
+  assert(height > 0 && std::ranges::all_of(outline, [](const auto& line) { return line.size() >= 3; }));
   std::vector<Point> points;
   std::vector<Loop> loops;
   const std::vector<std::size_t> depths = depthsOf(outline);

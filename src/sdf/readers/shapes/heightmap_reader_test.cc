@@ -34,7 +34,7 @@ class HeightmapReaderTest : public ::testing::Test {
 };
 
 TEST_F(HeightmapReaderTest, MakesGroundOfAnImage) {
-  // bright in the upper right corner
+  // the upper right pixel is the brightest
   folder_.write("a.png", pongsim::test::grayPng(2, {0, 200, 0, 50}));
   const Loaded loaded = loadWith("<uri>a.png</uri><size>10 20 3</size><pos>0 0 1</pos>");
   EXPECT_EQ(loaded.messages, Messages());
@@ -46,7 +46,7 @@ TEST_F(HeightmapReaderTest, MakesGroundOfAnImage) {
   EXPECT_EQ(map.triangles->vertices[2], Vector3(-2.5, -5, 1));
   EXPECT_EQ(map.triangles->vertices[3], Vector3(2.5, -5, 1.75));
   ASSERT_EQ(map.triangles->triangles.size(), 2U);
-  // they look up
+  // all normals point up
   for (const auto& [a, b, c] : map.triangles->triangles) {
     const auto& v = map.triangles->vertices;
     EXPECT_GT((v[b] - v[a]).cross(v[c] - v[a]).z(), 0);

@@ -65,7 +65,7 @@ description::Light finishLight(LightDraft&& draft, const Scope& scope, const Pos
   description::Light light = std::move(draft.light);
   light.X_ParentLight = draft.pose.value;
   if (!draft.pose.relativeTo.empty()) {
-    const std::optional<Scope::Found> frame = scope.findOrComplain(
+    const std::optional<Scope::ResolvedFrame> frame = scope.findOrComplain(
         draft.pose.relativeTo, "the pose of light '" + light.name + "' is relative to", draft.pose.position, context);
     if (frame) light.X_ParentLight = X_ScopeParent.inverse() * frame->X_ScopeFrame * draft.pose.value;
   }

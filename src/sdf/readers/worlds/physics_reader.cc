@@ -15,7 +15,7 @@ namespace pongsim::sdf {
 
 namespace {
 
-// In seconds: a step is at least a nanosecond, and time does not overflow.
+// [s]: time is counted in nanoseconds, with 64 bits.
 constexpr double kShortestStep = 1e-9;
 constexpr double kLongestStep = 1e6;
 
@@ -157,7 +157,7 @@ description::PhysicsProfile chosenProfile(const std::vector<description::Physics
 }
 
 Vector3 readGravity(const Element& world, Context& context) {
-  // more than on the surface of any star but a neutron star, and far less than the physics can handle
+  // more than on the surface of any star but a neutron star, and far below the limits of the physics
   constexpr double kMost = 1e6;
   const Vector3 usual = description::World().gravity;
   const Vector3 gravity = readVector(world, "gravity", usual, context);
