@@ -12,39 +12,39 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// A short form: its name in <gazebo>, and the path that it stands for ("surface/friction/ode/mu").
-struct Field {
+/// An element of <gazebo> and the path in SDF that it stands for ("surface/friction/ode/mu").
+struct ShortForm {
   std::string_view name;
   std::string_view path;
 };
 
-constexpr Field kCollisionFields[] = {{"mu1", "surface/friction/ode/mu"},
-                                      {"mu2", "surface/friction/ode/mu2"},
-                                      {"fdir1", "surface/friction/ode/fdir1"},
-                                      {"kp", "surface/contact/ode/kp"},
-                                      {"kd", "surface/contact/ode/kd"},
-                                      {"maxVel", "surface/contact/ode/max_vel"},
-                                      {"minDepth", "surface/contact/ode/min_depth"},
-                                      {"laserRetro", "laser_retro"},
-                                      {"maxContacts", "max_contacts"}};
-constexpr Field kJointFields[] = {{"stopCfm", "physics/ode/limit/cfm"},
-                                  {"stopErp", "physics/ode/limit/erp"},
-                                  {"fudgeFactor", "physics/ode/fudge_factor"},
-                                  {"springReference", "axis/dynamics/spring_reference"},
-                                  {"springStiffness", "axis/dynamics/spring_stiffness"}};
+constexpr ShortForm kCollisionFields[] = {{"mu1", "surface/friction/ode/mu"},
+                                          {"mu2", "surface/friction/ode/mu2"},
+                                          {"fdir1", "surface/friction/ode/fdir1"},
+                                          {"kp", "surface/contact/ode/kp"},
+                                          {"kd", "surface/contact/ode/kd"},
+                                          {"maxVel", "surface/contact/ode/max_vel"},
+                                          {"minDepth", "surface/contact/ode/min_depth"},
+                                          {"laserRetro", "laser_retro"},
+                                          {"maxContacts", "max_contacts"}};
+constexpr ShortForm kJointFields[] = {{"stopCfm", "physics/ode/limit/cfm"},
+                                      {"stopErp", "physics/ode/limit/erp"},
+                                      {"fudgeFactor", "physics/ode/fudge_factor"},
+                                      {"springReference", "axis/dynamics/spring_reference"},
+                                      {"springStiffness", "axis/dynamics/spring_stiffness"}};
 constexpr std::string_view kLinkNames[] = {"material",    "turnGravityOff", "dampingFactor",
                                            "selfCollide", "collision",      "visual"};
 constexpr std::string_view kJointNames[] = {"provideFeedback", "implicitSpringDamper", "cfmDamping"};
 constexpr std::string_view kFixingNames[] = {"disableFixedJointLumping", "preserveFixedJoint"};
 constexpr std::string_view kModelNames[] = {"static"};
-// had a meaning in old versions of Gazebo Classic, and has none since
+// without effect since the old versions of Gazebo Classic
 constexpr std::string_view kIdleNames[] = {"canonicalBody"};
 
 bool isOneOf(std::string_view name, std::span<const std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
 }
-const Field* fieldOf(std::string_view name, std::span<const Field> fields) {
-  const auto found = std::ranges::find(fields, name, &Field::name);
+const ShortForm* fieldOf(std::string_view name, std::span<const ShortForm> fields) {
+  const auto found = std::ranges::find(fields, name, &ShortForm::name);
   return found != fields.end() ? &*found : nullptr;
 }
 bool isForLinks(std::string_view name) {
@@ -75,9 +75,9 @@ void put(const Element& field, std::string_view path, std::string value, Element
   base::setChild(*parent, path, field.position, std::move(value));
 }
 
-void putFields(const Element& gazebo, std::span<const Field> fields, Element& target) {
+void putFields(const Element& gazebo, std::span<const ShortForm> fields, Element& target) {
   for (const Element& child : gazebo.children) {
-    if (const Field* field = fieldOf(child.name, fields)) put(child, field->path, valueOf(child), target);
+    if (const ShortForm* field = fieldOf(child.name, fields)) put(child, field->path, valueOf(child), target);
   }
 }
 
@@ -93,7 +93,8 @@ void copyContents(const Element& gazebo, std::string_view kind, std::string_view
   }
 }
 
-/// Keeps a sensor or the like in place after its link has become part of another: the link's frame still exists.
+/// Makes the pose of a sensor, light or projector relative to the frame of its link, which stays when the link becomes
+/// part of another.
 void keepInFrame(const std::string& link, Element& part) {
   constexpr std::string_view kKinds[] = {"sensor", "light", "projector"};
   if (!isOneOf(part.name, kKinds)) return;

@@ -5,7 +5,9 @@
 namespace pongsim::urdf::test {
 namespace {
 
-/// A joint "j" of that type between links "a" and "b", with this in it and behind it.
+/// @param content Content of the joint.
+/// @param more Further content of the robot.
+/// @return A robot with a joint "j" of this type between links "a" and "b".
 Converted joint(const std::string& type, const std::string& content, const std::string& more = "") {
   return convert(linkNamed("a") + linkNamed("b") + jointNamed("j", type, "a", "b", content) + more);
 }

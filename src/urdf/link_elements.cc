@@ -12,8 +12,8 @@ namespace pongsim::urdf {
 
 namespace {
 
-/// @return Fortress's name for the part: "base_fixed_joint_lump__lidar_collision_1".
-std::string nameOf(const Part& part, const Link& link, std::string_view kind, std::size_t number) {
+/// @return Fortress's name for a collision or visual: "base_fixed_joint_lump__lidar_collision_1".
+std::string nameOf(const Shape& part, const Link& link, std::string_view kind, std::size_t number) {
   std::string name = (part.name.empty() ? part.ownLink : part.name) + '_' + std::string(kind);
   if (number > 0) name += '_' + std::to_string(number);
   return name.starts_with(link.name) ? name : link.name + "_fixed_joint_lump__" + name;
@@ -25,7 +25,7 @@ std::string addressOf(const std::string& file) {
   return file.starts_with(kPackage) ? "model://" + file.substr(kPackage.size()) : file;
 }
 
-void addGeometry(const Part& part, Element& parent) {
+void addGeometry(const Shape& part, Element& parent) {
   const SourcePosition& position = positionIn(*part.xml, "geometry");
   Element& geometry = base::addChild(parent, "geometry", position);
   if (const auto* box = dynamic_cast<const ::urdf::Box*>(part.geometry.get())) {
@@ -44,7 +44,7 @@ void addGeometry(const Part& part, Element& parent) {
   }
 }
 
-/// urdfdom's colours are floats, which have no more digits than this.
+/// Rounds to six decimals: urdfdom reads colours as floats.
 double rounded(double channel) { return std::round(channel * 1e6) / 1e6; }
 
 /// Adds the colour of a material, with Fortress's brightness, unless an extension sets another one.
@@ -60,30 +60,30 @@ void addColor(const ::urdf::Color& color, const SourcePosition& position, Elemen
 }
 
 /// Adds the collisions and visuals of one link.
-class PartsWriter {
+class ShapesWriter {
  public:
-  PartsWriter(const Link& target, const Extensions& extensions, Element& element)
+  ShapesWriter(const Link& target, const Extensions& extensions, Element& element)
       : target_(target), extensions_(extensions), element_(element) {}
 
   void addCollisions(const Link& source, const Pose& X_TargetSource) {
-    for (const Part& part : source.collisions) {
-      Element& collision = addPart(part, "collision", collisionCount_++, X_TargetSource);
+    for (const Shape& part : source.collisions) {
+      Element& collision = addShape(part, "collision", collisionCount_++, X_TargetSource);
       extensions_.addToCollision(part.ownLink, collision);
     }
   }
   void addVisuals(const Link& source, const Pose& X_TargetSource) {
-    for (const Part& part : source.visuals) {
-      Element& visual = addPart(part, "visual", visualCount_++, X_TargetSource);
+    for (const Shape& part : source.visuals) {
+      Element& visual = addShape(part, "visual", visualCount_++, X_TargetSource);
       extensions_.addToVisual(part.ownLink, visual);
       if (part.material != nullptr) addColor(part.material->color, positionIn(*part.xml, "material"), visual);
     }
   }
 
  private:
-  Element& addPart(const Part& part, std::string_view kind, std::size_t number, const Pose& X_TargetSource) {
+  Element& addShape(const Shape& part, std::string_view kind, std::size_t number, const Pose& X_TargetSource) {
     Element& element = base::addChild(element_, kind, part.xml->position);
     base::setAttribute(element, "name", nameOf(part, target_, kind, number), part.xml->position);
-    addPose(element, X_TargetSource * part.X_LinkPart, positionIn(*part.xml, "origin"));
+    addPose(element, X_TargetSource * part.X_LinkShape, positionIn(*part.xml, "origin"));
     addGeometry(part, element);
     return element;
   }
@@ -127,11 +127,11 @@ void addLink(const Robot& robot, const Link& link, const Extensions& extensions,
   }
   if (link.inertial) addInertial(*link.inertial, element);
 
-  PartsWriter parts(link, extensions, element);
-  parts.addCollisions(link, Pose());
-  for (const Lumped& lumped : link.lumped) parts.addCollisions(robot.links[lumped.link], lumped.X_TargetLink);
-  parts.addVisuals(link, Pose());
-  for (const Lumped& lumped : link.lumped) parts.addVisuals(robot.links[lumped.link], lumped.X_TargetLink);
+  ShapesWriter shapes(link, extensions, element);
+  shapes.addCollisions(link, Pose());
+  for (const Lumped& lumped : link.lumped) shapes.addCollisions(robot.links[lumped.link], lumped.X_TargetLink);
+  shapes.addVisuals(link, Pose());
+  for (const Lumped& lumped : link.lumped) shapes.addVisuals(robot.links[lumped.link], lumped.X_TargetLink);
   extensions.addToLink(link.name, element);
   for (const Lumped& lumped : link.lumped) extensions.addToLink(robot.links[lumped.link].name, element);
 }

@@ -26,10 +26,10 @@ std::optional<Inertial> inertialFrom(const ::urdf::Link& link, const Element& xm
   return inertial;
 }
 
-/// urdfdom keeps parts in the order of the file.
-template <class UrdfPart>
-Part partFrom(const UrdfPart& part, const std::string& link, const Element* xml) {
-  return {part.name, link, xml, originOf(*xml), part.geometry, nullptr};
+/// urdfdom keeps collisions and visuals in the order of the file, so `xml` is the element with the same index.
+template <class UrdfShape>
+Shape shapeFrom(const UrdfShape& shape, const std::string& link, const Element* xml) {
+  return {shape.name, link, xml, originOf(*xml), shape.geometry, nullptr};
 }
 
 Link linkFrom(const ::urdf::Link& given, const Element& xml) {
@@ -39,37 +39,38 @@ Link linkFrom(const ::urdf::Link& given, const Element& xml) {
   link.inertial = inertialFrom(given, xml);
   const std::vector<const Element*> collisions = xml.childrenNamed("collision");
   for (std::size_t i = 0; i < given.collision_array.size(); ++i) {
-    link.collisions.push_back(partFrom(*given.collision_array[i], link.name, collisions.at(i)));
+    link.collisions.push_back(shapeFrom(*given.collision_array[i], link.name, collisions.at(i)));
   }
   const std::vector<const Element*> visuals = xml.childrenNamed("visual");
   for (std::size_t i = 0; i < given.visual_array.size(); ++i) {
-    link.visuals.push_back(partFrom(*given.visual_array[i], link.name, visuals.at(i)));
+    link.visuals.push_back(shapeFrom(*given.visual_array[i], link.name, visuals.at(i)));
     link.visuals.back().material = given.visual_array[i]->material;
   }
   return link;
 }
 
-/// The elements of a robot's parts, by name.
-using PartsByName = std::unordered_map<std::string_view, const Element*>;
+/// Elements of a robot by the attribute `name`.
+using ElementsByName = std::unordered_map<std::string_view, const Element*>;
 
-PartsByName partsNamed(const Element& robot, std::string_view kind) {
-  PartsByName parts;
+ElementsByName elementsNamed(const Element& robot, std::string_view kind) {
+  ElementsByName parts;
   for (const Element& part : robot.children) {
     if (part.name == kind) parts.emplace(part.attribute("name")->value, &part);
   }
   return parts;
 }
 
-class Reader {
+/// Copies the links of a tree, each before its descendants.
+class TreeReader {
  public:
-  Reader(const Element& xml, Robot& robot)
-      : robot_(robot), links_(partsNamed(xml, "link")), joints_(partsNamed(xml, "joint")) {}
+  TreeReader(const Element& xml, Robot& robot)
+      : robot_(robot), links_(elementsNamed(xml, "link")), joints_(elementsNamed(xml, "joint")) {}
 
   void read(const ::urdf::Link& root) {
     // not recursive, because a chain of links may be long
-    std::vector<Next> stack{{&root, std::nullopt}};
+    std::vector<PendingLink> stack{{&root, std::nullopt}};
     while (!stack.empty()) {
-      const Next next = stack.back();
+      const PendingLink next = stack.back();
       stack.pop_back();
       const std::size_t index = robot_.links.size();
       robot_.links.push_back(linkFrom(*next.link, *links_.at(next.link->name)));
@@ -82,7 +83,7 @@ class Reader {
   }
 
  private:
-  struct Next {
+  struct PendingLink {
     const ::urdf::Link* link;
     /// Index of the parent link; the root has none.
     std::optional<std::size_t> parent;
@@ -95,8 +96,8 @@ class Reader {
   }
 
   Robot& robot_;
-  PartsByName links_;
-  PartsByName joints_;
+  ElementsByName links_;
+  ElementsByName joints_;
 };
 
 }  // namespace
@@ -104,7 +105,7 @@ class Reader {
 Robot robotFrom(const ::urdf::ModelInterface& model, const Element& xml) {
   Robot robot;
   robot.xml = &xml;
-  Reader(xml, robot).read(*model.getRoot());
+  TreeReader(xml, robot).read(*model.getRoot());
   return robot;
 }
 

@@ -22,13 +22,13 @@ struct Inertial {
 };
 
 /// A `<collision>` or `<visual>`.
-struct Part {
+struct Shape {
   /// As in the file; may be empty.
   std::string name;
   /// The link that it belongs to in the file, even if that link becomes part of another.
   std::string ownLink;
   const Element* xml = nullptr;
-  Pose X_LinkPart;
+  Pose X_LinkShape;
   ::urdf::GeometrySharedPtr geometry;
   /// Visuals only; may be null.
   ::urdf::MaterialSharedPtr material;
@@ -52,8 +52,8 @@ struct Link {
   std::string name;
   const Element* xml = nullptr;
   std::optional<Inertial> inertial;
-  std::vector<Part> collisions;
-  std::vector<Part> visuals;
+  std::vector<Shape> collisions;
+  std::vector<Shape> visuals;
   /// Nothing for the root.
   std::optional<Joint> joint;
   /// Set by `lumpFixedJoints`: which link this one has become part of, and which links have become part of it.

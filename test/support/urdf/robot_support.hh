@@ -15,7 +15,7 @@ namespace pongsim::urdf::test {
 
 using Messages = std::vector<std::string>;
 
-/// As `format` writes them, with the hint on the same line behind " | ".
+/// @return The messages as `format` writes them, but each on one line, the hint after " | ".
 inline Messages messagesOf(const Diagnostics& diagnostics) {
   Messages messages;
   for (Diagnostic diagnostic : diagnostics.all()) {
@@ -26,7 +26,7 @@ inline Messages messagesOf(const Diagnostics& diagnostics) {
   return messages;
 }
 
-/// The `<robot name="r">` with this in it, which begins in line 2, column 1 of "r.urdf".
+/// @return A `<robot name="r">` with this content, which begins in line 2, column 1 of "r.urdf".
 inline Element robotWith(std::string_view content) {
   Diagnostics diagnostics;
   const auto robot = sdf::parseDocument("<robot name=\"r\">\n" + std::string(content) + "\n</robot>",
@@ -35,7 +35,7 @@ inline Element robotWith(std::string_view content) {
   return robot.value_or(Element());
 }
 
-/// A link with a mass of 1 kg and this in it.
+/// @return A link with a mass of 1 kg and this content.
 inline std::string linkNamed(const std::string& name, const std::string& content = "") {
   return "<link name=\"" + name +
          "\"><inertial><mass value=\"1\"/><inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/>"
@@ -54,7 +54,7 @@ struct Converted {
   Messages messages;
 
   const Element& model() const { return sdf.value().children.at(0); }
-  /// The part of the model of that kind and name.
+  /// @return The child of the model with this kind and name.
   const Element& part(std::string_view kind, std::string_view name) const {
     for (const Element& part : model().children) {
       if (part.name == kind && part.attributeOr("name", "") == name) return part;
@@ -78,7 +78,7 @@ inline Converted convert(std::string_view content) {
   return converted;
 }
 
-/// @return The text at "inertial/mass" below the element; "(none)" where there is no such element.
+/// @return The text at "inertial/mass" below the element; "(none)" if there is no such element.
 inline std::string textAt(const Element& element, std::string_view path) {
   const Element* found = &element;
   while (found != nullptr && !path.empty()) {
