@@ -36,7 +36,7 @@ Graph::Graph(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds)
 
 void Graph::setWanted(bool wanted) {
   isWanted_ = wanted;
-  hasTold_ = false;
+  hasSent_ = false;
   publishers_.clear();
   subscribers_.clear();
   providers_.clear();
@@ -67,7 +67,7 @@ void Graph::follow() {
     if (!providers.contains(name)) goneServices.push_back(name);
   }
   const bool isSame = publishers == publishers_ && subscribers == subscribers_ && providers == providers_;
-  if (!isSame || !std::exchange(hasTold_, true)) {
+  if (!isSame || !std::exchange(hasSent_, true)) {
     client_->sendText(textOf({{"op", "connectionGraphUpdate"},
                               {"publishedTopics", changed(publishers_, publishers, "publisherIds")},
                               {"subscribedTopics", changed(subscribers_, subscribers, "subscriberIds")},

@@ -28,7 +28,7 @@ class Graph {
   const std::shared_ptr<Client> client_;
   const std::shared_ptr<Worlds> worlds_;
   bool isWanted_ = false;
-  bool hasTold_ = false;
+  bool hasSent_ = false;
   Ends publishers_;
   Ends subscribers_;
   Ends providers_;

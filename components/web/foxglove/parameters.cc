@@ -52,39 +52,39 @@ std::optional<double> numberAboveZero(const json& value) {
 }
 
 /// The request to a world that sets a parameter.
-struct Wish {
+struct SetRequest {
   /// Name after "/world/W/".
   const char* service = "set_physics";
-  std::shared_ptr<Message> request;
+  std::shared_ptr<Message> message;
 };
 
-std::string wishPaused(const json& value, Wish& wish) {
+std::string requestPaused(const json& value, SetRequest& request) {
   if (!value.is_boolean()) return "must be true or false";
   const auto control = std::make_shared<im::WorldControl>();
   control->set_pause(value.get<bool>());
-  wish = {"control", control};
+  request = {"control", control};
   return {};
 }
 
-std::string wishFactor(const json& value, Wish& wish) {
+std::string requestFactor(const json& value, SetRequest& request) {
   const auto factor = numberAboveZero(value);
   if (!factor) return "must be a number above 0";
   const auto physics = std::make_shared<im::Physics>();
   physics->set_real_time_factor(*factor);
-  wish.request = physics;
+  request.message = physics;
   return {};
 }
 
-std::string wishStep(const json& value, Wish& wish) {
+std::string requestStep(const json& value, SetRequest& request) {
   const auto step = numberAboveZero(value);
   if (!step) return "must be a number above 0, in seconds";
   const auto physics = std::make_shared<im::Physics>();
   physics->set_max_step_size(*step);
-  wish.request = physics;
+  request.message = physics;
   return {};
 }
 
-std::string wishGravity(const json& value, Wish& wish) {
+std::string requestGravity(const json& value, SetRequest& request) {
   std::vector<double> numbers;
   for (const json& each : value.is_array() && value.size() == 3 ? value : json::array()) {
     if (const auto number = numberOf(each)) numbers.push_back(*number);
@@ -94,18 +94,18 @@ std::string wishGravity(const json& value, Wish& wish) {
   physics->mutable_gravity()->set_x(numbers[0]);
   physics->mutable_gravity()->set_y(numbers[1]);
   physics->mutable_gravity()->set_z(numbers[2]);
-  wish.request = physics;
+  request.message = physics;
   return {};
 }
 
-/// A kind of parameter, which each world has.
-struct Kind {
+/// A parameter that each world has.
+struct Parameter {
   std::string_view name;
   /// @return What is wrong with a value, as the end of a sentence; or an empty text and the request.
-  std::string (*wish)(const json& value, Wish& wish);
+  std::string (*makeRequest)(const json& value, SetRequest& request);
 };
-constexpr std::array kKinds{Kind{"paused", wishPaused}, Kind{"real_time_factor", wishFactor},
-                            Kind{"max_step_size", wishStep}, Kind{"gravity", wishGravity}};
+constexpr std::array kParameters{Parameter{"paused", requestPaused}, Parameter{"real_time_factor", requestFactor},
+                                 Parameter{"max_step_size", requestStep}, Parameter{"gravity", requestGravity}};
 
 json jsonOf(const std::string& name, const json& value) {
   json parameter = {{"name", name}, {"value", value}};
@@ -120,8 +120,8 @@ json jsonOf(const std::string& name, const json& value) {
 struct Parameters::Setting {
   std::mutex mutex;
   std::optional<std::string> id;
-  /// Values accepted by the worlds.
-  Values taken;
+  /// Values that the worlds have set.
+  Values accepted;
 };
 
 Parameters::Parameters(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds)
@@ -142,7 +142,7 @@ Parameters::Values Parameters::values() const {
   return values;
 }
 
-void Parameters::tell(const Values& values, const std::optional<std::string>& id) {
+void Parameters::send(const Values& values, const std::optional<std::string>& id) {
   json list = json::array();
   for (const auto& [name, value] : values) list.push_back(jsonOf(name, value));
   json message = {{"op", "parameterValues"}, {"parameters", std::move(list)}};
@@ -155,7 +155,7 @@ std::string Parameters::get(const json& message) {
   if (!names) return wrongNames("getParameters");
   Values found = values();
   if (!names->empty()) std::erase_if(found, [&](const auto& each) { return !names->contains(each.first); });
-  tell(found, textField(message, "id"));
+  send(found, textField(message, "id"));
   return {};
 }
 
@@ -164,10 +164,10 @@ std::string Parameters::set(const json& message) {
   if (!list || list->size() > kMostNames) {
     return "'setParameters' must have a list 'parameters' of up to " + std::to_string(kMostNames) + " parameters";
   }
-  // the response is sent when the last world has answered and the last owner is destroyed
+  // each request holds this: when the last world has answered, its deleter sends the response
   const std::shared_ptr<Setting> setting(new Setting{{}, textField(message, "id"), {}},
                                          [self = shared_from_this()](Setting* done) {
-                                           if (done->id) self->tell(done->taken, done->id);
+                                           if (done->id) self->send(done->accepted, done->id);
                                            delete done;
                                          });
   std::string wrong;
@@ -185,18 +185,20 @@ std::string Parameters::setOne(const json& parameter, const std::shared_ptr<Sett
   for (const auto& world : worlds_->all()) {
     const std::string prefix = std::string(kWorld) + world->world() + "/";
     if (!name->starts_with(prefix)) continue;
-    for (const Kind& kind : kKinds) {
-      if (name->substr(prefix.size()) != kind.name) continue;
+    for (const Parameter& known : kParameters) {
+      if (name->substr(prefix.size()) != known.name) continue;
       const json& value = parameter.at("value");
-      Wish wish;
-      if (const std::string wrong = kind.wish(value, wish); !wrong.empty()) return "'" + *name + "' " + wrong;
-      world->request({prefix + wish.service, wish.request->GetTypeName(), "ignition.msgs.Boolean"}, wish.request,
+      SetRequest request;
+      if (const std::string wrong = known.makeRequest(value, request); !wrong.empty())
+        return "'" + *name + "' " + wrong;
+      world->request({prefix + request.service, request.message->GetTypeName(), "ignition.msgs.Boolean"},
+                     request.message,
                      [client = client_, setting, name = *name, value](const CallResult& result, const Message&) {
                        if (!result) {
                          return sendStatus(*client, StatusLevel::kError, "'" + name + "' is not set: " + result.error);
                        }
                        const std::lock_guard lock(setting->mutex);
-                       setting->taken[name] = value;
+                       setting->accepted[name] = value;
                      });
       return {};
     }
@@ -218,7 +220,7 @@ std::string Parameters::subscribe(const json& message) {
   }
   wantsAll_ = wantsAll_ || names->empty();
   if (!regularly_ && (wantsAll_ || !wanted_.empty())) {
-    told_ = known;
+    sent_ = known;
     regularly_ = client_->callRegularly(weak_from_this());
   }
   return unknown;
@@ -238,15 +240,15 @@ std::string Parameters::unsubscribe(const json& message) {
 
 void Parameters::called() {
   Values now = values();
-  if (now == told_) return;
+  if (now == sent_) return;
   Values changed;
   for (const auto& [name, value] : now) {
-    const auto before = told_.find(name);
-    if (before != told_.end() && before->second == value) continue;
+    const auto before = sent_.find(name);
+    if (before != sent_.end() && before->second == value) continue;
     if (wantsAll_ || wanted_.contains(name)) changed[name] = value;
   }
-  told_ = std::move(now);
-  if (!changed.empty()) tell(changed, std::nullopt);
+  sent_ = std::move(now);
+  if (!changed.empty()) send(changed, std::nullopt);
 }
 
 }  // namespace pongsim::web::foxglove

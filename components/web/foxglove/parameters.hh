@@ -42,15 +42,15 @@ class Parameters final : public Callee, public std::enable_shared_from_this<Para
 
   Values values() const;
   std::string setOne(const nlohmann::json& parameter, const std::shared_ptr<Setting>& setting);
-  void tell(const Values& values, const std::optional<std::string>& id);
+  void send(const Values& values, const std::optional<std::string>& id);
 
   const std::shared_ptr<Client> client_;
   const std::shared_ptr<Worlds> worlds_;
   /// Subscribed parameters, unless all are.
   std::set<std::string> wanted_;
   bool wantsAll_ = false;
-  /// Values last sent, or known before.
-  Values told_;
+  /// The values at the last call, or when the subscription began.
+  Values sent_;
   std::shared_ptr<void> regularly_;
 };
 

@@ -20,7 +20,7 @@ namespace im = ignition::msgs;
 class ParametersTest : public SessionTest {
  protected:
   ParametersTest() {
-    world_.tell(settings_);
+    world_.reportSettings(settings_);
     open();
   }
   json answerTo(const json& message) {
@@ -35,7 +35,7 @@ class ParametersTest : public SessionTest {
   Service control_ =
       world_.node().serve<im::WorldControl, im::Boolean>("/world/w/control", [this](const auto& request, auto&) {
         settings_.isPaused = request.pause();
-        world_.tell(settings_);
+        world_.reportSettings(settings_);
         return ServiceAnswer(true);
       });
   Service physics_ =
@@ -45,7 +45,7 @@ class ParametersTest : public SessionTest {
         if (request.real_time_factor() > 0) settings_.realTimeFactor = request.real_time_factor();
         if (request.has_gravity())
           settings_.gravity = {request.gravity().x(), request.gravity().y(), request.gravity().z()};
-        world_.tell(settings_);
+        world_.reportSettings(settings_);
         return ServiceAnswer(true);
       });
 };
@@ -112,12 +112,12 @@ TEST_F(ParametersTest, AreToldOfWhenTheyChange) {
   say({{"op", "subscribeParameterUpdates"}, {"parameterNames", {"/world/w/gravity"}}});
   settings_.isPaused = false;
   settings_.gravity = {0, 0, -1};
-  world_.tell(settings_);
+  world_.reportSettings(settings_);
   EXPECT_EQ(await("parameterValues")["parameters"],
             (json{{{"name", "/world/w/gravity"}, {"value", {0.0, 0.0, -1.0}}, {"type", "float64_array"}}}));
   say({{"op", "unsubscribeParameterUpdates"}, {"parameterNames", json::array()}});
   settings_.gravity = {0, 0, -2};
-  world_.tell(settings_);
+  world_.reportSettings(settings_);
   for (int i = 0; i < 3; ++i) client_->free();
   for (const std::string& text : client_->takeTexts()) EXPECT_EQ(text.find("parameterValues"), std::string::npos);
   say({{"op", "subscribeParameterUpdates"}, {"parameterNames", {"/world/w/wind"}}});

@@ -12,9 +12,9 @@ constexpr const char* kOurPage = "pongsim.web.v1";
 
 }  // namespace
 
-FoxgloveProtocol::FoxgloveProtocol(std::shared_ptr<Worlds> worlds, const OwnChannels& own, HeardLog& log,
+FoxgloveProtocol::FoxgloveProtocol(std::shared_ptr<Worlds> worlds, const OwnChannels& own, RecentLog& log,
                                    const AssetSource& assets)
-    : worlds_(std::move(worlds)), own_(own), assets_(assets), offers_(worlds_), typed_(worlds_), log_(log) {}
+    : worlds_(std::move(worlds)), own_(own), assets_(assets), topicChannels_(worlds_), typed_(worlds_), log_(log) {}
 
 FoxgloveProtocol::~FoxgloveProtocol() = default;
 
@@ -24,8 +24,8 @@ std::vector<std::string> FoxgloveProtocol::names() const {
 
 std::unique_ptr<Session> FoxgloveProtocol::open(const std::string& name, const std::shared_ptr<Client>& client) {
   if (name == kOurPage)
-    return std::make_unique<FoxgloveSession>(client, worlds_, offers_, &own_, nullptr, log_, assets_);
-  return std::make_unique<FoxgloveSession>(client, worlds_, offers_, nullptr, &typed_, log_, assets_);
+    return std::make_unique<FoxgloveSession>(client, worlds_, topicChannels_, &own_, nullptr, log_, assets_);
+  return std::make_unique<FoxgloveSession>(client, worlds_, topicChannels_, nullptr, &typed_, log_, assets_);
 }
 
 }  // namespace pongsim::web::foxglove

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "web/foxglove/log_offer.hh"
-#include "web/foxglove/offers.hh"
-#include "web/foxglove/typed_offers.hh"
+#include "web/foxglove/log_channel.hh"
+#include "web/foxglove/topic_channels.hh"
+#include "web/foxglove/typed_channels.hh"
 #include "web/server/session.hh"
-#include "web/world/heard_log.hh"
+#include "web/world/recent_log.hh"
 #include "web/world/worlds.hh"
 
 namespace pongsim::web::foxglove {
@@ -18,7 +18,7 @@ namespace pongsim::web::foxglove {
 class FoxgloveProtocol final : public Protocol {
  public:
   /// @param own, log, assets Must outlive it.
-  FoxgloveProtocol(std::shared_ptr<Worlds> worlds, const OwnChannels& own, HeardLog& log, const AssetSource& assets);
+  FoxgloveProtocol(std::shared_ptr<Worlds> worlds, const OwnChannels& own, RecentLog& log, const AssetSource& assets);
   ~FoxgloveProtocol() override;
 
   std::vector<std::string> names() const override;
@@ -28,9 +28,9 @@ class FoxgloveProtocol final : public Protocol {
   const std::shared_ptr<Worlds> worlds_;
   const OwnChannels& own_;
   const AssetSource& assets_;
-  Offers offers_;
-  TypedOffers typed_;
-  LogOffer log_;
+  TopicChannels topicChannels_;
+  TypedChannels typed_;
+  LogChannel log_;
 };
 
 }  // namespace pongsim::web::foxglove

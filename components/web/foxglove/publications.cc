@@ -26,10 +26,10 @@ std::string Publications::open(const nlohmann::json& channel) {
   const std::string topic = *textField(channel, "topic");
   const std::string type = *messageTypeName(*textField(channel, "schemaName"));
   const std::shared_ptr<WorldLink> world = worldFor(topic);
-  std::shared_ptr<WorldLink::Voice> voice = world ? world->speak(topic, type) : nullptr;
-  if (!voice) return "no world subscribes to '" + topic + "' now";
+  std::shared_ptr<RemotePublisher> publisher = world ? world->advertise(topic, type) : nullptr;
+  if (!publisher) return "no world subscribes to '" + topic + "' now";
   const MessageForm form = *textField(channel, "encoding") == "json" ? MessageForm::kJson : MessageForm::kProtobuf;
-  channels_.emplace(*idField(channel, "id"), Channel{type, form, std::move(voice)});
+  publications_.emplace(*idField(channel, "id"), Publication{type, form, std::move(publisher)});
   return {};
 }
 
@@ -41,8 +41,8 @@ std::string Publications::fault(const nlohmann::json& channel) {
   const auto type = textField(channel, "schemaName");
   if (!id || !topic || !encoding || !type) return "a channel must have an id, a topic, an encoding and a schemaName";
   if (!client_->mayWrite()) return "this client is read-only: '" + *topic + "' is not published on";
-  if (channels_.contains(*id)) return "channel " + std::to_string(*id) + " already exists";
-  if (channels_.size() >= kMostChannels) {
+  if (publications_.contains(*id)) return "channel " + std::to_string(*id) + " already exists";
+  if (publications_.size() >= kMostChannels) {
     return "a client can publish on at most " + std::to_string(kMostChannels) + " channels";
   }
   if (*encoding != "json" && *encoding != "protobuf") {
@@ -64,16 +64,16 @@ std::shared_ptr<WorldLink> Publications::worldFor(const std::string& topic) cons
 }
 
 std::string Publications::close(std::uint32_t channel) {
-  return channels_.erase(channel) == 0 ? unknown(channel) : std::string();
+  return publications_.erase(channel) == 0 ? unknown(channel) : std::string();
 }
 
 std::string Publications::publish(std::uint32_t channel, std::span<const std::byte> message) {
-  const auto found = channels_.find(channel);
-  if (found == channels_.end()) return unknown(channel);
+  const auto found = publications_.find(channel);
+  if (found == publications_.end()) return unknown(channel);
   const auto read = readMessage(found->second.type, found->second.form, message);
   if (const auto* what = std::get_if<std::string>(&read)) return *what;
   const std::string bytes = writeMessage(*std::get<MessagePointer>(read), MessageForm::kProtobuf);
-  return found->second.voice->publish(Payload(bytes)) ? "" : "the world is too slow: a message was dropped";
+  return found->second.publisher->publish(Payload(bytes)) ? "" : "the world is too slow: a message was dropped";
 }
 
 }  // namespace pongsim::web::foxglove

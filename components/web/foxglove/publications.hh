@@ -27,10 +27,10 @@ class Publications {
   std::string publish(std::uint32_t channel, std::span<const std::byte> message);
 
  private:
-  struct Channel {
+  struct Publication {
     std::string type;
     MessageForm form = MessageForm::kProtobuf;
-    std::shared_ptr<WorldLink::Voice> voice;
+    std::shared_ptr<RemotePublisher> publisher;
   };
 
   std::string fault(const nlohmann::json& channel);
@@ -38,7 +38,8 @@ class Publications {
 
   const std::shared_ptr<Client> client_;
   const std::shared_ptr<Worlds> worlds_;
-  std::map<std::uint32_t, Channel> channels_;
+  /// Keyed by the client's channel id.
+  std::map<std::uint32_t, Publication> publications_;
   std::size_t unknownTypes_ = 0;
 };
 

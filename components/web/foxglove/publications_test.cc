@@ -22,9 +22,9 @@ class PublicationsTest : public SessionTest {
 };
 
 TEST_F(PublicationsTest, CarriesBothForms) {
-  std::vector<std::string> heard;
+  std::vector<std::string> received;
   const Subscription subscription = world_.node().subscribe<im::StringMsg>(
-      "/asked", [&](const im::StringMsg& message) { heard.push_back(message.data()); });
+      "/asked", [&](const im::StringMsg& message) { received.push_back(message.data()); });
   open();
   say({{"op", "advertise"},
        {"channels",
@@ -34,8 +34,8 @@ TEST_F(PublicationsTest, CarriesBothForms) {
   b.set_data("b");
   say("\x01" + number(1) + R"({"data": "a"})");
   say("\x01" + number(2) + b.SerializeAsString());
-  ASSERT_TRUE(world_.stepUntil([&] { return heard.size() == 2; }));
-  EXPECT_EQ(heard, (std::vector<std::string>{"a", "b"}));
+  ASSERT_TRUE(world_.stepUntil([&] { return received.size() == 2; }));
+  EXPECT_EQ(received, (std::vector<std::string>{"a", "b"}));
   say({{"op", "unadvertise"}, {"channelIds", {1}}});
   say("\x01" + number(1) + "{}");
   EXPECT_EQ(status(), "the client has no channel 1");

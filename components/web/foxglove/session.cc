@@ -22,7 +22,7 @@ using nlohmann::json;
 constexpr std::uint64_t kListsKey = std::uint64_t{1} << 32;
 constexpr std::uint64_t kTimeKey = kListsKey + 1;
 // maximum per message of a client
-constexpr std::size_t kMostComplaints = 10;
+constexpr std::size_t kMostErrors = 10;
 
 /// @return An id by which a client that reconnects recognizes the same run.
 std::string sessionId() {
@@ -31,18 +31,18 @@ std::string sessionId() {
 }
 
 /// Sends a client the time of the first world.
-class TimeTeller final : public Callee {
+class TimeSender final : public Callee {
  public:
-  TimeTeller(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds)
+  TimeSender(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds)
       : client_(std::move(client)), worlds_(std::move(worlds)) {}
 
   void called() override {
     isTurn_ = !isTurn_;
     if (!isTurn_) return;
     const auto worlds = worlds_->all();
-    const std::uint64_t timeNs = worlds.empty() ? told_ : worlds.front()->timeNs();
-    if (timeNs == told_) return;
-    told_ = timeNs;
+    const std::uint64_t timeNs = worlds.empty() ? sent_ : worlds.front()->timeNs();
+    if (timeNs == sent_) return;
+    sent_ = timeNs;
     client_->sendData(kTimeKey, 1, timeFrame(timeNs));
   }
 
@@ -51,7 +51,7 @@ class TimeTeller final : public Callee {
   const std::shared_ptr<Worlds> worlds_;
   /// At most 60 times per second.
   bool isTurn_ = false;
-  std::uint64_t told_ = 0;
+  std::uint64_t sent_ = 0;
 };
 
 using ParameterOperation = std::string (Parameters::*)(const json&);
@@ -65,42 +65,43 @@ ParameterOperation parameterOperation(std::string_view operation) {
   return nullptr;
 }
 
-Offer offerOf(const std::shared_ptr<OwnChannel>& channel) {
-  Offer offer;
-  offer.topic = channel->topic();
-  offer.encoding = "pongsim";
-  offer.schemaName = channel->schemaName();
-  offer.source = channel.get();
-  offer.open = [channel](const std::shared_ptr<Client>& client, std::uint64_t key, Head head) {
+Channel channelOf(const std::shared_ptr<OwnChannel>& channel) {
+  Channel result;
+  result.topic = channel->topic();
+  result.encoding = "pongsim";
+  result.schemaName = channel->schemaName();
+  result.source = channel.get();
+  result.open = [channel](const std::shared_ptr<Client>& client, std::uint64_t key, Head head) {
     return channel->open(client, key, std::move(head));
   };
-  return offer;
+  return result;
 }
 
 }  // namespace
 
-FoxgloveSession::FoxgloveSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, Offers& offers,
-                                 const OwnChannels* own, TypedOffers* typed, LogOffer& log, const AssetSource& assets)
+FoxgloveSession::FoxgloveSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds,
+                                 TopicChannels& channels, const OwnChannels* own, TypedChannels* typed, LogChannel& log,
+                                 const AssetSource& assets)
     : client_(std::move(client)),
       worlds_(std::move(worlds)),
       assets_(assets),
-      told_(std::make_shared<Told>(
-          Told{Channels(client_),
-               Calls(client_, worlds_, offers, own != nullptr ? MessageForm::kProtobuf : MessageForm::kJson),
-               Graph(client_, worlds_), offers, own, typed, log})),
+      report_(std::make_shared<Report>(
+          Report{Subscriptions(client_),
+                 ServiceCalls(client_, worlds_, channels, own != nullptr ? MessageForm::kProtobuf : MessageForm::kJson),
+                 Graph(client_, worlds_), channels, own, typed, log})),
       publications_(client_, worlds_),
       parameters_(std::make_shared<Parameters>(client_, worlds_)) {
   sendServerInfo();
-  told_->follow();
-  // called on a world's thread: leave the update to the server's thread
-  watch_ = worlds_->watch({.changed = [to = client_, told = std::weak_ptr(told_)] {
-    to->sendWhenFree(kListsKey, [told]() -> Frame {
-      if (const auto there = told.lock()) there->follow();
+  report_->follow();
+  // `changed` runs on a world's thread; the update runs on the server's
+  watch_ = worlds_->watch({.changed = [to = client_, report = std::weak_ptr(report_)] {
+    to->sendWhenFree(kListsKey, [report]() -> Frame {
+      if (const auto there = report.lock()) there->follow();
       return {};
     });
   }});
-  timeTeller_ = std::make_shared<TimeTeller>(client_, worlds_);
-  regularly_ = client_->callRegularly(timeTeller_);
+  timeSender_ = std::make_shared<TimeSender>(client_, worlds_);
+  regularly_ = client_->callRegularly(timeSender_);
 }
 
 void FoxgloveSession::sendServerInfo() {
@@ -116,14 +117,14 @@ void FoxgloveSession::sendServerInfo() {
                             {"sessionId", sessionId()}}));
 }
 
-void FoxgloveSession::Told::follow() {
-  std::vector<Offer> all = offers.topics();
+void FoxgloveSession::Report::follow() {
+  std::vector<Channel> all = topics.all();
   if (own != nullptr) {
-    for (const auto& channel : own->all()) all.push_back(offerOf(channel));
+    for (const auto& channel : own->all()) all.push_back(channelOf(channel));
   }
   if (typed != nullptr) std::ranges::move(typed->all(), std::back_inserter(all));
-  all.push_back(log.offer());
-  channels.follow(std::move(all));
+  all.push_back(log.channel());
+  subscriptions.follow(std::move(all));
   calls.follow();
   graph.follow();
 }
@@ -131,18 +132,18 @@ void FoxgloveSession::Told::follow() {
 void FoxgloveSession::text(std::string_view text) {
   const json message = parseJson(text);
   const auto operation = textField(message, "op");
-  if (!operation) return complain("a text message must be a JSON object with an 'op'");
-  const auto withId = [](auto&& deal, const char* what) {
-    return [deal, what](const json& value) {
+  if (!operation) return sendError("a text message must be a JSON object with an 'op'");
+  const auto withId = [](auto&& handle, const char* what) {
+    return [handle, what](const json& value) {
       const auto id = idOf(value);
-      return id ? deal(*id) : "the id of a " + std::string(what) + " must be a number";
+      return id ? handle(*id) : "the id of a " + std::string(what) + " must be a number";
     };
   };
   if (*operation == "subscribe") {
     return each(message, "subscriptions", [this](const json& value) { return subscribe(value); });
   }
   if (*operation == "unsubscribe") {
-    const auto end = [this](std::uint32_t id) { return told_->channels.unsubscribe(id); };
+    const auto end = [this](std::uint32_t id) { return report_->subscriptions.unsubscribe(id); };
     return each(message, "subscriptionIds", withId(end, "subscription"));
   }
   if (*operation == "advertise") {
@@ -153,49 +154,50 @@ void FoxgloveSession::text(std::string_view text) {
     return each(message, "channelIds", withId(end, "channel"));
   }
   if (*operation == "fetchAsset") return fetchAsset(message);
-  if (const auto deal = parameterOperation(*operation)) {
-    const std::string wrong = (*parameters_.*deal)(message);
-    return wrong.empty() ? void() : complain(wrong);
+  if (const auto handle = parameterOperation(*operation)) {
+    const std::string wrong = (*parameters_.*handle)(message);
+    return wrong.empty() ? void() : sendError(wrong);
   }
-  if (*operation == "subscribeConnectionGraph") return told_->graph.setWanted(true);
-  if (*operation == "unsubscribeConnectionGraph") return told_->graph.setWanted(false);
-  complain("there is no operation '" + operation->substr(0, 40) + "'");
+  if (*operation == "subscribeConnectionGraph") return report_->graph.setWanted(true);
+  if (*operation == "unsubscribeConnectionGraph") return report_->graph.setWanted(false);
+  sendError("there is no operation '" + operation->substr(0, 40) + "'");
 }
 
 void FoxgloveSession::binary(std::span<const std::byte> message) {
-  const auto said = readBinary(message);
-  if (const auto* call = std::get_if<ServiceCall>(&said)) return told_->calls.call(*call);
-  const auto* data = std::get_if<ClientData>(&said);
+  const auto received = readBinary(message);
+  if (const auto* call = std::get_if<ServiceCall>(&received)) return report_->calls.call(*call);
+  const auto* data = std::get_if<ClientData>(&received);
   const std::string what =
-      data != nullptr ? publications_.publish(data->channel, data->message) : std::get<std::string>(said);
-  if (!what.empty()) complain(what);
+      data != nullptr ? publications_.publish(data->channel, data->message) : std::get<std::string>(received);
+  if (!what.empty()) sendError(what);
 }
 
-void FoxgloveSession::each(const json& message, const char* list, const std::function<std::string(const json&)>& deal) {
+void FoxgloveSession::each(const json& message, const char* list,
+                           const std::function<std::string(const json&)>& handle) {
   const auto members = listField(message, list);
-  if (!members) return complain("'" + message.value("op", "") + "' must have a list '" + list + "'");
+  if (!members) return sendError("'" + message.value("op", "") + "' must have a list '" + list + "'");
   std::size_t faults = 0;
   for (const json& member : *members) {
-    const std::string what = deal(member);
-    if (!what.empty() && ++faults <= kMostComplaints) complain(what);
+    const std::string what = handle(member);
+    if (!what.empty() && ++faults <= kMostErrors) sendError(what);
   }
-  if (faults > kMostComplaints) complain("and " + std::to_string(faults - kMostComplaints) + " more like these");
+  if (faults > kMostErrors) sendError("and " + std::to_string(faults - kMostErrors) + " more like these");
 }
 
 std::string FoxgloveSession::subscribe(const json& subscription) {
   const auto id = idField(subscription, "id");
   const auto channel = idField(subscription, "channelId");
   if (!id || !channel) return "a subscription must have an 'id' and a 'channelId'";
-  return told_->channels.subscribe(*id, *channel);
+  return report_->subscriptions.subscribe(*id, *channel);
 }
 
 void FoxgloveSession::fetchAsset(const json& message) {
   const auto uri = textField(message, "uri");
   const auto id = idField(message, "requestId");
-  if (!uri || !id) return complain("'fetchAsset' must have a 'uri' and a 'requestId'");
+  if (!uri || !id) return sendError("'fetchAsset' must have a 'uri' and a 'requestId'");
   client_->sendBinary(assetFrame(*id, assets_.fetch(typed::sceneAddress(*uri))));
 }
 
-void FoxgloveSession::complain(std::string_view what) { sendStatus(*client_, StatusLevel::kError, what); }
+void FoxgloveSession::sendError(std::string_view what) { sendStatus(*client_, StatusLevel::kError, what); }
 
 }  // namespace pongsim::web::foxglove

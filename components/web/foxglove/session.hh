@@ -9,14 +9,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "web/foxglove/calls.hh"
-#include "web/foxglove/channels.hh"
 #include "web/foxglove/graph.hh"
-#include "web/foxglove/log_offer.hh"
-#include "web/foxglove/offers.hh"
+#include "web/foxglove/log_channel.hh"
 #include "web/foxglove/parameters.hh"
 #include "web/foxglove/publications.hh"
-#include "web/foxglove/typed_offers.hh"
+#include "web/foxglove/service_calls.hh"
+#include "web/foxglove/subscriptions.hh"
+#include "web/foxglove/topic_channels.hh"
+#include "web/foxglove/typed_channels.hh"
 #include "web/server/session.hh"
 #include "web/world/worlds.hh"
 
@@ -25,10 +25,10 @@ namespace pongsim::web::foxglove {
 /// A client that speaks Foxglove's protocol.
 class FoxgloveSession final : public Session {
  public:
-  /// @param offers, own, typed, log, assets Must outlive it. `own` is null except for our own page, for which `typed`
+  /// @param channels, own, typed, log, assets Must outlive it. `own` is null except for our own page, for which `typed`
   /// is null.
-  FoxgloveSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, Offers& offers,
-                  const OwnChannels* own, TypedOffers* typed, LogOffer& log, const AssetSource& assets);
+  FoxgloveSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> worlds, TopicChannels& channels,
+                  const OwnChannels* own, TypedChannels* typed, LogChannel& log, const AssetSource& assets);
 
   void text(std::string_view message) override;
   void binary(std::span<const std::byte> message) override;
@@ -36,14 +36,14 @@ class FoxgloveSession final : public Session {
  private:
   /// What is reported about the worlds. A separate object, so that data queued for the socket can detect that the
   /// session has ended.
-  struct Told {
-    Channels channels;
-    Calls calls;
+  struct Report {
+    Subscriptions subscriptions;
+    ServiceCalls calls;
     Graph graph;
-    Offers& offers;
+    TopicChannels& topics;
     const OwnChannels* own;
-    TypedOffers* typed;
-    LogOffer& log;
+    TypedChannels* typed;
+    LogChannel& log;
 
     void follow();
   };
@@ -51,19 +51,19 @@ class FoxgloveSession final : public Session {
   void sendServerInfo();
   /// Calls a function with each element of a list; it returns what is wrong with the element, or an empty text.
   void each(const nlohmann::json& message, const char* list,
-            const std::function<std::string(const nlohmann::json&)>& deal);
+            const std::function<std::string(const nlohmann::json&)>& handle);
   std::string subscribe(const nlohmann::json& subscription);
   void fetchAsset(const nlohmann::json& message);
-  void complain(std::string_view what);
+  void sendError(std::string_view what);
 
   const std::shared_ptr<Client> client_;
   const std::shared_ptr<Worlds> worlds_;
   const AssetSource& assets_;
-  const std::shared_ptr<Told> told_;
+  const std::shared_ptr<Report> report_;
   Publications publications_;
   const std::shared_ptr<Parameters> parameters_;
   std::shared_ptr<void> watch_;
-  std::shared_ptr<Callee> timeTeller_;
+  std::shared_ptr<Callee> timeSender_;
   std::shared_ptr<void> regularly_;
 };
 

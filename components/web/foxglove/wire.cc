@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint8_t kData = 1;
 constexpr std::uint8_t kTime = 2;
-constexpr std::uint8_t kAnswer = 3;
+constexpr std::uint8_t kReply = 3;
 constexpr std::uint8_t kAsset = 4;
 constexpr std::uint8_t kClientData = 1;
 constexpr std::uint8_t kServiceCall = 2;
@@ -42,8 +42,8 @@ Frame timeFrame(std::uint64_t timeNs) {
   return {std::move(bytes), {}};
 }
 
-Frame answerFrame(std::uint32_t service, std::uint32_t call, std::string_view encoding, Payload reply) {
-  std::string bytes(1, static_cast<char>(kAnswer));
+Frame replyFrame(std::uint32_t service, std::uint32_t call, std::string_view encoding, Payload reply) {
+  std::string bytes(1, static_cast<char>(kReply));
   put(service, bytes);
   put(call, bytes);
   put(static_cast<std::uint32_t>(encoding.size()), bytes);

@@ -16,7 +16,7 @@ namespace pongsim::web::foxglove {
 /// @return The header of a message for a subscription.
 std::string dataHead(std::uint32_t subscription, std::uint64_t timeNs);
 Frame timeFrame(std::uint64_t timeNs);
-Frame answerFrame(std::uint32_t service, std::uint32_t call, std::string_view encoding, Payload reply);
+Frame replyFrame(std::uint32_t service, std::uint32_t call, std::string_view encoding, Payload reply);
 /// @param asset Its error, if any, is sent; otherwise its bytes.
 Frame assetFrame(std::uint32_t request, const Asset& asset);
 

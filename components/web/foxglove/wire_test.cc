@@ -15,7 +15,7 @@ auto read(std::string_view text) { return readBinary(std::as_bytes(std::span(tex
 TEST(Wire, WritesWhatTheProtocolSays) {
   EXPECT_EQ(dataHead(0x01020304, 5), "\x01\x04\x03\x02\x01\x05\0\0\0\0\0\0\0"s);
   EXPECT_EQ(bytes(timeFrame(0x0102)), "\x02\x02\x01\0\0\0\0\0\0"s);
-  EXPECT_EQ(bytes(answerFrame(1, 2, "json", Payload("{}"))), "\x03\x01\0\0\0\x02\0\0\0\x04\0\0\0json{}"s);
+  EXPECT_EQ(bytes(replyFrame(1, 2, "json", Payload("{}"))), "\x03\x01\0\0\0\x02\0\0\0\x04\0\0\0json{}"s);
   EXPECT_EQ(bytes(assetFrame(7, {"mesh", "", ""})), "\x04\x07\0\0\0\0\0\0\0\0mesh"s);
   EXPECT_EQ(bytes(assetFrame(7, {"", "", "no"})), "\x04\x07\0\0\0\x01\x02\0\0\0no"s);
 }

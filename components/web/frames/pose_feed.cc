@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::chrono::nanoseconds kPeriod{1'000'000'000 / 60};
 constexpr std::chrono::milliseconds kPaceWindow{500};
-// One is being shown, one is being written, and one is being sent.
+// The feed writes one, the channel has the latest, the server's thread reads one, and one is spare.
 constexpr std::size_t kPool = 4;
 
 }  // namespace
@@ -37,7 +37,7 @@ std::shared_ptr<void> PoseChannel::open(const std::shared_ptr<Client>& client, s
     all_.push_back(viewer);
     if (!regularly_) {
       regularly_ = client->callRegularly(weak_from_this());
-      // a snapshot from an earlier watch is outdated
+      // a snapshot made for earlier viewers is outdated
       isNew_ = false;
     }
     // a new client gets a frame at once, even if the world is paused
@@ -65,7 +65,7 @@ void PoseChannel::called() {
   const Clock::time_point now = Clock::now();
   const std::lock_guard lock(mutex_);
   if (now >= next_ && !all_.empty()) {
-    // missed frames are not made up for
+    // missed frames are skipped
     next_ = std::max(next_ + kPeriod, now + kPeriod / 2);
     isWanted_ = true;
   }
@@ -94,7 +94,7 @@ Frame PoseChannel::frameFor(Viewer& viewer) {
   if (viewer.status && viewer.status->revision != snapshot->status.revision) viewer.before.clear();
   viewer.status = snapshot->status;
   Payload body = encodeFrame(snapshot->status, poses_, viewer.before);
-  // while a world is paused, poses change only on request
+  // of a paused world, the same moment may have other poses: somebody has moved a model
   if (isSameMoment && body.size() == kFrameHead) return {};
   return {.head = viewer.head(snapshot->status.timeNs), .body = std::move(body)};
 }
@@ -136,8 +136,8 @@ void PoseFeed::take(const StepInfo& step) {
 std::shared_ptr<PoseSnapshot> PoseFeed::freeSnapshot() {
   for (const std::shared_ptr<PoseSnapshot>& each : pool_) {
     if (each.use_count() > 1) continue;
-      // its last reader finished before this
-#ifndef __SANITIZE_THREAD__  // which knows no fences, and takes the copy of the pointer for one
+      // use_count() loads relaxed: the fence orders the last reader's reads before our writes
+#ifndef __SANITIZE_THREAD__  // ThreadSanitizer does not support fences
     std::atomic_thread_fence(std::memory_order_acquire);
 #endif
     return each;
@@ -150,7 +150,7 @@ std::shared_ptr<PoseSnapshot> PoseFeed::freeSnapshot() {
 double PoseFeed::realTimeFactor(const StepInfo& step, Clock::time_point now) {
   const auto wall = now - paceBegan_;
   if (wall >= kPaceWindow) {
-    // the first value, and the first after a break, has no reference
+    // the first window, and the first after a break, has no start to compare with
     const bool isKnown = wall < 2 * kPaceWindow && step.time >= paceTime_;
     pace_ = isKnown ? toSeconds(step.time - paceTime_) / std::chrono::duration<double>(wall).count() : pace_;
     paceBegan_ = now;

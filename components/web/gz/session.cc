@@ -12,8 +12,9 @@
 #include <variant>
 
 #include "web/gz/definitions.hh"
-#include "web/world/harmless.hh"
+#include "web/server/access.hh"
 #include "web/world/message_form.hh"
+#include "web/world/read_only_service.hh"
 
 namespace pongsim::web::gz {
 
@@ -21,25 +22,18 @@ namespace {
 
 namespace im = ignition::msgs;
 
-constexpr std::size_t kMostVoices = 100;
-// limit of requests that wait for the worlds' first lists
-constexpr int kMostEarly = 10;
+constexpr std::size_t kMostPublishers = 100;
+// limit of requests for lists that wait until the worlds have listed their topics
+constexpr int kMostDeferred = 10;
 // key of queued changes, different from those of topics
 constexpr std::uint64_t kListsKey = 0;
 
-/// Compares in constant time.
-bool isKey(std::string_view said, std::string_view key) {
-  if (key.empty()) return false;
-  unsigned difference = said.size() == key.size() ? 0 : 1;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    difference |= static_cast<unsigned char>(said[i]) ^ static_cast<unsigned char>(key[i % key.size()]);
-  }
-  return difference == 0;
-}
+/// @return Whether a key is required and the client has sent it.
+bool isKey(std::string_view sent, std::string_view key) { return !key.empty() && isSameSecret(sent, key); }
 
 }  // namespace
 
-struct GzSession::Early {
+struct GzSession::Deferred {
   /// Null when the session has ended.
   GzSession* session = nullptr;
   int topics = 0;
@@ -59,21 +53,21 @@ GzSession::GzSession(std::shared_ptr<Client> client, std::shared_ptr<Worlds> wor
       assets_(assets),
       settings_(settings),
       counted_(std::move(counted)),
-      isLetIn_(settings.authorizationKey.empty() && settings.adminAuthorizationKey.empty()),
-      listening_(std::make_shared<Listening>(client_, worlds_, settings_)),
-      early_(std::make_shared<Early>(Early{this})) {
-  // called on a world's thread: leave the update to the server's thread
-  watch_ =
-      worlds_->watch({.changed = [to = client_, listening = std::weak_ptr(listening_), early = std::weak_ptr(early_)] {
-        to->sendWhenFree(kListsKey, [listening, early]() -> Frame {
-          if (const auto there = listening.lock()) there->follow();
-          if (const auto there = early.lock(); there && there->session != nullptr) there->answer();
+      isAuthorized_(settings.authorizationKey.empty() && settings.adminAuthorizationKey.empty()),
+      subscriptions_(std::make_shared<Subscriptions>(client_, worlds_, settings_)),
+      deferred_(std::make_shared<Deferred>(Deferred{this})) {
+  // `changed` runs on a world's thread; the update runs on the server's
+  watch_ = worlds_->watch(
+      {.changed = [to = client_, subscriptions = std::weak_ptr(subscriptions_), deferred = std::weak_ptr(deferred_)] {
+        to->sendWhenFree(kListsKey, [subscriptions, deferred]() -> Frame {
+          if (const auto there = subscriptions.lock()) there->follow();
+          if (const auto there = deferred.lock(); there && there->session != nullptr) there->answer();
           return {};
         });
       }});
 }
 
-GzSession::~GzSession() { early_->session = nullptr; }
+GzSession::~GzSession() { deferred_->session = nullptr; }
 
 void GzSession::text(std::string_view message) { binary(std::as_bytes(std::span(message))); }
 
@@ -81,7 +75,7 @@ void GzSession::binary(std::span<const std::byte> message) {
   const auto call = readCall({reinterpret_cast<const char*>(message.data()), message.size()});
   if (!call) return error("", "a message must have four parts: operation,topic,type,payload");
   if (call->operation == "auth") return auth(*call);
-  if (!isLetIn_) return error(call->topic, "say 'auth,,,KEY' first");
+  if (!isAuthorized_) return error(call->topic, "say 'auth,,,KEY' first");
   const auto found = operations().find(call->operation);
   if (found == operations().end()) {
     return error(call->topic, "there is no operation '" + std::string(call->operation.substr(0, 40)) + "'");
@@ -96,9 +90,9 @@ const std::map<std::string_view, GzSession::Operation>& GzSession::operations() 
                                                             {"worlds", &GzSession::worlds},
                                                             {"scene", &GzSession::scene},
                                                             {"particle_emitters", &GzSession::particleEmitters},
-                                                            {"sub", &GzSession::listen},
+                                                            {"sub", &GzSession::subscribe},
                                                             {"image", &GzSession::image},
-                                                            {"unsub", &GzSession::unlisten},
+                                                            {"unsub", &GzSession::unsubscribe},
                                                             {"throttle", &GzSession::throttle},
                                                             {"adv", &GzSession::advertise},
                                                             {"pub", &GzSession::publish},
@@ -111,9 +105,9 @@ const std::map<std::string_view, GzSession::Operation>& GzSession::operations() 
 void GzSession::auth(const Call& call) {
   const bool isOpen = settings_.authorizationKey.empty() && settings_.adminAuthorizationKey.empty();
   // the key may contain commas; gzweb sends it as payload
-  isLetIn_ = isLetIn_ || isOpen || isKey(call.payload, settings_.authorizationKey) ||
-             isKey(call.payload, settings_.adminAuthorizationKey);
-  client_->sendBinary({isLetIn_ ? "authorized" : "invalid", {}});
+  isAuthorized_ = isAuthorized_ || isOpen || isKey(call.payload, settings_.authorizationKey) ||
+                  isKey(call.payload, settings_.adminAuthorizationKey);
+  client_->sendBinary({isAuthorized_ ? "authorized" : "invalid", {}});
 }
 
 void GzSession::protos(const Call&) {
@@ -121,19 +115,19 @@ void GzSession::protos(const Call&) {
   client_->sendBinary({{}, text});
 }
 
-/// @return Whether all worlds have reported their topics, which the first client triggers.
+/// @return Whether all worlds have listed their topics; they start when the first client connects.
 bool GzSession::areListsKnown() const {
   return std::ranges::all_of(worlds_->all(), [](const auto& world) { return world->areListsKnown(); });
 }
 
 void GzSession::topics(const Call&) {
   if (areListsKnown()) return sendTopics();
-  early_->topics = std::min(early_->topics + 1, kMostEarly);
+  deferred_->topics = std::min(deferred_->topics + 1, kMostDeferred);
 }
 
 void GzSession::topicsTypes(const Call&) {
   if (areListsKnown()) return sendTopicsTypes();
-  early_->types = std::min(early_->types + 1, kMostEarly);
+  deferred_->types = std::min(deferred_->types + 1, kMostDeferred);
 }
 
 void GzSession::sendTopics() {
@@ -161,44 +155,44 @@ void GzSession::worlds(const Call&) {
   client_->sendBinary(frame("pub", "worlds", list));
 }
 
-void GzSession::scene(const Call& call) { ask(call, "/scene/info", "ignition.msgs.Scene"); }
+void GzSession::scene(const Call& call) { requestFromWorld(call, "/scene/info", "ignition.msgs.Scene"); }
 
 void GzSession::particleEmitters(const Call& call) {
-  ask(call, "/particle_emitters", "ignition.msgs.ParticleEmitter_V");
+  requestFromWorld(call, "/particle_emitters", "ignition.msgs.ParticleEmitter_V");
 }
 
 /// Calls a service of the world that the request names. The response is empty if there is no such service.
-void GzSession::ask(const Call& call, const char* service, const char* type) {
+void GzSession::requestFromWorld(const Call& call, const char* service, const char* type) {
   const auto answer = [client = client_, operation = std::string(call.operation), type](const CallResult& result,
                                                                                         const Message& reply) {
     client->sendBinary(result ? frame("pub", operation, reply) : frame("pub", operation, *newMessage(type)));
   };
   const auto world = worlds_->find(call.topic);
   if (!world) return client_->sendBinary(frame("pub", call.operation, *newMessage(type)));
-  // not by the lists, which may not exist yet for the first client
+  // without looking into the lists of services, which do not exist yet for the first client
   world->request({"/world/" + world->world() + service, "ignition.msgs.Empty", type}, std::make_shared<im::Empty>(),
                  answer);
 }
 
-void GzSession::listen(const Call& call) {
-  if (const std::string fault = listening_->add(call.topic, false); !fault.empty()) error(call.topic, fault);
+void GzSession::subscribe(const Call& call) {
+  if (const std::string fault = subscriptions_->add(call.topic, false); !fault.empty()) error(call.topic, fault);
 }
 
 void GzSession::image(const Call& call) {
-  if (const std::string fault = listening_->add(call.topic, true); !fault.empty()) error(call.topic, fault);
+  if (const std::string fault = subscriptions_->add(call.topic, true); !fault.empty()) error(call.topic, fault);
 }
 
-void GzSession::unlisten(const Call& call) { listening_->remove(call.topic); }
+void GzSession::unsubscribe(const Call& call) { subscriptions_->remove(call.topic); }
 
 void GzSession::throttle(const Call& call) {
   double hz = 0;
   std::from_chars(call.payload.data(), call.payload.data() + call.payload.size(), hz);
-  if (const std::string fault = listening_->limit(call.topic, hz); !fault.empty()) error(call.topic, fault);
+  if (const std::string fault = subscriptions_->limit(call.topic, hz); !fault.empty()) error(call.topic, fault);
 }
 
 void GzSession::advertise(const Call& call) {
   if (const auto type = messageTypeName(call.type)) {
-    voice(call, *type);
+    publisherFor(call, *type);
   } else {
     error(call.topic, "there is no message type '" + std::string(call.type) + "'");
   }
@@ -207,42 +201,42 @@ void GzSession::advertise(const Call& call) {
 void GzSession::publish(const Call& call) {
   const auto message = readMessage(call.type, MessageForm::kProtobuf, std::as_bytes(std::span(call.payload)));
   if (const auto* fault = std::get_if<std::string>(&message)) return error(call.topic, *fault);
-  WorldLink::Voice* const speaker = voice(call, *messageTypeName(call.type));
-  if (speaker != nullptr && !speaker->publish(Payload(call.payload))) {
+  RemotePublisher* const publisher = publisherFor(call, *messageTypeName(call.type));
+  if (publisher != nullptr && !publisher->publish(Payload(call.payload))) {
     error(call.topic, "the world is too slow: a message was dropped");
   }
 }
 
 /// @return A publisher on the request's topic; null if that is impossible, after an error message to the client.
-WorldLink::Voice* GzSession::voice(const Call& call, const std::string& type) {
+RemotePublisher* GzSession::publisherFor(const Call& call, const std::string& type) {
   const std::pair key(std::string(call.topic), type);
-  if (const auto found = voices_.find(key); found != voices_.end()) return found->second.get();
+  if (const auto found = publishers_.find(key); found != publishers_.end()) return found->second.get();
   std::string fault;
   const auto all = worlds_->all();
   if (!client_->mayWrite()) fault = "this client is read-only";
   if (const auto name = topicNameError(call.topic)) fault = "the topic's name " + *name;
-  if (voices_.size() >= kMostVoices)
-    fault = "a client can publish on at most " + std::to_string(kMostVoices) + " topics";
+  if (publishers_.size() >= kMostPublishers)
+    fault = "a client can publish on at most " + std::to_string(kMostPublishers) + " topics";
   if (all.empty()) fault = "there is no world";
-  std::shared_ptr<WorldLink::Voice> speaker;
+  std::unique_ptr<RemotePublisher> publisher;
   if (fault.empty()) {
     // a topic that several worlds subscribe to is published in all of them
     const auto place = worlds_->findTopic(key.first);
-    speaker = (place ? place->world : all.front())->speak(key.first, type);
-    if (!speaker) fault = "the world is too slow";
+    publisher = (place ? place->world : all.front())->advertise(key.first, type);
+    if (!publisher) fault = "the world is too slow";
   }
   if (!fault.empty()) {
     error(call.topic, fault);
     return nullptr;
   }
-  return voices_.emplace(key, std::move(speaker)).first->second.get();
+  return publishers_.emplace(key, std::move(publisher)).first->second.get();
 }
 
 void GzSession::request(const Call& call) {
   const auto found = worlds_->findService(call.topic);
   if (!found) return client_->sendBinary(textFrame("req", call.topic, "service_not_found"));
   const OwnService& service = found->service;
-  if (!client_->mayWrite() && !isHarmless(call.topic)) return error(call.topic, "this client is read-only");
+  if (!client_->mayWrite() && !isReadOnlyService(call.topic)) return error(call.topic, "this client is read-only");
   if (messageTypeName(call.type) != service.requestType) {
     return error(call.topic, "the service takes " + service.requestType + ", not '" + std::string(call.type) + "'");
   }

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "web/gz/frame.hh"
-#include "web/gz/listening.hh"
 #include "web/gz/settings.hh"
+#include "web/gz/subscriptions.hh"
 #include "web/server/session.hh"
 #include "web/world/worlds.hh"
 
@@ -43,23 +43,23 @@ class GzSession final : public Session {
   void worlds(const Call& call);
   void scene(const Call& call);
   void particleEmitters(const Call& call);
-  void listen(const Call& call);
+  void subscribe(const Call& call);
   void image(const Call& call);
-  void unlisten(const Call& call);
+  void unsubscribe(const Call& call);
   void throttle(const Call& call);
   void advertise(const Call& call);
   void publish(const Call& call);
   void request(const Call& call);
   void asset(const Call& call);
 
-  /// Requests made before the worlds have reported their topics, answered afterwards.
-  struct Early;
+  /// Requests for lists of topics that wait until all worlds have listed theirs.
+  struct Deferred;
   bool areListsKnown() const;
   void sendTopics();
   void sendTopicsTypes();
 
-  WorldLink::Voice* voice(const Call& call, const std::string& type);
-  void ask(const Call& call, const char* service, const char* type);
+  RemotePublisher* publisherFor(const Call& call, const std::string& type);
+  void requestFromWorld(const Call& call, const char* service, const char* type);
   void error(std::string_view about, std::string_view text);
 
   const std::shared_ptr<Client> client_;
@@ -67,11 +67,11 @@ class GzSession final : public Session {
   const AssetSource& assets_;
   const GzSettings& settings_;
   const std::shared_ptr<void> counted_;
-  bool isLetIn_;
+  bool isAuthorized_;
   /// The client's publishers, by topic and type.
-  std::map<std::pair<std::string, std::string>, std::shared_ptr<WorldLink::Voice>> voices_;
-  const std::shared_ptr<Listening> listening_;
-  const std::shared_ptr<Early> early_;
+  std::map<std::pair<std::string, std::string>, std::unique_ptr<RemotePublisher>> publishers_;
+  const std::shared_ptr<Subscriptions> subscriptions_;
+  const std::shared_ptr<Deferred> deferred_;
   std::shared_ptr<void> watch_;
 };
 

@@ -103,9 +103,9 @@ TEST_F(GzSessionTest, AsksTheWorldForItsScene) {
 TEST_F(GzSessionTest, HearsAndIsHeard) {
   settings_.publicationHz = 1e9;
   auto publisher = world_.node().advertise<im::StringMsg>("/said");
-  std::vector<std::string> heard;
+  std::vector<std::string> received;
   const Subscription subscription = world_.node().subscribe<im::StringMsg>(
-      "/asked", [&](const im::StringMsg& message) { heard.push_back(message.data()); });
+      "/asked", [&](const im::StringMsg& message) { received.push_back(message.data()); });
   EXPECT_TRUE(say("sub,/said,,").empty());
   ASSERT_TRUE(world_.stepUntil([&] {
     client_->free();
@@ -119,8 +119,8 @@ TEST_F(GzSessionTest, HearsAndIsHeard) {
   EXPECT_TRUE(say("adv,/asked,gz.msgs.StringMsg,").empty());
   EXPECT_TRUE(say("pub,/asked,ignition.msgs.StringMsg," + text("x,y")).empty());
   EXPECT_TRUE(say("pub_in,/asked,StringMsg," + text("z")).empty());
-  ASSERT_TRUE(world_.stepUntil([&] { return heard.size() == 2; }));
-  EXPECT_EQ(heard, (std::vector<std::string>{"x,y", "z"}));
+  ASSERT_TRUE(world_.stepUntil([&] { return received.size() == 2; }));
+  EXPECT_EQ(received, (std::vector<std::string>{"x,y", "z"}));
   EXPECT_TRUE(say("unsub,/said,,").empty());
   EXPECT_TRUE(world_.stepUntil([&] { return !publisher.hasSubscribers(); }));
 }

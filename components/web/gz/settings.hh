@@ -18,6 +18,7 @@ struct GzSettings {
   int queueSizePerConnection = -1;
   /// How many topics of a type a client can subscribe to.
   std::map<std::string, int> subscriptionLimits;
+  bool operator==(const GzSettings&) const = default;
 };
 
 }  // namespace pongsim::web

@@ -140,19 +140,19 @@ bool Connection::receive(std::string_view part, std::size_t rest, bool isLastPie
   }
   const bool isWhole = rest == 0 && isLastPiece;
   if (isWhole && message_.empty()) {
-    hand(part, isBinary, log);
+    deliver(part, isBinary, log);
     return true;
   }
   message_.append(part);
   if (isWhole) {
-    hand(message_, isBinary, log);
+    deliver(message_, isBinary, log);
     message_.clear();
     if (message_.capacity() > kKeptMessage) message_.shrink_to_fit();
   }
   return true;
 }
 
-void Connection::hand(std::string_view message, bool isBinary, const Logger& log) {
+void Connection::deliver(std::string_view message, bool isBinary, const Logger& log) {
   if (!session_) return;
   try {
     if (isBinary) {

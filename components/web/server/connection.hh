@@ -65,7 +65,7 @@ class Connection final : public Client, public Callee, public std::enable_shared
   void add(Outbox::Item item);
   void wake();
   bool isClosing() const;
-  void hand(std::string_view message, bool isBinary, const Logger& log);
+  void deliver(std::string_view message, bool isBinary, const Logger& log);
   bool writePiece(std::vector<unsigned char>& buffer);
   /// @return Always false.
   bool closeNow(const Closing& closing);

@@ -15,7 +15,8 @@
 
 namespace pongsim::web {
 
-/// The queue of one client. Items that must not be lost are sent first and in order; data is sent in turns, key by key.
+/// The queue of one client. Items that must not be lost are sent first, in order; then data, one frame of each key in
+/// turn.
 /// For any thread.
 class Outbox {
  public:
@@ -45,24 +46,26 @@ class Outbox {
   std::uint64_t dropped() const;
 
  private:
-  struct Waiting {
+  /// A frame, or what makes it.
+  struct Data {
     Frame frame;
     std::function<Frame()> make;
   };
-  /// Data of one key.
-  struct Line {
-    std::deque<Waiting> waiting;
+  /// The queue of one key.
+  struct KeyQueue {
+    std::deque<Data> frames;
     std::list<std::uint64_t>::iterator turn;
   };
 
-  void addWaiting(std::uint64_t key, std::size_t most, Waiting waiting);
-  std::optional<Waiting> takeData();
+  void addToKey(std::uint64_t key, std::size_t most, Data data);
+  std::optional<Data> takeData();
 
   const ServerLimits& limits_;
   mutable std::mutex mutex_;
-  std::deque<Item> first_;
-  std::size_t firstBytes_ = 0;
-  std::unordered_map<std::uint64_t, Line> lines_;
+  /// Items that must not be lost.
+  std::deque<Item> reliable_;
+  std::size_t reliableBytes_ = 0;
+  std::unordered_map<std::uint64_t, KeyQueue> keys_;
   /// Keys with data, in the order of their turns.
   std::list<std::uint64_t> turns_;
   std::size_t dataBytes_ = 0;

@@ -28,11 +28,11 @@ namespace pongsim::web {
 
 namespace {
 
-// Limit of bytes in the kernel that the other side has not asked for: the rest waits in the outbox, where newer data
+// Limit of unsent bytes in the socket's buffer (TCP_NOTSENT_LOWAT): the rest stays in the outbox, where newer data
 // replaces it.
 constexpr int kUnsent = 64 << 10;
-// The library keeps tables for the maximum number of open files. In containers that may be 2^30, which needs too much
-// memory: beyond this limit the server sets a number of its own, and the library searches in a smaller table.
+// The library allocates a table for the maximum number of open files, which in containers may be 2^30. Beyond this
+// limit the server tells it a smaller number.
 constexpr long kMostFilesInTables = 65536;
 // In addition to connections: listening sockets, and the library's own.
 constexpr unsigned kOtherFiles = 32;
@@ -167,7 +167,7 @@ class Server::Loop {
     lws_set_log_level(LLL_ERR, &keepError);
     lws_context_creation_info info = contextInfo();
     context_ = lws_create_context(&info);
-    if (context_ == nullptr) throw std::runtime_error("the server can't be started: " + lastWords());
+    if (context_ == nullptr) throw std::runtime_error("the server can't be started: " + lastLibraryError());
     port_ = settings_.port;
     for (const std::string& address : settings_.addresses) {
       info.iface = address.c_str();
@@ -179,17 +179,17 @@ class Server::Loop {
         throw std::runtime_error((settings_.certificate.empty()
                                       ? "port " + std::to_string(port_) + " of " + address + " can't be opened: "
                                       : "the certificate can't be used or does not match the key: ") +
-                                 lastWords());
+                                 lastLibraryError());
       }
       port_ = lws_get_vhost_listen_port(host);
     }
   }
 
-  static std::string lastWords() {
+  static std::string lastLibraryError() {
     const std::lock_guard lock(errorMutex);
-    std::string words = lastError;
-    while (!words.empty() && words.back() == '\n') words.pop_back();
-    return words.empty() ? "no reason given" : words;
+    std::string text = lastError;
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text.empty() ? "no reason given" : text;
   }
 
   void work() {
@@ -287,7 +287,7 @@ class Server::Loop {
     const auto say = [socket](int status, const std::string& why) { return answerText(socket, status, why) ? 1 : -1; };
     const Permission permission = judgeClient(settings_.access, visitOf(socket));
     if (permission.kind == Permission::Kind::kRefused) {
-      // each reason once, because some clients retry again and again
+      // each reason once, because some clients retry without end
       if (reasons_.size() < kMostReasons && reasons_.insert(permission.why).second)
         log_.warning("a client was refused: " + permission.why);
       return say(permission.status, permission.why + "\n");
@@ -372,7 +372,7 @@ class Server::Loop {
   std::atomic<std::size_t> clients_ = 0;
   std::vector<unsigned char> buffer_;
   std::atomic<bool> mustEnd_ = false;
-  // starts last
+  // last, because it uses the members above
   std::thread thread_;
 };
 

@@ -9,7 +9,7 @@ namespace pongsim::web {
 
 namespace {
 
-// of rounds, as calls may add calls
+// Calls may add calls: so many rounds are made before sockets are served again.
 constexpr int kRounds = 2;
 constexpr std::chrono::microseconds kPeriod{1'000'000 / 120};
 
@@ -44,7 +44,6 @@ void Waker::callAll() {
     isDue = std::exchange(isDue_, false);
   }
   if (isDue) callRegulars();
-  // limited, so that sockets have their turn
   for (int round = 0; round < kRounds; ++round) {
     {
       const std::lock_guard lock(mutex_);

@@ -31,7 +31,7 @@ class Waker {
 
   /// See `Client::callRegularly`.
   std::shared_ptr<void> addRegular(std::weak_ptr<Callee> callee);
-  /// Calls everything that was added, including what is added meanwhile.
+  /// Makes the calls that were added, and those that these add.
   void callAll();
 
   /// Call when the server ends, after its thread has: nothing is called from now on.
@@ -60,8 +60,8 @@ class Waker {
   // used on the server's thread
   std::vector<std::shared_ptr<Callee>> called_;
   std::vector<std::weak_ptr<Regular>> regulars_;
-  /// Makes regular calls due, while there are any. The library's own timers sleep for whole milliseconds, rounded down,
-  /// and then poll for the rest of the time, which took 5 % of a processor.
+  /// Makes regular calls due, while there are any. Not one of the library's timers: they sleep for whole milliseconds,
+  /// rounded down, and poll for the rest, which took 5 % of a core.
   std::jthread timer_;
 };
 

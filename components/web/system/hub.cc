@@ -26,14 +26,6 @@ bool isSame(const ServerSettings& a, const ServerSettings& b) {
   return values(a) == values(b);
 }
 
-bool isSame(const GzSettings& a, const GzSettings& b) {
-  const auto values = [](const GzSettings& each) {
-    return std::tie(each.publicationHz, each.authorizationKey, each.adminAuthorizationKey, each.maxConnections,
-                    each.queueSizePerConnection, each.subscriptionLimits);
-  };
-  return values(a) == values(b);
-}
-
 }  // namespace
 
 std::shared_ptr<Hub> Hub::open(const ServerSettings& settings, const GzSettings& gz) {
@@ -44,7 +36,7 @@ std::shared_ptr<Hub> Hub::open(const ServerSettings& settings, const GzSettings&
   std::shared_ptr<Hub> hub = place.lock();
   if (!hub) {
     place = hub = std::make_shared<Hub>(settings, gz);
-  } else if (!isSame(hub->settings_, settings) || !isSame(hub->gzSettings_, gz)) {
+  } else if (!isSame(hub->settings_, settings) || hub->gzSettings_ != gz) {
     throw std::runtime_error("another world uses port " + std::to_string(settings.port) +
                              " with other settings; use the same settings for both, or another <port> for this one");
   }

@@ -12,7 +12,7 @@
 #include "web/gz/protocol.hh"
 #include "web/gz/settings.hh"
 #include "web/server/server.hh"
-#include "web/world/heard_log.hh"
+#include "web/world/recent_log.hh"
 #include "web/world/worlds.hh"
 
 namespace pongsim::web {
@@ -41,10 +41,10 @@ class Hub {
   const std::shared_ptr<Worlds> worlds_ = std::make_shared<Worlds>();
   ChannelList channels_;
   Assets assets_;
-  HeardLog heardLog_;
-  foxglove::FoxgloveProtocol foxglove_{worlds_, channels_, heardLog_, assets_};
+  RecentLog recentLog_;
+  foxglove::FoxgloveProtocol foxglove_{worlds_, channels_, recentLog_, assets_};
   gz::GzProtocol gz_;
-  // starts last
+  // last, because its thread uses the members above
   std::optional<Server> server_;
 };
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <stdexcept>
-#include <string_view>
 
 #include "pongsim/parameters.hh"
 #include "pongsim/program/network_interface.hh"
+#include "web/typed/asset_address.hh"
 
 namespace pongsim::web {
 
@@ -38,20 +37,6 @@ std::vector<std::string> ownNames() {
   if (gethostname(name.data(), name.size() - 1) != 0) return {};
   const std::string host = name.data();
   return {host, host + ".local"};
-}
-
-/// @return The text, escaped for the query of an address.
-std::string escaped(const std::string& text) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string result;
-  for (const unsigned char c : text) {
-    if (std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_' || c == '~') {
-      result += static_cast<char>(c);
-    } else {
-      result += {'%', kDigits[c >> 4U], kDigits[c & 15U]};
-    }
-  }
-  return result;
 }
 
 /// @throws std::runtime_error if there is none.
@@ -132,7 +117,7 @@ ServerSettings serverSettings(const WebParameters& parameters, const std::string
 std::string pageAddress(const ServerSettings& settings, int port) {
   std::string address = settings.certificate.empty() ? "http://" : "https://";
   address += settings.addresses.back() + ":" + std::to_string(port) + "/";
-  return settings.access.token.empty() ? address : address + "?token=" + escaped(settings.access.token);
+  return settings.access.token.empty() ? address : address + "?token=" + typed::percentEncoded(settings.access.token);
 }
 
 }  // namespace pongsim::web

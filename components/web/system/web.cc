@@ -55,7 +55,7 @@ class Web final : public System {
       settings.page = installedPage();
       hub_ = Hub::open(settings, parameters_.gz);
     } catch (const std::exception& error) {
-      // the run does not start
+      // an error here keeps the run from starting
       context.diagnostics.error(context.sdf.position, error.what());
       return;
     }
@@ -71,11 +71,11 @@ class Web final : public System {
 
   void preUpdate(const StepInfo& step) override {
     if (!relay_) return;
-    // in the first step, because only then the run has started
+    // in the first step: before it, the run may still fail to start
     if (std::exchange(mustAnnounce_, false)) announce(*hub_);
-    tellSettings(step);
+    reportSettings(step);
     relay_->update(step);
-    if (areFilesOld_ && hub_->server().clients() > 0) tellFiles();
+    if (areFilesOld_ && hub_->server().clients() > 0) updateFiles();
   }
 
   void postUpdate(const StepInfo& step) override {
@@ -88,7 +88,7 @@ class Web final : public System {
   }
 
  private:
-  void tellFiles() {
+  void updateFiles() {
     areFilesOld_ = false;
     const MessagePointer scene = newMessage("ignition.msgs.Scene");
     Scene(*world_).fillIn(*scene);
@@ -98,14 +98,14 @@ class Web final : public System {
   }
 
   /// Published in advance, because clients request it when they connect.
-  void tellSettings(const StepInfo& step) {
-    // there are no steps while it is paused
+  void reportSettings(const StepInfo& step) {
+    // while the world is paused, dt is 0
     if (step.dt > Time(0)) stepSize_ = toSeconds(step.dt);
     const Vector3 gravity = world_->gravity();
-    relay_->tell({.isPaused = step.paused,
-                  .realTimeFactor = world_->realTimeFactor(),
-                  .stepSize = stepSize_,
-                  .gravity = {gravity.x(), gravity.y(), gravity.z()}});
+    relay_->reportSettings({.isPaused = step.paused,
+                            .realTimeFactor = world_->realTimeFactor(),
+                            .stepSize = stepSize_,
+                            .gravity = {gravity.x(), gravity.y(), gravity.z()}});
   }
 
   WebParameters parameters_;

@@ -1,5 +1,6 @@
 #include "web/typed/asset_address.hh"
 
+#include <cctype>
 #include <charconv>
 
 namespace pongsim::web::typed {
@@ -10,28 +11,7 @@ constexpr std::string_view kPackage = "package://pongsim/";
 constexpr std::string_view kFile = "file";
 constexpr std::string_view kScheme = "://";
 
-bool isPlain(char letter) {
-  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
-         std::string_view("-._~/").find(letter) != std::string_view::npos;
-}
-
-std::string escaped(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string all;
-  for (const char letter : text) {
-    if (isPlain(letter)) {
-      all += letter;
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(letter);
-    all += '%';
-    all += kDigits[byte >> 4];
-    all += kDigits[byte & 15];
-  }
-  return all;
-}
-
-std::string unescaped(std::string_view text) {
+std::string percentDecoded(std::string_view text) {
   std::string all;
   for (std::size_t i = 0; i < text.size(); ++i) {
     unsigned byte = 0;
@@ -48,6 +28,21 @@ std::string unescaped(std::string_view text) {
 
 }  // namespace
 
+std::string percentEncoded(std::string_view text, std::string_view more) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string all;
+  for (const unsigned char c : text) {
+    const char letter = static_cast<char>(c);
+    if (std::isalnum(c) != 0 || std::string_view("-._~").find(letter) != std::string_view::npos ||
+        more.find(letter) != std::string_view::npos) {
+      all += letter;
+    } else {
+      all += {'%', kDigits[c >> 4U], kDigits[c & 15U]};
+    }
+  }
+  return all;
+}
+
 std::string packageAddress(std::string_view address) {
   std::string_view scheme = kFile;
   std::string_view rest = address;
@@ -56,12 +51,12 @@ std::string packageAddress(std::string_view address) {
     rest = address.substr(colon + kScheme.size());
   }
   while (scheme == kFile && rest.starts_with('/')) rest.remove_prefix(1);
-  return std::string(kPackage) + escaped(scheme) + "/" + escaped(rest);
+  return std::string(kPackage) + percentEncoded(scheme, "/") + "/" + percentEncoded(rest, "/");
 }
 
 std::string sceneAddress(std::string_view address) {
   if (!address.starts_with(kPackage)) return std::string(address);
-  const std::string plain = unescaped(address.substr(kPackage.size()));
+  const std::string plain = percentDecoded(address.substr(kPackage.size()));
   const std::size_t slash = plain.find('/');
   if (slash == std::string::npos) return std::string(address);
   const std::string scheme = plain.substr(0, slash);

@@ -5,6 +5,9 @@
 
 namespace pongsim::web::typed {
 
+/// @return The text for a URI: all but letters, digits, "-._~" and the characters in `more` as %XX (RFC 3986).
+std::string percentEncoded(std::string_view text, std::string_view more = {});
+
 /// @param address As in a scene: "/home/me/arm.dae", "model://arm/arm.dae".
 /// @return An address that Foxglove requests from the server, "package://pongsim/model/arm/arm.dae". It keeps the
 /// folders, so that a mesh finds its textures.

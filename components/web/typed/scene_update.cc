@@ -1,10 +1,9 @@
 #include "web/typed/scene_update.hh"
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <utility>
 
+#include "web/server/media_type.hh"
 #include "web/typed/asset_address.hh"
 #include "web/typed/parts.hh"
 
@@ -15,32 +14,16 @@ namespace {
 namespace im = ignition::msgs;
 using ::foxglove::SceneEntity;
 
-// Media types of mesh formats that Foxglove supports, by file extension.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kMeshes{{{".dae", "model/vnd.collada+xml"},
-                                                                                {".glb", "model/gltf-binary"},
-                                                                                {".gltf", "model/gltf+json"},
-                                                                                {".obj", "model/obj"},
-                                                                                {".stl", "model/stl"}}};
 // Size at which an infinite plane is drawn.
 constexpr double kPlaneSide = 100;
 
-std::string mediaType(std::string name) {
-  for (char& letter : name) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  for (const auto& [end, type] : kMeshes) {
-    if (name.ends_with(end)) return std::string(type);
-  }
-  return {};
-}
-
 void fillInColor(const im::Visual& visual, ::foxglove::Color& color) {
-  const bool isSaid = visual.has_material() && visual.material().has_diffuse();
+  const bool hasDiffuse = visual.has_material() && visual.material().has_diffuse();
   const im::Color& diffuse = visual.material().diffuse();
-  color.set_r(isSaid ? diffuse.r() : 0.7);
-  color.set_g(isSaid ? diffuse.g() : 0.7);
-  color.set_b(isSaid ? diffuse.b() : 0.7);
-  color.set_a((isSaid ? diffuse.a() : 1) * (1 - visual.transparency()));
+  color.set_r(hasDiffuse ? diffuse.r() : 0.7);
+  color.set_g(hasDiffuse ? diffuse.g() : 0.7);
+  color.set_b(hasDiffuse ? diffuse.b() : 0.7);
+  color.set_a((hasDiffuse ? diffuse.a() : 1) * (1 - visual.transparency()));
 }
 
 /// Fills in the fields that all primitives have, except sizes.
@@ -78,14 +61,14 @@ void addCapsule(const im::Visual& visual, SceneEntity& entity) {
   }
 }
 
-/// A plane perpendicular to the normal, as two triangles.
+/// A rectangle perpendicular to the normal, as two triangles.
 void addPlane(const im::Visual& visual, SceneEntity& entity) {
   const im::PlaneGeom& plane = visual.geometry().plane();
   const double x = plane.size().x() > 0 ? plane.size().x() / 2 : kPlaneSide / 2;
   const double y = plane.size().y() > 0 ? plane.size().y() / 2 : kPlaneSide / 2;
   auto& triangles = begin(visual, *entity.add_triangles());
   const im::Vector3d& n = plane.normal();
-  // corners in the x-y plane, rotated to the normal by the smallest angle
+  // corners in the x-y plane, rotated from z to the normal by the smallest angle (Rodrigues' formula)
   const bool isUp = n.x() == 0 && n.y() == 0;
   const double length = n.x() * n.x() + n.y() * n.y();
   const double tilt = isUp ? 0 : (1 - n.z()) / length;
@@ -102,7 +85,7 @@ void addMesh(const im::Visual& visual, SceneEntity& entity) {
   auto& model = begin(visual, *entity.add_models());
   fillIn(mesh.scale().x(), mesh.scale().y(), mesh.scale().z(), *model.mutable_scale());
   model.set_url(packageAddress(mesh.filename()));
-  model.set_media_type(mediaType(mesh.filename()));
+  model.set_media_type(std::string(mediaType(mesh.filename())));
 }
 
 void addShape(const im::Visual& visual, SceneEntity& entity) {

@@ -28,8 +28,8 @@ std::vector<std::shared_ptr<void>> WorldScene::listen() {
     if (const auto scene = self.lock()) scene->ask();
   };
   const std::string prefix = "/world/" + world_->world() + "/scene/";
-  return {world_->hear(prefix + "info", "ignition.msgs.Scene", {ask}),
-          world_->hear(prefix + "deletion", "ignition.msgs.UInt32_V", {ask})};
+  return {world_->subscribe(prefix + "info", "ignition.msgs.Scene", {ask}),
+          world_->subscribe(prefix + "deletion", "ignition.msgs.UInt32_V", {ask})};
 }
 
 std::shared_ptr<const WorldScene::State> WorldScene::state() const {

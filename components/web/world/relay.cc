@@ -10,8 +10,8 @@ namespace pongsim::web {
 namespace {
 
 constexpr std::string_view kAnyType = "*";
-// Minimum interval of look-ups for a world whose topics change in every step.
-constexpr std::chrono::milliseconds kBetweenLooks{50};
+// Minimum interval between updates, for a world whose topics change in every step.
+constexpr std::chrono::milliseconds kListInterval{50};
 
 }  // namespace
 
@@ -20,54 +20,54 @@ Relay::Relay(std::shared_ptr<Worlds> worlds, const std::string& world, const Nod
       node_(node),
       log_(log),
       link_(std::make_shared<WorldLink>(world, [waking = node]() mutable { waking.wake(); })),
-      side_(std::make_unique<WorldSide>(node, log)) {
+      endpoints_(std::make_unique<ClientEndpoints>(node, log)) {
   worlds_->add(link_);
 }
 
 Relay::~Relay() {
-  heard_.clear();
-  for (const auto& wish : link_->end()) wish(*side_);
-  side_.reset();
+  subscriptions_.clear();
+  for (const auto& task : link_->end()) task(*endpoints_);
+  endpoints_.reset();
   worlds_->remove(*link_);
 }
 
 void Relay::update(const StepInfo& step) {
   link_->setTime(step.time);
-  if (link_->takeHasWork()) work();
-  side_->giveUpOld();
+  if (link_->takeHasWork()) runTasks();
+  endpoints_->failOverdue();
   if (!worlds_->isWatched()) {
-    if (std::exchange(hasLooked_, false)) link_->setListsKnown(false);
+    if (std::exchange(hasListed_, false)) link_->setListsKnown(false);
     return;
   }
-  look();
+  updateLists();
 }
 
-void Relay::tell(const WorldSettings& settings) {
-  if (told_ == settings) return;
-  told_ = settings;
+void Relay::reportSettings(const WorldSettings& settings) {
+  if (reported_ == settings) return;
+  reported_ = settings;
   link_->setSettings(settings);
 }
 
-void Relay::work() {
-  for (const auto& wish : link_->takeWishes()) wish(*side_);
-  if (link_->takeEarsChanged()) followListeners(node_.ownTopics());
+void Relay::runTasks() {
+  for (const auto& task : link_->takeTasks()) task(*endpoints_);
+  if (link_->takeSubscriptionsChanged()) followSubscriptions(node_.ownTopics());
 }
 
-/// Lists topics and services, if something may have changed.
-void Relay::look() {
+/// Lists topics and services again if their versions have changed.
+void Relay::updateLists() {
   const std::uint64_t topics = node_.ownTopicsVersion();
   const std::uint64_t services = node_.ownServicesVersion();
-  if (hasLooked_ && topics == topicsVersion_ && services == servicesVersion_) return;
+  if (hasListed_ && topics == topicsVersion_ && services == servicesVersion_) return;
   const Clock::time_point now = Clock::now();
-  if (hasLooked_ && now - lookedAt_ < kBetweenLooks) return;
-  hasLooked_ = true;
-  lookedAt_ = now;
+  if (hasListed_ && now - listedAt_ < kListInterval) return;
+  hasListed_ = true;
+  listedAt_ = now;
   topicsVersion_ = topics;
   servicesVersion_ = services;
   const std::vector<OwnTopic> own = node_.ownTopics();
   Lists lists = listsOf(own);
   // a topic received from another process may now be published by the world itself
-  followListeners(own);
+  followSubscriptions(own);
   const bool isFirst = !link_->areListsKnown();
   const bool isSame = lists == *link_->lists();
   if (!isSame) link_->setLists(std::make_shared<const Lists>(std::move(lists)));
@@ -81,9 +81,10 @@ Lists Relay::listsOf(const std::vector<OwnTopic>& topics) {
     if (topic.type == kAnyType) continue;
     Topic seen{topic.name, topic.type, topic.publishers + topic.relayingPublishers, topic.subscriptions,
                topic.isLatched};
-    if (const auto heard = heard_.find({topic.name, topic.type}); heard != heard_.end()) {
-      if (heard->second.subscription) --seen.subscribers;
-      heard->second.topic->keepLast(topic.isLatched);
+    if (const auto found = subscriptions_.find({topic.name, topic.type}); found != subscriptions_.end()) {
+      // our own is not reported
+      if (found->second.subscription) --seen.subscribers;
+      found->second.shared->keepLast(topic.isLatched);
     }
     if (seen.publishers + seen.subscribers > 0) lists.topics.push_back(std::move(seen));
   }
@@ -91,35 +92,35 @@ Lists Relay::listsOf(const std::vector<OwnTopic>& topics) {
   return lists;
 }
 
-void Relay::followListeners(const std::vector<OwnTopic>& topics) {
-  const auto wanted = link_->heardTopics();
-  const std::set<std::shared_ptr<HeardTopic>> all(wanted.begin(), wanted.end());
-  std::erase_if(heard_, [&](const auto& each) { return !all.contains(each.second.topic); });
+void Relay::followSubscriptions(const std::vector<OwnTopic>& topics) {
+  const auto wanted = link_->subscriptions();
+  const std::set<std::shared_ptr<SharedSubscription>> all(wanted.begin(), wanted.end());
+  std::erase_if(subscriptions_, [&](const auto& each) { return !all.contains(each.second.shared); });
   if (wanted.empty()) return;
   std::map<Key, const OwnTopic*> own;
   for (const OwnTopic& topic : topics) own.emplace(Key(topic.name, topic.type), &topic);
-  for (const auto& topic : wanted) {
-    const auto found = own.find({topic->name, topic->type});
+  for (const auto& shared : wanted) {
+    const auto found = own.find({shared->name, shared->type});
     // receiving the world's own topics from other processes too would cost a DDS reader
     const bool ownOnly = found != own.end() && found->second->publishers > 0;
-    Heard& heard = heard_[{topic->name, topic->type}];
-    if (heard.topic && heard.ownOnly == ownOnly) continue;
-    topic->keepLast(found != own.end() && found->second->isLatched);
-    heard = {topic, {}, ownOnly};
-    heard.subscription = subscribe(topic, ownOnly);
+    Subscribed& subscribed = subscriptions_[{shared->name, shared->type}];
+    if (subscribed.shared && subscribed.ownOnly == ownOnly) continue;
+    shared->keepLast(found != own.end() && found->second->isLatched);
+    subscribed = {shared, {}, ownOnly};
+    subscribed.subscription = subscribe(shared, ownOnly);
   }
 }
 
-Subscription Relay::subscribe(const std::shared_ptr<HeardTopic>& topic, bool ownOnly) {
+Subscription Relay::subscribe(const std::shared_ptr<SharedSubscription>& shared, bool ownOnly) {
   try {
     return node_.subscribeBytesAtOnce(
-        topic->name, topic->type,
-        [topic, link = link_](std::size_t size, const std::function<void(std::span<std::byte>)>& write) {
-          topic->heard(size, write, link->timeNs());
+        shared->name, shared->type,
+        [shared, link = link_](std::size_t size, const std::function<void(std::span<std::byte>)>& write) {
+          shared->receive(size, write, link->timeNs());
         },
         {.ownOnly = ownOnly});
   } catch (const std::exception& error) {
-    log_.warning("clients can't subscribe to '" + topic->name + "': " + error.what());
+    log_.warning("clients can't subscribe to '" + shared->name + "': " + error.what());
     return {};
   }
 }

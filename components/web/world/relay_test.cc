@@ -23,12 +23,12 @@ class RelayTest : public testing::Test {
   }
   std::shared_ptr<WorldLink> link() { return worlds_->find("w"); }
   /// Subscribes, and adds received messages to `texts_`.
-  std::shared_ptr<void> hear(const std::string& name) {
-    return link()->hear(name, "ignition.msgs.StringMsg", {[this](const Payload& bytes, std::uint64_t timeNs) {
-                          im::StringMsg message;
-                          message.ParseFromArray(bytes.bytes().data(), static_cast<int>(bytes.size()));
-                          texts_.push_back(message.data() + "@" + std::to_string(timeNs / 1'000'000'000));
-                        }});
+  std::shared_ptr<void> subscribe(const std::string& name) {
+    return link()->subscribe(name, "ignition.msgs.StringMsg", {[this](const Payload& bytes, std::uint64_t timeNs) {
+                               im::StringMsg message;
+                               message.ParseFromArray(bytes.bytes().data(), static_cast<int>(bytes.size()));
+                               texts_.push_back(message.data() + "@" + std::to_string(timeNs / 1'000'000'000));
+                             }});
   }
   static im::StringMsg text(const std::string& data) {
     im::StringMsg message;
@@ -72,18 +72,18 @@ TEST_F(RelayTest, ListensForAsLongAsAClientDoes) {
   auto publisher = world_.node().advertise<im::StringMsg>("/said");
   world_.step();
   EXPECT_FALSE(publisher.hasSubscribers());
-  auto ear = hear("/said");
+  auto subscription = subscribe("/said");
   world_.step();
   EXPECT_TRUE(publisher.hasSubscribers());
   publisher.publish(text("a"));
   EXPECT_EQ(texts_, (std::vector<std::string>{"a@2"}));
-  ear.reset();
+  subscription.reset();
   world_.step();
   EXPECT_FALSE(publisher.hasSubscribers());
 }
 
 TEST_F(RelayTest, DoesNotTellOfItsOwnListening) {
-  const auto ear = hear("/nobody");
+  const auto subscription = subscribe("/nobody");
   world_.step();
   const auto publisher = world_.node().advertise<im::StringMsg>("/somebody");
   ASSERT_TRUE(world_.stepUntil([&] { return topic("/somebody").has_value(); }));
@@ -93,34 +93,34 @@ TEST_F(RelayTest, DoesNotTellOfItsOwnListening) {
 TEST_F(RelayTest, TellsWhatIsLatchedToEachWhoComes) {
   auto publisher = world_.node().advertise<im::StringMsg>("/said", {.latched = true});
   publisher.publish(text("a"));
-  const auto first = hear("/said");
+  const auto first = subscribe("/said");
   ASSERT_TRUE(world_.stepUntil([&] { return texts_.size() == 1; }));
-  const auto second = hear("/said");
+  const auto second = subscribe("/said");
   EXPECT_EQ(texts_.size(), 2U);
 }
 
 TEST_F(RelayTest, CarriesWhatAClientPublishes) {
-  std::vector<std::string> heard;
+  std::vector<std::string> received;
   const Subscription subscription = world_.node().subscribe<im::StringMsg>(
-      "/asked", [&](const im::StringMsg& message) { heard.push_back(message.data()); });
-  auto voice = link()->speak("/asked", "ignition.msgs.StringMsg");
-  ASSERT_TRUE(voice->publish(payload(text("a"))));
-  ASSERT_TRUE(voice->publish(payload(text("b"))));
+      "/asked", [&](const im::StringMsg& message) { received.push_back(message.data()); });
+  auto publisher = link()->advertise("/asked", "ignition.msgs.StringMsg");
+  ASSERT_TRUE(publisher->publish(payload(text("a"))));
+  ASSERT_TRUE(publisher->publish(payload(text("b"))));
   world_.steps(2);
-  EXPECT_EQ(heard, (std::vector<std::string>{"a", "b"}));
-  voice.reset();
+  EXPECT_EQ(received, (std::vector<std::string>{"a", "b"}));
+  publisher.reset();
   world_.step();
   ASSERT_TRUE(world_.stepUntil([&] { return topic("/asked").has_value(); }));
   EXPECT_TRUE(world_.stepUntil([&] { return topic("/asked")->publishers == 0; }));
 }
 
 TEST_F(RelayTest, RefusesWhatAWorldThatStandsStillCannotTake) {
-  const auto voice = link()->speak("/asked", "ignition.msgs.StringMsg");
+  const auto publisher = link()->advertise("/asked", "ignition.msgs.StringMsg");
   bool isRefused = false;
-  for (int i = 0; i < 100'000 && !isRefused; ++i) isRefused = !voice->publish(payload(text("a")));
+  for (int i = 0; i < 100'000 && !isRefused; ++i) isRefused = !publisher->publish(payload(text("a")));
   EXPECT_TRUE(isRefused);
   world_.step();
-  EXPECT_TRUE(voice->publish(payload(text("a"))));
+  EXPECT_TRUE(publisher->publish(payload(text("a"))));
 }
 
 TEST_F(RelayTest, CarriesRequestsAndAnswers) {
@@ -156,7 +156,7 @@ TEST_F(RelayTest, AnswersWhatWaitsWhenTheWorldEnds) {
   world_.end();
   EXPECT_NE(answer.find("ended"), std::string::npos) << answer;
   EXPECT_TRUE(worlds_->all().empty());
-  EXPECT_EQ(gone->speak("/t", "ignition.msgs.StringMsg"), nullptr);
+  EXPECT_EQ(gone->advertise("/t", "ignition.msgs.StringMsg"), nullptr);
   EXPECT_TRUE(gone->lists()->topics.empty());
 }
 

@@ -33,18 +33,18 @@ TEST_F(WorldLinkTest, KnowsTheNameAndTheTime) {
 TEST_F(WorldLinkTest, ListensAnewAfterTheLastHasLeft) {
   auto publisher = world_.node().advertise<im::StringMsg>("/said");
   for (int round = 0; round < 3; ++round) {
-    int heard = 0;
-    auto ear = link_->hear("/said", kText, {[&](const Payload&, std::uint64_t) { ++heard; }});
-    auto other = link_->hear("/said", kText, {[&](const Payload&, std::uint64_t) { ++heard; }});
+    int received = 0;
+    auto subscription = link_->subscribe("/said", kText, {[&](const Payload&, std::uint64_t) { ++received; }});
+    auto other = link_->subscribe("/said", kText, {[&](const Payload&, std::uint64_t) { ++received; }});
     world_.step();
     publisher.publish(im::StringMsg());
-    EXPECT_EQ(heard, 2);
+    EXPECT_EQ(received, 2);
     other.reset();
     publisher.publish(im::StringMsg());
-    EXPECT_EQ(heard, 3);
-    ear.reset();
+    EXPECT_EQ(received, 3);
+    subscription.reset();
     publisher.publish(im::StringMsg());
-    EXPECT_EQ(heard, 3);
+    EXPECT_EQ(received, 3);
   }
 }
 
@@ -54,11 +54,11 @@ TEST_F(WorldLinkTest, MayBeAskedByWhoHearsAMessage) {
       world_.node().serve<im::StringMsg, im::Boolean>("/s", [](const auto&, auto&) { return true; });
   // the end of the world fails the pending requests
   const auto answers = std::make_shared<int>(0);
-  const auto ear =
-      link_->hear("/said", kText, {[this, answers](const Payload&, std::uint64_t) {
-                    link_->request({"/s", kText, "ignition.msgs.Boolean"}, std::make_shared<im::StringMsg>(),
-                                   [answers](const CallResult&, const Message&) { ++*answers; });
-                  }});
+  const auto subscription =
+      link_->subscribe("/said", kText, {[this, answers](const Payload&, std::uint64_t) {
+                         link_->request({"/s", kText, "ignition.msgs.Boolean"}, std::make_shared<im::StringMsg>(),
+                                        [answers](const CallResult&, const Message&) { ++*answers; });
+                       }});
   ASSERT_TRUE(world_.stepUntil([&] {
     publisher.publish(im::StringMsg());
     return *answers > 0;
@@ -66,19 +66,19 @@ TEST_F(WorldLinkTest, MayBeAskedByWhoHearsAMessage) {
 }
 
 TEST_F(WorldLinkTest, OutlivesTheWorld) {
-  auto voice = link_->speak("/asked", kText);
-  auto ear = link_->hear("/said", kText, {[](const Payload&, std::uint64_t) {}});
+  auto publisher = link_->advertise("/asked", kText);
+  auto subscription = link_->subscribe("/said", kText, {[](const Payload&, std::uint64_t) {}});
   world_.end();
-  EXPECT_FALSE(voice->publish(Payload("")));
+  EXPECT_FALSE(publisher->publish(Payload("")));
   std::string error;
   link_->request({"/s", kText, kText}, std::make_shared<im::StringMsg>(),
                  [&](const CallResult& result, const Message&) { error = result.error; });
   EXPECT_NE(error.find("ended"), std::string::npos) << error;
-  EXPECT_NE(link_->hear("/other", kText, {[](const Payload&, std::uint64_t) {}}), nullptr);
+  EXPECT_NE(link_->subscribe("/other", kText, {[](const Payload&, std::uint64_t) {}}), nullptr);
 }
 
 TEST_F(WorldLinkTest, TakesWhatSeveralThreadsWish) {
-  auto publisher = world_.node().advertise<im::StringMsg>("/said", {.latched = true});
+  auto publication = world_.node().advertise<im::StringMsg>("/said", {.latched = true});
   const Service service =
       world_.node().serve<im::StringMsg, im::Boolean>("/s", [](const auto&, auto&) { return true; });
   std::atomic<int> asked = 0;
@@ -88,10 +88,11 @@ TEST_F(WorldLinkTest, TakesWhatSeveralThreadsWish) {
   for (int i = 0; i < 3; ++i) {
     clients.emplace_back([&] {
       for (int round = 0; round < 300; ++round) {
-        std::atomic<int> heard = 0;
-        const auto ear = link_->hear("/said", kText, {[&](const Payload&, std::uint64_t) { ++heard; }});
-        const auto voice = link_->speak("/asked", kText);
-        if (voice) voice->publish(Payload(""));
+        std::atomic<int> received = 0;
+        const auto subscription =
+            link_->subscribe("/said", kText, {[&](const Payload&, std::uint64_t) { ++received; }});
+        const auto publisher = link_->advertise("/asked", kText);
+        if (publisher) publisher->publish(Payload(""));
         ++asked;
         link_->request({"/s", kText, "ignition.msgs.Boolean"}, std::make_shared<im::StringMsg>(),
                        [&](const CallResult&, const Message&) { ++answered; });
@@ -100,13 +101,13 @@ TEST_F(WorldLinkTest, TakesWhatSeveralThreadsWish) {
     });
   }
   ASSERT_TRUE(world_.stepUntil([&] {
-    publisher.publish(im::StringMsg());
+    publication.publish(im::StringMsg());
     return running == 0;
   }));
   clients.clear();
   EXPECT_TRUE(world_.stepUntil([&] { return answered == asked; }));
   world_.steps(2);
-  EXPECT_FALSE(publisher.hasSubscribers());
+  EXPECT_FALSE(publication.hasSubscribers());
 }
 
 }  // namespace

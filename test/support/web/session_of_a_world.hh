@@ -50,11 +50,11 @@ class SessionTest : public testing::Test {
     json found;
     world_.stepUntil([&] {
       client_->free();
-      for (const std::string& text : client_->takeTexts()) told_.push_back(json::parse(text));
-      for (auto each = told_.begin(); each != told_.end(); ++each) {
+      for (const std::string& text : client_->takeTexts()) received_.push_back(json::parse(text));
+      for (auto each = received_.begin(); each != received_.end(); ++each) {
         if ((*each)["op"] != operation) continue;
         found = *each;
-        told_.erase(each);
+        received_.erase(each);
         return true;
       }
       return false;
@@ -103,10 +103,10 @@ class SessionTest : public testing::Test {
   std::shared_ptr<RecordedClient> client_ = std::make_shared<RecordedClient>();
   RecordedOwnChannels own_;
   RecordedAssets assets_;
-  HeardLog log_;
+  RecentLog log_;
   FoxgloveProtocol protocol_{worlds_, own_, log_, assets_};
   std::unique_ptr<Session> session_;
-  std::vector<json> told_;
+  std::vector<json> received_;
 };
 
 }  // namespace pongsim::web::foxglove

@@ -40,7 +40,7 @@ class SteppedWorld {
   }
 
   /// Reports these settings.
-  void tell(const WorldSettings& settings) { relay_->tell(settings); }
+  void reportSettings(const WorldSettings& settings) { relay_->reportSettings(settings); }
 
   /// Ends the world.
   void end() { relay_.reset(); }
