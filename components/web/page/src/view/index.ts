@@ -1,5 +1,5 @@
 /// The 3D view, as used by the page. It is independent of the connection: the page passes in scenes, poses and files.
-export type { Direction } from './camera/orbit.ts';
+export type { Direction } from './camera/eye.ts';
 export type { Pose } from './maths/placement.ts';
 export type { Message } from './messages.ts';
 export type { Frame } from './scene/places.ts';

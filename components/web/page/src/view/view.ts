@@ -1,10 +1,9 @@
 import { PCFShadowMap, Sphere, type Vector3, WebGLRenderer } from 'three';
 
-import { Eye } from './camera/eye.ts';
+import { type Direction, Eye } from './camera/eye.ts';
 import { keyMove } from './camera/keys.ts';
-import type { Direction } from './camera/orbit.ts';
 import { Pace } from './camera/pace.ts';
-import { type Gesture, Pointer } from './camera/pointer.ts';
+import { Pointer } from './camera/pointer.ts';
 import { type Pose, placementOfPose, poseOf } from './maths/placement.ts';
 import type { Message, ModelMessage, SceneMessage } from './messages.ts';
 import { Cloud } from './overlays/cloud.ts';
@@ -45,7 +44,8 @@ const restTime = 300;
 export class View {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
-  private readonly eye = new Eye();
+  // in a wide scene, shadows are drawn around the target of the viewpoint
+  private readonly eye = new Eye(() => this.sceneChanged());
   private readonly shown = new Shown();
   private readonly stage: Stage;
   private readonly marked: Marked;
@@ -67,7 +67,7 @@ export class View {
   private followed: { entity: number; last: Vector3 | null } | null = null;
   private ghost: Ghost | null = null;
   private recorder: Recorder | null = null;
-  private picture: number | null = null;
+  private nextFrame: number | null = null;
   private readonly pace = new Pace();
   private rest: ReturnType<typeof setTimeout> | undefined;
   private needsShadows = true;
@@ -108,16 +108,15 @@ export class View {
     this.drag = new Drag(this.stage.places, invalidate);
     this.handles = new Handles(this.eye.camera, this.canvas, this.stage.root, {
       moved: (placement, during) => this.handlesMoved(poseOf(placement), during),
-      busy: (isBusy) => (this.pointer.isEnabled = !isBusy),
+      busy: (isBusy) => (this.eye.controls.enabled = !isBusy),
       changed: invalidate,
     });
-    this.pointer = new Pointer(this.canvas, {
-      begin: (gesture, x, y) => this.begin(gesture, x, y),
-      drag: (gesture, right, down) => this.dragged(gesture, right, down),
-      zoom: (factor, x, y) => this.moveEye(() => this.eye.zoom(factor, this.eye.rayThrough(x, y).ray.direction)),
+    this.pointer = new Pointer(this.canvas, this.eye.controls, {
+      turns: (x, y) => this.turnAround(x, y),
       click: (x, y) => this.clicked(x, y),
       hover: (x, y) => this.hovered(x, y),
     });
+    this.eye.controls.connect(this.canvas);
     const over = [this.marked.group, this.scans.group, this.clouds.group, this.outline.object];
     this.stage.root.add(this.grid, ...over);
     this.sizes = new ResizeObserver(() => this.resize());
@@ -172,8 +171,8 @@ export class View {
 
   /// Schedules a frame.
   private invalidate(): void {
-    this.picture ??= requestAnimationFrame((now) => {
-      this.picture = null;
+    this.nextFrame ??= requestAnimationFrame((now) => {
+      this.nextFrame = null;
       // the size of a video is fixed
       const scale = this.recorder ? 1 : this.pace.next(now);
       this.setScale(scale);
@@ -230,7 +229,7 @@ export class View {
 
   applyFrame(frame: Frame): void {
     const hasMoved = this.stage.places.apply(frame);
-    this.drag.heard(frame.ids);
+    this.drag.received(frame.ids);
     if (hasMoved) this.invalidate();
   }
 
@@ -259,7 +258,7 @@ export class View {
 
   follow(entity: number | null): void {
     this.followed = entity === null ? null : { entity, last: this.stage.places.position(entity)?.clone() ?? null };
-    if (this.followed?.last) this.moveEye(() => this.eye.shift(this.followed!.last!.clone().sub(this.eye.target)));
+    if (this.followed?.last) this.eye.shift(this.followed.last.clone().sub(this.eye.target));
   }
 
   private goAlong(): void {
@@ -270,25 +269,19 @@ export class View {
     this.followed.last = now;
   }
 
-  private moveEye(move: () => void): void {
-    move();
-    // in a wide scene, shadows are drawn around the target of the viewpoint
-    this.sceneChanged();
-  }
-
   /// Moves the viewpoint so that the whole entity is visible.
   lookAt(entity: number): void {
     const { center, radius } = this.stage.boundsOf(entity).getBoundingSphere(new Sphere());
-    if (radius > 0) this.moveEye(() => this.eye.lookAt(center, radius));
+    if (radius > 0) this.eye.lookAt(center, radius);
   }
 
   lookFrom(direction: Direction): void {
-    this.moveEye(() => this.eye.lookFrom(direction));
+    this.eye.lookFrom(direction);
   }
 
   /// The viewpoint: looks along x, z is up.
   setCamera(pose: Pose): void {
-    this.moveEye(() => (this.eye.placement = placementOfPose(pose)));
+    this.eye.placement = placementOfPose(pose);
   }
 
   camera(): Pose {
@@ -385,18 +378,10 @@ export class View {
     this.invalidate();
   }
 
-  private begin(gesture: Gesture, x: number, y: number): void {
-    if (gesture !== 'turn') return;
+  /// Rotates around what is at the pointer.
+  private turnAround(x: number, y: number): void {
     const met = this.stage.batches.meet(this.eye.rayThrough(x, y))[0];
     if (met && met.hit.distance < 200) this.eye.turnAround(met.hit.distance);
-  }
-
-  private dragged(gesture: Gesture, right: number, down: number): void {
-    this.moveEye(() => {
-      if (gesture === 'turn') this.eye.turn(right, down);
-      else if (gesture === 'pan') this.eye.pan(right, down);
-      else this.eye.zoom(Math.exp(3 * down), null);
-    });
   }
 
   private hovered(x: number, y: number): void {
@@ -425,7 +410,8 @@ export class View {
     if (move === null) return;
     event.preventDefault();
     event.stopPropagation();
-    this.moveEye(() => ('turn' in move ? this.eye.turn(...move.turn) : this.eye.zoom(move.zoom, null)));
+    if ('turn' in move) this.eye.turn(...move.turn);
+    else this.eye.zoom(move.zoom);
   }
 
   private giveUp(event: KeyboardEvent): void {
@@ -463,10 +449,11 @@ export class View {
 
   dispose(): void {
     clearTimeout(this.rest);
-    if (this.picture !== null) cancelAnimationFrame(this.picture);
+    if (this.nextFrame !== null) cancelAnimationFrame(this.nextFrame);
     this.end.abort();
     this.sizes.disconnect();
     this.pointer.dispose();
+    this.eye.controls.dispose();
     this.drag.dispose();
     this.handles.dispose();
     this.scans.clear();
@@ -475,6 +462,6 @@ export class View {
     this.stage.dispose();
     this.renderer.dispose();
     this.canvas.remove();
-    if (this.picture !== null) cancelAnimationFrame(this.picture);
+    if (this.nextFrame !== null) cancelAnimationFrame(this.nextFrame);
   }
 }

@@ -192,7 +192,7 @@ describe('the view', { skip: without }, () => {
     };
     await drag('left');
     const panned = await eye();
-    assert.ok(panned.position[1] > 0.1 && panned.orientation[2] === 0, 'the world follows the pointer');
+    assert.ok(panned.position[1] > 0.1 && Math.abs(panned.orientation[2]) < 1e-9, 'the world follows the pointer');
     await drag('middle');
     const turned = await eye();
     assert.ok(turned.orientation[2] < -0.01);

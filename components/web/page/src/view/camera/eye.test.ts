@@ -1,15 +1,44 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Vector3 } from 'three';
+import { MOUSE, TOUCH, Vector3 } from 'three';
 
 import { fromRollPitchYaw } from '../maths/placement.ts';
 import { Eye } from './eye.ts';
+import { wheelSpeed } from './pointer.ts';
+
+function near(a: Vector3, b: Vector3, tolerance = 1e-9): void {
+  assert.ok(a.distanceTo(b) < tolerance, `${a.toArray()} is not ${b.toArray()}`);
+}
 
 function eyeAt(x: number, y: number, z: number, pitch: number): Eye {
   const eye = new Eye();
   eye.resize(200, 100);
   eye.placement = { position: new Vector3(x, y, z), rotation: fromRollPitchYaw(0, pitch, 0) };
   return eye;
+}
+
+/// Looks along x at a target at (10, 0, 0), from a distance of 10 m.
+function eyeAlong(): Eye {
+  const eye = eyeAt(0, 0, 0, 0);
+  near(eye.target, new Vector3(10, 0, 0));
+  return eye;
+}
+
+/// An element of 200 x 100 pixels that listens.
+function elementFor(eye: Eye) {
+  const element = Object.assign(new EventTarget(), {
+    clientWidth: 200, clientHeight: 100, style: {}, ownerDocument: new EventTarget(), getRootNode: () => element,
+    getBoundingClientRect: () => ({ left: 0, top: 0, width: 200, height: 100 }),
+    setPointerCapture: () => {}, releasePointerCapture: () => {},
+  });
+  eye.controls.connect(element as unknown as HTMLElement);
+  return element;
+}
+
+function wheel(eye: Eye, deltaY: number, deltaMode = 0, clientX = 100, clientY = 50): void {
+  eye.controls.zoomSpeed = wheelSpeed({ deltaY, deltaMode });
+  const element = eye.controls.domElement ?? elementFor(eye);
+  element.dispatchEvent(Object.assign(new Event('wheel'), { deltaY, deltaMode, clientX, clientY }));
 }
 
 test('the ray through the middle goes where the eye looks', () => {
@@ -32,15 +61,129 @@ test('looking at a ball has it in the middle and inside the picture', () => {
   assert.ok(Math.abs(new Vector3(10, 10, 2).project(eye.camera).y) < 1);
 });
 
+test('a ball fits into a narrow picture too', () => {
+  const eye = eyeAlong();
+  eye.lookAt(new Vector3(1, 2, 3), 2);
+  const wide = eye.controls.getDistance();
+  near(eye.target, new Vector3(1, 2, 3));
+  eye.resize(50, 100);
+  eye.lookAt(new Vector3(1, 2, 3), 2);
+  assert.ok(wide > 4);
+  assert.ok(eye.controls.getDistance() > wide * 1.5);
+});
+
 test('turning around something at another distance keeps the eye where it is', () => {
   const eye = eyeAt(-5, 0, 2, 0.3);
   const before = eye.placement.position;
   eye.turnAround(1);
   assert.ok(eye.placement.position.distanceTo(before) < 1e-9);
+  assert.ok(Math.abs(eye.controls.getDistance() - 1) < 1e-9);
 });
 
 test('the eye goes along', () => {
   const eye = eyeAt(-5, 0, 2, 0);
   eye.shift(new Vector3(0, 3, 0));
   assert.ok(eye.placement.position.distanceTo(new Vector3(-5, 3, 2)) < 1e-9);
+});
+
+test("home is Fortress's first view", () => {
+  const eye = new Eye();
+  near(eye.placement.position, new Vector3(-6, 0, 6));
+  assert.ok(Math.abs(eye.placement.rotation.dot(fromRollPitchYaw(0, 0.5, 0))) > 1 - 1e-9);
+  assert.ok(Math.abs(eye.target.z) < 1e-9, 'it looks at the ground');
+});
+
+test('a pose goes through', () => {
+  const X = { position: new Vector3(1, 2, 3), rotation: fromRollPitchYaw(0, 0.3, -2) };
+  const eye = new Eye();
+  eye.placement = X;
+  const { position, rotation } = eye.placement;
+  near(position, X.position);
+  assert.ok(Math.abs(rotation.dot(X.rotation)) > 1 - 1e-9);
+});
+
+test('an eye that looks straight down does not flip', () => {
+  const eye = eyeAt(0, 0, 5, Math.PI / 2);
+  near(eye.placement.position, new Vector3(0, 0, 5), 0.01);
+  near(new Vector3(0, 1, 0).applyQuaternion(eye.camera.quaternion), new Vector3(1, 0, 0), 0.01);
+});
+
+test("three's camera looks ahead with z up", () => {
+  const rotation = eyeAlong().camera.quaternion;
+  near(new Vector3(0, 0, -1).applyQuaternion(rotation), new Vector3(1, 0, 0));
+  near(new Vector3(0, 1, 0).applyQuaternion(rotation), new Vector3(0, 0, 1));
+});
+
+test('turning keeps the target and stops at the poles', () => {
+  const eye = eyeAlong();
+  eye.turn(0.25, 10);
+  near(eye.target, new Vector3(10, 0, 0));
+  assert.ok(Math.abs(eye.camera.up.dot(eye.rayThrough(0.5, 0.5).ray.direction)) < 1);
+  assert.ok(eye.camera.position.z > 9.9);
+});
+
+test('panning takes the world along', () => {
+  const eye = eyeAlong();
+  elementFor(eye);
+  // of a picture of 100 pixels; its height at the target [m]
+  const height = 2 * 10 * Math.tan(1.05 / 2);
+  eye.controls.pan(50, 0);
+  near(eye.target, new Vector3(10, height / 2, 0));
+  eye.controls.pan(-50, 50);
+  near(eye.target, new Vector3(10, 0, height / 2));
+});
+
+test('zooming keeps what is under the pointer', () => {
+  const eye = eyeAlong();
+  const { ray } = eye.rayThrough(0.7, 0.4);
+  wheel(eye, -200, 0, 140, 40);
+  const path = eye.camera.position.clone().sub(ray.origin);
+  assert.ok(path.length() > 1);
+  near(path.normalize(), ray.direction, 1e-6);
+});
+
+test('zooming ends before the target and before the end of the world', () => {
+  const eye = eyeAlong();
+  eye.zoom(0);
+  assert.ok(eye.controls.getDistance() > 0);
+  eye.zoom(1e9);
+  assert.ok(eye.controls.getDistance() < 1e4);
+});
+
+test('the wheel goes nearer forwards, and as far back', () => {
+  const eye = eyeAlong();
+  wheel(eye, -100);
+  assert.ok(Math.abs(eye.controls.getDistance() / 10 - Math.exp(-0.2)) < 1e-9);
+  wheel(eye, 100);
+  assert.ok(Math.abs(eye.controls.getDistance() - 10) < 1e-9);
+});
+
+test('lines and pages of the wheel are about as much as pixels', () => {
+  const [lines, pixels, pages] = [eyeAlong(), eyeAlong(), eyeAlong()];
+  wheel(lines, 3, 1);
+  wheel(pixels, 48, 0);
+  assert.ok(Math.abs(lines.controls.getDistance() - pixels.controls.getDistance()) < 1e-9);
+  wheel(pages, 1e9, 2);
+  assert.ok(pages.controls.getDistance() > 10 && pages.controls.getDistance() < 20);
+});
+
+test("buttons are those of Fortress's window, and a finger turns", () => {
+  const { mouseButtons, touches } = new Eye().controls;
+  assert.deepEqual(mouseButtons, { LEFT: MOUSE.PAN, MIDDLE: MOUSE.ROTATE, RIGHT: MOUSE.DOLLY });
+  assert.deepEqual(touches, { ONE: TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN });
+});
+
+test('sides are those of the axes', () => {
+  const eye = eyeAlong();
+  const from = (direction: Parameters<Eye['lookFrom']>[0]) => {
+    eye.lookFrom(direction);
+    return eye.camera.position;
+  };
+  near(from('front'), new Vector3(20, 0, 0));
+  near(from('back'), new Vector3(0, 0, 0));
+  near(from('left'), new Vector3(10, 10, 0));
+  near(from('right'), new Vector3(10, -10, 0));
+  assert.ok(from('top').z > 9.9);
+  assert.ok(from('bottom').z < -9.9);
+  near(from('home'), new Vector3(-6, 0, 6));
 });

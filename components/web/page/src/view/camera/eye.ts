@@ -1,33 +1,81 @@
-import { PerspectiveCamera, Raycaster, Vector2, type Vector3 } from 'three';
+import { MOUSE, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
-import type { Placement } from '../maths/placement.ts';
-import * as orbits from './orbit.ts';
+import { type Placement, fromRollPitchYaw } from '../maths/placement.ts';
+
+export type Direction = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'home';
 
 // vertical field of view [rad]
 const fieldOfView = 1.05;
+// limit of the pitch, because straight down the yaw would be undefined [rad]
+const steepest = Math.PI / 2 - 0.001;
+// limits of the distance from the target [m]
+const nearest = 0.05;
+const farthest = 5000;
+/// Fortress's initial viewpoint.
+const home: Placement = { position: new Vector3(-6, 0, 6), rotation: fromRollPitchYaw(0, 0.5, 0) };
+// 'front' is the side that x points to
+const sides: Record<Exclude<Direction, 'home'>, [yaw: number, pitch: number]> = {
+  front: [Math.PI, 0],
+  back: [0, 0],
+  left: [-Math.PI / 2, 0],
+  right: [Math.PI / 2, 0],
+  top: [0, steepest],
+  bottom: [0, -steepest],
+};
 
-/// The camera of the view, and its controls.
+/// Direction of a line of sight. The yaw is from x towards y, the pitch is downward [rad].
+function lineOfSight(yaw: number, pitch: number): Vector3 {
+  const flat = Math.cos(pitch);
+  return new Vector3(flat * Math.cos(yaw), flat * Math.sin(yaw), -Math.sin(pitch));
+}
+
+function anglesOf(sight: Vector3): [yaw: number, pitch: number] {
+  const yaw = Math.hypot(sight.x, sight.y) < 1e-6 ? 0 : Math.atan2(sight.y, sight.x);
+  const pitch = Math.asin(Math.min(Math.max(-sight.z, -1), 1));
+  return [yaw, Math.min(Math.max(pitch, -steepest), steepest)];
+}
+
+/// The camera of the view, with z up. It looks at a target, around which three's OrbitControls rotate it.
 export class Eye {
-  readonly camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, 1, 0.02, 5000);
-  private orbit = orbits.homeOrbit();
+  readonly camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, 1, 0.02, farthest);
+  readonly controls: OrbitControls;
 
-  constructor() {
+  /// @param changed The viewpoint has changed.
+  constructor(changed: () => void = () => {}) {
     this.camera.up.set(0, 0, 1);
-    this.put(this.orbit);
+    this.controls = new OrbitControls(this.camera);
+    // as in Fortress; three rotates with Shift and the button that pans
+    this.controls.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.ROTATE, RIGHT: MOUSE.DOLLY };
+    this.controls.zoomToCursor = true;
+    // half a turn per height of the view
+    this.controls.rotateSpeed = 0.5;
+    this.controls.minPolarAngle = Math.PI / 2 - steepest;
+    this.controls.maxPolarAngle = Math.PI / 2 + steepest;
+    this.controls.minDistance = nearest;
+    this.controls.maxDistance = farthest;
+    this.controls.addEventListener('change', () => {
+      // depth has enough precision only near the target
+      this.camera.near = Math.min(Math.max(this.controls.getDistance() / 200, 0.005), 0.5);
+      this.camera.updateProjectionMatrix();
+      this.camera.updateMatrixWorld();
+      changed();
+    });
+    this.placement = home;
   }
 
   get target(): Vector3 {
-    return this.orbit.target;
+    return this.controls.target;
   }
 
-  private put(orbit: orbits.Orbit): void {
-    this.orbit = orbit;
-    this.camera.position.copy(orbits.eyeOf(orbit));
-    this.camera.quaternion.copy(orbits.rotationOfCamera(orbit));
-    // depth has enough precision only near the target
-    this.camera.near = Math.min(Math.max(orbit.distance / 200, 0.005), 0.5);
-    this.camera.updateProjectionMatrix();
-    this.camera.updateMatrixWorld();
+  private get sight(): Vector3 {
+    return this.camera.getWorldDirection(new Vector3());
+  }
+
+  private look(target: Vector3, sight: Vector3, distance: number): void {
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(sight, -distance);
+    this.controls.update();
   }
 
   resize(width: number, height: number): void {
@@ -44,40 +92,49 @@ export class Eye {
 
   /// Sets the distance of the point to rotate around.
   turnAround(distance: number): void {
-    const target = orbits.eyeOf(this.orbit).addScaledVector(orbits.ahead(this.orbit), distance);
-    this.put({ ...this.orbit, target, distance });
+    this.controls.target.copy(this.camera.position).addScaledVector(this.sight, distance);
+    this.controls.update();
   }
 
+  /// @param right, down Motion of the pointer, as fractions of the view's height.
   turn(right: number, down: number): void {
-    this.put(orbits.turned(this.orbit, right, down));
+    this.controls.rotateLeft(right * Math.PI);
+    this.controls.rotateUp(down * Math.PI);
   }
 
-  pan(right: number, down: number): void {
-    this.put(orbits.panned(this.orbit, right, down, fieldOfView));
-  }
-
-  zoom(factor: number, direction: Vector3 | null): void {
-    this.put(orbits.zoomed(this.orbit, factor, direction));
+  /// @param factor Of the distance.
+  zoom(factor: number): void {
+    this.controls.dollyIn(factor);
   }
 
   /// Moves with an entity.
-  shift(way: Vector3): void {
-    this.put({ ...this.orbit, target: this.orbit.target.clone().add(way) });
+  shift(offset: Vector3): void {
+    this.look(this.target.clone().add(offset), this.sight, this.controls.getDistance());
   }
 
-  lookFrom(direction: orbits.Direction): void {
-    this.put(orbits.from(this.orbit, direction));
+  /// Looks at the same target from a side.
+  lookFrom(direction: Direction): void {
+    if (direction === 'home') this.placement = home;
+    else this.look(this.target.clone(), lineOfSight(...sides[direction]), this.controls.getDistance());
   }
 
+  /// Looks at a ball so that all of it is visible.
   lookAt(middle: Vector3, radius: number): void {
-    this.put(orbits.fitted(this.orbit, middle, radius, fieldOfView, this.camera.aspect));
+    const half = Math.atan(Math.tan(fieldOfView / 2) * Math.min(this.camera.aspect, 1));
+    this.look(middle, this.sight, Math.min(Math.max((1.1 * radius) / Math.sin(half), 0.3), farthest));
   }
 
+  /// The viewpoint as a pose: looks along x, z is up.
   get placement(): Placement {
-    return orbits.placementOfEye(this.orbit);
+    const [yaw, pitch] = anglesOf(this.sight);
+    return { position: this.camera.position.clone(), rotation: fromRollPitchYaw(0, pitch, yaw) };
   }
 
-  set placement(X_WorldEye: Placement) {
-    this.put(orbits.orbitFrom(X_WorldEye));
+  /// The target is on the ground if that is ahead and not too far, otherwise 10 m ahead.
+  set placement({ position, rotation }: Placement) {
+    const sight = lineOfSight(...anglesOf(new Vector3(1, 0, 0).applyQuaternion(rotation)));
+    const toGround = sight.z < -0.05 ? position.z / -sight.z : -1;
+    const distance = toGround > nearest && toGround < 100 ? toGround : 10;
+    this.look(position.clone().addScaledVector(sight, distance), sight, distance);
   }
 }

@@ -1,116 +1,78 @@
-/// Gestures of a pointer that control the camera.
-export type Gesture = 'turn' | 'pan' | 'zoom';
+import type { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 export interface PointerTarget {
-  /// A drag starts; positions are fractions of the view's width and height, from its upper left corner.
-  begin(gesture: Gesture, x: number, y: number): void;
-  /// As fractions of the view's height.
-  drag(gesture: Gesture, right: number, down: number): void;
-  /// @param factor Of the distance: below 1 nearer.
-  zoom(factor: number, x: number, y: number): void;
+  /// A drag that rotates starts; positions are fractions of the view's width and height, from its upper left corner.
+  turns(x: number, y: number): void;
   /// A press and release without motion.
   click(x: number, y: number): void;
   /// The pointer moves without a button.
   hover(x: number, y: number): void;
 }
 
-interface Finger {
-  x: number;
-  y: number;
-}
-
 // a click moves by at most this [px]
 const clickSlack = 4;
+// With a zoomSpeed of 1, OrbitControls multiply the distance by 0.95 per 100 pixels: this is the logarithm per pixel.
+const logPerPixel = -Math.log(0.95) / 100;
 
-/// As in Fortress: left pans, middle or shift and left rotates, right and the wheel zoom.
-export function gestureOf(event: { button: number; shiftKey: boolean; pointerType: string }): Gesture {
-  if (event.pointerType === 'touch') return 'turn';
-  if (event.button === 1 || (event.button === 0 && event.shiftKey)) return 'turn';
-  return event.button === 2 ? 'zoom' : 'pan';
+/// The zoomSpeed with which the distance is multiplied by exp(pixels / 500), by at most exp(0.6) per turn of the wheel.
+export function wheelSpeed(event: { deltaY: number; deltaMode: number }): number {
+  const pixels = Math.abs(event.deltaY * [1, 16, 100][event.deltaMode]!);
+  return (Math.min(1, 300 / pixels) / 500) / logPerPixel;
 }
 
-/// Zoom factor of a turn of the wheel.
-export function wheelFactor(event: { deltaY: number; deltaMode: number }): number {
-  const pixels = event.deltaY * [1, 16, 400][event.deltaMode]!;
-  return Math.exp(Math.min(Math.max(pixels, -300), 300) / 500);
+/// Whether OrbitControls rotate when a drag starts like this.
+export function turns(event: { button: number; shiftKey: boolean; ctrlKey: boolean; metaKey: boolean; pointerType: string }): boolean {
+  if (event.pointerType === 'touch' || event.button === 1) return true;
+  return event.button === 0 && (event.shiftKey || event.ctrlKey || event.metaKey);
 }
 
-/// Converts events of mouse, pen and fingers on an element to gestures.
+/// What OrbitControls don't do with the pointer: clicks, and the speeds of zooming.
 export class Pointer {
-  /// No gestures while something else uses the pointer, such as the handles.
-  isEnabled = true;
-  private readonly fingers = new Map<number, Finger>();
-  private gesture: Gesture = 'pan';
-  private way = 0;
+  private last = { x: 0, y: 0 };
+  /// Length of the pointer's path since the button was pressed; infinite: not pressed, or with several fingers [px].
+  private path = Infinity;
   private readonly end = new AbortController();
 
+  /// Create it after the handles and before the controls are connected, because listeners are called in this order.
   constructor(
     private readonly element: HTMLElement,
+    private readonly controls: OrbitControls,
     private readonly target: PointerTarget,
   ) {
     const { signal } = this.end;
-    element.style.touchAction = 'none';
     element.addEventListener('pointerdown', (event) => this.down(event), { signal });
     element.addEventListener('pointermove', (event) => this.move(event), { signal });
     element.addEventListener('pointerup', (event) => this.up(event), { signal });
-    element.addEventListener('pointercancel', (event) => this.fingers.delete(event.pointerId), { signal });
-    element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
-    element.addEventListener('wheel', (event) => this.wheel(event), { signal, passive: false });
+    element.addEventListener('wheel', (event) => (this.controls.zoomSpeed = wheelSpeed(event)), { signal, passive: true });
   }
 
   dispose(): void {
     this.end.abort();
   }
 
-  private share(event: { clientX: number; clientY: number }): [number, number] {
+  private share(event: PointerEvent): [number, number] {
     const box = this.element.getBoundingClientRect();
     return [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
   }
 
   private down(event: PointerEvent): void {
-    if (!this.isEnabled) return;
-    this.element.setPointerCapture(event.pointerId);
-    this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    this.gesture = this.fingers.size > 1 ? 'pan' : gestureOf(event);
-    this.way = this.fingers.size > 1 ? Infinity : 0;
-    this.target.begin(this.gesture, ...this.share(event));
+    // something else uses the pointer: the handles
+    if (!this.controls.enabled) return;
+    this.path = event.isPrimary ? 0 : Infinity;
+    this.last = { x: event.clientX, y: event.clientY };
+    // fingers zoom by the ratio of their distances, a button by a factor of 20 over the height of the view
+    this.controls.zoomSpeed = event.pointerType === 'touch' ? 1 : 3 / logPerPixel / (this.element.clientHeight || 1);
+    if (event.isPrimary && turns(event)) this.target.turns(...this.share(event));
   }
 
   private move(event: PointerEvent): void {
-    const finger = this.fingers.get(event.pointerId);
-    if (finger === undefined || !this.isEnabled) {
-      if (this.isEnabled) this.target.hover(...this.share(event));
-      return;
-    }
-    const spread = this.spread();
-    const count = this.fingers.size;
-    const height = this.element.clientHeight || 1;
-    const right = (event.clientX - finger.x) / height;
-    const down = (event.clientY - finger.y) / height;
-    this.way += Math.abs(event.clientX - finger.x) + Math.abs(event.clientY - finger.y);
-    finger.x = event.clientX;
-    finger.y = event.clientY;
-    if (this.way < clickSlack) return;
-    // each of two fingers contributes half of the motion
-    this.target.drag(this.gesture, right / count, down / count);
-    if (count === 2 && spread > 0) this.target.zoom(spread / Math.max(this.spread(), 1), ...this.share(event));
-  }
-
-  /// Distance between two fingers [px].
-  private spread(): number {
-    const [a, b] = [...this.fingers.values()];
-    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+    this.path += Math.hypot(event.clientX - this.last.x, event.clientY - this.last.y);
+    this.last = { x: event.clientX, y: event.clientY };
+    if (this.controls.enabled && event.buttons === 0) this.target.hover(...this.share(event));
   }
 
   private up(event: PointerEvent): void {
-    if (!this.fingers.delete(event.pointerId) || !this.isEnabled) return;
-    if (this.way < clickSlack && event.button === 0) this.target.click(...this.share(event));
-    // a remaining finger continues alone
-    if (this.fingers.size === 1) this.gesture = 'turn';
-  }
-
-  private wheel(event: WheelEvent): void {
-    event.preventDefault();
-    if (this.isEnabled) this.target.zoom(wheelFactor(event), ...this.share(event));
+    if (this.controls.enabled && this.path < clickSlack && event.button === 0) this.target.click(...this.share(event));
+    this.path = Infinity;
   }
 }

@@ -14,16 +14,16 @@ function made(): { places: Places; drag: Drag; x: () => number } {
 
 const there = { position: new Vector3(5, 0, 0), rotation: new Quaternion() };
 
-function hear(places: Places, drag: Drag, id: number): void {
+function receive(places: Places, drag: Drag, id: number): void {
   const ids = new Uint32Array([id]);
   places.apply({ timeNs: 0n, revision: 0, ids, poses: new Float32Array([4, 0, 0, 0, 0, 0, 1]) });
-  drag.heard(ids);
+  drag.received(ids);
 }
 
 test('a held model stays where it is held, whatever frames say', () => {
   const { places, drag, x } = made();
   drag.move(1, there, null);
-  hear(places, drag, 1);
+  receive(places, drag, 1);
   assert.equal(x(), 5);
 });
 
@@ -33,9 +33,9 @@ test('a model that was let go stays there until its pose comes', async () => {
   const left = Promise.resolve();
   drag.move(1, there, left);
   await left;
-  hear(places, drag, 2);
+  receive(places, drag, 2);
   assert.equal(x(), 5);
-  hear(places, drag, 1);
+  receive(places, drag, 1);
   assert.equal(x(), 4);
 });
 

@@ -2,7 +2,7 @@ import type { Placement } from '../maths/placement.ts';
 import type { Places } from '../scene/places.ts';
 
 // after release, a new pose arrives within this time, or never, as for a light [ms]
-const patience = 700;
+const settleTime = 700;
 
 /// Shows a model at the pose of its handles, until the simulation has moved it there.
 export class Drag {
@@ -30,12 +30,12 @@ export class Drag {
       this.timer = setTimeout(() => {
         this.places.settle();
         this.end(entity);
-      }, patience);
+      }, settleTime);
     }, refused);
   }
 
-  /// Poses of these have arrived.
-  heard(ids: Uint32Array): void {
+  /// New poses of these entities have arrived.
+  received(ids: Uint32Array): void {
     if (this.isLeft && this.entity !== null && ids.includes(this.entity)) this.end(this.entity);
   }
 
